@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a run produces, as plain values: events, frames, history rows, energies
+// and the health of the numbers. Every table, store and picture is made from
+// these; the engine fills them and keeps no copy. SI units throughout.
+#pragma once
+
+#include "geometry/point.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+enum class EventKind {
+    JointSlip, JointOpen, Debonding, Restick, Yield, Hinge, TensileRupture, ShearRupture,
+    PlateLoss, BoltLoss, PulledOut, BlockFalls, Collapse
+};
+
+/// Something that let go. Forces are those just before the release; −1 marks an index that does not apply.
+struct Event {
+    int stage = 0;
+    double time = 0.0;  // [s], or pseudo-time 0 … 1
+    long step = 0;
+    EventKind kind = EventKind::Debonding;
+    int bolt = -1;
+    int node = -1;  // from 0 at the far end
+    int element = -1;  // from 0 at the far end
+    int block = -1;
+    int otherBlock = -1;  // the second block of a joint event
+    Point position{0.0, 0.0};  // [m]
+    double axialForce = 0.0;  // [N] tension positive; of a node: the larger |N| of the elements beside it
+    double shearForce = 0.0;  // [N]
+    double anchorForce = 0.0;  // [N] positive when the rock pulls the bolt towards its head
+    double slip = 0.0;  // [m] rock minus bolt along the axis
+
+    bool operator==(const Event&) const = default;
+};
+
+struct BlockState {
+    Point centroid{0.0, 0.0};  // [m]
+    Point displacement{0.0, 0.0};  // [m] since the start or the last `zero_displacements`
+    double rotation = 0.0;  // [rad] likewise
+    std::array<double, 3> stress{};  // sxx, syy, sxy [Pa], global axes, tension positive
+    Point velocity{0.0, 0.0};  // [m/s]
+    double area = 0.0;  // [m²]
+    double weight = 0.0;  // [N]
+    std::vector<Point> points;  // the corners where they are now [m]
+
+    bool operator==(const BlockState&) const = default;
+};
+
+enum class ContactState { Open, Sliding, Locked, Bonded };
+
+struct ContactFrame {
+    int blockA = -1;  // holds the corner
+    int blockB = -1;  // holds the edge
+    int jointMaterial = -1;  // index into the scene's joint materials; −1: the built-in one
+    Point position{0.0, 0.0};  // [m]
+    ContactState state = ContactState::Open;
+    double normalForce = 0.0;  // [N] compression positive
+    double shearForce = 0.0;  // [N]
+    double penetration = 0.0;  // [m] positive when the corner is inside
+    double slip = 0.0;  // [m]
+
+    bool operator==(const ContactFrame&) const = default;
+};
+
+enum class NodeState { Bonded, Slipping, Gone, Free };
+
+/// One node of a bolt; the element's forces are those of the element that starts here,
+/// the last node's are the plate's (axial force: its normal force, shear force: its shear).
+struct BoltNodeFrame {
+    double s = 0.0;  // [m] from the far end, unstrained
+    Point position{0.0, 0.0};  // [m]
+    int block = -1;  // −1: in a gap, on a joint or outside
+    bool real = false;  // real or artificial anchor
+    NodeState state = NodeState::Free;
+    double axialForce = 0.0;  // [N]
+    double shearForce = 0.0;  // [N]
+    double moment = 0.0;  // [N m] at the node
+    double anchorForce = 0.0;  // [N]
+    double slip = 0.0;  // [m]
+    bool ruptured = false;  // the element that starts here is gone
+
+    bool operator==(const BoltNodeFrame&) const = default;
+};
+
+struct BoltFrame {
+    std::vector<BoltNodeFrame> nodes;
+    bool plateHolds = false;
+    bool lost = false;  // the whole bolt (expansion shell)
+
+    bool operator==(const BoltFrame&) const = default;
+};
+
+/// Energies since the start of the run [J].
+struct Energy {
+    double kinetic = 0.0, strain = 0.0, contact = 0.0, bolt = 0.0, friction = 0.0, plastic = 0.0, released = 0.0,
+           damped = 0.0, external = 0.0;
+    double balanceError = 0.0;  // what is left, over the largest term
+
+    bool operator==(const Energy&) const = default;
+};
+
+struct Frame {
+    int stage = 0;
+    double time = 0.0;
+    long step = 0;
+    std::vector<BlockState> blocks;
+    std::vector<ContactFrame> contacts;
+    std::vector<BoltFrame> bolts;
+    Energy energy;
+
+    bool operator==(const Frame&) const = default;
+};
+
+/// One row of the history: a value per column of `HistoryColumns`.
+struct HistoryRow {
+    int stage = 0;
+    double time = 0.0;
+    long step = 0;
+    std::vector<double> values;
+
+    bool operator==(const HistoryRow&) const = default;
+};
+
+/// Names the history's values: first those of the monitors (as the history table
+/// prints them, e.g. `crown_ux_m`, `B1_force_N`), then eight for every bolt
+/// (`BOLT.axial_force`, … in the order of `BoltQuantity`: the value of largest
+/// magnitude along the bolt, with its sign), which quantities read.
+struct HistoryColumns {
+    std::vector<std::string> names;
+    int monitorValues = 0;  // how many of them the history table shows
+
+    bool operator==(const HistoryColumns&) const = default;
+};
+
+enum class Outcome { Equilibrium, Duration, Limit, Collapse, Stopped, Failed };
+
+/// How well the numbers behaved over a stage.
+struct Health {
+    long steps = 0;
+    long passes = 0;
+    long stepCuts = 0;
+    long factorizations = 0;
+    double maxPenetrationRatio = 0.0;  // deepest penetration over the size of the block
+    double maxResidual = 0.0;  // largest accepted residual over the reference force
+    double balanceError = 0.0;
+
+    bool operator==(const Health&) const = default;
+};
+
+struct StageResult {
+    int stage = 0;
+    Outcome outcome = Outcome::Equilibrium;
+    double time = 0.0;  // reached
+    long steps = 0;
+    std::string message;  // of a collapse or a failure: which blocks or nodes, and what to do
+    std::vector<int> blocks;  // those that move or do not balance
+    Health health;
+
+    bool operator==(const StageResult&) const = default;
+};
+
+/// Everything a run left, kept in memory (tests, verification); the run store keeps the same on disk.
+struct Results {
+    HistoryColumns columns;
+    std::vector<HistoryRow> history;
+    std::vector<Event> events;
+    std::vector<Frame> frames;
+    std::vector<StageResult> stages;
+
+    bool operator==(const Results&) const = default;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Stages to the end, blocking. The command line, the tests and the window's
+// worker call the same function; a control handle stops, pauses and reports.
+#pragma once
+
+#include "solver/run/sink.h"
+
+#include <atomic>
+#include <functional>
+
+namespace keyblock {
+
+/// How far a run is; sent after every step, from the thread that runs.
+struct Progress {
+    int stage = 0;
+    double time = 0.0;  // within the stage: [s], or pseudo-time 0 … 1
+    double fraction = 0.0;  // of the whole run, 0 … 1
+    long steps = 0;
+    long passes = 0;
+    long events = 0;
+    double residual = 0.0;
+};
+
+/// Handed to a run and kept by whoever started it. Checked in every pass.
+struct Control {
+    std::atomic<bool> stop{false};
+    std::atomic<bool> pause{false};
+    std::function<void(const Progress&)> progress;  // may be empty
+};
+
+struct RunSettings {
+    int threads = 0;  // 0: as many as the machine has; never changes a result
+};
+
+/// Runs every stage of a checked scene.
+/// \pre `checkScene(scene)` found no error.
+/// \return one result per stage begun. A collapse is a result; the outcome `Failed`
+///         (numerical failure) or `Stopped` ends the run.
+std::vector<StageResult> run(const Scene& scene, Sink& sink, Control& control, const RunSettings& settings = {});
+
+/// The same into memory, for tests and verification.
+Results runInMemory(const Scene& scene, const RunSettings& settings = {});
+
+}  // namespace keyblock

@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The document: one scene as plain values. Everything a scene file can say
+// stands here with its unit and its default; nothing here is computed. Objects
+// refer to each other by name, never by pointer, so a scene can be copied,
+// compared, kept for undo and handed to a worker.
+//
+// Angles are in degrees, as a person types them; everything else is SI.
+#pragma once
+
+#include "geometry/point.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace keyblock {
+
+enum class Plane { Stress, Strain };
+enum class Integration { Shi, BackwardEuler };
+
+/// Settings of the whole analysis.
+struct Analysis {
+    Plane plane = Plane::Strain;
+    double thickness = 1.0;  // [m]
+    Point gravity{0.0, 0.0};  // [m/s²]
+    Integration integration = Integration::Shi;  // dynamic stages that name none
+    double penaltyRatio = 40.0;  // contact spring = ratio · E · thickness
+    double shearRatio = 0.4;  // shear over normal contact stiffness
+    double tolerance = 1e-4;  // pass tolerance: residual over reference force
+    int maxPasses = 40;  // passes of one step before it is cut
+
+    bool operator==(const Analysis&) const = default;
+};
+
+struct Material {
+    double density = 0.0;  // [kg/m³]
+    double youngsModulus = 0.0;  // [Pa]
+    double poissonsRatio = 0.0;
+
+    bool operator==(const Material&) const = default;
+};
+
+/// Strength of the faces of blocks.
+struct JointMaterial {
+    double frictionAngle = 30.0;  // [°]
+    double cohesion = 0.0;  // [Pa]
+    double tensileStrength = 0.0;  // [Pa]
+
+    bool operator==(const JointMaterial&) const = default;
+};
+
+/// Stress in the plane: sxx, syy, sxy [Pa], tension positive.
+using Stress = std::array<double, 3>;
+
+struct Block {
+    std::string name;  // empty: b1, b2, … by order
+    std::vector<Point> points;  // [m], either way round
+    std::string material;
+    std::optional<std::string> jointMaterial;
+    Stress initialStress{0.0, 0.0, 0.0};  // [Pa]
+
+    bool operator==(const Block&) const = default;
+};
+
+enum class Fix { All, X, Y, XY };
+
+/// Holds a whole block (`blockAt`, fix all) or one point of a block (`point`, fix x, y or xy).
+struct Support {
+    std::optional<Point> blockAt;  // [m]
+    std::optional<Point> point;  // [m]
+    Fix fix = Fix::All;
+
+    bool operator==(const Support&) const = default;
+};
+
+/// Piecewise-linear table of (time, value); time is pseudo-time 0 … 1 in a static stage.
+using Table = std::vector<std::pair<double, double>>;
+
+enum class Rotation { Held, Free };
+
+/// Prescribes the displacement of a block's centroid along `axis`, counted from the start of the run [m].
+struct Motion {
+    Point blockAt{0.0, 0.0};  // [m]
+    Point axis{1.0, 0.0};  // any length but zero
+    Table table;  // (time, displacement [m])
+    Rotation rotation = Rotation::Held;
+
+    bool operator==(const Motion&) const = default;
+};
+
+/// A force on a block; exactly one of `blockAt`, `point`, `along` says where.
+struct Load {
+    std::optional<Point> blockAt;  // force at the centroid, or at `at`
+    std::optional<Point> at;  // [m], with `blockAt` only
+    std::optional<Point> point;  // force at this point of the block that holds it
+    std::optional<std::array<Point, 2>> along;  // pressure on the edges along this line
+    Point force{0.0, 0.0};  // [N], total over the thickness
+    double pressure = 0.0;  // [Pa], positive presses on the block
+    Table table;  // (time, factor); empty: 1 throughout
+
+    bool operator==(const Load&) const = default;
+};
+
+struct InitialVelocity {
+    Point blockAt{0.0, 0.0};  // [m]
+    Point velocity{0.0, 0.0};  // [m/s]
+    double spin = 0.0;  // [rad/s]
+
+    bool operator==(const InitialVelocity&) const = default;
+};
+
+/// When a static stage is at equilibrium, and when it gives up looking for it.
+struct Until {
+    double unbalanced = 1e-4;  // unbalanced force over reference force; never above the pass tolerance
+    std::optional<int> maxSteps;  // pseudo-steps per equilibrium; null: chosen by the program
+
+    bool operator==(const Until&) const = default;
+};
+
+enum class StageKind { Static, Dynamic };
+
+struct Stage {
+    std::string name;
+    StageKind kind = StageKind::Static;
+    std::vector<Motion> motions;
+    std::vector<Load> loads;
+    bool zeroDisplacements = false;
+    bool continueAfterCollapse = true;  // "continue"
+    // static
+    Until until;
+    std::optional<int> increments;  // over pseudo-time 0 … 1; null: chosen by the program
+    // dynamic
+    double duration = 0.0;  // [s]
+    std::optional<double> timeStep;  // [s]; null: chosen by the program
+    std::optional<Integration> integration;  // null: that of the analysis
+    std::vector<InitialVelocity> initialVelocities;
+
+    bool operator==(const Stage&) const = default;
+};
+
+enum class BoltClass { CMC, CFC, DMC, DFC };
+enum class Bending { None, Elastic, ElasticPlastic };
+enum class Per { Node, Length };
+enum class AnchorLaw { Elastic, PeakResidual, Frictional, Curve };
+enum class AfterCurve { Last, Zero };
+enum class OnFailure { None, BoltLost };
+
+/// A place along a bolt: metres from its far end, or the head.
+struct BoltPlace {
+    bool head = false;
+    double s = 0.0;  // [m] from the far end, when not `head`
+
+    bool operator==(const BoltPlace&) const = default;
+};
+
+/// One entry of a bolt's anchor table: which nodes are real, and the law that holds them along the bolt.
+struct Anchor {
+    std::optional<BoltPlace> at;  // the nearest node; else the range [from, to]
+    BoltPlace from;
+    BoltPlace to{true, 0.0};
+    Per per = Per::Length;  // `at` entries are per node
+    AnchorLaw law = AnchorLaw::Elastic;
+    double stiffness = 0.0;  // [N/m], or [N/m per m] per length
+    std::optional<double> strength;  // [N] or [N/m]; null: unlimited (elastic)
+    double residual = 0.0;  // [N] or [N/m], peak–residual only
+    bool restick = true;
+    Table curve;  // (slip [m], force [N] or [N/m]), from the origin
+    AfterCurve after = AfterCurve::Last;
+    OnFailure onFailure = OnFailure::None;
+
+    bool operator==(const Anchor&) const = default;
+};
+
+/// Face plate between the head node and the rock. Null strength: unlimited.
+struct Plate {
+    double normalStiffness = 1e9;  // [N/m]
+    double shearStiffness = 1e8;  // [N/m]
+    std::optional<double> normalStrength;  // [N]
+    std::optional<double> shearStrength;  // [N]
+    double width = 0.15;  // [m]
+    double thickness = 0.01;  // [m]
+    double youngsModulus = 215.8e9;  // [Pa]
+    double poissonsRatio = 0.25;
+    double density = 7850.0;  // [kg/m³]
+
+    bool operator==(const Plate&) const = default;
+};
+
+/// A type of bolt with every `like` already followed.
+struct BoltType {
+    std::string name;
+    bool builtIn = false;  // from the library: not written with the scene
+    std::string like;  // the type it was derived from; empty: none
+    BoltClass boltClass = BoltClass::CMC;
+    std::string source;
+    double diameter = 0.02;  // [m]
+    std::optional<double> area;  // [m²]; null: the full circle
+    std::optional<double> secondMoment;  // [m⁴]; null: from diameter and area
+    std::optional<double> plasticModulus;  // [m³]; null: from diameter and area
+    double density = 7850.0;  // [kg/m³]
+    double shearModulus = 80e9;  // [Pa]
+    double shearCoefficient = 4.0 / 3.0;
+    std::optional<double> youngsModulus;  // [Pa]; null: from the first piece of `steel`
+    Table steel;  // (strain, stress [Pa]) from the origin; empty: linear and unbreakable
+    std::optional<double> tensileStrength;  // [Pa]; null: the largest stress of `steel`
+    double shearStrengthRatio = 0.6;  // of the tensile strength
+    Bending bending = Bending::ElasticPlastic;
+    std::optional<double> normalStiffness;  // [N/m] per node, or [N/m per m]; null: chosen, per length
+    Per normalPer = Per::Node;
+    std::vector<Anchor> anchors;
+    Plate plate;
+    double dynamicFactor = 1.0;
+    std::map<std::string, std::string> sources;  // field name → where its number comes from
+
+    bool operator==(const BoltType&) const = default;
+};
+
+enum class PlateKind { None, Spring };
+
+struct Bolt {
+    std::string name;
+    std::string type;
+    Point farEnd{0.0, 0.0};  // [m]
+    Point head{0.0, 0.0};  // [m]
+    std::optional<int> divisions;  // null: chosen by the program
+    PlateKind plate = PlateKind::Spring;
+    std::optional<double> spacingOutOfPlane;  // [m]; null: the thickness
+    std::optional<std::vector<Anchor>> anchors;  // null: those of the type
+
+    bool operator==(const Bolt&) const = default;
+};
+
+enum class BoltQuantity { AxialForce, ShearForce, Moment, AnchorForce, Slip, PlateForce, DebondedLength, Strain };
+
+/// Displacement of a point, opening between two points, or a quantity of a bolt.
+struct Monitor {
+    std::string name;
+    std::optional<Point> point;  // → two values: ux, uy [m]
+    std::optional<std::array<Point, 2>> between;  // → second minus first on `axis` [m]
+    Point axis{1.0, 0.0};
+    std::optional<std::string> bolt;  // → one value
+    BoltQuantity quantity = BoltQuantity::AxialForce;
+    std::optional<double> at;  // [m] from the far end
+    std::optional<double> atFromHead;  // [m]
+    std::optional<double> atFraction;  // 0 … 1 from the far end
+
+    bool operator==(const Monitor&) const = default;
+};
+
+struct Output {
+    int frames = 200;  // over the whole run
+    std::optional<double> every;  // [s] of dynamic time or pseudo-time; overrides `frames`
+
+    bool operator==(const Output&) const = default;
+};
+
+struct Expected {
+    std::string quantity;  // as in `quantities`
+    double value = 0.0;  // SI
+    double tolerance = 0.01;  // relative; absolute where `value` is 0
+    std::string source;  // where the number comes from, for people
+
+    bool operator==(const Expected&) const = default;
+};
+
+struct About {
+    std::string shows;
+    std::string source;
+    std::string category;
+    std::vector<Expected> expected;
+
+    bool operator==(const About&) const = default;
+};
+
+/// A whole scene. Maps and lists keep the file's order where order matters.
+struct Scene {
+    std::string title;
+    About about;
+    Analysis analysis;
+    std::vector<std::pair<std::string, Material>> materials;
+    std::vector<std::pair<std::string, JointMaterial>> jointMaterials;
+    std::vector<Block> blocks;
+    std::vector<Support> supports;
+    std::vector<BoltType> boltTypes;  // the scene's own and the built-in ones that its bolts use; `like` followed
+    std::vector<Bolt> bolts;
+    std::vector<Stage> stages;
+    std::vector<Monitor> monitors;
+    std::vector<std::string> quantities;
+    Output output;
+
+    bool operator==(const Scene&) const = default;
+};
+
+/// Friction and strength between blocks whose scene names no joint material at all.
+inline const JointMaterial builtInJointMaterial{};
+
+}  // namespace keyblock
