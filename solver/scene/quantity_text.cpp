@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Names in a scene are free text, so a quantity is not split at every space or
+// dot: the words before the name are fixed, and of the rest the longest known
+// name wins.
+#include "solver/scene/quantity_text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace keyblock {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Reduction>, 4> reductions{
+    {{"max", Reduction::Max}, {"min", Reduction::Min}, {"last", Reduction::Last}, {"first", Reduction::First}}};
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(' ');
+    if (first == std::string_view::npos)
+        return {};
+    return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// Cuts the first word off `text`.
+std::string_view takeWord(std::string_view& text) {
+    const auto end = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, end);
+    text = trimmed(text.substr(end));
+    return word;
+}
+
+template <typename Range, typename Name>
+std::string listed(const Range& range, Name name) {
+    std::string text;
+    for (const auto& item : range) {
+        text += text.empty() ? "" : ", ";
+        text += name(item);
+    }
+    return text.empty() ? "none" : text;
+}
+
+template <typename Words>
+std::string listedWords(const Words& words) {
+    return listed(words, [](std::string_view word) { return std::string(word); });
+}
+
+template <typename Words>
+int indexOfWord(const Words& words, std::string_view word) {
+    const auto found = std::find(words.begin(), words.end(), word);
+    return found == words.end() ? -1 : static_cast<int>(found - words.begin());
+}
+
+template <typename Named>
+int indexOfName(const std::vector<Named>& items, std::string_view name) {
+    const auto found = std::find_if(items.begin(), items.end(), [&](const Named& item) { return item.name == name; });
+    return found == items.end() ? -1 : static_cast<int>(found - items.begin());
+}
+
+struct SubjectReading {
+    std::optional<Subject> subject;
+    std::string problem;
+};
+
+SubjectReading wholeMonitor(int monitor, const Scene& scene) {
+    const std::string& name = scene.monitors[monitor].name;
+    if (monitorValueCount(scene.monitors[monitor]) > 1)
+        return {{}, "monitor '" + name + "' is a point: write '" + name + ".ux' or '" + name + ".uy'"};
+    return {Subject{.monitor = monitor}, ""};
+}
+
+SubjectReading monitorPart(int monitor, std::string_view part, const Scene& scene) {
+    const std::string& name = scene.monitors[monitor].name;
+    if (monitorValueCount(scene.monitors[monitor]) == 1)
+        return {{}, "monitor '" + name + "' has one value: leave out '." + std::string(part) + "'"};
+    if (part != "ux" && part != "uy")
+        return {{}, "monitor '" + name + "' has no '" + std::string(part) + "': write '.ux' or '.uy'"};
+    return {Subject{.monitor = monitor, .component = part == "uy" ? 1 : 0}, ""};
+}
+
+SubjectReading boltPart(int bolt, std::string_view part, const Scene& scene) {
+    const int quantity = indexOfWord(boltQuantityWords, part);
+    if (quantity < 0)
+        return {{}, "bolt '" + scene.bolts[bolt].name + "' has no quantity '" + std::string(part) + "': write one of " +
+                        listedWords(boltQuantityWords)};
+    return {Subject{.bolt = bolt, .boltQuantity = static_cast<BoltQuantity>(quantity)}, ""};
+}
+
+SubjectReading unknownSubject(std::string_view name, const Scene& scene) {
+    const auto nameOf = [](const auto& item) { return item.name; };
+    return {{}, "'" + std::string(name) + "' names no monitor (there are: " + listed(scene.monitors, nameOf) +
+                    ") and no bolt with a quantity, as in 'BOLT.axial_force' (bolts: " + listed(scene.bolts, nameOf) +
+                    ")"};
+}
+
+SubjectReading readSubject(std::string_view text, const Scene& scene) {
+    if (const int monitor = indexOfName(scene.monitors, text); monitor >= 0)
+        return wholeMonitor(monitor, scene);
+    const auto dot = text.rfind('.');
+    if (dot == std::string_view::npos)
+        return unknownSubject(text, scene);
+    const std::string_view name = text.substr(0, dot);
+    const std::string_view part = text.substr(dot + 1);
+    const int monitor = indexOfName(scene.monitors, name);
+    const int bolt = indexOfName(scene.bolts, name);
+    if (bolt >= 0 && (monitor < 0 || indexOfWord(boltQuantityWords, part) >= 0))
+        return boltPart(bolt, part, scene);
+    if (monitor >= 0)
+        return monitorPart(monitor, part, scene);
+    return unknownSubject(text, scene);
+}
+
+}  // namespace
+
+int monitorValueCount(const Monitor& monitor) { return monitor.point ? 2 : 1; }
+
+QuantityReading readQuantity(std::string_view text, const Scene& scene) {
+    std::string_view rest = trimmed(text);
+    const std::string_view word = takeWord(rest);
+    const auto reduction = std::find_if(reductions.begin(), reductions.end(),
+                                        [&](const auto& entry) { return entry.first == word; });
+    if (reduction == reductions.end())
+        return {{}, "a quantity starts with max, min, last or first, not with '" + std::string(word) + "'"};
+
+    Quantity quantity{.reduction = reduction->second};
+    if (quantity.reduction == Reduction::First) {
+        const std::string_view kind = takeWord(rest);
+        quantity.eventKind = indexOfWord(eventKindWords, kind);
+        if (quantity.eventKind < 0)
+            return {{}, "'" + std::string(kind) + "' is no kind of event: write one of " + listedWords(eventKindWords)};
+    }
+    const SubjectReading subject = readSubject(rest, scene);
+    if (!subject.subject)
+        return {{}, subject.problem};
+    if (quantity.reduction == Reduction::First && subject.subject->monitor < 0)
+        return {{}, "'first' takes a monitor, not a bolt: add a monitor of '" + std::string(rest) + "' and name it"};
+    quantity.subject = *subject.subject;
+    return {quantity, ""};
+}
+
+}  // namespace keyblock
