@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cells double in size from level to level. A box is at most as large as the cells
+// of its level, so whatever meets another box has its lower left corner in the
+// cells of that box or one cell to the left or below: a few runs of a sorted list.
+// Pairs are looked for from the finer to the coarser level, hence found once.
+#include "geometry/grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace keyblock {
+
+namespace {
+
+double largerSide(const Box& box) { return (box.max - box.min).maxCoeff(); }
+
+/// Exponent of the cells for a box of this size. The part in a million to spare covers the round-off of indices up to
+/// a billion, so that boxes which just touch are never missed.
+int levelOf(double size) {
+    int exponent = 0;
+    std::frexp(size * (1.0 + 1e-6), &exponent);
+    return exponent;
+}
+
+}  // namespace
+
+BoxGrid::BoxGrid(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
+    if (boxes_.empty()) return;
+    Box all = boxes_.front();
+    for (const Box& box : boxes_) {
+        all.min = all.min.cwiseMin(box.min);
+        all.max = all.max.cwiseMax(box.max);
+    }
+    origin_ = all.min;
+    // Points and needles share cells of a billionth of the whole: indices stay exact.
+    const double least = std::max(1e-9 * largerSide(all), 1e-300);
+
+    std::map<int, Level> byExponent;
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+        const int exponent = levelOf(std::max(largerSide(boxes_[i]), least));
+        Level& level = byExponent[exponent];
+        level.cell = std::ldexp(1.0, exponent);
+        const Point offset = boxes_[i].min - origin_;
+        level.entries.push_back(
+            {cellIndex(offset.y(), level.cell), cellIndex(offset.x(), level.cell), static_cast<int>(i)});
+    }
+    for (auto& [exponent, level] : byExponent) {
+        std::sort(level.entries.begin(), level.entries.end(), [](const Entry& a, const Entry& b) {
+            return std::tie(a.row, a.column, a.box) < std::tie(b.row, b.column, b.box);
+        });
+        levels_.push_back(std::move(level));
+    }
+}
+
+std::int64_t BoxGrid::cellIndex(double offset, double cell) const {
+    constexpr double farthest = 4e18;  // a query far outside stays within the integers
+    return static_cast<std::int64_t>(std::clamp(std::floor(offset / cell), -farthest, farthest));
+}
+
+template <class Visit>
+void BoxGrid::visitMeeting(const Level& level, const Box& box, Visit visit) const {
+    const Point low = box.min - origin_;
+    const Point high = box.max - origin_;
+    const std::int64_t firstColumn = cellIndex(low.x(), level.cell) - 1;
+    const std::int64_t lastColumn = cellIndex(high.x(), level.cell);
+    const std::int64_t lastRow = cellIndex(high.y(), level.cell);
+
+    const auto startOf = [&](std::int64_t row) {
+        return std::lower_bound(level.entries.begin(), level.entries.end(), std::pair(row, firstColumn),
+                                [](const Entry& entry, const std::pair<std::int64_t, std::int64_t>& key) {
+                                    return std::pair(entry.row, entry.column) < key;
+                                });
+    };
+    auto entry = startOf(cellIndex(low.y(), level.cell) - 1);
+    while (entry != level.entries.end() && entry->row <= lastRow) {
+        if (entry->column < firstColumn) {
+            entry = startOf(entry->row);
+        } else if (entry->column > lastColumn) {
+            entry = startOf(entry->row + 1);
+        } else {
+            if (meets(boxes_[static_cast<std::size_t>(entry->box)], box)) visit(entry->box);
+            ++entry;
+        }
+    }
+}
+
+std::vector<std::pair<int, int>> BoxGrid::meetingPairs() const {
+    std::vector<std::pair<int, int>> pairs;
+    for (auto own = levels_.begin(); own != levels_.end(); ++own)
+        for (const Entry& entry : own->entries)
+            for (auto level = own; level != levels_.end(); ++level)
+                visitMeeting(*level, boxes_[static_cast<std::size_t>(entry.box)], [&](int other) {
+                    if (level != own || entry.box < other) pairs.emplace_back(std::minmax(entry.box, other));
+                });
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+std::vector<int> BoxGrid::meeting(const Box& box) const {
+    std::vector<int> found;
+    for (const Level& level : levels_) visitMeeting(level, box, [&](int other) { found.push_back(other); });
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Whether an outline is sound. Round-off cannot tell a corner on an edge from one
+// beside it, so everything within the tolerance of a corner is judged by the two
+// sides that leave that corner, and only what is clear of every corner by the
+// crossing of two edges.
+#include "geometry/polygon.h"
+#include "geometry/segment.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace keyblock {
+
+namespace {
+
+class Outline {
+public:
+    Outline(std::span<const Point> polygon, double tolerance) : tolerance_(tolerance) {
+        for (const Point& p : polygon)
+            if (corners_.empty() || (p - corners_.back()).norm() > tolerance) corners_.push_back(p);
+        while (corners_.size() > 1 && (corners_.back() - corners_.front()).norm() <= tolerance) corners_.pop_back();
+    }
+
+    std::optional<Point> fault() const {
+        const int n = static_cast<int>(corners_.size());
+        for (int i = 0; i < n; ++i) {
+            if (foldsBack(i)) return corner(i);
+            for (int j = 0; j < n; ++j)
+                if (const auto place = faultBetween(i, j)) return place;
+        }
+        return std::nullopt;
+    }
+
+private:
+    const Point& corner(int i) const {
+        const int n = static_cast<int>(corners_.size());
+        return corners_[static_cast<std::size_t>(((i % n) + n) % n)];
+    }
+
+    bool onEdge(const Point& p, int edge) const {
+        return distanceToSegment(corner(edge), corner(edge + 1), p) <= tolerance_;
+    }
+
+    /// The two sides of corner i lie on each other.
+    bool foldsBack(int i) const {
+        if (corners_.size() < 3) return false;
+        return onEdge(corner(i - 1), i) || onEdge(corner(i + 1), i - 1);
+    }
+
+    /// Edge j against edge i (which starts at corner i) and against its first corner.
+    std::optional<Point> faultBetween(int i, int j) const {
+        const int n = static_cast<int>(corners_.size());
+        const int gap = ((j - i) % n + n) % n;
+        const bool ownEdge = gap == 0 || gap == n - 1;
+        if (ownEdge) return std::nullopt;
+        if (onEdge(corner(i), j)) return passesThrough(i, j);
+        const bool neighbours = gap == 1;
+        if (neighbours || j < i) return std::nullopt;
+        return cutsThrough(i, j);
+    }
+
+    /// Corner i lies on edge j: at fault when its sides leave to opposite sides of the outline there, or along it.
+    std::optional<Point> passesThrough(int i, int j) const {
+        const bool atStart = (corner(j) - corner(i)).norm() <= tolerance_;
+        const bool atEnd = (corner(j + 1) - corner(i)).norm() <= tolerance_;
+        if (atEnd) return std::nullopt;  // told with edge j + 1, which starts there
+        const Point& before = atStart ? corner(j - 1) : corner(j);
+        const Point& after = corner(j + 1);
+        const Point& in = corner(i - 1);
+        const Point& out = corner(i + 1);
+        if (liesAlong(corner(i), in, before) || liesAlong(corner(i), in, after) ||
+            liesAlong(corner(i), out, before) || liesAlong(corner(i), out, after))
+            return corner(i);
+        const bool inLeft = isBetween(corner(i), after, in, before);
+        const bool outLeft = isBetween(corner(i), after, out, before);
+        return inLeft != outLeft ? std::optional(corner(i)) : std::nullopt;
+    }
+
+    /// True when the sides from `at` to `p` and to `q` run along each other.
+    bool liesAlong(const Point& at, const Point& p, const Point& q) const {
+        return distanceToSegment(at, p, q) <= tolerance_ || distanceToSegment(at, q, p) <= tolerance_;
+    }
+
+    /// True when, turning counter-clockwise about `at` from `first`, `p` comes before `last`.
+    static bool isBetween(const Point& at, const Point& first, const Point& p, const Point& last) {
+        const auto angleFromFirst = [&](const Point& q) {
+            const double angle = std::atan2(cross(first - at, q - at), (first - at).dot(q - at));
+            return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
+        };
+        return angleFromFirst(p) < angleFromFirst(last);
+    }
+
+    /// Edges i and j cross clear of their corners.
+    std::optional<Point> cutsThrough(int i, int j) const {
+        const bool nearCorner = onEdge(corner(i + 1), j) || onEdge(corner(j), i) || onEdge(corner(j + 1), i);
+        if (nearCorner) return std::nullopt;
+        const auto meeting = crossing(corner(i), corner(i + 1), corner(j), corner(j + 1));
+        return meeting ? std::optional(meeting->place) : std::nullopt;
+    }
+
+    std::vector<Point> corners_;
+    double tolerance_;
+};
+
+}  // namespace
+
+std::optional<Point> crossesItself(std::span<const Point> polygon, double tolerance) {
+    return Outline(polygon, tolerance).fault();
+}
+
+}  // namespace keyblock
