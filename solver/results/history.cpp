@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Columns are found by counting, not by name: two monitors whose names differ in
+// a space and an underscore share a column name, never a column.
+#include "solver/results/history.h"
+
+#include <algorithm>
+#include <array>
+
+namespace keyblock {
+
+namespace {
+
+/// Unit suffixes in the order of `BoltQuantity`.
+constexpr std::array<std::string_view, boltQuantityWords.size()> boltQuantitySuffixes{"_N", "_N", "_Nm", "_N",
+                                                                                      "_m", "_N", "_m",  ""};
+
+std::string columnStem(std::string name) {
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+}
+
+void addMonitor(const Monitor& monitor, std::vector<std::string>& names) {
+    const std::string stem = columnStem(monitor.name);
+    if (monitor.point) {
+        names.push_back(stem + "_ux_m");
+        names.push_back(stem + "_uy_m");
+    } else if (monitor.between) {
+        names.push_back(stem + "_m");
+    } else {
+        names.push_back(stem + std::string(boltQuantitySuffixes[static_cast<std::size_t>(monitor.quantity)]));
+    }
+}
+
+int firstColumnOf(const Scene& scene, int monitor) {
+    int column = 0;
+    for (int before = 0; before < monitor; ++before)
+        column += monitorValueCount(scene.monitors[before]);
+    return column;
+}
+
+}  // namespace
+
+HistoryColumns historyColumns(const Scene& scene) {
+    HistoryColumns columns;
+    for (const Monitor& monitor : scene.monitors)
+        addMonitor(monitor, columns.names);
+    columns.monitorValues = static_cast<int>(columns.names.size());
+    for (const Bolt& bolt : scene.bolts)
+        for (const std::string_view word : boltQuantityWords)
+            columns.names.push_back(bolt.name + "." + std::string(word));
+    return columns;
+}
+
+int historyColumn(const Scene& scene, const Subject& subject) {
+    if (subject.monitor >= 0)
+        return firstColumnOf(scene, subject.monitor) + subject.component;
+    const int monitorValues = firstColumnOf(scene, static_cast<int>(scene.monitors.size()));
+    return monitorValues + subject.bolt * static_cast<int>(boltQuantityWords.size()) +
+           static_cast<int>(subject.boltQuantity);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the values of a history row are, told by the scene alone: whoever fills a
+// row, prints it or reads a quantity from it asks here.
+#pragma once
+
+#include "solver/results/results.h"
+#include "solver/scene/quantity_text.h"
+
+namespace keyblock {
+
+/// Names every value of a history row: the monitors' as the history table prints them, then eight for every bolt.
+HistoryColumns historyColumns(const Scene& scene);
+
+/// Position in a history row of what a quantity reads.
+int historyColumn(const Scene& scene, const Subject& subject);
+
+}  // namespace keyblock

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One way to look at a run, whether it is kept in memory or in a store on disk:
+// tables, answers and pictures are made from this. Frames are large, so they are
+// listed first and loaded one at a time.
+#pragma once
+
+#include "solver/results/results.h"
+#include "solver/scene/scene.h"
+
+#include <vector>
+
+namespace keyblock {
+
+/// What is known of a frame without loading it.
+struct FrameHead {
+    int stage = 0;
+    double time = 0.0;  // within the stage: [s], or pseudo-time 0 … 1
+    long step = 0;
+    Energy energy;
+};
+
+/// A stage that was begun; one that never ended (the run still goes on, or was killed) has no outcome.
+struct StageRecord {
+    StageResult result;
+    bool ended = false;
+};
+
+class RunSource {
+public:
+    virtual ~RunSource() = default;
+
+    virtual const Scene& scene() const = 0;
+    virtual const HistoryColumns& columns() const = 0;
+    virtual std::vector<StageRecord> stages() const = 0;
+    virtual std::vector<Event> events() const = 0;  // in order of time
+    virtual std::vector<HistoryRow> history() const = 0;  // in order of time
+    virtual const std::vector<FrameHead>& frames() const = 0;  // in order of time
+
+    /// Loads one frame.
+    /// \pre `index` counts within `frames()`.
+    virtual Frame frame(std::size_t index) const = 0;
+};
+
+/// A run kept in memory. Scene and results must outlive it.
+class MemoryRun : public RunSource {
+public:
+    MemoryRun(const Scene& scene, const Results& results);
+
+    const Scene& scene() const override { return scene_; }
+    const HistoryColumns& columns() const override { return results_.columns; }
+    std::vector<StageRecord> stages() const override;
+    std::vector<Event> events() const override { return results_.events; }
+    std::vector<HistoryRow> history() const override { return results_.history; }
+    const std::vector<FrameHead>& frames() const override { return heads_; }
+    Frame frame(std::size_t index) const override { return results_.frames.at(index); }
+
+private:
+    const Scene& scene_;
+    const Results& results_;
+    std::vector<FrameHead> heads_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One function a table. An index that does not apply gives an empty cell; an event
+// of a pair of blocks names both, with a bar between.
+#include "solver/results/tables.h"
+
+#include "solver/results/csv.h"
+#include "solver/results/words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace keyblock {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> words{"history", "events", "bolts", "blocks", "contacts", "energy"};
+
+using Columns = std::vector<std::string_view>;
+
+/// The columns after `stage,time_s`.
+Columns columnsOf(TableKind kind, const HistoryColumns& history) {
+    switch (kind) {
+        case TableKind::Events:
+            return {"step", "kind",          "bolt",          "node",           "element", "block",
+                    "x_m",  "y_m",           "axial_force_N", "shear_force_N",  "anchor_force_N", "slip_m"};
+        case TableKind::Bolts:
+            return {"bolt",   "node",  "s_m",           "x_m",           "y_m",       "block",          "anchor",
+                    "state",  "axial_force_N", "shear_force_N", "moment_Nm", "anchor_force_N", "slip_m"};
+        case TableKind::Blocks:
+            return {"block",  "x_m",    "y_m",        "ux_m",       "uy_m",    "rotation_rad", "sxx_Pa",
+                    "syy_Pa", "sxy_Pa", "vx_m_per_s", "vy_m_per_s", "area_m2", "weight_N"};
+        case TableKind::Contacts:
+            return {"block_a", "block_b",        "joint_material", "x_m",           "y_m",
+                    "state",   "normal_force_N", "shear_force_N",  "penetration_m", "slip_m"};
+        case TableKind::Energy:
+            return {"kinetic_J", "strain_J",   "contact_J", "bolt_J",     "friction_J",
+                    "plastic_J", "released_J", "damped_J",  "external_J", "balance_error"};
+        case TableKind::History: break;
+    }
+    return {history.names.begin(), history.names.begin() + history.monitorValues};
+}
+
+void writeHeader(const Columns& columns, CsvWriter& csv) {
+    csv.text("stage").text("time_s");
+    for (const std::string_view column : columns)
+        csv.text(column);
+    csv.endRow();
+}
+
+void beginRow(CsvWriter& csv, const Scene& scene, const Moment& moment) {
+    csv.text(stageName(scene, moment.stage)).number(moment.time);
+}
+
+template <typename Timed>
+std::vector<Moment> momentsOf(const std::vector<Timed>& rows) {
+    std::vector<Moment> moments;
+    for (const Timed& row : rows)
+        moments.push_back({row.stage, row.time});
+    return moments;
+}
+
+void writeHistory(const RunSource& run, const TableFilter& filter, CsvWriter& csv) {
+    const auto shown = static_cast<std::size_t>(run.columns().monitorValues);
+    const std::vector<HistoryRow> rows = run.history();
+    for (const std::size_t i : selected(momentsOf(rows), filter, When::All)) {
+        beginRow(csv, run.scene(), {rows[i].stage, rows[i].time});
+        for (std::size_t column = 0; column < shown; ++column)
+            csv.number(rows[i].values[column]);
+        csv.endRow();
+    }
+}
+
+std::string eventBlocks(const Scene& scene, const Event& event) {
+    const std::string block = blockName(scene, event.block);
+    return event.otherBlock < 0 ? block : block + "|" + blockName(scene, event.otherBlock);
+}
+
+void writeEvent(const Scene& scene, const Event& event, CsvWriter& csv) {
+    beginRow(csv, scene, {event.stage, event.time});
+    csv.integer(event.step).text(wordOf(event.kind)).text(boltName(scene, event.bolt));
+    csv.index(event.node).index(event.element).text(eventBlocks(scene, event));
+    csv.number(event.position.x()).number(event.position.y());
+    csv.number(event.axialForce).number(event.shearForce).number(event.anchorForce).number(event.slip).endRow();
+}
+
+void writeEvents(const RunSource& run, const TableFilter& filter, CsvWriter& csv) {
+    const std::vector<Event> events = run.events();
+    for (const std::size_t i : selected(momentsOf(events), filter, When::All))
+        if (!filter.bolt || events[i].bolt == *filter.bolt)
+            writeEvent(run.scene(), events[i], csv);
+}
+
+void writeBoltRows(const Scene& scene, const Frame& frame, int bolt, CsvWriter& csv) {
+    int index = 0;
+    for (const BoltNodeFrame& node : frame.bolts[static_cast<std::size_t>(bolt)].nodes) {
+        beginRow(csv, scene, {frame.stage, frame.time});
+        csv.text(boltName(scene, bolt)).index(index++).number(node.s);
+        csv.number(node.position.x()).number(node.position.y()).text(blockName(scene, node.block));
+        csv.text(anchorWord(node.real)).text(wordOf(node.state));
+        csv.number(node.axialForce).number(node.shearForce).number(node.moment);
+        csv.number(node.anchorForce).number(node.slip).endRow();
+    }
+}
+
+void writeBolts(const Scene& scene, const Frame& frame, const TableFilter& filter, CsvWriter& csv) {
+    for (int bolt = 0; bolt < static_cast<int>(frame.bolts.size()); ++bolt)
+        if (!filter.bolt || bolt == *filter.bolt)
+            writeBoltRows(scene, frame, bolt, csv);
+}
+
+void writeBlocks(const Scene& scene, const Frame& frame, const TableFilter&, CsvWriter& csv) {
+    for (int index = 0; index < static_cast<int>(frame.blocks.size()); ++index) {
+        const BlockState& block = frame.blocks[static_cast<std::size_t>(index)];
+        beginRow(csv, scene, {frame.stage, frame.time});
+        csv.text(blockName(scene, index)).number(block.centroid.x()).number(block.centroid.y());
+        csv.number(block.displacement.x()).number(block.displacement.y()).number(block.rotation);
+        csv.number(block.stress[0]).number(block.stress[1]).number(block.stress[2]);
+        csv.number(block.velocity.x()).number(block.velocity.y()).number(block.area).number(block.weight).endRow();
+    }
+}
+
+std::string jointMaterialName(const Scene& scene, int index) {
+    return index < 0 ? "" : scene.jointMaterials[static_cast<std::size_t>(index)].first;
+}
+
+void writeContacts(const Scene& scene, const Frame& frame, const TableFilter&, CsvWriter& csv) {
+    for (const ContactFrame& contact : frame.contacts) {
+        beginRow(csv, scene, {frame.stage, frame.time});
+        csv.text(blockName(scene, contact.blockA)).text(blockName(scene, contact.blockB));
+        csv.text(jointMaterialName(scene, contact.jointMaterial));
+        csv.number(contact.position.x()).number(contact.position.y()).text(wordOf(contact.state));
+        csv.number(contact.normalForce).number(contact.shearForce).number(contact.penetration);
+        csv.number(contact.slip).endRow();
+    }
+}
+
+/// Writes the rows of the selected frames. Several frames may share a moment; of those the last one counts, unless
+/// all are asked for.
+template <typename WriteFrame>
+void writeFrames(const RunSource& run, const TableFilter& filter, CsvWriter& csv, WriteFrame writeFrame) {
+    std::vector<std::size_t> indices = selected(momentsOf(run.frames()), filter, When::Last);
+    if (filter.when.value_or(When::Last) != When::All && !indices.empty())
+        indices = {indices.back()};
+    for (const std::size_t index : indices)
+        writeFrame(run.scene(), run.frame(index), filter, csv);
+}
+
+void writeEnergy(const RunSource& run, const TableFilter& filter, CsvWriter& csv) {
+    for (const std::size_t i : selected(momentsOf(run.frames()), filter, When::All)) {
+        const FrameHead& frame = run.frames()[i];
+        const Energy& energy = frame.energy;
+        beginRow(csv, run.scene(), {frame.stage, frame.time});
+        csv.number(energy.kinetic).number(energy.strain).number(energy.contact).number(energy.bolt);
+        csv.number(energy.friction).number(energy.plastic).number(energy.released).number(energy.damped);
+        csv.number(energy.external).number(energy.balanceError).endRow();
+    }
+}
+
+}  // namespace
+
+std::span<const std::string_view> tableWords() { return words; }
+
+std::optional<TableKind> tableKindOf(std::string_view word) {
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found == words.end())
+        return std::nullopt;
+    return static_cast<TableKind>(found - words.begin());
+}
+
+bool hasBolts(TableKind kind) { return kind == TableKind::Bolts || kind == TableKind::Events; }
+
+void writeTable(TableKind kind, const RunSource& run, const TableFilter& filter, std::ostream& out) {
+    CsvWriter csv(out);
+    writeHeader(columnsOf(kind, run.columns()), csv);
+    switch (kind) {
+        case TableKind::History: return writeHistory(run, filter, csv);
+        case TableKind::Events: return writeEvents(run, filter, csv);
+        case TableKind::Energy: return writeEnergy(run, filter, csv);
+        case TableKind::Bolts: return writeFrames(run, filter, csv, writeBolts);
+        case TableKind::Blocks: return writeFrames(run, filter, csv, writeBlocks);
+        case TableKind::Contacts: return writeFrames(run, filter, csv, writeContacts);
+    }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Each list stands in the order of its enumeration; the tests hold the two together.
+#include "solver/results/words.h"
+
+#include "solver/scene/quantity_text.h"
+
+#include <algorithm>
+#include <array>
+
+namespace keyblock {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> outcomeWords{"equilibrium", "duration", "limit",
+                                                       "collapse",    "stopped",  "failed"};
+constexpr std::array<std::string_view, 4> nodeStateWords{"bonded", "slipping", "gone", "free"};
+constexpr std::array<std::string_view, 4> contactStateWords{"open", "sliding", "locked", "bonded"};
+
+template <typename Value, typename Words>
+std::optional<Value> valueOf(const Words& words, std::string_view word) {
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found == words.end())
+        return std::nullopt;
+    return static_cast<Value>(found - words.begin());
+}
+
+template <typename Item>
+bool holds(const std::vector<Item>& items, int index) {
+    return index >= 0 && static_cast<std::size_t>(index) < items.size();
+}
+
+}  // namespace
+
+std::string_view wordOf(EventKind kind) { return eventKindWords[static_cast<std::size_t>(kind)]; }
+std::string_view wordOf(Outcome outcome) { return outcomeWords[static_cast<std::size_t>(outcome)]; }
+std::string_view wordOf(NodeState state) { return nodeStateWords[static_cast<std::size_t>(state)]; }
+std::string_view wordOf(ContactState state) { return contactStateWords[static_cast<std::size_t>(state)]; }
+std::string_view wordOf(StageKind kind) { return kind == StageKind::Static ? "static" : "dynamic"; }
+std::string_view anchorWord(bool real) { return real ? "real" : "artificial"; }
+
+std::optional<EventKind> eventKindOf(std::string_view word) { return valueOf<EventKind>(eventKindWords, word); }
+std::optional<Outcome> outcomeOf(std::string_view word) { return valueOf<Outcome>(outcomeWords, word); }
+
+std::string blockName(const Scene& scene, int block) {
+    if (!holds(scene.blocks, block))
+        return {};
+    const std::string& name = scene.blocks[block].name;
+    return name.empty() ? "b" + std::to_string(block + 1) : name;
+}
+
+std::string boltName(const Scene& scene, int bolt) { return holds(scene.bolts, bolt) ? scene.bolts[bolt].name : ""; }
+
+std::string stageName(const Scene& scene, int stage) {
+    return holds(scene.stages, stage) ? scene.stages[stage].name : "";
+}
+
+}  // namespace keyblock

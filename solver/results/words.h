@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The words that tables, stores and answers use for kinds, outcomes and states,
+// each in one place and readable both ways.
+#pragma once
+
+#include "solver/results/results.h"
+#include "solver/scene/scene.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace keyblock {
+
+std::string_view wordOf(EventKind kind);  // joint-slip … collapse
+std::string_view wordOf(Outcome outcome);  // equilibrium, duration, limit, collapse, stopped, failed
+std::string_view wordOf(NodeState state);  // bonded, slipping, gone, free
+std::string_view wordOf(ContactState state);  // open, sliding, locked, bonded
+std::string_view wordOf(StageKind kind);  // static, dynamic
+std::string_view anchorWord(bool real);  // real, artificial
+
+/// The kind of that word; nothing when there is none.
+std::optional<EventKind> eventKindOf(std::string_view word);
+
+/// The outcome of that word; nothing when there is none.
+std::optional<Outcome> outcomeOf(std::string_view word);
+
+/// The block's name, `b1, b2, …` by order where the scene gives none; empty for an index that is no block's.
+std::string blockName(const Scene& scene, int block);
+
+/// The bolt's name; empty for an index that is no bolt's.
+std::string boltName(const Scene& scene, int bolt);
+
+/// The stage's name; empty for an index that is no stage's.
+std::string stageName(const Scene& scene, int stage);
+
+}  // namespace keyblock

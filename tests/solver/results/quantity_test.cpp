@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Quantities are read from rows whose values name their own row and column, so a
+// wrong column or a wrong row shows.
+#include "solver/results/quantity.h"
+
+#include "solver/results/history.h"
+#include "tests/solver/results/sample_run.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace keyblock {
+namespace {
+
+double measured(const std::string& text) {
+    const Measurement measurement = measure(text, test::sampleScene(), test::sampleResults());
+    EXPECT_TRUE(measurement.value) << text << ": " << measurement.problem;
+    return measurement.value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+TEST(HistoryColumns, AreNamedAsTheTablesPrintThem) {
+    const HistoryColumns columns = historyColumns(test::sampleScene());
+    ASSERT_EQ(columns.names.size(), 12U);
+    EXPECT_EQ(columns.monitorValues, 4);
+    EXPECT_EQ(columns.names[0], "crown_ux_m");
+    EXPECT_EQ(columns.names[1], "crown_uy_m");
+    EXPECT_EQ(columns.names[2], "opening_m");
+    EXPECT_EQ(columns.names[3], "joint_force_N");
+    EXPECT_EQ(columns.names[4], "B, \"1\".axial_force");
+    EXPECT_EQ(columns.names[11], "B, \"1\".strain");
+}
+
+TEST(HistoryColumns, CarryTheUnitOfABoltsQuantity) {
+    Scene scene = test::sampleScene();
+    const auto lastName = [&](BoltQuantity quantity) {
+        scene.monitors[2].quantity = quantity;
+        return historyColumns(scene).names[3];
+    };
+    EXPECT_EQ(lastName(BoltQuantity::Moment), "joint_force_Nm");
+    EXPECT_EQ(lastName(BoltQuantity::Slip), "joint_force_m");
+    EXPECT_EQ(lastName(BoltQuantity::DebondedLength), "joint_force_m");
+    EXPECT_EQ(lastName(BoltQuantity::PlateForce), "joint_force_N");
+    EXPECT_EQ(lastName(BoltQuantity::Strain), "joint_force");
+}
+
+TEST(Measure, ReducesAColumn) {
+    EXPECT_EQ(measured("max opening"), 302.0);
+    EXPECT_EQ(measured("min crown.uy"), 1.0);
+    EXPECT_EQ(measured("last joint force"), 93.0);
+    EXPECT_EQ(measured("max B, \"1\".axial_force"), 304.0);
+    EXPECT_EQ(measured("last B, \"1\".strain"), 101.0);
+}
+
+TEST(Measure, TakesTheRowJustBeforeTheFirstEventOfAKind) {
+    EXPECT_EQ(measured("first debonding opening"), 102.0);
+    // The joint opens at the same time, after the debonding: its row before is the third of that time.
+    EXPECT_EQ(measured("first joint-open opening"), 302.0);
+}
+
+TEST(Measure, SaysWhyThereIsNoNumber) {
+    const Scene scene = test::sampleScene();
+    Results results = test::sampleResults();
+    EXPECT_NE(measure("first collapse opening", scene, results).problem.find("no collapse"), std::string::npos);
+    EXPECT_NE(measure("max nothing", scene, results).problem.find("names no monitor"), std::string::npos);
+    results.history.clear();
+    EXPECT_FALSE(measure("max opening", scene, results).value);
+    EXPECT_FALSE(measure("first debonding opening", scene, results).value);
+}
+
+TEST(Measure, PassesOverRowsWithoutANumber) {
+    const Scene scene = test::sampleScene();
+    Results results = test::sampleResults();
+    results.history.back().values[2] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(measure("last opening", scene, results).value, 62.0);
+}
+
+TEST(Compare, JudgesByRelativeDeviationAndByAbsoluteWhereZeroIsExpected) {
+    const Scene scene = test::sampleScene();
+    const Results results = test::sampleResults();
+    const auto compared = [&](double value, double tolerance) {
+        return compare({"max opening", value, tolerance, ""}, scene, results.history, results.events);
+    };
+    EXPECT_DOUBLE_EQ(compared(300.0, 0.01).deviation, 2.0 / 300.0);
+    EXPECT_TRUE(compared(300.0, 0.01).within);
+    EXPECT_FALSE(compared(300.0, 0.005).within);
+    EXPECT_DOUBLE_EQ(compared(-302.0, 0.1).deviation, 2.0);
+    EXPECT_DOUBLE_EQ(compared(0.0, 400.0).deviation, 302.0);
+    EXPECT_TRUE(compared(0.0, 400.0).within);
+}
+
+}  // namespace
+}  // namespace keyblock

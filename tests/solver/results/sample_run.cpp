@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Numbers grow with the frame, so that no two frames are the same.
+#include "tests/solver/results/sample_run.h"
+
+#include "solver/results/history.h"
+
+namespace keyblock::test {
+
+namespace {
+
+Block square(const std::string& name, double left) {
+    Block block;
+    block.name = name;
+    block.points = {{left, 0.0}, {left + 1.0, 0.0}, {left + 1.0, 1.0}, {left, 1.0}};
+    block.material = "rock";
+    return block;
+}
+
+BoltType plainBar() {
+    BoltType type;
+    type.name = "plain bar";
+    type.source = "made up";
+    type.youngsModulus = 200e9;
+    type.normalStiffness = 5e9;
+    Anchor anchor;
+    anchor.per = Per::Node;
+    anchor.stiffness = 1e8;
+    type.anchors = {anchor};
+    return type;
+}
+
+Stage stage(const std::string& name, StageKind kind) {
+    Stage result;
+    result.name = name;
+    result.kind = kind;
+    if (kind == StageKind::Dynamic)
+        result.duration = 2.0;
+    return result;
+}
+
+std::vector<Monitor> monitors() {
+    std::vector<Monitor> list(3);
+    list[0].name = "crown";
+    list[0].point = Point{0.5, 1.0};
+    list[1].name = "opening";
+    list[1].between = std::array{Point{0.9, 0.5}, Point{1.1, 0.5}};
+    list[2].name = "joint force";
+    list[2].bolt = "B, \"1\"";
+    list[2].at = 0.4;
+    return list;
+}
+
+Event debonding() {
+    Event event;
+    event.time = 0.3;
+    event.step = 3;
+    event.kind = EventKind::Debonding;
+    event.bolt = 0;
+    event.node = 1;
+    event.block = 1;
+    event.position = {1.1, 0.5};
+    event.axialForce = 1e5 / 3.0;
+    event.shearForce = -1e-300;
+    event.anchorForce = 24560.0;
+    event.slip = 2.9e-4;
+    return event;
+}
+
+Event jointOpen() {
+    Event event;
+    event.time = 0.3;
+    event.step = 3;
+    event.kind = EventKind::JointOpen;
+    event.block = 0;
+    event.otherBlock = 1;
+    event.position = {1.0, 0.5};
+    return event;
+}
+
+BlockState blockState(double left, double grown) {
+    BlockState state;
+    state.centroid = {left + 0.5 + grown, 0.5};
+    state.displacement = {grown, -grown / 7.0};
+    state.rotation = 1e-3 * grown;
+    state.stress = {1e6 * grown, -2e6 * grown, 3e5 * grown};
+    state.velocity = {0.1 * grown, 0.0};
+    state.area = 1.0;
+    state.weight = 26487.0;
+    state.points = {{left + grown, 0.0}, {left + 1.0 + grown, 0.0}, {left + 0.5 + grown, 1.0}};
+    return state;
+}
+
+ContactFrame contact(double grown) {
+    ContactFrame frame;
+    frame.blockA = 0;
+    frame.blockB = 1;
+    frame.jointMaterial = 0;
+    frame.position = {1.0, 0.25};
+    frame.state = ContactState::Sliding;
+    frame.normalForce = 1e3 * grown;
+    frame.shearForce = 4e2 * grown;
+    frame.penetration = 1e-6 * grown;
+    frame.slip = 1e-4;
+    return frame;
+}
+
+BoltFrame boltFrame(double grown) {
+    BoltFrame bolt;
+    bolt.nodes.resize(3);
+    for (int node = 0; node < 3; ++node) {
+        BoltNodeFrame& n = bolt.nodes[static_cast<std::size_t>(node)];
+        n.s = 0.4 * node;
+        n.position = {0.6 + n.s + grown, 0.5};
+        n.block = node == 1 ? -1 : node / 2;
+        n.real = node != 1;
+        n.state = node == 1 ? NodeState::Free : NodeState::Slipping;
+        n.axialForce = 1e5 * grown / (node + 3.0);
+        n.moment = 12.5 * node;
+        n.anchorForce = -2e3 * grown;
+        n.slip = 1e-5 * node;
+        n.ruptured = node == 0;
+    }
+    bolt.plateHolds = true;
+    bolt.lost = grown > 0.05;
+    return bolt;
+}
+
+Frame frame(int stage, double time, long step) {
+    const double grown = 0.01 * static_cast<double>(step);
+    Frame result;
+    result.stage = stage;
+    result.time = time;
+    result.step = step;
+    result.blocks = {blockState(0.0, grown), blockState(1.0, grown)};
+    if (step > 1)
+        result.contacts = {contact(grown)};
+    result.bolts = {boltFrame(grown)};
+    result.energy = {grown, 2 * grown, 3 * grown, 4 * grown, 5 * grown, 6 * grown, 7 * grown, 8 * grown, 9 * grown,
+                     1e-12};
+    return result;
+}
+
+HistoryRow row(const Scene& scene, int stage, double time, long step, double base) {
+    HistoryRow result{stage, time, step, {}};
+    for (std::size_t column = 0; column < historyColumns(scene).names.size(); ++column)
+        result.values.push_back(base + static_cast<double>(column));
+    return result;
+}
+
+StageResult ended(int stage, Outcome outcome, double time, long steps) {
+    StageResult result;
+    result.stage = stage;
+    result.outcome = outcome;
+    result.time = time;
+    result.steps = steps;
+    result.health = {steps, 3 * steps, 1, 2 * steps, 1e-7, 9e-5, 1e-6};
+    return result;
+}
+
+}  // namespace
+
+Scene sampleScene() {
+    Scene scene;
+    scene.title = "Two blocks and a bolt";
+    scene.analysis.plane = Plane::Stress;
+    scene.materials = {{"rock", {2700.0, 60e9, 0.17}}};
+    scene.jointMaterials = {{"joint", {30.0, 0.0, 0.0}}};
+    scene.blocks = {square("left", 0.0), square("", 1.0)};
+    Support support;
+    support.blockAt = Point{0.5, 0.1};
+    scene.supports = {support};
+    scene.boltTypes = {plainBar()};
+    scene.bolts.resize(1);
+    scene.bolts[0].name = "B, \"1\"";
+    scene.bolts[0].type = "plain bar";
+    scene.bolts[0].farEnd = {0.6, 0.5};
+    scene.bolts[0].head = {1.4, 0.5};
+    scene.bolts[0].divisions = 2;
+    scene.stages = {stage("pull", StageKind::Static), stage("shake: hard", StageKind::Dynamic)};
+    scene.monitors = monitors();
+    scene.quantities = {"max opening", "first debonding joint force"};
+    return scene;
+}
+
+Results sampleResults() {
+    const Scene scene = sampleScene();
+    Results results;
+    results.columns = historyColumns(scene);
+    results.events = {debonding(), jointOpen()};
+    results.history = {row(scene, 0, 0.0, 0, 0.0),   row(scene, 0, 0.3, 3, 100.0), row(scene, 0, 0.3, 3, 200.0),
+                       row(scene, 0, 0.3, 3, 300.0), row(scene, 0, 0.3, 3, 250.0), row(scene, 0, 1.0, 5, 50.0),
+                       row(scene, 1, 0.5, 6, 60.0),  row(scene, 1, 2.0, 9, 90.0)};
+    results.frames = {frame(0, 0.0, 0), frame(0, 1.0, 5), frame(1, 0.5, 6), frame(1, 2.0, 9)};
+    results.stages = {ended(0, Outcome::Equilibrium, 1.0, 5), ended(1, Outcome::Duration, 2.0, 4)};
+    results.stages[0].message = "left moves";
+    results.stages[0].blocks = {0, 1};
+    return results;
+}
+
+void feed(const Scene& scene, const Results& results, Sink& sink) {
+    const auto upTo = [](const auto& item, const Frame& frame) {
+        return item.stage < frame.stage || (item.stage == frame.stage && item.time <= frame.time);
+    };
+    sink.begin(scene, results.columns);
+    std::size_t event = 0;
+    std::size_t history = 0;
+    std::size_t next = 0;
+    for (const StageResult& stage : results.stages) {
+        sink.stageBegins(stage.stage);
+        for (; next < results.frames.size() && results.frames[next].stage == stage.stage; ++next) {
+            const Frame& frame = results.frames[next];
+            for (; history < results.history.size() && upTo(results.history[history], frame); ++history)
+                sink.history(results.history[history]);
+            for (; event < results.events.size() && upTo(results.events[event], frame); ++event)
+                sink.event(results.events[event]);
+            sink.frame(frame);
+        }
+        sink.stageEnds(stage);
+    }
+}
+
+}  // namespace keyblock::test
