@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Scenes from and to JSON. Reading tells everything that is wrong at once:
+// syntax, keys, types, ranges, and whether the scene makes sense.
+#pragma once
+
+#include "solver/scene/problem.h"
+#include "solver/scene/scene.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keyblock {
+
+struct SceneReading {
+    std::optional<Scene> scene;  // there when no problem is an error
+    std::vector<Problem> problems;  // by line; warnings and notes too
+};
+
+/// Reads and checks a scene file. A file that cannot be opened is a problem too.
+/// `overrides` are `path=value` texts: the path as `stages[0].increments`, `stages/0/increments` or a JSON pointer,
+/// the value JSON or a bare text. They are set before anything is read, so every check sees them.
+SceneReading readSceneFile(const std::filesystem::path& path, std::span<const std::string> overrides = {});
+
+/// The same from a text; `name` stands where the file's name would.
+SceneReading readSceneText(std::string_view text, const std::string& name,
+                           std::span<const std::string> overrides = {});
+
+/// The scene as a JSON text: required keys and those that differ from their default, in the order of the format,
+/// numbers as short as they can be read back exactly. Built-in bolt types are left out.
+std::string sceneText(const Scene& scene);
+
+/// Writes `sceneText` whole or not at all. \throws CannotWrite
+void writeSceneFile(const std::filesystem::path& path, const Scene& scene);
+
+}  // namespace keyblock

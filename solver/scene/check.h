@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Whether a scene makes sense: numbers in range, names that lead somewhere,
+// blocks that are blocks, bolts that lie in them. The same check serves a scene
+// read from a file and one built in code.
+#pragma once
+
+#include "solver/scene/problem.h"
+#include "solver/scene/scene.h"
+
+#include <vector>
+
+namespace keyblock {
+
+/// Everything that is wrong with `scene`, in the order of its parts, with pointers but without file and line.
+/// Bears any scene, however broken; a scene without errors can be run.
+std::vector<Problem> checkScene(const Scene& scene);
+
+}  // namespace keyblock

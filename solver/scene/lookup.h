@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The objects of a scene refer to each other by name and place. This follows
+// those references, in one way for the check, the engine and the tables.
+#pragma once
+
+#include "solver/scene/scene.h"
+
+#include <string>
+#include <string_view>
+
+namespace keyblock {
+
+/// Diagonal of the box around all blocks, of those corners that are finite [m]; 1 without blocks.
+double sceneSize(const Scene& scene);
+
+/// Below this distance two points are one, and a point is on an edge [m]: 1e-9 of the scene's size,
+/// but never less than what doubles resolve at the scene's distance from the origin.
+double geometricTolerance(const Scene& scene);
+
+/// Index of the block that holds `place`; −1 when none does or it lies on a boundary within the geometric tolerance.
+int blockAt(const Scene& scene, const Point& place);
+
+/// The same with a tolerance at hand [m], for many places.
+int blockAt(const Scene& scene, const Point& place, double tolerance);
+
+/// Index of a block that holds `point` inside or on its boundary, the first in order; −1 when none does.
+int blockWithPoint(const Scene& scene, const Point& point);
+
+/// \pre the scene was checked without errors.
+const Material& materialOf(const Scene& scene, const Block& block);
+
+/// Index of the block's joint material: its own, else the scene's first; −1: the built-in one.
+/// \pre the scene was checked without errors.
+int jointMaterialIndex(const Scene& scene, const Block& block);
+
+/// The material at an index from `jointMaterialIndex`; −1 gives the built-in one.
+const JointMaterial& jointMaterialAt(const Scene& scene, int index);
+
+/// The type of that name; null when there is none.
+const BoltType* findBoltType(const Scene& scene, std::string_view name);
+
+/// \pre the scene was checked without errors.
+const BoltType& boltTypeOf(const Scene& scene, const Bolt& bolt);
+
+/// The bolt's own anchors, else those of its type.
+/// \pre the scene was checked without errors.
+const std::vector<Anchor>& anchorsOf(const Scene& scene, const Bolt& bolt);
+
+/// The bolt's plane length [m].
+double lengthOf(const Bolt& bolt);
+
+/// Metres from the far end of a place along a bolt of `length` [m].
+double distanceAlong(const BoltPlace& place, double length);
+
+/// Metres from the far end at which a monitor looks at a bolt of `length` [m]; its head when it names no place.
+double distanceAlong(const Monitor& monitor, double length);
+
+/// The block's name, or b1, b2, … by its order when it has none.
+/// \pre 0 ≤ block < number of blocks.
+std::string displayName(const Scene& scene, int block);
+
+}  // namespace keyblock

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The one way in which a problem becomes a line of text.
+#include "solver/scene/problem.h"
+
+#include <algorithm>
+
+namespace keyblock {
+
+bool hasErrors(std::span<const Problem> problems) {
+    return std::any_of(problems.begin(), problems.end(),
+                       [](const Problem& problem) { return problem.severity == Severity::Error; });
+}
+
+std::string_view wordOf(Severity severity) {
+    switch (severity) {
+        case Severity::Error: return "error";
+        case Severity::Warning: return "warning";
+        case Severity::Note: return "note";
+    }
+    return {};
+}
+
+std::string oneLine(const Problem& problem) {
+    std::string text = problem.file;
+    if (problem.line > 0)
+        text += ":" + std::to_string(problem.line);
+    text += text.empty() ? "" : ": ";
+    text += std::string(wordOf(problem.severity)) + ": ";
+    if (!problem.pointer.empty())
+        text += problem.pointer + ": ";
+    text += problem.message;
+    if (!problem.remedy.empty())
+        text += ". " + problem.remedy;
+    return text;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is wrong with a scene, told to a person: where it is, what it is and what
+// to do about it. A bad scene is no exception but a list of these, all at once.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace keyblock {
+
+/// An error keeps a scene from running; a warning is likely a mistake; a note tells of what has no effect.
+enum class Severity { Error, Warning, Note };
+
+struct Problem {
+    Severity severity = Severity::Error;
+    std::string file;  // as given by the caller, or the option that set the value; empty for scenes built in code
+    int line = 0;  // from 1; 0: not known, or not from a file
+    std::string pointer;  // JSON pointer (RFC 6901) into the scene; empty: the whole scene
+    std::string message;  // what is wrong
+    std::string remedy;  // what to do
+
+    bool operator==(const Problem&) const = default;
+};
+
+/// True when one of them is an error.
+bool hasErrors(std::span<const Problem> problems);
+
+/// `error`, `warning` or `note`.
+std::string_view wordOf(Severity severity);
+
+/// The problem on one line: file, line, severity, pointer, message, remedy.
+std::string oneLine(const Problem& problem);
+
+}  // namespace keyblock
