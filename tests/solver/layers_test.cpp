@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Includes only fall: from the programs through the solver to the geometry, and
+// within the solver along the arrows of ARCHITECTURE.md. Nothing below the window
+// knows Qt or VTK, so that all of it builds and runs on a machine without them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Room {
+    std::string folder;
+    std::vector<std::string> mayInclude;  // besides itself
+};
+
+const std::vector<Room> rooms{
+    {"geometry", {}},
+    {"solver/scene", {"geometry"}},
+    {"solver/results", {"solver/scene", "geometry"}},
+    {"solver/engine", {"solver/results", "solver/scene", "geometry"}},
+    {"solver/run", {"solver/engine", "solver/results", "solver/scene", "geometry"}},
+    {"solver/files", {"solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
+    {"solver/verify",
+     {"solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
+    {"app/cli",
+     {"solver/verify", "solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
+};
+
+bool liesIn(const std::string& path, const std::string& folder) { return path.starts_with(folder + "/"); }
+
+const Room* roomOf(const std::string& path) {
+    const auto found = std::ranges::find_if(rooms, [&](const Room& room) { return liesIn(path, room.folder); });
+    return found == rooms.end() ? nullptr : &*found;
+}
+
+/// What is wrong with one include, in words; nothing when it may stand.
+std::optional<std::string> faultOf(const Room& room, const std::string& included, bool quoted, bool header) {
+    static const std::regex windowLibrary("(Q[A-Z]|Qt|vtk|VTK).*");
+    if (std::regex_match(included, windowLibrary)) return "Qt and VTK stay above the solver";
+    if (header && included.starts_with("CGAL/")) return "CGAL stays in .cpp files";
+    if (!quoted) return std::nullopt;
+    if (liesIn(included, room.folder)) return std::nullopt;
+    const bool falls = std::ranges::any_of(room.mayInclude, [&](const auto& below) { return liesIn(included, below); });
+    if (!falls) return "does not fall from " + room.folder;
+    return std::nullopt;
+}
+
+/// One line for each include that may not stand in the file `path` (relative to the root).
+std::vector<std::string> faults(const std::string& path, std::istream& text) {
+    const Room* room = roomOf(path);
+    if (!room) return {path + ": lies in no room this test knows"};
+    static const std::regex include(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
+    std::vector<std::string> found;
+    std::string line;
+    for (int number = 1; std::getline(text, line); ++number) {
+        std::smatch match;
+        if (!std::regex_match(line, match, include)) continue;
+        if (const auto fault = faultOf(*room, match[2], match[1] == "\"", path.ends_with(".h")))
+            found.push_back(path + ":" + std::to_string(number) + ": " + match[2].str() + " " + *fault);
+    }
+    return found;
+}
+
+std::vector<std::string> faultsOf(const std::string& path, const std::string& text) {
+    std::istringstream stream(text);
+    return faults(path, stream);
+}
+
+std::vector<fs::path> sourcesBelow(const fs::path& folder) {
+    std::vector<fs::path> sources;
+    if (!fs::exists(folder)) return sources;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp") sources.push_back(entry.path());
+    std::sort(sources.begin(), sources.end());
+    return sources;
+}
+
+TEST(Layers, IncludesOnlyFall) {
+    const fs::path root = KEYBLOCK_SOURCE_DIR;
+    std::size_t read = 0;
+    for (const char* floor : {"geometry", "solver", "app/cli"})
+        for (const fs::path& source : sourcesBelow(root / floor)) {
+            std::ifstream text(source);
+            ASSERT_TRUE(text) << source;
+            for (const std::string& fault : faults(source.lexically_relative(root).generic_string(), text))
+                ADD_FAILURE() << fault;
+            ++read;
+        }
+    EXPECT_GT(read, 10u);
+}
+
+TEST(Layers, NoRoomIncludesARoomThatIncludesIt) {
+    for (const Room& room : rooms)
+        for (const std::string& below : room.mayInclude) {
+            const Room* lower = roomOf(below + "/");
+            ASSERT_TRUE(lower) << below;
+            EXPECT_FALSE(std::ranges::count(lower->mayInclude, room.folder)) << room.folder << " and " << below;
+        }
+}
+
+TEST(Layers, AnIncludeThatRisesIsCaught) {
+    EXPECT_EQ(faultsOf("geometry/made_up.h", "#include \"solver/scene/scene.h\"\n").size(), 1u);
+    EXPECT_EQ(faultsOf("solver/engine/made_up.cpp", "\n# include \"solver/files/run_store.h\"\n").front(),
+              "solver/engine/made_up.cpp:2: solver/files/run_store.h does not fall from solver/engine");
+    EXPECT_EQ(faultsOf("solver/results/made_up.cpp", "#include \"solver/engine/model.h\"\n").size(), 1u);
+    EXPECT_EQ(faultsOf("app/cli/made_up.cpp", "#include \"ui/window.h\"\n").size(), 1u);
+    EXPECT_EQ(faultsOf("solver/run/made_up.cpp", "#include \"engine/model.h\"\n").size(), 1u);  // not from the root
+}
+
+TEST(Layers, WindowLibrariesAreCaught) {
+    EXPECT_EQ(faultsOf("solver/run/made_up.cpp", "#include <QObject>\n").size(), 1u);
+    EXPECT_EQ(faultsOf("geometry/made_up.cpp", "#include <QtCore/QPointF>\n").size(), 1u);
+    EXPECT_EQ(faultsOf("app/cli/made_up.cpp", "#include <vtkNew.h>\n").size(), 1u);
+    EXPECT_EQ(faultsOf("geometry/made_up.h", "#include <CGAL/Arrangement_2.h>\n").size(), 1u);
+}
+
+TEST(Layers, AFileInNoRoomIsCaught) { EXPECT_EQ(faultsOf("solver/stray.cpp", "").size(), 1u); }
+
+TEST(Layers, WhatFallsMayStand) {
+    EXPECT_TRUE(faultsOf("app/cli/made_up.cpp", "#include \"solver/run/run.h\"\n#include <vector>\n").empty());
+    EXPECT_TRUE(faultsOf("solver/engine/made_up.h", "#include \"solver/engine/laws/beam.h\"\n").empty());
+    EXPECT_TRUE(faultsOf("geometry/made_up.cpp", "#include <CGAL/Arrangement_2.h>\n// #include <QObject>\n").empty());
+}
+
+}  // namespace
