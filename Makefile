@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: The Keyblock contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# The commands a person types. Each does its own set-up: missing Debian packages
+# are installed first, and what is built already is not built again.
+.DEFAULT_GOAL := help
+.PHONY: help run test asan tsan bench clean packages
+
+SHOWN := build/release/rebar-stated.kbrun
+
+help:
+	@echo "make run    build Keyblock, run the paper's rebar bolt, compare with the paper and the reference"
+	@echo "make test   build and run all tests"
+	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
+	@echo "make tsan   the tests under the thread sanitizer"
+	@echo "make bench  time and memory of typical work"
+	@echo "make clean  remove everything that was built"
+
+packages:
+	@sh resources/install/debian.sh
+
+# build(preset)
+define build
+	@cmake --preset $(1) --log-level=WARNING
+	@cmake --build --preset $(1)
+endef
+
+run: packages
+	$(call build,release)
+	build/release/keyblock run samples/rebar-stated.json --overwrite --out $(SHOWN)
+	build/release/keyblock verify --paper
+
+test: packages
+	$(call build,dev)
+	@ctest --preset dev
+
+asan tsan: packages
+	$(call build,$@)
+	@ctest --preset $@
+
+bench: packages
+	$(call build,headless)
+	build/headless/tests/bench/keyblock_bench
+
+clean:
+	rm -rf build

@@ -1,0 +1,56 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: The Keyblock contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what Keyblock is built with on Debian 12. It asks the package database
+# first, says what is missing, and needs root only then; with everything there it
+# is over in a blink. Safe to run again.
+set -eu
+export LC_ALL=C
+
+packages="g++ cmake ninja-build ccache pkg-config
+          libeigen3-dev libsuitesparse-dev libopenblas-dev libtbb-dev
+          nlohmann-json3-dev libcli11-dev libsqlite3-dev
+          libgtest-dev libbenchmark-dev"
+
+if ! command -v dpkg-query >/dev/null 2>&1; then
+    echo "This is no Debian: the build goes on and will say what it lacks. On Debian 12 it takes:" $packages >&2
+    exit 0
+fi
+
+# shellcheck disable=SC2086  # a list of words
+installed=$(dpkg-query -W -f '${db:Status-Abbrev}:${Package}:\n' $packages 2>/dev/null || true)
+missing=""
+for package in $packages; do
+    case "$installed" in
+        *"ii :$package:"*) ;;
+        *) missing="$missing $package" ;;
+    esac
+done
+[ -n "$missing" ] || exit 0
+
+echo "Keyblock is built with these Debian packages, which are missing here:$missing" >&2
+root=""
+if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null 2>&1; then
+        echo "Installing them needs root. As root, run: apt-get update && apt-get install --no-install-recommends$missing" >&2
+        exit 1
+    fi
+    root="sudo"
+fi
+
+install() {
+    # shellcheck disable=SC2086
+    $root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing
+}
+
+# Lists that know every package are tried as they are; empty or stale ones are fetched anew.
+# shellcheck disable=SC2086
+if apt-cache show $missing >/dev/null 2>&1 && install; then
+    exit 0
+fi
+if ! { $root apt-get update -qq && install; }; then
+    echo "The packages could not be installed: see the messages above, mend what they name (network, sources.list," \
+         "full disk), and run the same command again." >&2
+    exit 1
+fi
