@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What can be asked of a row without knowing the struct behind it.
+#include "solver/scene/field.h"
+
+#include "solver/scene/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace keyblock {
+
+namespace {
+
+bool allFinite(double number) { return std::isfinite(number); }
+bool allFinite(const Point& point) { return point.allFinite(); }
+bool allFinite(const std::pair<double, double>& row) { return allFinite(row.first) && allFinite(row.second); }
+bool allFinite(const BoltPlace& place) { return place.head || allFinite(place.s); }
+
+template <typename Items>
+bool eachFinite(const Items& items) {
+    return std::all_of(items.begin(), items.end(), [](const auto& item) { return allFinite(item); });
+}
+
+bool allFinite(const std::vector<Point>& points) { return eachFinite(points); }
+bool allFinite(const Table& table) { return eachFinite(table); }
+bool allFinite(const Stress& stress) { return eachFinite(stress); }
+
+template <typename Other>
+bool allFinite(const Other&) {
+    return true;  // flags and texts
+}
+
+bool isOneOf(const FieldValue& value, const std::vector<std::string_view>& words) {
+    const auto* text = std::get_if<std::string>(&value);
+    return text && std::find(words.begin(), words.end(), *text) != words.end();
+}
+
+}  // namespace
+
+const Field* findField(const Structure& structure, std::string_view key) {
+    const auto found = std::find_if(structure.fields.begin(), structure.fields.end(),
+                                    [&](const Field& field) { return field.key == key; });
+    return found == structure.fields.end() ? nullptr : &*found;
+}
+
+bool hasChildren(const Field& field) {
+    return field.kind == FieldKind::Object || field.kind == FieldKind::List || field.kind == FieldKind::Map;
+}
+
+FieldValue defaultOf(const Structure& structure, const Field& field) {
+    if (field.kind == FieldKind::Fixed)
+        return field.accepted.front();
+    return field.get ? field.get(structure.defaults) : FieldValue{};
+}
+
+bool applies(const Structure& structure, const Field& field, const void* object) {
+    if (field.only.key.empty())
+        return true;
+    const FieldValue value = findField(structure, field.only.key)->get(object);
+    if (field.only.words.empty())
+        return !std::holds_alternative<std::monostate>(value);
+    return isOneOf(value, field.only.words);
+}
+
+bool isFinite(const FieldValue& value) {
+    return std::visit([](const auto& held) { return allFinite(held); }, value);
+}
+
+bool contains(const Range& range, double number) {
+    const bool enough = range.leastExcluded ? number > range.least : number >= range.least;
+    const bool notTooMuch = range.mostExcluded ? number < range.most : number <= range.most;
+    return enough && notTooMuch;
+}
+
+std::string rangeText(const Range& range) {
+    const bool below = std::isfinite(range.least);
+    const bool above = std::isfinite(range.most);
+    const std::string least = (range.leastExcluded ? "> " : "≥ ") + shortest(range.least);
+    const std::string most = (range.mostExcluded ? "< " : "≤ ") + shortest(range.most);
+    if (below && above)
+        return least + ", " + most;
+    return below ? least : above ? most : "";
+}
+
+}  // namespace keyblock

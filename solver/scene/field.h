@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One table tells everything about the fields of a scene: name in the file, kind,
+// unit, default, range, help. Reading, writing, the JSON Schema, the checks of
+// ranges and the reference page are made from it, so that a new field is one row
+// here and one member in scene.h.
+//
+// The rows are type-erased: values pass as one variant and objects as void
+// pointers, whose type only the row knows. What walks the table is therefore
+// compiled once and quickly, and never sees the structs of the scene.
+#pragma once
+
+#include "solver/scene/scene.h"
+
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace keyblock {
+
+/// What stands in the file for a field.
+enum class FieldKind {
+    Flag, Number, Integer, Text,
+    Word,  // one of a list of texts
+    Vector,  // [x, y]
+    Axis,  // "x", "y" or [x, y]
+    PointPair,  // [[x, y], [x, y]]
+    Points,  // [[x, y], …]
+    Pairs,  // [[a, b], …]
+    Triple,  // [sxx, syy, sxy]
+    Place,  // a number or "head"
+    TextList,
+    TextMap,  // {name: text}
+    Object,  // {…} of the row's structure
+    List,  // [{…}, …]
+    Map,  // {name: {…}}
+    Fixed  // no member: only the listed values, which change nothing, are accepted
+};
+
+/// Any value of a field without a structure of its own; words as texts, integers as numbers, nothing as null.
+using FieldValue = std::variant<std::monostate, bool, double, std::string, Point, std::vector<Point>, Table, Stress,
+                                BoltPlace, std::vector<std::string>, std::map<std::string, std::string>>;
+
+/// Numbers that a field takes.
+struct Range {
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    bool leastExcluded = false;
+    bool mostExcluded = false;
+};
+
+/// The field makes sense only where another of the same object has one of these words, or is given at all.
+struct Only {
+    std::string_view key{};
+    std::vector<std::string_view> words{};  // empty: where `key` is not null
+};
+
+struct Structure;
+
+/// How the objects inside an Object, List or Map are reached; `owner` is the struct that has the member.
+struct Children {
+    std::size_t (*count)(const void* owner) = nullptr;  // 0 when null
+    const void* (*item)(const void* owner, std::size_t index) = nullptr;
+    std::string_view (*name)(const void* owner, std::size_t index) = nullptr;  // of a Map, else empty
+    bool (*isNull)(const void* owner) = nullptr;
+    void (*clear)(void* owner) = nullptr;  // present and empty; leaves an Object as it is
+    void (*setNull)(void* owner) = nullptr;  // of a nullable one
+    void* (*append)(void* owner, std::string_view name) = nullptr;  // valid until the next; the member of an Object
+    const Structure& (*structure)() = nullptr;
+};
+
+/// One row of the table.
+struct Field {
+    std::string_view key{};
+    FieldKind kind = FieldKind::Fixed;
+    std::string_view unit{};  // as people write it; empty: none
+    std::string_view help{};
+    std::string_view source{};  // where the default comes from; empty: a choice of this program
+    Range range{};
+    bool required = false;
+    bool nullable = false;  // null is a value of its own, or stands for the empty one
+    bool emptyIsZero = false;  // a Vector that may be written []
+    Only only{};
+    std::span<const std::string_view> words{};  // of a Word
+    std::vector<std::string_view> laterWords{};  // words of the format that this program does not know
+    std::vector<FieldValue> accepted{};  // of Fixed
+    FieldValue (*get)(const void* owner) = nullptr;
+    void (*set)(void* owner, const FieldValue& value) = nullptr;  // of the right alternative
+    Children children{};  // of Object, List and Map
+};
+
+/// The table of one struct.
+struct Structure {
+    std::string_view name{};  // in the schema and as a heading, e.g. "joint material"
+    std::string_view help{};
+    const void* defaults = nullptr;  // a default-made object of the struct
+    std::vector<Field> fields{};
+};
+
+/// The whole scene's table; everything else hangs below it.
+const Structure& sceneStructure();
+
+/// The table of a bolt type, whose `like` a reader follows by itself.
+const Structure& boltTypeStructure();
+
+/// The row of that key; null when there is none.
+const Field* findField(const Structure& structure, std::string_view key);
+
+/// True for Object, List and Map.
+bool hasChildren(const Field& field);
+
+/// The value that the field has when its key is missing.
+FieldValue defaultOf(const Structure& structure, const Field& field);
+
+/// True when `field.only` is met by the other fields of `object`, or asks for nothing.
+bool applies(const Structure& structure, const Field& field, const void* object);
+
+/// True when no number in the value is infinite or NaN.
+bool isFinite(const FieldValue& value);
+
+/// True when a number lies in the range.
+bool contains(const Range& range, double number);
+
+/// The range in words for people, e.g. `> 0`, `0 … 90`; empty when anything goes.
+std::string rangeText(const Range& range);
+
+}  // namespace keyblock

@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Makes a row of the field table from a member: the kind, the words and the
+// access follow from the member's type, the rest is said in `Says`. Only the
+// files that hold rows include this.
+#pragma once
+
+#include "solver/scene/field.h"
+#include "solver/scene/words.h"
+
+#include <algorithm>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace keyblock {
+
+// The table of each struct that stands inside another, found by the type.
+const Structure& structureOf(const About*);
+const Structure& structureOf(const Analysis*);
+const Structure& structureOf(const Anchor*);
+const Structure& structureOf(const Block*);
+const Structure& structureOf(const Bolt*);
+const Structure& structureOf(const BoltType*);
+const Structure& structureOf(const Expected*);
+const Structure& structureOf(const InitialVelocity*);
+const Structure& structureOf(const JointMaterial*);
+const Structure& structureOf(const Load*);
+const Structure& structureOf(const Material*);
+const Structure& structureOf(const Monitor*);
+const Structure& structureOf(const Motion*);
+const Structure& structureOf(const Output*);
+const Structure& structureOf(const Plate*);
+const Structure& structureOf(const Stage*);
+const Structure& structureOf(const Support*);
+const Structure& structureOf(const Until*);
+
+/// What a row says beyond its member.
+struct Says {
+    std::string_view unit{};
+    Range range{};
+    bool required = false;
+    bool emptyIsNull = false;  // null stands for the empty text, list or table
+    bool emptyIsZero = false;
+    bool isAxis = false;
+    Only only{};
+    std::vector<std::string_view> laterWords{};
+    std::string_view source{};
+};
+
+inline Range above(double least) { return {.least = least, .leastExcluded = true}; }
+inline Range atLeast(double least) { return {.least = least}; }
+inline Range within(double least, double most) { return {.least = least, .most = most}; }
+inline Range between(double least, double most) {
+    return {.least = least, .most = most, .leastExcluded = true, .mostExcluded = true};
+}
+
+namespace rows {
+
+template <typename T>
+struct MemberOf;
+template <typename Owner, typename Value>
+struct MemberOf<Value Owner::*> {
+    using OwnerType = Owner;
+    using ValueType = Value;
+};
+
+template <typename T>
+struct Optional : std::false_type {
+    using Inner = T;
+};
+template <typename T>
+struct Optional<std::optional<T>> : std::true_type {
+    using Inner = T;
+};
+
+// A single struct, a list of them, or a list with names.
+template <typename T>
+struct Holder {
+    using Item = T;
+    static constexpr FieldKind kind = FieldKind::Object;
+};
+template <typename T>
+struct Holder<std::vector<T>> {
+    using Item = T;
+    static constexpr FieldKind kind = FieldKind::List;
+};
+template <typename T>
+struct Holder<std::vector<std::pair<std::string, T>>> {
+    using Item = T;
+    static constexpr FieldKind kind = FieldKind::Map;
+};
+template <>
+struct Holder<std::vector<BoltType>> {
+    using Item = BoltType;
+    static constexpr FieldKind kind = FieldKind::Map;
+};
+
+template <typename T>
+concept HasStructure = requires(const T* item) { structureOf(item); };
+
+template <auto member>
+using Owner = typename MemberOf<decltype(member)>::OwnerType;
+template <auto member>
+using Value = typename MemberOf<decltype(member)>::ValueType;
+template <auto member>
+using Inner = typename Optional<Value<member>>::Inner;
+template <auto member>
+constexpr bool isOptional = Optional<Value<member>>::value;
+
+template <typename T>
+constexpr FieldKind leafKind() {
+    if constexpr (std::is_same_v<T, bool>) return FieldKind::Flag;
+    if constexpr (std::is_same_v<T, double>) return FieldKind::Number;
+    if constexpr (std::is_same_v<T, int>) return FieldKind::Integer;
+    if constexpr (std::is_same_v<T, std::string>) return FieldKind::Text;
+    if constexpr (std::is_enum_v<T>) return FieldKind::Word;
+    if constexpr (std::is_same_v<T, Point>) return FieldKind::Vector;
+    if constexpr (std::is_same_v<T, std::array<Point, 2>>) return FieldKind::PointPair;
+    if constexpr (std::is_same_v<T, std::vector<Point>>) return FieldKind::Points;
+    if constexpr (std::is_same_v<T, Table>) return FieldKind::Pairs;
+    if constexpr (std::is_same_v<T, Stress>) return FieldKind::Triple;
+    if constexpr (std::is_same_v<T, BoltPlace>) return FieldKind::Place;
+    if constexpr (std::is_same_v<T, std::vector<std::string>>) return FieldKind::TextList;
+    if constexpr (std::is_same_v<T, std::map<std::string, std::string>>) return FieldKind::TextMap;
+}
+
+template <typename T>
+FieldValue toValue(const T& held) {
+    if constexpr (std::is_enum_v<T>)
+        return std::string(wordsOf(held)[static_cast<std::size_t>(held)]);
+    else if constexpr (std::is_same_v<T, int>)
+        return static_cast<double>(held);
+    else if constexpr (std::is_same_v<T, std::array<Point, 2>>)
+        return std::vector<Point>(held.begin(), held.end());
+    else
+        return held;
+}
+
+template <typename T>
+T fromValue(const FieldValue& value) {
+    if constexpr (std::is_enum_v<T>) {
+        const Words words = wordsOf(T{});
+        return static_cast<T>(std::find(words.begin(), words.end(), std::get<std::string>(value)) - words.begin());
+    } else if constexpr (std::is_same_v<T, int>) {
+        return static_cast<int>(std::get<double>(value));
+    } else if constexpr (std::is_same_v<T, std::array<Point, 2>>) {
+        const auto& points = std::get<std::vector<Point>>(value);
+        return {points.at(0), points.at(1)};
+    } else {
+        return std::get<T>(value);
+    }
+}
+
+template <auto member>
+FieldValue get(const void* owner) {
+    const auto& held = static_cast<const Owner<member>*>(owner)->*member;
+    if constexpr (isOptional<member>)
+        return held ? toValue(*held) : FieldValue{};
+    else
+        return toValue(held);
+}
+
+template <auto member>
+void set(void* owner, const FieldValue& value) {
+    auto& held = static_cast<Owner<member>*>(owner)->*member;
+    if (!std::holds_alternative<std::monostate>(value))
+        held = fromValue<Inner<member>>(value);
+    else if constexpr (isOptional<member>)
+        held.reset();
+    else if constexpr (requires { held.clear(); })
+        held.clear();
+}
+
+/// Reaches the structs inside one member.
+template <auto member>
+struct Reach {
+    using Held = Holder<Inner<member>>;
+    using Item = typename Held::Item;
+
+    static auto& valueOf(void* owner) { return static_cast<Owner<member>*>(owner)->*member; }
+    static const auto& valueOf(const void* owner) { return static_cast<const Owner<member>*>(owner)->*member; }
+
+    static bool isNull(const void* owner) {
+        if constexpr (isOptional<member>)
+            return !valueOf(owner).has_value();
+        else
+            return false;
+    }
+    static auto& inner(void* owner) {
+        if constexpr (isOptional<member>)
+            return *valueOf(owner);
+        else
+            return valueOf(owner);
+    }
+    static const auto& inner(const void* owner) { return inner(const_cast<void*>(owner)); }
+
+    static std::size_t count(const void* owner) {
+        if constexpr (Held::kind == FieldKind::Object)
+            return 1;
+        else
+            return isNull(owner) ? 0 : inner(owner).size();
+    }
+    static const void* item(const void* owner, std::size_t index) {
+        if constexpr (Held::kind == FieldKind::Object)
+            return &inner(owner);
+        else if constexpr (std::is_same_v<typename std::decay_t<decltype(inner(owner))>::value_type, Item>)
+            return &inner(owner)[index];
+        else
+            return &inner(owner)[index].second;
+    }
+    static std::string_view name(const void* owner, std::size_t index) {
+        if constexpr (std::is_same_v<Item, BoltType>)
+            return inner(owner)[index].name;
+        else if constexpr (Held::kind == FieldKind::Map)
+            return inner(owner)[index].first;
+        else
+            return {};
+    }
+    static void clear(void* owner) {
+        if constexpr (Held::kind != FieldKind::Object)
+            valueOf(owner) = Inner<member>{};
+    }
+    static void setNull(void* owner) { valueOf(owner) = Value<member>{}; }
+    static BoltType& named(BoltType& type, std::string_view typeName) {
+        type.name = typeName;
+        return type;
+    }
+    static void* append(void* owner, [[maybe_unused]] std::string_view itemName) {
+        if constexpr (Held::kind == FieldKind::Object)
+            return &inner(owner);
+        else if constexpr (std::is_same_v<Item, BoltType>)
+            return &named(inner(owner).emplace_back(), itemName);
+        else if constexpr (Held::kind == FieldKind::Map)
+            return &inner(owner).emplace_back(std::string(itemName), Item{}).second;
+        else
+            return &inner(owner).emplace_back();
+    }
+    static const Structure& structure() { return structureOf(static_cast<const Item*>(nullptr)); }
+};
+
+template <auto member>
+void describeAccess(Field& field) {
+    if constexpr (HasStructure<typename Holder<Inner<member>>::Item>) {
+        using R = Reach<member>;
+        field.kind = R::Held::kind;
+        field.children = {R::count, R::item, R::name, R::isNull, R::clear, R::setNull, R::append, R::structure};
+    } else {
+        field.kind = leafKind<Inner<member>>();
+        field.get = get<member>;
+        field.set = set<member>;
+        if constexpr (std::is_enum_v<Inner<member>>)
+            field.words = wordsOf(Inner<member>{});
+    }
+}
+
+}  // namespace rows
+
+/// A row for a member, e.g. `row<&Block::points>("points", "Corners…", {.unit = "m", .required = true})`.
+template <auto member>
+Field row(std::string_view key, std::string_view help, Says says = {}) {
+    Field field{.key = key, .unit = says.unit, .help = help, .source = says.source, .range = says.range};
+    field.required = says.required;
+    field.nullable = rows::isOptional<member> || says.emptyIsNull;
+    field.emptyIsZero = says.emptyIsZero;
+    field.only = std::move(says.only);
+    field.laterWords = std::move(says.laterWords);
+    rows::describeAccess<member>(field);
+    if (says.isAxis)
+        field.kind = FieldKind::Axis;
+    return field;
+}
+
+/// A row without a member: a key of which only these values are accepted, because they change nothing.
+Field fixedRow(std::string_view key, std::string_view help, std::vector<FieldValue> accepted, bool required = false);
+
+/// A default-made object, which the table reads the defaults from.
+template <typename T>
+const void* defaultsOf() {
+    static const T defaults{};
+    return &defaults;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rows of the rock: materials, joints, blocks and what holds them.
+#include "solver/scene/field_rows.h"
+
+namespace keyblock {
+
+const Structure& structureOf(const Material*) {
+    static const Structure structure{
+        "material",
+        "Linear elastic rock.",
+        defaultsOf<Material>(),
+        {
+            row<&Material::density>("density", "Mass per volume.",
+                                    {.unit = "kg/m³", .range = above(0), .required = true}),
+            row<&Material::youngsModulus>("youngs_modulus", "Young's modulus.",
+                                          {.unit = "Pa", .range = above(0), .required = true}),
+            row<&Material::poissonsRatio>("poissons_ratio", "Poisson's ratio.",
+                                          {.range = between(-1, 0.5), .required = true}),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const JointMaterial*) {
+    static const Structure structure{
+        "joint material",
+        "Mohr–Coulomb strength of the faces of blocks; cohesion and tensile strength are lost at the first failure.",
+        defaultsOf<JointMaterial>(),
+        {
+            row<&JointMaterial::frictionAngle>(
+                "friction_angle", "Friction angle.",
+                {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}}),
+            row<&JointMaterial::cohesion>("cohesion", "Cohesion on the contact length.",
+                                          {.unit = "Pa", .range = atLeast(0)}),
+            row<&JointMaterial::tensileStrength>("tensile_strength", "Tensile strength on the contact length.",
+                                                 {.unit = "Pa", .range = atLeast(0)}),
+            fixedRow("residual_friction_angle", "After slip the friction angle stays as it is.", {FieldValue{}}),
+            fixedRow("normal_stiffness", "Contacts take their stiffness from `penalty_ratio`.", {FieldValue{}}),
+            fixedRow("shear_stiffness", "Contacts take their stiffness from `shear_ratio`.", {FieldValue{}}),
+            fixedRow("crushing_strength", "Rock under a dowel has no limit.", {FieldValue{}}),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const Block*) {
+    static const Structure structure{
+        "block",
+        "A block of rock with constant stress.",
+        defaultsOf<Block>(),
+        {
+            row<&Block::name>("name", "Its name; `b1`, `b2`, … by order when it has none."),
+            row<&Block::points>("points", "Corners, either way round, the first not repeated.",
+                                {.unit = "m", .required = true}),
+            row<&Block::material>("material", "Name of its material.", {.required = true}),
+            row<&Block::jointMaterial>("joint_material",
+                                       "Name of the joint material of its faces; null: the first of "
+                                       "`joint_materials`."),
+            row<&Block::initialStress>("initial_stress", "Stress at the start, sxx, syy, sxy, tension positive.",
+                                       {.unit = "Pa"}),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const Support*) {
+    static const Structure structure{
+        "support",
+        "Holds a whole block (`block_at`, fix `all`) or a point of a block (`point`, fix `x`, `y` or `xy`).",
+        defaultsOf<Support>(),
+        {
+            row<&Support::blockAt>("block_at", "A point inside the block that is held.", {.unit = "m"}),
+            row<&Support::point>("point", "The point that is held, in a block or on its boundary.", {.unit = "m"}),
+            row<&Support::fix>("fix", "What is held."),
+        }};
+    return structure;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rows of what surrounds the model: what the scene says about itself, settings
+// of the analysis, what is watched and what is kept.
+#include "solver/scene/field_rows.h"
+
+namespace keyblock {
+
+const Structure& structureOf(const Expected*) {
+    static const Structure structure{
+        "expected",
+        "A number that a run of the scene should give.",
+        defaultsOf<Expected>(),
+        {
+            row<&Expected::quantity>("quantity", "Which number, written as in `quantities`.", {.required = true}),
+            row<&Expected::value>("value", "The number, in SI units.", {.required = true}),
+            row<&Expected::tolerance>("tolerance", "Relative; absolute where the value is 0.", {.range = atLeast(0)}),
+            row<&Expected::source>("source", "Where the number comes from."),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const About*) {
+    static const Structure structure{
+        "about",
+        "For people: it changes no result.",
+        defaultsOf<About>(),
+        {
+            row<&About::shows>("shows", "What the scene shows."),
+            row<&About::source>("source", "Where the scene comes from."),
+            row<&About::category>("category", "Under which heading it is listed."),
+            row<&About::expected>("expected", "Numbers that a run should give."),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const Analysis*) {
+    static const Structure structure{
+        "analysis",
+        "Settings of the whole analysis.",
+        defaultsOf<Analysis>(),
+        {
+            row<&Analysis::plane>("plane", "Plane stress or plane strain."),
+            row<&Analysis::thickness>("thickness", "Thickness of the model out of the plane.",
+                                      {.unit = "m", .range = above(0)}),
+            row<&Analysis::gravity>("gravity", "Acceleration that acts on every block and bolt; [] is zero.",
+                                    {.unit = "m/s²", .emptyIsZero = true}),
+            row<&Analysis::integration>("integration", "Time integration of dynamic stages that name none.",
+                                        {.laterWords = {"newmark", "generalized-alpha"}}),
+            row<&Analysis::penaltyRatio>("penalty_ratio",
+                                         "Stiffness of a contact spring over Young's modulus × thickness.",
+                                         {.range = above(0)}),
+            row<&Analysis::shearRatio>("shear_ratio", "Shear over normal stiffness of contacts.",
+                                       {.range = above(0)}),
+            row<&Analysis::tolerance>("tolerance", "Residual over reference force at which a pass is accepted.",
+                                      {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
+            row<&Analysis::maxPasses>("max_passes", "Passes of one step before it is cut.",
+                                      {.range = within(1, 100000)}),
+            fixedRow("iteration", "How contact states are found: a convex step per pass.", {std::string("convex")}),
+            fixedRow("contact", "How contacts are kept closed: by penalty springs.", {std::string("penalty")}),
+            fixedRow("model_everything", "Whether parts that change nothing are modelled too.", {false}),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const Monitor*) {
+    static const Only withBolt{.key = "bolt"};
+    static const Structure structure{
+        "monitor",
+        "Watches a point (two values: its displacement), an opening between two points, or a bolt: exactly one of "
+        "`point`, `between` and `bolt` is given.",
+        defaultsOf<Monitor>(),
+        {
+            row<&Monitor::name>("name", "Names the monitor in tables and quantities.", {.required = true}),
+            row<&Monitor::point>("point", "Follows this point of the block that holds it.", {.unit = "m"}),
+            row<&Monitor::between>("between", "Displacement of the second point minus that of the first, on `axis`.",
+                                   {.unit = "m"}),
+            row<&Monitor::axis>("axis", "Direction of the opening.",
+                                {.isAxis = true, .only = {.key = "between"}}),
+            row<&Monitor::bolt>("bolt", "Name of the bolt."),
+            row<&Monitor::quantity>("quantity", "What is watched of the bolt.", {.only = withBolt}),
+            row<&Monitor::at>("at", "Place along the bolt from its far end.",
+                              {.unit = "m", .range = atLeast(0), .only = withBolt}),
+            row<&Monitor::atFromHead>("at_from_head", "Place along the bolt from its head.",
+                                      {.unit = "m", .range = atLeast(0), .only = withBolt}),
+            row<&Monitor::atFraction>("at_fraction", "Place along the bolt, 0 at its far end, 1 at its head.",
+                                      {.range = within(0, 1), .only = withBolt}),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const Output*) {
+    static const Structure structure{
+        "output",
+        "What a run keeps.",
+        defaultsOf<Output>(),
+        {
+            row<&Output::frames>("frames", "Frames kept over the whole run.", {.range = within(1, 100000)}),
+            row<&Output::every>("every", "Time between frames, in place of `frames`.",
+                                {.unit = "s, or pseudo-time of a static stage", .range = above(0)}),
+        }};
+    return structure;
+}
+
+}  // namespace keyblock

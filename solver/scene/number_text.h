@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Numbers as text, the same in every locale.
+#pragma once
+
+#include <string>
+
+namespace keyblock {
+
+/// The shortest text that reads back as the same double; `inf` and `nan` for what is not finite.
+std::string shortest(double number);
+
+}  // namespace keyblock

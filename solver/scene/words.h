@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The words that scene files use for enumerations, each list in the order of its
+// enumerators, found by the type of the value.
+#pragma once
+
+#include "solver/scene/quantity_text.h"
+#include "solver/scene/scene.h"
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace keyblock {
+
+using Words = std::span<const std::string_view>;
+
+inline constexpr std::array<std::string_view, 2> planeWords{"stress", "strain"};
+inline constexpr std::array<std::string_view, 2> integrationWords{"shi", "backward-euler"};
+inline constexpr std::array<std::string_view, 4> fixWords{"all", "x", "y", "xy"};
+inline constexpr std::array<std::string_view, 2> rotationWords{"held", "free"};
+inline constexpr std::array<std::string_view, 2> stageKindWords{"static", "dynamic"};
+inline constexpr std::array<std::string_view, 4> boltClassWords{"CMC", "CFC", "DMC", "DFC"};
+inline constexpr std::array<std::string_view, 3> bendingWords{"none", "elastic", "elastic-plastic"};
+inline constexpr std::array<std::string_view, 2> perWords{"node", "length"};
+inline constexpr std::array<std::string_view, 4> anchorLawWords{"elastic", "peak-residual", "frictional", "curve"};
+inline constexpr std::array<std::string_view, 2> afterCurveWords{"last", "zero"};
+inline constexpr std::array<std::string_view, 2> onFailureWords{"none", "bolt-lost"};
+inline constexpr std::array<std::string_view, 2> plateKindWords{"none", "spring"};
+
+constexpr Words wordsOf(Plane) { return planeWords; }
+constexpr Words wordsOf(Integration) { return integrationWords; }
+constexpr Words wordsOf(Fix) { return fixWords; }
+constexpr Words wordsOf(Rotation) { return rotationWords; }
+constexpr Words wordsOf(StageKind) { return stageKindWords; }
+constexpr Words wordsOf(BoltClass) { return boltClassWords; }
+constexpr Words wordsOf(Bending) { return bendingWords; }
+constexpr Words wordsOf(Per) { return perWords; }
+constexpr Words wordsOf(AnchorLaw) { return anchorLawWords; }
+constexpr Words wordsOf(AfterCurve) { return afterCurveWords; }
+constexpr Words wordsOf(OnFailure) { return onFailureWords; }
+constexpr Words wordsOf(PlateKind) { return plateKindWords; }
+constexpr Words wordsOf(BoltQuantity) { return boltQuantityWords; }
+
+}  // namespace keyblock
