@@ -4,7 +4,9 @@
 // Each list stands in the order of its enumeration; the tests hold the two together.
 #include "solver/results/words.h"
 
+#include "solver/scene/lookup.h"
 #include "solver/scene/quantity_text.h"
+#include "solver/scene/words.h"
 
 #include <algorithm>
 #include <array>
@@ -37,17 +39,14 @@ std::string_view wordOf(EventKind kind) { return eventKindWords[static_cast<std:
 std::string_view wordOf(Outcome outcome) { return outcomeWords[static_cast<std::size_t>(outcome)]; }
 std::string_view wordOf(NodeState state) { return nodeStateWords[static_cast<std::size_t>(state)]; }
 std::string_view wordOf(ContactState state) { return contactStateWords[static_cast<std::size_t>(state)]; }
-std::string_view wordOf(StageKind kind) { return kind == StageKind::Static ? "static" : "dynamic"; }
+std::string_view wordOf(StageKind kind) { return stageKindWords[static_cast<std::size_t>(kind)]; }
 std::string_view anchorWord(bool real) { return real ? "real" : "artificial"; }
 
 std::optional<EventKind> eventKindOf(std::string_view word) { return valueOf<EventKind>(eventKindWords, word); }
 std::optional<Outcome> outcomeOf(std::string_view word) { return valueOf<Outcome>(outcomeWords, word); }
 
 std::string blockName(const Scene& scene, int block) {
-    if (!holds(scene.blocks, block))
-        return {};
-    const std::string& name = scene.blocks[block].name;
-    return name.empty() ? "b" + std::to_string(block + 1) : name;
+    return holds(scene.blocks, block) ? displayName(scene, block) : "";
 }
 
 std::string boltName(const Scene& scene, int bolt) { return holds(scene.bolts, bolt) ? scene.bolts[bolt].name : ""; }

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is wrong with a file that was asked for; one message for people.
+#pragma once
+
+#include <stdexcept>
+
+namespace keyblock {
+
+/// A file is missing, is not what it was taken for, or is damaged; `what()` says which, why, and what to do.
+struct CannotRead : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writing and reading a row stand side by side, in the order of its columns. A
+// store may come from anywhere, so every index is checked before it is believed.
+#include "solver/files/frame_payload.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace keyblock {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> words{"blocks", "corners", "contacts", "nodes", "bolts"};
+
+constexpr std::array<PayloadColumn, 12> blockColumns{{{"x", "m", "centroid"},
+                                                      {"y", "m", "centroid"},
+                                                      {"ux", "m", "displacement of the centroid"},
+                                                      {"uy", "m", "displacement of the centroid"},
+                                                      {"rotation", "rad", "counter-clockwise"},
+                                                      {"sxx", "Pa", "stress in global axes, tension positive"},
+                                                      {"syy", "Pa", "stress in global axes, tension positive"},
+                                                      {"sxy", "Pa", "stress in global axes"},
+                                                      {"vx", "m/s", "velocity of the centroid"},
+                                                      {"vy", "m/s", "velocity of the centroid"},
+                                                      {"area", "m2", ""},
+                                                      {"weight", "N", ""}}};
+
+constexpr std::array<PayloadColumn, 3> cornerColumns{{{"block", "", "index of the block, from 0"},
+                                                      {"x", "m", "corner, in order round the block"},
+                                                      {"y", "m", "corner, in order round the block"}}};
+
+constexpr std::array<PayloadColumn, 10> contactColumns{
+    {{"block_a", "", "index of the block that holds the corner"},
+     {"block_b", "", "index of the block that holds the edge"},
+     {"joint_material", "", "index into the scene's joint materials; -1: the built-in one"},
+     {"x", "m", "where the contact is"},
+     {"y", "m", "where the contact is"},
+     {"state", "", "0 open, 1 sliding, 2 locked, 3 bonded"},
+     {"normal_force", "N", "compression positive"},
+     {"shear_force", "N", ""},
+     {"penetration", "m", "positive when the corner is inside"},
+     {"slip", "m", ""}}};
+
+constexpr std::array<PayloadColumn, 13> nodeColumns{
+    {{"bolt", "", "index of the bolt, from 0"},
+     {"s", "m", "distance from the far end, unstrained"},
+     {"x", "m", "where the node is"},
+     {"y", "m", "where the node is"},
+     {"block", "", "index of the block that holds it; -1: in a gap, on a joint or outside"},
+     {"real", "", "1 real anchor, 0 artificial anchor"},
+     {"state", "", "0 bonded, 1 slipping, 2 gone, 3 free"},
+     {"axial_force", "N", "of the element that starts here, tension positive; at the last node the plate's normal"},
+     {"shear_force", "N", "of the element that starts here; at the last node the plate's shear"},
+     {"moment", "N m", "at the node"},
+     {"anchor_force", "N", "positive when the rock pulls the bolt towards its head"},
+     {"slip", "m", "rock minus bolt along the axis"},
+     {"ruptured", "", "1 when the element that starts here is broken"}}};
+
+constexpr std::array<PayloadColumn, 2> boltColumns{
+    {{"plate_holds", "", "1 or 0"}, {"lost", "", "1 when the whole bolt is lost"}}};
+
+/// Takes values off a row and remembers whether one of them was no index of its kind.
+class RowReader {
+public:
+    explicit RowReader(std::span<const double> row) : row_(row) {}
+
+    double number() { return row_[at_++]; }
+    Point point() {
+        const double x = number();
+        return {x, number()};
+    }
+    int index(int first, std::size_t end) {
+        const double value = number();
+        const bool fits = value >= first && value < static_cast<double>(end) && value == std::floor(value);
+        good_ = good_ && fits;
+        return fits ? static_cast<int>(value) : first;
+    }
+    bool flag() { return index(0, 2) == 1; }
+    bool good() const { return good_; }
+
+private:
+    std::span<const double> row_;
+    std::size_t at_ = 0;
+    bool good_ = true;
+};
+
+void packBlocks(const Frame& frame, std::vector<double>& out) {
+    for (const BlockState& b : frame.blocks)
+        out.insert(out.end(), {b.centroid.x(), b.centroid.y(), b.displacement.x(), b.displacement.y(), b.rotation,
+                               b.stress[0], b.stress[1], b.stress[2], b.velocity.x(), b.velocity.y(), b.area,
+                               b.weight});
+}
+
+bool unpackBlock(RowReader& row, const Scene&, Frame& frame) {
+    BlockState b;
+    b.centroid = row.point();
+    b.displacement = row.point();
+    b.rotation = row.number();
+    for (double& component : b.stress)
+        component = row.number();
+    b.velocity = row.point();
+    b.area = row.number();
+    b.weight = row.number();
+    frame.blocks.push_back(b);
+    return row.good();
+}
+
+void packCorners(const Frame& frame, std::vector<double>& out) {
+    for (std::size_t block = 0; block < frame.blocks.size(); ++block)
+        for (const Point& corner : frame.blocks[block].points)
+            out.insert(out.end(), {static_cast<double>(block), corner.x(), corner.y()});
+}
+
+bool unpackCorner(RowReader& row, const Scene&, Frame& frame) {
+    const auto block = static_cast<std::size_t>(row.index(0, frame.blocks.size()));
+    if (row.good())
+        frame.blocks[block].points.push_back(row.point());
+    return row.good();
+}
+
+void packContacts(const Frame& frame, std::vector<double>& out) {
+    for (const ContactFrame& c : frame.contacts)
+        out.insert(out.end(), {static_cast<double>(c.blockA), static_cast<double>(c.blockB),
+                               static_cast<double>(c.jointMaterial), c.position.x(), c.position.y(),
+                               static_cast<double>(c.state), c.normalForce, c.shearForce, c.penetration, c.slip});
+}
+
+bool unpackContact(RowReader& row, const Scene& scene, Frame& frame) {
+    ContactFrame c;
+    c.blockA = row.index(-1, scene.blocks.size());
+    c.blockB = row.index(-1, scene.blocks.size());
+    c.jointMaterial = row.index(-1, scene.jointMaterials.size());
+    c.position = row.point();
+    c.state = static_cast<ContactState>(row.index(0, 4));
+    c.normalForce = row.number();
+    c.shearForce = row.number();
+    c.penetration = row.number();
+    c.slip = row.number();
+    frame.contacts.push_back(c);
+    return row.good();
+}
+
+void packNodes(const Frame& frame, std::vector<double>& out) {
+    for (std::size_t bolt = 0; bolt < frame.bolts.size(); ++bolt)
+        for (const BoltNodeFrame& n : frame.bolts[bolt].nodes)
+            out.insert(out.end(), {static_cast<double>(bolt), n.s, n.position.x(), n.position.y(),
+                                   static_cast<double>(n.block), n.real ? 1.0 : 0.0, static_cast<double>(n.state),
+                                   n.axialForce, n.shearForce, n.moment, n.anchorForce, n.slip,
+                                   n.ruptured ? 1.0 : 0.0});
+}
+
+bool unpackNode(RowReader& row, const Scene& scene, Frame& frame) {
+    const auto bolt = static_cast<std::size_t>(row.index(0, frame.bolts.size()));
+    BoltNodeFrame n;
+    n.s = row.number();
+    n.position = row.point();
+    n.block = row.index(-1, scene.blocks.size());
+    n.real = row.flag();
+    n.state = static_cast<NodeState>(row.index(0, 4));
+    n.axialForce = row.number();
+    n.shearForce = row.number();
+    n.moment = row.number();
+    n.anchorForce = row.number();
+    n.slip = row.number();
+    n.ruptured = row.flag();
+    if (row.good())
+        frame.bolts[bolt].nodes.push_back(n);
+    return row.good();
+}
+
+void packBolts(const Frame& frame, std::vector<double>& out) {
+    for (const BoltFrame& bolt : frame.bolts)
+        out.insert(out.end(), {bolt.plateHolds ? 1.0 : 0.0, bolt.lost ? 1.0 : 0.0});
+}
+
+bool unpackBolt(RowReader& row, const Scene&, Frame& frame) {
+    BoltFrame bolt;
+    bolt.plateHolds = row.flag();
+    bolt.lost = row.flag();
+    frame.bolts.push_back(bolt);
+    return row.good();
+}
+
+using Pack = void (*)(const Frame&, std::vector<double>&);
+using UnpackRow = bool (*)(RowReader&, const Scene&, Frame&);
+
+constexpr std::array<Pack, 5> packs{packBlocks, packCorners, packContacts, packNodes, packBolts};
+constexpr std::array<UnpackRow, 5> unpacks{unpackBlock, unpackCorner, unpackContact, unpackNode, unpackBolt};
+
+}  // namespace
+
+std::span<const std::string_view> payloadWords() { return words; }
+
+std::span<const PayloadColumn> payloadColumns(Payload payload) {
+    switch (payload) {
+        case Payload::Blocks: return blockColumns;
+        case Payload::Corners: return cornerColumns;
+        case Payload::Contacts: return contactColumns;
+        case Payload::Nodes: return nodeColumns;
+        case Payload::Bolts: return boltColumns;
+    }
+    return {};
+}
+
+std::vector<double> pack(Payload payload, const Frame& frame) {
+    std::vector<double> values;
+    packs[static_cast<std::size_t>(payload)](frame, values);
+    return values;
+}
+
+bool unpack(Payload payload, std::span<const double> values, const Scene& scene, Frame& frame) {
+    const std::size_t width = payloadColumns(payload).size();
+    if (values.size() % width != 0)
+        return false;
+    for (std::size_t at = 0; at < values.size(); at += width) {
+        RowReader row(values.subspan(at, width));
+        if (!unpacks[static_cast<std::size_t>(payload)](row, scene, frame))
+            return false;
+    }
+    if (payload == Payload::Blocks)
+        return frame.blocks.size() == scene.blocks.size();
+    return payload != Payload::Bolts || frame.bolts.size() == scene.bolts.size();
+}
+
+}  // namespace keyblock

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The run store's tables. Writer and reader share this list and nothing else.
+#pragma once
+
+namespace keyblock::run_schema {
+
+/// SQLite's application id of a run store: "KBRN".
+inline constexpr int applicationId = 0x4B42524E;
+
+/// Rises with every change that an older program would misread.
+inline constexpr int version = 1;
+
+inline constexpr const char* tables = R"(
+CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL);
+CREATE TABLE columns (payload TEXT, position INTEGER, name TEXT, unit TEXT, meaning TEXT,
+    PRIMARY KEY (payload, position));
+CREATE TABLE stages (stage INTEGER PRIMARY KEY, name TEXT, kind TEXT,
+    outcome TEXT, time REAL, steps INTEGER, message TEXT, blocks BLOB,
+    passes INTEGER, step_cuts INTEGER, factorizations INTEGER,
+    max_penetration_ratio REAL, max_residual REAL, balance_error REAL, health_steps INTEGER);
+CREATE TABLE events (event INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, kind TEXT,
+    bolt INTEGER, node INTEGER, element INTEGER, block INTEGER, other_block INTEGER, x REAL, y REAL,
+    axial_force REAL, shear_force REAL, anchor_force REAL, slip REAL);
+CREATE TABLE history (row INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, "values" BLOB);
+CREATE TABLE frames (frame INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER,
+    kinetic REAL, strain REAL, contact REAL, bolt REAL, friction REAL, plastic REAL, released REAL, damped REAL,
+    external REAL, balance_error REAL,
+    blocks BLOB, corners BLOB, contacts BLOB, nodes BLOB, bolts BLOB);
+)";
+
+/// Told to whoever opens the store with something else.
+inline constexpr const char* layout =
+    "Every BLOB holds little-endian IEEE 754 doubles, row after row. Table columns lists the values of a row by "
+    "payload: blocks, corners, contacts, nodes and bolts of a frame; history of a history row; mechanism for "
+    "stages.blocks. Row n of blocks and of bolts is the scene's block or bolt n. Stages, blocks, bolts, nodes and "
+    "elements count from 0; -1 marks an index that does not apply. A stage without an outcome never ended. SI units; "
+    "times are within the stage. Row key scene of table about is the scene as JSON, scene_hash its SHA-256.";
+
+}  // namespace keyblock::run_schema

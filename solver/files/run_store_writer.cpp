@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The store is made whole under another name (schema and scene, no write-ahead file
+// yet), put in its place in one move and only then opened for the run, so that
+// nobody ever sees a store without its scene.
+#include "solver/files/run_store_writer.h"
+
+#include "solver/files/frame_payload.h"
+#include "solver/files/program_version.h"
+#include "solver/files/run_schema.h"
+#include "solver/files/scene_file.h"
+#include "solver/files/sha256.h"
+#include "solver/files/sqlite.h"
+#include "solver/files/whole_file.h"
+#include "solver/results/words.h"
+
+#include <sqlite3.h>
+
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+namespace keyblock {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void cannotWrite(const fs::path& path, const std::string& reason) {
+    throw CannotWrite("cannot write " + path.string() + ": " + reason +
+                      "; free space there, or choose another place with --out");
+}
+
+bool startsAsDatabase(const fs::path& path) {
+    std::string start(16, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    return file && start.compare(0, 15, "SQLite format 3") == 0;
+}
+
+bool isRunStore(const fs::path& path) {
+    if (!startsAsDatabase(path))
+        return false;
+    try {
+        const sqlite::Database database(path, sqlite::Access::Write);
+        sqlite::Statement id(database, "PRAGMA application_id");
+        return id.next() && id.integer(0) == run_schema::applicationId;
+    } catch (const sqlite::Error& error) {
+        // Damaged beyond opening, yet nothing but a database ever started like this.
+        return error.code == SQLITE_CORRUPT || error.code == SQLITE_NOTADB;
+    }
+}
+
+/// Folds the old store's write-ahead file in, so that it is never taken for the new store's.
+void settleOldStore(const fs::path& path) {
+    try {
+        sqlite::Database(path, sqlite::Access::Write).run("PRAGMA journal_mode=DELETE");
+    } catch (const sqlite::Error& error) {
+        if (error.code == SQLITE_BUSY || error.code == SQLITE_LOCKED)
+            throw CannotWrite("cannot replace " + path.string() +
+                              ": another program has it open; wait for it, or choose another --out");
+    }
+    std::error_code ignored;
+    for (const char* ending : {"-wal", "-shm", "-journal"})
+        fs::remove(path.string() + ending, ignored);
+}
+
+void writeColumns(const sqlite::Database& database, const HistoryColumns& history) {
+    sqlite::Statement insert(database, "INSERT INTO columns VALUES (?,?,?,?,?)");
+    for (std::size_t payload = 0; payload < payloadWords().size(); ++payload) {
+        std::int64_t position = 0;
+        for (const PayloadColumn& column : payloadColumns(static_cast<Payload>(payload)))
+            insert.bind(payloadWords()[payload]).bind(position++).bind(column.name).bind(column.unit)
+                .bind(column.meaning).run();
+    }
+    std::int64_t position = 0;
+    for (const std::string& name : history.names) {
+        const bool monitor = position < history.monitorValues;
+        insert.bind("history").bind(position++).bind(name).bind("SI");
+        insert.bind(monitor ? "a monitor's value" : "largest along the bolt, with its sign").run();
+    }
+    insert.bind("mechanism").bind(std::int64_t{0}).bind("block").bind("")
+        .bind("index of a block that moves or does not balance").run();
+}
+
+void writeAbout(const sqlite::Database& database, const Scene& scene, const HistoryColumns& history) {
+    const std::string text = sceneText(scene);
+    sqlite::Statement insert(database, "INSERT INTO about VALUES (?,?)");
+    const auto put = [&](std::string_view key, std::string_view value) { insert.bind(key).bind(value).run(); };
+    put("format", "keyblock-run");
+    put("program_version", programVersion());
+    put("layout", run_schema::layout);
+    put("scene", text);
+    put("scene_hash", sha256(text));
+    put("monitor_values", std::to_string(history.monitorValues));
+}
+
+/// Makes a whole store without any result at `part`.
+void makeStore(const fs::path& part, const Scene& scene, const HistoryColumns& columns) {
+    sqlite::Database database(part, sqlite::Access::Create);
+    database.run("PRAGMA journal_mode=MEMORY; PRAGMA application_id=" + std::to_string(run_schema::applicationId) +
+                 "; PRAGMA user_version=" + std::to_string(run_schema::version) + "; BEGIN;");
+    database.run(run_schema::tables);
+    writeColumns(database, columns);
+    writeAbout(database, scene, columns);
+    database.run("COMMIT");
+}
+
+/// Moves the new store to its place; another run that took the place meanwhile keeps it.
+void putInPlace(const fs::path& part, const fs::path& path, bool overwrite) {
+    std::error_code error;
+    if (!overwrite) {
+        fs::create_hard_link(part, path, error);
+        if (error == std::errc::file_exists)
+            throw StoreExists(path.string() + " exists; add --overwrite, or choose another --out");
+        if (!error)
+            return;  // the part's own name goes with the part
+    }
+    fs::rename(part, path, error);
+    if (error)
+        cannotWrite(path, error.message());
+}
+
+constexpr const char* insertStage = "INSERT INTO stages (stage, name, kind) VALUES (?,?,?)";
+constexpr const char* endStage =
+    "UPDATE stages SET outcome=?, time=?, steps=?, message=?, blocks=?, passes=?, step_cuts=?, factorizations=?, "
+    "max_penetration_ratio=?, max_residual=?, balance_error=?, health_steps=? WHERE stage=?";
+constexpr const char* insertEvent = "INSERT INTO events VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
+constexpr const char* insertHistory = "INSERT INTO history VALUES (NULL,?,?,?,?)";
+constexpr const char* insertFrame = "INSERT INTO frames VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
+
+}  // namespace
+
+/// The store while it is open. Statements go before the connection they belong to.
+struct RunStoreWriter::Open {
+    explicit Open(const fs::path& path) : database(path, sqlite::Access::Write) {
+        database.run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
+    }
+
+    void beginIfNeeded() {
+        if (!inTransaction)
+            database.run("BEGIN");
+        inTransaction = true;
+    }
+
+    void commit() {
+        if (inTransaction)
+            database.run("COMMIT");
+        inTransaction = false;
+    }
+
+    sqlite::Database database;
+    bool inTransaction = false;
+    sqlite::Statement stage{database, insertStage};
+    sqlite::Statement stageEnd{database, endStage};
+    sqlite::Statement event{database, insertEvent};
+    sqlite::Statement history{database, insertHistory};
+    sqlite::Statement frame{database, insertFrame};
+};
+
+void requireFreeStore(const fs::path& path, bool overwrite) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status))
+        return;
+    if (!overwrite)
+        throw StoreExists(path.string() + " exists; add --overwrite, or choose another --out");
+    const bool empty = fs::is_regular_file(status) && fs::file_size(path, error) == 0;
+    if (!empty && (!fs::is_regular_file(status) || !isRunStore(path)))
+        throw StoreExists(path.string() + " is no run store and is not overwritten; choose another --out");
+}
+
+RunStoreWriter::RunStoreWriter(fs::path path, bool overwrite) : path_(std::move(path)), overwrite_(overwrite) {
+    requireFreeStore(path_, overwrite_);
+}
+
+RunStoreWriter::~RunStoreWriter() {
+    try {
+        close();
+    } catch (const CannotWrite&) {
+        // The store keeps what was committed; there is nobody left to tell.
+    }
+}
+
+/// Does `work` on the open store inside a transaction; a failure takes back what is not committed.
+template <typename Work>
+void RunStoreWriter::write(Work work) {
+    if (!open_)
+        cannotWrite(path_, "it was closed");
+    try {
+        open_->beginIfNeeded();
+        work(*open_);
+    } catch (const sqlite::Error& error) {
+        open_.reset();
+        cannotWrite(path_, error.what());
+    }
+}
+
+void RunStoreWriter::begin(const Scene& scene, const HistoryColumns& columns) {
+    scene_ = scene;
+    requireFreeStore(path_, overwrite_);
+    const fs::path part = partPath(path_);
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    try {
+        makeStore(part, scene, columns);
+        if (fs::exists(path_, ignored))
+            settleOldStore(path_);
+        putInPlace(part, path_, overwrite_);
+        fs::remove(part, ignored);
+        open_ = std::make_unique<Open>(path_);
+    } catch (const sqlite::Error& error) {
+        fs::remove(part, ignored);
+        cannotWrite(path_, error.what());
+    } catch (const CannotWrite&) {
+        fs::remove(part, ignored);
+        throw;
+    }
+}
+
+void RunStoreWriter::stageBegins(int stage) {
+    write([&](Open& open) {
+        open.stage.bind(std::int64_t{stage}).bind(stageName(scene_, stage));
+        open.stage.bind(wordOf(scene_.stages.at(static_cast<std::size_t>(stage)).kind)).run();
+        open.commit();
+    });
+}
+
+void RunStoreWriter::event(const Event& e) {
+    write([&](Open& open) {
+        open.event.bind(std::int64_t{e.stage}).bind(e.time).bind(std::int64_t{e.step}).bind(wordOf(e.kind));
+        for (const int index : {e.bolt, e.node, e.element, e.block, e.otherBlock})
+            open.event.bind(std::int64_t{index});
+        for (const double value : {e.position.x(), e.position.y(), e.axialForce, e.shearForce, e.anchorForce, e.slip})
+            open.event.bind(value);
+        open.event.run();
+    });
+}
+
+void RunStoreWriter::history(const HistoryRow& row) {
+    write([&](Open& open) {
+        open.history.bind(std::int64_t{row.stage}).bind(row.time).bind(std::int64_t{row.step});
+        open.history.bind(std::span<const double>(row.values)).run();
+    });
+}
+
+void RunStoreWriter::frame(const Frame& frame) {
+    write([&](Open& open) {
+        const Energy& e = frame.energy;
+        open.frame.bind(std::int64_t{frame.stage}).bind(frame.time).bind(std::int64_t{frame.step});
+        for (const double value : {e.kinetic, e.strain, e.contact, e.bolt, e.friction, e.plastic, e.released, e.damped,
+                                   e.external, e.balanceError})
+            open.frame.bind(value);
+        for (std::size_t payload = 0; payload < payloadWords().size(); ++payload)
+            open.frame.bind(std::span<const double>(pack(static_cast<Payload>(payload), frame)));
+        open.frame.run();
+        open.commit();
+    });
+}
+
+void RunStoreWriter::stageEnds(const StageResult& result) {
+    write([&](Open& open) {
+        const std::vector<double> blocks(result.blocks.begin(), result.blocks.end());
+        const Health& health = result.health;
+        open.stageEnd.bind(wordOf(result.outcome)).bind(result.time).bind(std::int64_t{result.steps});
+        open.stageEnd.bind(result.message).bind(std::span<const double>(blocks));
+        open.stageEnd.bind(std::int64_t{health.passes}).bind(std::int64_t{health.stepCuts});
+        open.stageEnd.bind(std::int64_t{health.factorizations}).bind(health.maxPenetrationRatio);
+        open.stageEnd.bind(health.maxResidual).bind(health.balanceError).bind(std::int64_t{health.steps});
+        open.stageEnd.bind(std::int64_t{result.stage}).run();
+        open.commit();
+    });
+}
+
+void RunStoreWriter::close() {
+    if (!open_)
+        return;
+    try {
+        open_->commit();
+        open_.reset();
+    } catch (const sqlite::Error& error) {
+        open_.reset();
+        cannotWrite(path_, error.what());
+    }
+    try {
+        sqlite::Database(path_, sqlite::Access::Write).run("PRAGMA journal_mode=DELETE");
+    } catch (const sqlite::Error&) {
+        // Somebody reads just now: the store stays in write-ahead mode, which is as good.
+    }
+}
+
+}  // namespace keyblock

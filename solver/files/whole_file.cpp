@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A symbolic link is followed, so that the link stays and its target is replaced.
+#include "solver/files/whole_file.h"
+
+#include "solver/run/errors.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+namespace keyblock {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+    throw CannotWrite("cannot write " + path.string() + ": " + std::generic_category().message(error) +
+                      "; free space there, or choose another place");
+}
+
+/// Removes the unfinished file unless it was put in its place.
+class PartFile {
+public:
+    explicit PartFile(const fs::path& target) : path_(partPath(target)) {}
+    ~PartFile() {
+        std::error_code ignored;
+        fs::remove(path_, ignored);
+    }
+    PartFile(const PartFile&) = delete;
+    PartFile& operator=(const PartFile&) = delete;
+
+    const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+void writeInto(const fs::path& file, const fs::path& shown, const std::function<void(std::ostream&)>& write) {
+    errno = 0;
+    std::ofstream out(file, std::ios::binary | std::ios::trunc);
+    if (out) {
+        write(out);
+        out.close();
+    }
+    if (!out)
+        fail(shown, errno != 0 ? errno : EIO);
+}
+
+/// Where a link leads, whether or not something is there.
+fs::path linkTarget(fs::path path) {
+    constexpr int longestChain = 40;
+    std::error_code error;
+    for (int link = 0; link < longestChain && fs::is_symlink(path, error); ++link) {
+        const fs::path target = fs::read_symlink(path, error);
+        if (error)
+            break;
+        path = path.parent_path() / target;  // an absolute target replaces the whole path
+    }
+    return path;
+}
+
+bool isDeviceOrPipe(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::is_character_file(status) || fs::is_fifo(status) || fs::is_socket(status);
+}
+
+}  // namespace
+
+fs::path partPath(const fs::path& path) {
+    fs::path part = path;
+    part += ".part-" + std::to_string(::getpid());
+    return part;
+}
+
+void writeWholeFile(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+    if (isDeviceOrPipe(path))
+        return writeInto(path, path, write);
+    const fs::path target = linkTarget(path);
+    const PartFile part(target);
+    writeInto(part.path(), path, write);
+    std::error_code error;
+    fs::rename(part.path(), target, error);
+    if (error)
+        fail(path, error.value());
+}
+
+}  // namespace keyblock

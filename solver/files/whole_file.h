@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Files that people and programs read appear whole or not at all: they are written
+// beside their place under another name and renamed at the end.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <ostream>
+
+namespace keyblock {
+
+/// The name that a file bears while it is written: beside `path`, ending in `.part-` and the process number.
+std::filesystem::path partPath(const std::filesystem::path& path);
+
+/// Writes a file through `write` and puts it in its place, over one that is there. A device or a pipe is written to
+/// directly. Throws `CannotWrite`, leaving what was there before.
+void writeWholeFile(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
+
+}  // namespace keyblock
