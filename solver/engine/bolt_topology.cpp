@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/bolt_topology.h"
+
+#include "geometry/polygon.h"
+#include "geometry/segment.h"
+#include "solver/engine/step_build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace keyblock {
+namespace {
+
+using Interval = std::pair<double, double>;  // along the unstrained bolt [m]
+
+double overlapOf(const std::vector<Interval>& pieces, double from, double to) {
+    double sum = 0.0;
+    for (const auto& [a, b] : pieces) sum += std::max(0.0, std::min(b, to) - std::max(a, from));
+    return sum;
+}
+
+class BoltPlaces {
+public:
+    BoltPlaces(const Model& model, State& state, int bolt)
+        : model_(model), state_(state), bolt_(model.bolts[bolt]), motion_(state.bolts[bolt]) {}
+
+    void start() {
+        for (int n = 0; n < nodes(); ++n) {
+            const int block = bolt_.startBlock[n];
+            if (block < 0) continue;
+            enter(n, block);
+            motion_.nodes[n].bond.bonded = bolt_.anchors[n].real;
+        }
+        share();
+    }
+
+    bool follow() {
+        bool changed = false;
+        for (int n = 0; n < nodes(); ++n) {
+            const int before = blockOf(n);
+            const int now = find(n, before);
+            if (now == before) continue;
+            changed = true;
+            leave(n);
+            if (now >= 0) enter(n, now);
+        }
+        share();
+        return changed;
+    }
+
+private:
+    int nodes() const { return static_cast<int>(motion_.nodes.size()); }
+
+    int blockOf(int n) const {
+        const int slot = motion_.nodes[n].slot;
+        return slot < 0 ? -1 : motion_.slots[slot].block;
+    }
+
+    Side sideOf(int block, const Point& x) const { return locate(state_.blocks[block].corners, x, model_.tolerance); }
+
+    /// Inside one block, or on the free face of just one.
+    int find(int n, int before) const {
+        const Point& x = motion_.nodes[n].x;
+        if (before >= 0 && sideOf(before, x) == Side::Inside) return before;
+        int onFace = -1, faces = 0;
+        for (int b = 0; b < static_cast<int>(model_.blocks.size()); ++b) {
+            const Point away = x - state_.blocks[b].centroid;
+            if (away.squaredNorm() > 4.0 * reachOf(b) * reachOf(b)) continue;
+            const Side side = sideOf(b, x);
+            if (side == Side::Inside) return b;
+            if (side == Side::Outside) continue;
+            onFace = b;
+            ++faces;
+        }
+        return faces == 1 ? onFace : -1;
+    }
+
+    double reachOf(int block) const {
+        double reach = 0.0;
+        for (const Point& corner : model_.blocks[block].shape) reach = std::max(reach, corner.squaredNorm());
+        return std::sqrt(reach);
+    }
+
+    Point direction(int n) const {
+        const int a = std::max(0, n - 1), b = std::min(nodes() - 1, n + 1);
+        return (motion_.nodes[b].x - motion_.nodes[a].x).normalized();
+    }
+
+    /// The slot of the block that the node lies along, made where the bolt has none there.
+    int slotIn(int n, int block) {
+        int best = -1;
+        double nearest = 0.0;
+        for (int i = 0; i < static_cast<int>(motion_.slots.size()); ++i) {
+            if (motion_.slots[i].block != block) continue;
+            const SlotLine line = slotLine(state_, motion_.slots[i]);
+            const double along = line.along.dot(motion_.nodes[n].x - line.p2);
+            const double outside = std::max({0.0, -along, along - line.length});
+            if (best < 0 || outside < nearest) best = i, nearest = outside;
+        }
+        if (best >= 0) return best;
+        const BlockMotion& rock = state_.blocks[block];
+        const Point& x = motion_.nodes[n].x;
+        const double reach = bolt_.elements[std::min(n, nodes() - 2)].length;
+        motion_.slots.push_back({block, materialPlace(rock, x), materialPlace(rock, x + reach * direction(n)),
+                                 bolt_.s[n], bolt_.s[n] + reach});
+        motion_.leftSlot.push_back(0);
+        return static_cast<int>(motion_.slots.size()) - 1;
+    }
+
+    void enter(int n, int block) {
+        BoltNode& node = motion_.nodes[n];
+        node.slot = slotIn(n, block);
+        const SlotLine line = slotLine(state_, motion_.slots[node.slot]);
+        node.bond.place = line.along.dot(node.x - line.p2) / line.length;
+        node.bond.offset = 0.0;
+        node.bond.curve = {};
+        node.bond.gone = node.bond.gone || (state_.step > 0 && bolt_.anchors[n].law == AnchorLaw::Elastic);
+    }
+
+    void leave(int n) {
+        BoltNode& node = motion_.nodes[n];
+        node.slot = -1;
+        node.bond.bonded = false;
+        node.bond.force = 0.0;
+        node.bond.slip = 0.0;
+    }
+
+    /// Stretches of the bolt in each block; an element within one block lies there wholly.
+    std::map<int, std::vector<Interval>> embedded() const {
+        std::map<int, std::vector<Interval>> pieces;
+        const auto add = [&](int block, double from, double to) {
+            std::vector<Interval>& own = pieces[block];
+            if (!own.empty() && from - own.back().second < 1e-12 * bolt_.s.back()) own.back().second = to;
+            else own.emplace_back(from, to);
+        };
+        for (int e = 0; e + 1 < nodes(); ++e) {
+            const int b1 = blockOf(e), b2 = blockOf(e + 1);
+            const double s = bolt_.s[e], length = bolt_.elements[e].length;
+            if (b1 >= 0 && b1 == b2) {
+                add(b1, s, s + length);
+                continue;
+            }
+            std::vector<int> blocks{b1, b2};
+            for (const Slot& slot : motion_.slots) blocks.push_back(slot.block);
+            std::sort(blocks.begin(), blocks.end());
+            blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+            for (int block : blocks) {
+                if (block < 0) continue;
+                for (const auto& [f, t] : insideIntervals(state_.blocks[block].corners, motion_.nodes[e].x,
+                                                          motion_.nodes[e + 1].x, model_.tolerance))
+                    add(block, s + f * length, s + t * length);
+            }
+        }
+        return pieces;
+    }
+
+    double tributaryFrom(int n) const { return n == 0 ? bolt_.s[0] : 0.5 * (bolt_.s[n - 1] + bolt_.s[n]); }
+    double tributaryTo(int n) const { return n + 1 == nodes() ? bolt_.s[n] : 0.5 * (bolt_.s[n] + bolt_.s[n + 1]); }
+
+    /// Shares the length embedded in each block within [from, to] wholly among that block's nodes of the entry.
+    template <class Counts, class Range, class Set>
+    void shareLength(const std::map<int, std::vector<Interval>>& pieces, Counts counts, Range range, Set set) {
+        std::map<std::tuple<int, double, double>, double> weights;
+        std::vector<double> own(nodes(), 0.0);
+        const auto keyOf = [&](int n) { return std::tuple_cat(std::tuple(blockOf(n)), range(n)); };
+        for (int n = 0; n < nodes(); ++n) {
+            const auto found = counts(n) ? pieces.find(blockOf(n)) : pieces.end();
+            if (found == pieces.end()) continue;
+            const auto [from, to] = range(n);
+            own[n] = overlapOf(found->second, std::max(from, tributaryFrom(n)), std::min(to, tributaryTo(n)));
+            weights[keyOf(n)] += own[n];
+        }
+        for (int n = 0; n < nodes(); ++n) {
+            const auto found = counts(n) ? weights.find(keyOf(n)) : weights.end();
+            if (found == weights.end() || found->second <= 0.0) {
+                set(n, 0.0);
+                continue;
+            }
+            const auto [from, to] = range(n);
+            set(n, overlapOf(pieces.at(blockOf(n)), from, to) * own[n] / found->second);
+        }
+    }
+
+    void share() {
+        const auto pieces = embedded();
+        const double length = bolt_.s.back();
+        shareLength(
+            pieces, [&](int n) { return bolt_.anchors[n].real && bolt_.anchors[n].per == Per::Length; },
+            [&](int n) { return std::tuple(bolt_.anchors[n].from, bolt_.anchors[n].to); },
+            [&](int n, double share) { motion_.nodes[n].bond.share = share; });
+        shareLength(
+            pieces, [&](int) { return bolt_.normalPer == Per::Length; },
+            [&](int) { return std::tuple(0.0, length); },
+            [&](int n, double share) { motion_.nodes[n].normalShare = share; });
+        for (int n = 0; n < nodes(); ++n) {
+            const double in = blockOf(n) >= 0 ? 1.0 : 0.0;
+            if (bolt_.anchors[n].per == Per::Node) motion_.nodes[n].bond.share = in;
+            if (bolt_.normalPer == Per::Node) motion_.nodes[n].normalShare = in;
+        }
+    }
+
+    const Model& model_;
+    State& state_;
+    const BoltModel& bolt_;
+    BoltMotion& motion_;
+};
+
+}  // namespace
+
+void placeBolts(const Model& model, State& state) {
+    for (std::size_t b = 0; b < model.bolts.size(); ++b) BoltPlaces(model, state, static_cast<int>(b)).start();
+}
+
+bool followBolts(const Model& model, State& state) {
+    bool changed = false;
+    for (std::size_t b = 0; b < model.bolts.size(); ++b)
+        if (!state.bolts[b].lost) changed = BoltPlaces(model, state, static_cast<int>(b)).follow() || changed;
+    return changed;
+}
+
+}  // namespace keyblock

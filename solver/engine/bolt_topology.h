@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which block each node of a bolt is in, and how much of the bolt it stands for
+// there (theory, "Where a node is"; paper, Fig. 4). Found afresh from the
+// geometry, so that a node can pass through a gap into another block, and out.
+#pragma once
+
+#include "solver/engine/state.h"
+
+namespace keyblock {
+
+/// Blocks, shares and first bonds of every node where the scene has them.
+void placeBolts(const Model& model, State& state);
+
+/// Blocks and shares after the bodies moved. \return true where a node changed its block.
+bool followBolts(const Model& model, State& state);
+
+}  // namespace keyblock

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/engine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, double tolerance) {
+    const SolveSettings settings{tolerance, engine.model.analysis.maxPasses};
+    const SolveReport report = engine.solver.solve(problem, d, settings, engine.stopAsked);
+    ++engine.health.steps;
+    engine.health.passes += std::max(1, report.passes);
+    engine.health.factorizations += report.factorizations;
+    for (const FrictionPair& pair : problem.frictions) {
+        const Link& link = problem.links[static_cast<std::size_t>(pair.friction)];
+        state.contacts[static_cast<std::size_t>(link.owner)].limit = link.law.limit;
+    }
+    if (engine.passed) engine.passed();
+    return report;
+}
+
+double largestMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        const auto at = 6 * static_cast<Eigen::Index>(i);
+        if (problem.known[static_cast<std::size_t>(at)]) continue;
+        double reach = 0.0;
+        for (const Point& corner : model.blocks[i].shape) reach = std::max(reach, corner.norm());
+        const double strain = d.segment<3>(at + 3).cwiseAbs().maxCoeff();
+        largest = std::max(largest, d.segment<2>(at).norm() + (std::abs(d[at + 2]) + strain) * reach);
+    }
+    for (int n = 0; n < problem.nodes; ++n)
+        largest = std::max(largest, d.segment<2>(problem.first(problem.blocks + n)).norm());
+    return largest;
+}
+
+int blockOfBody(const Model& model, int body) {
+    return body < static_cast<int>(model.blocks.size()) ? body : -1;
+}
+
+std::string nameOfBody(const Model& model, int body) {
+    if (const int block = blockOfBody(model, body); block >= 0)
+        return "block " + model.blocks[static_cast<std::size_t>(block)].name;
+    const int node = body - static_cast<int>(model.blocks.size());
+    for (const BoltModel& bolt : model.bolts)
+        if (node >= bolt.firstNode && node < bolt.firstNode + static_cast<int>(bolt.s.size()))
+            return "node " + std::to_string(node - bolt.firstNode) + " of bolt " + bolt.name;
+    return "nothing";
+}
+
+void countAccepted(Engine& engine, const State& state, double residual) {
+    for (const Contact& c : state.contacts) {
+        const double depth = c.gapOffset - c.gap;
+        const double size = std::min(engine.model.blocks[static_cast<std::size_t>(c.blockA)].size,
+                                     engine.model.blocks[static_cast<std::size_t>(c.blockB)].size);
+        engine.health.maxPenetrationRatio = std::max(engine.health.maxPenetrationRatio, depth / size);
+    }
+    engine.health.maxResidual = std::max(engine.health.maxResidual, residual);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the solution of steps carries along beside the state: the solver with
+// its pattern, the counts of the numbers' health, and how to be stopped.
+#pragma once
+
+#include "solver/engine/step_build.h"
+#include "solver/results/results.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+struct Engine {
+    const Model& model;
+    StepSolver solver;
+    Health health;
+    std::function<bool()> stopAsked;  // asked in every pass
+    std::function<void()> passed;  // told after every solved step, for progress
+
+    explicit Engine(const Model& m) : model(m) {}
+};
+
+/// How a search for equilibrium or a dynamic step ended.
+enum class Ending { Done, NoEquilibrium, Stopped, Failed };
+
+struct StepEnding {
+    Ending ending = Ending::Done;
+    std::string message;  // what failed, and where
+    std::vector<int> blocks;  // that move or do not balance
+};
+
+/// Told of what happens inside an increment or step, in order.
+class StepObserver {
+public:
+    virtual ~StepObserver() = default;
+    /// State just before something lets go.
+    virtual void beforeEvent(const State& state, double time) = 0;
+    virtual void event(Event event, const State& state, double time) = 0;
+    /// State just after, at equilibrium again in a static stage.
+    virtual void afterEvent(const State& state, double time) = 0;
+};
+
+/// Solves one step and counts it. Friction limits used are kept in the state's contacts.
+SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, double tolerance);
+
+/// Largest move of a corner or node in `d`, prescribed blocks left out [m].
+double largestMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d);
+
+/// Block behind a body of a step, −1 for a node; and its name for a message.
+int blockOfBody(const Model& model, int body);
+std::string nameOfBody(const Model& model, int body);
+
+/// Counts an accepted state: deepest penetration and residual.
+void countAccepted(Engine& engine, const State& state, double residual);
+
+}  // namespace keyblock

@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From the document to masses, stiffnesses, slots and meshes.
+#include "solver/engine/model.h"
+
+#include "geometry/polygon.h"
+#include "geometry/segment.h"
+#include "solver/scene/lookup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace keyblock {
+namespace {
+
+/// Normal spring of the shank per metre where a type gives none: a 20 mm bar grouted
+/// into a 33 mm hole, 2·E_g/(D/d − 1) with E_g 8.8 GPa (theory, "The dowel") [N/m²].
+constexpr double groutNormalStiffness = 27.08e9;
+constexpr double coarseDivisions = 60.0;
+
+Eigen::Matrix3d elasticityOf(const Material& material, Plane plane) {
+    const double e = material.youngsModulus, nu = material.poissonsRatio;
+    const double g = e / (2.0 * (1.0 + nu));
+    Eigen::Matrix3d c = Eigen::Matrix3d::Zero();
+    if (plane == Plane::Stress) {
+        c(0, 0) = c(1, 1) = e / (1.0 - nu * nu);
+        c(0, 1) = c(1, 0) = nu * c(0, 0);
+    } else {
+        const double factor = e / ((1.0 + nu) * (1.0 - 2.0 * nu));
+        c(0, 0) = c(1, 1) = factor * (1.0 - nu);
+        c(0, 1) = c(1, 0) = factor * nu;
+    }
+    c(2, 2) = g;
+    return c;
+}
+
+/// ∫ρ TᵀT dA from the exact second moments (theory, "Blocks").
+Matrix6 massOf(const Moments& m, double densityTimesThickness) {
+    Matrix6 mass = Matrix6::Zero();
+    const auto set = [&](int i, int j, double value) { mass(i, j) = mass(j, i) = value * densityTimesThickness; };
+    set(0, 0, m.area);
+    set(1, 1, m.area);
+    set(2, 2, m.sxx + m.syy);
+    set(2, 3, -m.sxy);
+    set(2, 4, m.sxy);
+    set(2, 5, 0.5 * (m.sxx - m.syy));
+    set(3, 3, m.sxx);
+    set(4, 4, m.syy);
+    set(3, 5, 0.5 * m.sxy);
+    set(4, 5, 0.5 * m.sxy);
+    set(5, 5, 0.25 * (m.sxx + m.syy));
+    return mass;
+}
+
+std::vector<Point> relative(const std::vector<Point>& points, const Point& origin) {
+    std::vector<Point> moved;
+    moved.reserve(points.size());
+    for (const Point& p : points) moved.push_back(p - origin);
+    return moved;
+}
+
+BlockModel blockModel(const Scene& scene, int index, const Point& origin) {
+    const Block& block = scene.blocks[static_cast<std::size_t>(index)];
+    const Material& material = materialOf(scene, block);
+    std::vector<Point> corners = counterClockwise(relative(block.points, origin));
+    const Moments m = moments(corners);
+    BlockModel model;
+    model.name = displayName(scene, index);
+    model.shape = relative(corners, m.centroid);
+    model.centroid = m.centroid;
+    model.area = m.area;
+    model.size = std::sqrt(m.area);
+    model.mass = material.density * m.area * scene.analysis.thickness;
+    model.massMatrix = massOf(m, material.density * scene.analysis.thickness);
+    model.elasticity = elasticityOf(material, scene.analysis.plane);
+    model.youngsModulus = material.youngsModulus;
+    model.initialStress = block.initialStress;
+    model.jointMaterial = jointMaterialIndex(scene, block);
+    if (model.jointMaterial < 0) model.jointMaterial = static_cast<int>(scene.jointMaterials.size());
+    return model;
+}
+
+JointModel jointModel(const JointMaterial& material) {
+    return {std::tan(material.frictionAngle * std::numbers::pi / 180.0), material.cohesion, material.tensileStrength};
+}
+
+/// The corners of block `i` are those of its shape around its centroid.
+std::vector<Point> cornersOf(const BlockModel& block) {
+    std::vector<Point> corners = block.shape;
+    for (Point& p : corners) p += block.centroid;
+    return corners;
+}
+
+void holdSupports(const Scene& scene, Model& model) {
+    for (const Support& support : scene.supports) {
+        if (support.blockAt) {
+            model.blocks[static_cast<std::size_t>(blockAt(scene, *support.blockAt))].fixed = true;
+            continue;
+        }
+        const int block = blockWithPoint(scene, *support.point);
+        const BlockModel& held = model.blocks[static_cast<std::size_t>(block)];
+        const double stiffness = scene.analysis.penaltyRatio * held.youngsModulus * model.thickness;
+        model.held.push_back({block, *support.point - model.origin - held.centroid, support.fix != Fix::Y,
+                              support.fix != Fix::X, stiffness});
+    }
+}
+
+BeamSection sectionOf(const BoltType& type) {
+    const double d = type.diameter;
+    const double full = std::numbers::pi * d * d / 4.0;
+    BeamSection section;
+    section.area = type.area.value_or(full);
+    const double inner2 = std::max(0.0, d * d - 4.0 * section.area / std::numbers::pi);
+    section.secondMoment = type.secondMoment.value_or(std::numbers::pi / 64.0 * (d * d * d * d - inner2 * inner2));
+    section.youngsModulus = type.steel.empty() ? type.youngsModulus.value_or(200e9)
+                                               : Backbone::of(type.steel).modulus;
+    section.shearModulus = type.shearModulus;
+    section.shearCoefficient = type.shearCoefficient;
+    section.density = type.density;
+    return section;
+}
+
+double shearStrengthOf(const BoltType& type, double area) {
+    if (type.steel.empty()) return 0.0;
+    double stress = 0.0;
+    for (const auto& [strain, value] : type.steel) stress = std::max(stress, value);
+    return type.shearStrengthRatio * type.tensileStrength.value_or(stress) * area;
+}
+
+std::vector<Slot> slotsOf(const Model& model, const Point& farEnd, const Point& head) {
+    std::vector<Slot> slots;
+    const double length = (head - farEnd).norm();
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+        const BlockModel& block = model.blocks[b];
+        for (const auto& [from, to] : insideIntervals(cornersOf(block), farEnd, head, model.tolerance)) {
+            const Point p2 = farEnd + from * (head - farEnd), p3 = farEnd + to * (head - farEnd);
+            slots.push_back({static_cast<int>(b), p2 - block.centroid, p3 - block.centroid, from * length,
+                             to * length});
+        }
+    }
+    std::sort(slots.begin(), slots.end(), [](const Slot& a, const Slot& b) { return a.s2 < b.s2; });
+    return slots;
+}
+
+/// Where slots end inside the bolt: joints and faces of gaps.
+std::vector<double> jointPlaces(const std::vector<Slot>& slots, double length, double tolerance) {
+    std::vector<double> places;
+    for (const Slot& slot : slots)
+        for (double s : {slot.s2, slot.s3})
+            if (s > tolerance && s < length - tolerance) places.push_back(s);
+    std::sort(places.begin(), places.end());
+    const auto close = [&](double a, double b) { return b - a <= tolerance; };
+    places.erase(std::unique(places.begin(), places.end(), close), places.end());
+    return places;
+}
+
+int startBlockOf(const std::vector<Slot>& slots, double s, double tolerance) {
+    int block = -1, touching = 0;
+    for (const Slot& slot : slots) {
+        if (s < slot.s2 - tolerance || s > slot.s3 + tolerance) continue;
+        block = slot.block;
+        ++touching;
+    }
+    return touching == 1 ? block : -1;
+}
+
+double placeOf(const BoltPlace& place, double length) { return place.head ? length : place.s; }
+
+AnchorModel anchorModel(const Anchor& anchor, double length) {
+    AnchorModel model;
+    model.real = true;
+    model.law = anchor.law;
+    model.per = anchor.at ? Per::Node : anchor.per;
+    model.stiffness = anchor.stiffness;
+    model.strength = anchor.strength;
+    model.residual = anchor.law == AnchorLaw::Frictional ? anchor.strength.value_or(0.0) : anchor.residual;
+    model.restick = anchor.restick;
+    model.boltLost = anchor.onFailure == OnFailure::BoltLost;
+    model.curveEnds = anchor.law == AnchorLaw::Curve && anchor.after == AfterCurve::Zero;
+    if (anchor.law == AnchorLaw::Curve) model.curve = Backbone::of(anchor.curve);
+    model.from = placeOf(anchor.from, length);
+    model.to = placeOf(anchor.to, length);
+    return model;
+}
+
+int nearestNode(const std::vector<double>& nodes, double s) {
+    int best = 0;
+    for (int i = 1; i < static_cast<int>(nodes.size()); ++i)
+        if (std::abs(nodes[i] - s) < std::abs(nodes[best] - s) * (1.0 - 1e-12)) best = i;
+    return best;
+}
+
+/// Later entries override earlier ones on the nodes they share.
+std::vector<AnchorModel> anchorsOfNodes(const std::vector<Anchor>& entries, const std::vector<double>& nodes,
+                                        double length, double tolerance) {
+    std::vector<AnchorModel> anchors(nodes.size());
+    for (const Anchor& entry : entries) {
+        const AnchorModel model = anchorModel(entry, length);
+        bool any = false;
+        for (std::size_t i = 0; i < nodes.size() && !entry.at; ++i) {
+            if (nodes[i] < model.from - tolerance || nodes[i] > model.to + tolerance) continue;
+            anchors[i] = model;
+            any = true;
+        }
+        const double middle = entry.at ? placeOf(*entry.at, length) : 0.5 * (model.from + model.to);
+        if (!any) anchors[static_cast<std::size_t>(nearestNode(nodes, middle))] = model;
+    }
+    return anchors;
+}
+
+PlateModel plateModel(const Model& model, const BoltModel& bolt, const BoltType& type) {
+    PlateModel plate;
+    const double length = bolt.s.back();
+    const double reach = bolt.elements.back().length + model.tolerance;
+    double nearest = std::numeric_limits<double>::max();
+    for (const Slot& slot : bolt.slots) {
+        const double away = std::max(0.0, length - slot.s3);
+        if (away > reach || away >= nearest) continue;
+        nearest = away;
+        plate.block = slot.block;
+    }
+    if (plate.block < 0) return plate;
+    plate.present = true;
+    plate.place = bolt.farEnd + length * bolt.axis - model.blocks[static_cast<std::size_t>(plate.block)].centroid;
+    plate.along = bolt.axis;
+    plate.normalStiffness = type.plate.normalStiffness;
+    plate.shearStiffness = type.plate.shearStiffness;
+    plate.normalStrength = type.plate.normalStrength;
+    plate.shearStrength = type.plate.shearStrength;
+    return plate;
+}
+
+void setNormalSprings(BoltModel& bolt, const BoltType& type, bool automatic) {
+    bolt.normalStiffness = type.normalStiffness.value_or(groutNormalStiffness);
+    bolt.normalPer = type.normalStiffness ? type.normalPer : Per::Length;
+    if (automatic && bolt.normalPer == Per::Node) {
+        bolt.normalStiffness *= coarseDivisions / bolt.s.back();
+        bolt.normalPer = Per::Length;
+    }
+}
+
+/// Length over which a dowel in these springs bends: 1/β, β = (K/4EI)^¼ [m].
+double dowelLength(const BoltType& type, const BeamSection& section, double length) {
+    double k = type.normalStiffness.value_or(groutNormalStiffness);
+    if (type.normalStiffness && type.normalPer == Per::Node) k *= coarseDivisions / length;
+    return std::pow(4.0 * section.youngsModulus * section.secondMoment / k, 0.25);
+}
+
+BoltModel boltModel(const Scene& scene, const Bolt& bolt, const Model& model) {
+    const BoltType& type = boltTypeOf(scene, bolt);
+    BoltModel b;
+    b.name = bolt.name;
+    b.farEnd = bolt.farEnd - model.origin;
+    const Point head = bolt.head - model.origin;
+    const double length = (head - b.farEnd).norm();
+    b.axis = (head - b.farEnd) / length;
+    b.angle = std::atan2(b.axis.y(), b.axis.x());
+    b.share = model.thickness / bolt.spacingOutOfPlane.value_or(model.thickness);
+    b.section = sectionOf(type);
+    if (!type.steel.empty()) b.steel = Backbone::of(type.steel);
+    b.shearStrength = shearStrengthOf(type, b.section.area);
+    b.bends = type.bending != Bending::None;
+    b.slots = slotsOf(model, b.farEnd, head);
+    const std::vector<double> joints = jointPlaces(b.slots, length, model.tolerance);
+    b.s = boltNodes(length, bolt.divisions, joints, dowelLength(type, b.section, length));
+    for (std::size_t i = 0; i + 1 < b.s.size(); ++i) {
+        const bool shears = std::any_of(joints.begin(), joints.end(), [&](double s) {
+            return s >= b.s[i] - model.tolerance && s <= b.s[i + 1] + model.tolerance;
+        });
+        b.elements.push_back({b.s[i + 1] - b.s[i], shears});
+    }
+    for (double s : b.s) b.startBlock.push_back(startBlockOf(b.slots, s, model.tolerance));
+    b.anchors = anchorsOfNodes(anchorsOf(scene, bolt), b.s, length, model.tolerance);
+    setNormalSprings(b, type, !bolt.divisions);
+    if (bolt.plate == PlateKind::Spring) b.plate = plateModel(model, b, type);
+    b.firstNode = model.nodes;
+    return b;
+}
+
+double stiffestOf(const Model& model) {
+    double stiffest = 0.0;
+    for (const BlockModel& block : model.blocks)
+        stiffest = std::max(stiffest, model.analysis.penaltyRatio * block.youngsModulus * model.thickness);
+    for (const BoltModel& bolt : model.bolts)
+        for (const BoltElement& element : bolt.elements)
+            stiffest = std::max(stiffest,
+                                bolt.share * bolt.section.youngsModulus * bolt.section.area / element.length);
+    return stiffest;
+}
+
+/// Adds nodes up to `to`, in equal elements no longer than `longest`.
+void fill(std::vector<double>& nodes, double to, double longest) {
+    const double from = nodes.back();
+    if (to - from <= 0.0) return;
+    const int count = std::max(1, static_cast<int>(std::ceil((to - from) / longest - 1e-9)));
+    for (int i = 1; i <= count; ++i) nodes.push_back(from + (to - from) * i / count);
+}
+
+}  // namespace
+
+std::vector<double> boltNodes(double length, std::optional<int> divisions, const std::vector<double>& joints,
+                              double dowel) {
+    std::vector<double> nodes{0.0};
+    if (divisions) {
+        fill(nodes, length, length / *divisions * (1.0 + 1e-9));
+        return nodes;
+    }
+    const double coarse = length / coarseDivisions;
+    const double fine = std::min(coarse, dowel / 8.0);
+    const double zone = 3.0 * dowel;
+    double fineUntil = -1.0;  // how far the zone of the last joint reaches
+    for (double joint : joints) {
+        const double first = std::max(joint - 0.5 * fine, 0.0), last = std::min(joint + 0.5 * fine, length);
+        if (first <= nodes.back()) continue;  // within the element of the joint before
+        fill(nodes, std::min(fineUntil, first), fine);
+        fill(nodes, std::max(nodes.back(), joint - zone), coarse);
+        fill(nodes, first, fine);
+        nodes.push_back(last);
+        fineUntil = std::min(joint + zone, length);
+    }
+    fill(nodes, std::min(fineUntil, length), fine);
+    fill(nodes, length, coarse);
+    return nodes;
+}
+
+Model makeModel(const Scene& scene) {
+    Model model;
+    model.analysis = scene.analysis;
+    model.thickness = scene.analysis.thickness;
+    model.gravity = scene.analysis.gravity;
+    model.size = sceneSize(scene);
+    model.tolerance = geometricTolerance(scene);
+    model.origin = scene.blocks.front().points.front();
+    for (std::size_t i = 0; i < scene.blocks.size(); ++i)
+        model.blocks.push_back(blockModel(scene, static_cast<int>(i), model.origin));
+    for (const auto& [name, material] : scene.jointMaterials) model.joints.push_back(jointModel(material));
+    model.joints.push_back(jointModel(builtInJointMaterial));
+    holdSupports(scene, model);
+    for (const Bolt& bolt : scene.bolts) {
+        model.bolts.push_back(boltModel(scene, bolt, model));
+        model.nodes += static_cast<int>(model.bolts.back().s.size());
+    }
+    model.stiffest = stiffestOf(model);
+    return model;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What never changes while a scene is run: masses, stiffnesses, borehole slots
+// and meshes of bolts, made once from the document. Coordinates are relative to
+// `origin`, so that a scene far from (0, 0) loses no digits.
+#pragma once
+
+#include "solver/engine/laws/backbone.h"
+#include "solver/engine/laws/beam.h"
+#include "solver/scene/scene.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// A block as it was at the start. Strains live in the block's own turning frame.
+struct BlockModel {
+    std::string name;
+    std::vector<Point> shape;  // corners from the centroid, counter-clockwise [m]
+    Point centroid{0.0, 0.0};  // [m]
+    double area = 0.0;  // [m²]
+    double size = 0.0;  // √area [m]
+    double mass = 0.0;  // [kg] of the whole thickness
+    Matrix6 massMatrix = Matrix6::Zero();  // consistent, order u, v, r, εx, εy, γ
+    Eigen::Matrix3d elasticity = Eigen::Matrix3d::Zero();  // stress over strain [Pa]
+    double youngsModulus = 0.0;  // [Pa]
+    Stress initialStress{};  // [Pa]
+    int jointMaterial = -1;
+    bool fixed = false;
+};
+
+struct JointModel {
+    double tanPhi = 0.0;
+    double cohesion = 0.0, tensileStrength = 0.0;  // [Pa]
+};
+
+/// A point held in x, y or both by a spring.
+struct HeldPoint {
+    int block = -1;
+    Point place{0.0, 0.0};  // from the centroid, in the block's frame at the start [m]
+    bool x = false, y = false;
+    double stiffness = 0.0;  // [N/m]
+};
+
+/// Borehole segment in one block: two points fixed in it (paper, §3.2.2).
+struct Slot {
+    int block = -1;
+    Point p2{0.0, 0.0}, p3{0.0, 0.0};  // in the block's frame at the start, from its centroid [m]
+    double s2 = 0.0, s3 = 0.0;  // the same along the bolt [m]
+};
+
+/// What holds a node along the bolt, before its share of the length is known.
+struct AnchorModel {
+    bool real = false;
+    AnchorLaw law = AnchorLaw::Elastic;
+    Per per = Per::Node;
+    double stiffness = 0.0, residual = 0.0;  // [N/m, N] or per metre
+    std::optional<double> strength;
+    bool restick = true;
+    bool boltLost = false;  // this anchor's failure loses the whole bolt
+    bool curveEnds = false;  // nothing past the curve's last slip
+    std::optional<Backbone> curve;
+    double from = 0.0, to = 0.0;  // [m] the stretch of the bolt it holds
+};
+
+struct BoltElement {
+    double length = 0.0;  // [m]
+    bool shears = false;  // crosses or touches a joint
+};
+
+struct PlateModel {
+    bool present = false;
+    int block = -1;
+    Point place{0.0, 0.0};  // the head's place in that block
+    Point along{1.0, 0.0};  // the bolt's axis there, in the block's frame at the start
+    double normalStiffness = 0.0, shearStiffness = 0.0;  // [N/m]
+    std::optional<double> normalStrength, shearStrength;  // [N]
+};
+
+struct BoltModel {
+    std::string name;
+    std::vector<double> s;  // nodes from the far end [m]
+    std::vector<BoltElement> elements;
+    std::vector<AnchorModel> anchors;  // a row per node
+    std::vector<Slot> slots;  // along the bolt
+    std::vector<int> startBlock;  // a row per node; −1: gap, joint or outside
+    Point farEnd{0.0, 0.0}, axis{1.0, 0.0};
+    double angle = 0.0;  // [rad]
+    double share = 1.0;  // thickness over spacing: bolts in the model's thickness
+    BeamSection section;
+    std::optional<Backbone> steel;  // none: linear and unbreakable
+    double shearStrength = 0.0;  // [N]; 0: unlimited
+    bool bends = true;
+    double normalStiffness = 0.0;  // [N/m] or [N/m per m]
+    Per normalPer = Per::Node;
+    PlateModel plate;
+    int firstNode = 0;  // index of its node 0 among all nodes
+};
+
+struct Model {
+    Point origin{0.0, 0.0};  // subtracted from every coordinate of the scene
+    double size = 1.0;  // diagonal of the scene [m]
+    double tolerance = 1e-9;  // geometric [m]
+    double thickness = 1.0;
+    Point gravity{0.0, 0.0};
+    double stiffest = 1.0;  // largest spring of the scene [N/m]
+    std::vector<BlockModel> blocks;
+    std::vector<JointModel> joints;  // the scene's, then the built-in one
+    std::vector<HeldPoint> held;
+    std::vector<BoltModel> bolts;
+    int nodes = 0;
+    Analysis analysis;
+};
+
+/// \pre the scene was checked without errors.
+Model makeModel(const Scene& scene);
+
+/// Distances of a bolt's nodes from its far end: the given divisions, or short
+/// elements with every joint in the middle of one (theory, "Divisions").
+std::vector<double> boltNodes(double length, std::optional<int> divisions, const std::vector<double>& joints,
+                              double dowelLength);
+
+}  // namespace keyblock

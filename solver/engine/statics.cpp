@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A pseudo-step solves the step's minimisation from rest, with 2M/Δt² as a
+// regularisation; bodies move, geometry is taken afresh, and equilibrium is
+// judged on the true forces there, without that term. Laws are judged from the
+// state in which the increment began and accepted only at equilibrium, so the
+// path of the pseudo-steps leaves no trace.
+#include "solver/engine/statics.h"
+
+#include "solver/engine/bolt_topology.h"
+#include "solver/engine/contacts.h"
+#include "solver/engine/limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace keyblock {
+namespace {
+
+constexpr double softestInertia = 1e-11;  // regularisation over the stiffest spring
+constexpr double moveShare = 0.05;  // of the smallest block: the longest move of one pseudo-step
+constexpr double farShare = 2.0;  // of a block's own size: moved so far it has left its place
+constexpr double shortestStep = 1e-7;  // over the longest pseudo-step
+constexpr double finestIncrement = 1e-3;  // of the given increment, before a collapse is believed
+constexpr double locateShare = 1e-4;  // an event is located at least to this share of its limit
+
+double smallestSize(const Model& model) {
+    double smallest = std::numeric_limits<double>::max();
+    for (const BlockModel& block : model.blocks) smallest = std::min(smallest, block.size);
+    return smallest;
+}
+
+double longestPseudoStep(const Model& model) {
+    double mass = 0.0;
+    for (const BlockModel& block : model.blocks) mass += block.mass;
+    mass /= static_cast<double>(model.blocks.size());
+    return mass > 0.0 ? std::sqrt(2.0 * mass / (softestInertia * model.stiffest)) : 1.0;
+}
+
+/// One search for equilibrium under fixed loads.
+class Equilibrium {
+public:
+    Equilibrium(Engine& engine, const Loads& loads, const StaticSettings& settings)
+        : engine_(engine), model_(engine.model), loads_(loads), settings_(settings),
+          tolerance_(std::min(settings.unbalanced, engine.model.analysis.tolerance)),
+          moveLimit_(moveShare * smallestSize(engine.model)), longest_(longestPseudoStep(engine.model)), dt_(longest_) {}
+
+    StepEnding find(State& state, const LoadPoint& before, const LoadPoint& at) {
+        const Books start = books(state, before);
+        const std::vector<BlockMotion> places = state.blocks;
+        Eigen::VectorXd moved = Eigen::VectorXd::Zero(start.net.size());
+        Ending ending = Ending::NoEquilibrium;
+        std::string message;
+        int worst = -1;
+        for (int step = 0; step < settings_.maxSteps; ++step) {
+            state.contacts = findContacts(model_, state.blocks, state.contacts, 2.0 * moveLimit_, false);
+            StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, false});
+            if (balanced(problem, step)) {
+                Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
+                keepBooks(state, start, at, moved, problem);
+                acceptStep(model_, state, problem, still);
+                countAccepted(engine_, state, residual_);
+                return {};
+            }
+            Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
+            const SolveReport report = solveStep(engine_, problem, state, d, tolerance_);
+            if (report.stopped) return {Ending::Stopped, "", {}};
+            worst = report.worst;
+            const double move = report.converged ? largestMove(model_, problem, d) : 0.0;
+            if (!report.converged || move > moveLimit_) {
+                ++engine_.health.stepCuts;
+                dt_ *= report.converged ? std::clamp(0.9 * std::sqrt(moveLimit_ / move), 0.01, 0.9) : 0.3;
+                if (dt_ >= shortestStep * longest_) continue;
+                ending = Ending::Failed;
+                message = report.singular ? nameOfBody(model_, worst) + " is held by nothing"
+                                          : "no step settles near " + nameOfBody(model_, worst);
+                break;
+            }
+            moveBodies(model_, state, d);
+            moved += d;
+            lastMove_ = move;
+            dt_ = std::min(2.0 * dt_, longest_);
+            if (!farBlocks(places, state).empty()) break;
+        }
+        StepEnding result{ending, message, farBlocks(places, state)};
+        if (result.blocks.empty() && blockOfBody(model_, worst) >= 0) result.blocks.push_back(worst);
+        return result;
+    }
+
+private:
+    /// Forces where a search starts or ends, for the work done between.
+    struct Books {
+        Eigen::VectorXd external, net;
+    };
+
+    Books books(const State& state, const LoadPoint& at) {
+        StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, longest_, false});
+        return booksOf(problem, state, at);
+    }
+
+    Books booksOf(StepProblem& problem, const State& state, const LoadPoint& at) {
+        const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
+        correctFrictionLimits(problem, still);
+        double total = 0.0;
+        return {externalForce(model_, state, loads_, at, total), netForce(problem, still)};
+    }
+
+    /// Work of loads and reactions, and what the unbalanced force of a release would have made move.
+    void keepBooks(State& state, const Books& start, const LoadPoint& at, const Eigen::VectorXd& moved,
+                   StepProblem& problem) {
+        const Books end = booksOf(problem, state, at);
+        for (Eigen::Index i = 0; i < moved.size(); ++i) {
+            state.energy.external += 0.5 * (start.external[i] + end.external[i]) * moved[i];
+            if (problem.known[static_cast<std::size_t>(i)])
+                state.energy.external -= 0.5 * (start.net[i] + end.net[i]) * moved[i];
+            else
+                state.energy.damped += 0.5 * (start.net[i] - end.net[i]) * moved[i];
+        }
+    }
+
+    bool balanced(StepProblem& problem, int step) {
+        for (int i = 0; i < problem.unknowns(); ++i)
+            if (problem.known[static_cast<std::size_t>(i)] && std::abs(problem.value[i]) > roundOff()) return false;
+        const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
+        correctFrictionLimits(problem, still);
+        const Eigen::VectorXd net = netForce(problem, still);
+        residual_ = residualNorm(problem, net) / referenceForce(problem, still, net);
+        return residual_ <= tolerance_ || (step > 0 && lastMove_ <= roundOff());
+    }
+
+    /// Moves smaller than this are lost in the coordinates [m].
+    double roundOff() const { return 4.0 * std::numeric_limits<double>::epsilon() * model_.size; }
+
+    std::vector<int> farBlocks(const std::vector<BlockMotion>& places, const State& state) const {
+        std::vector<int> far;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const bool driven = std::any_of(loads_.motions.begin(), loads_.motions.end(),
+                                            [&](const PrescribedMotion& m) { return m.block == static_cast<int>(i); });
+            const double moved = (state.blocks[i].centroid - places[i].centroid).norm();
+            if (!driven && moved > farShare * model_.blocks[i].size) far.push_back(static_cast<int>(i));
+        }
+        return far;
+    }
+
+    Engine& engine_;
+    const Model& model_;
+    const Loads& loads_;
+    const StaticSettings& settings_;
+    double tolerance_;
+    double moveLimit_;
+    double longest_, dt_;
+    double lastMove_ = std::numeric_limits<double>::max();
+    double residual_ = 0.0;
+};
+
+class Increment {
+public:
+    Increment(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
+              const StaticSettings& settings, StepObserver& observer)
+        : engine_(engine), state_(state), loads_(loads), a_(a), b_(b), settings_(settings), observer_(observer) {}
+
+    StepEnding advance() {
+        double step = 1.0 / piecesOfMotion();
+        const double finest = finestIncrement * step;
+        while (done_ < 1.0) {
+            const double to = done_ + step >= 1.0 - 1e-12 ? 1.0 : done_ + step;
+            State trial = state_;
+            StepEnding ending = equilibrium(trial, to);
+            if (ending.ending == Ending::NoEquilibrium && step > finest) {
+                step *= 0.5;
+                continue;
+            }
+            if (ending.ending != Ending::Done) {
+                if (ending.ending == Ending::NoEquilibrium) state_ = std::move(trial);
+                return ending;
+            }
+            if (!worstLimit(heldLimits(engine_.model, trial), 1.0 + reachedShare)) {
+                accept(std::move(trial), to);
+                continue;
+            }
+            ending = toFirstLimit(std::move(trial), to);
+            if (ending.ending == Ending::Done) ending = releaseAll();
+            if (ending.ending != Ending::Done) return ending;
+        }
+        return {};
+    }
+
+    LoadPoint reached() const { return between(a_, b_, done_); }
+
+private:
+    StepEnding equilibrium(State& state, double to) {
+        return Equilibrium(engine_, loads_, settings_).find(state, reached(), between(a_, b_, to));
+    }
+
+    /// Prescribed moves longer than a pseudo-step may be are taken in pieces.
+    double piecesOfMotion() const {
+        double longest = 0.0;
+        for (std::size_t i = 0; i < b_.motions.size(); ++i)
+            longest = std::max(longest, std::abs(b_.motions[i] - a_.motions[i]));
+        return std::max(1.0, std::ceil(longest / (moveShare * smallestSize(engine_.model))));
+    }
+
+    void accept(State trial, double to) {
+        state_ = std::move(trial);
+        ++state_.step;
+        done_ = to;
+        followBolts(engine_.model, state_);
+    }
+
+    /// Cuts the increment where the first limit is reached: `over` is the state at `to`, past it.
+    StepEnding toFirstLimit(State over, double to) {
+        double low = done_, high = to;
+        std::vector<Limit> atLow = heldLimits(engine_.model, state_);
+        for (int tries = 0;; ++tries) {
+            const double share = firstCrossing(atLow, heldLimits(engine_.model, over));
+            const double middle = low + (tries % 3 == 2 ? 0.5 : share) * (high - low);
+            State trial = state_;
+            const StepEnding ending = equilibrium(trial, middle);
+            if (ending.ending != Ending::Done) return ending;
+            const auto worst = worstLimit(heldLimits(engine_.model, trial), 0.0);
+            const double off = worst ? worst->ratio - 1.0 : -1.0;
+            const bool exact = std::abs(off) <= reachedShare;
+            const bool goodEnough = std::abs(off) <= locateShare && tries > 12;
+            if (exact || goodEnough || tries > 60 || high - low <= 1e-15) {
+                accept(std::move(trial), middle);
+                return {};
+            }
+            if (off > 0.0) {
+                high = middle;
+                over = std::move(trial);
+            } else {
+                low = middle;
+                atLow = heldLimits(engine_.model, trial);
+            }
+        }
+    }
+
+    /// Share of the way at which the first of the limits that are over at the end passes 1, taken as straight lines.
+    static double firstCrossing(const std::vector<Limit>& start, const std::vector<Limit>& end) {
+        double first = 1.0;
+        for (const Limit& limit : end) {
+            if (limit.ratio <= 1.0) continue;
+            const auto same = std::find_if(start.begin(), start.end(), [&](const Limit& l) {
+                return l.kind == limit.kind && l.owner == limit.owner && l.part == limit.part;
+            });
+            const double before = same == start.end() ? 0.0 : std::min(same->ratio, 1.0);
+            first = std::min(first, (1.0 - before) / (limit.ratio - before));
+        }
+        return first;
+    }
+
+    /// One at a time, the largest overload first, with equilibrium between, until nothing is over its limit.
+    StepEnding releaseAll() {
+        double least = 1.0 - locateShare;  // the one that was located
+        while (const auto limit = worstLimit(heldLimits(engine_.model, state_), least)) {
+            least = 1.0 - reachedShare;
+            const double time = reached().time;
+            observer_.beforeEvent(state_, time);
+            for (Event& event : releaseLimit(engine_.model, state_, *limit)) observer_.event(event, state_, time);
+            if (changesForces(limit->kind)) {
+                State trial = state_;
+                const StepEnding ending = equilibrium(trial, done_);
+                state_ = std::move(trial);
+                if (ending.ending != Ending::Done) return ending;
+                ++state_.step;
+                followBolts(engine_.model, state_);
+            }
+            observer_.afterEvent(state_, time);
+        }
+        return {};
+    }
+
+    Engine& engine_;
+    State& state_;
+    const Loads& loads_;
+    const LoadPoint& a_;
+    const LoadPoint& b_;
+    const StaticSettings& settings_;
+    StepObserver& observer_;
+    double done_ = 0.0;
+};
+
+}  // namespace
+
+StepEnding advanceStatic(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
+                         const StaticSettings& settings, StepObserver& observer, LoadPoint& reached) {
+    Increment increment(engine, state, loads, a, b, settings, observer);
+    const StepEnding ending = increment.advance();
+    reached = increment.reached();
+    return ending;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// After a step was solved: forces and history into the state, bodies to their
+// new places, and the books of the energies.
+#include "solver/engine/step_build.h"
+
+#include "solver/engine/contacts.h"
+
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+void acceptContact(const Link& link, double force, Contact& c) {
+    if (link.kind == LinkKind::Normal) {
+        c.normalForce = -force;
+        return;
+    }
+    c.shearForce = force;
+    if (link.law.kind == LawKind::Capped) c.limit = link.law.limit;
+}
+
+void acceptBoltLink(const Link& link, double strain, double force, const BackboneState& curve, const BoltModel& bolt,
+                    BoltMotion& motion) {
+    switch (link.kind) {
+        case LinkKind::Axial: {
+            BoltElementState& e = motion.elements[link.part];
+            e.strain = strain;
+            e.axialForce = bolt.section.area * force;
+            if (link.law.kind == LawKind::Curve) e.steel = curve;
+            return;
+        }
+        case LinkKind::Bend: motion.elements[link.part].moment1 = force; return;
+        case LinkKind::Shear: {  // follows its bending partner
+            BoltElementState& e = motion.elements[link.part];
+            const BeamForces forces = beamForces(e.moment1, force, bolt.elements[link.part].length);
+            e.moment1 = forces.moment1;
+            e.moment2 = forces.moment2;
+            e.shearForce = forces.shear;
+            return;
+        }
+        case LinkKind::AnchorSlip: {
+            NodeBond& bond = motion.nodes[link.part].bond;
+            bond.force = -force * bond.share;
+            bond.slip = -strain;
+            if (link.law.kind == LawKind::Curve) bond.curve = curve;
+            return;
+        }
+        case LinkKind::PlateNormal: motion.plateNormal = -force; return;
+        case LinkKind::PlateShear: motion.plateShear = -force; return;
+        default: return;
+    }
+}
+
+/// Moves the offset of every sliding law so that it carries the accepted force where the bodies are now.
+void relock(State& state, const StepProblem& problem, const std::vector<double>& forces) {
+    for (std::size_t i = 0; i < problem.links.size(); ++i) {
+        const Link& link = problem.links[i];
+        const double k = link.law.stiffness;
+        if (link.law.kind != LawKind::Capped || k <= 0.0) continue;
+        double offset = 0.0;
+        if (link.kind == LinkKind::Friction) {
+            Contact& c = state.contacts[link.owner];
+            const Edge edge = edgeOf(state.blocks[c.blockB].corners, c.edge);
+            const Point from = state.blocks[c.blockA].corners[c.corner] - edge.start;
+            offset = edge.along.dot(from) - c.lockPlace * edge.length - forces[i] / k;
+            c.slip += offset - c.slipOffset;
+            c.slipOffset = offset;
+        } else if (link.kind == LinkKind::AnchorSlip) {
+            BoltMotion& motion = state.bolts[link.owner];
+            BoltNode& node = motion.nodes[link.part];
+            offset = alongSlot(slotLine(state, motion.slots[node.slot]), node) - forces[i] / k;
+            node.bond.offset = offset;
+        }
+        state.energy.friction += link.law.share * forces[i] * (offset - link.law.offset);
+    }
+    for (Contact& c : state.contacts) {
+        c.position = state.blocks[c.blockA].corners[c.corner];
+        const Edge edge = edgeOf(state.blocks[c.blockB].corners, c.edge);
+        c.gap = edge.outward.dot(c.position - edge.start);
+    }
+}
+
+}  // namespace
+
+void moveBodies(const Model& model, State& state, const Eigen::VectorXd& d) {
+    for (std::size_t i = 0; i < model.blocks.size(); ++i)
+        if (!model.blocks[i].fixed)
+            moveBlock(model.blocks[i], state.blocks[i], d.segment<6>(6 * static_cast<Eigen::Index>(i)));
+    Eigen::Index at = 6 * static_cast<Eigen::Index>(model.blocks.size());
+    for (BoltMotion& bolt : state.bolts)
+        for (BoltNode& node : bolt.nodes) {
+            node.x += d.segment<2>(at);
+            node.angle += d[at + 2];
+            at += 3;
+        }
+}
+
+void acceptStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d) {
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    std::vector<double> forces(strains.size());
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const Link& link = problem.links[i];
+        BackboneState curve;
+        if (link.law.kind == LawKind::Curve) {
+            const BackboneResponse r = respond(*link.law.curve, link.law.state, strains[i]);
+            forces[i] = r.force;
+            curve = r.state;
+            (link.kind == LinkKind::Axial ? state.energy.plastic : state.energy.friction) +=
+                link.law.share * r.plasticWork;
+        } else {
+            forces[i] = respond(link.law, strains[i]).force;
+        }
+        if (link.law.kind == LawKind::Constant) {
+            const double before = -state.bolts[link.owner].nodes[link.part].bond.slip;
+            state.energy.friction += link.law.share * forces[i] * (strains[i] - before);
+        }
+        if (link.kind == LinkKind::Normal || link.kind == LinkKind::Friction)
+            acceptContact(link, forces[i], state.contacts[link.owner]);
+        else if (link.kind != LinkKind::Support)
+            acceptBoltLink(link, strains[i], forces[i], curve, model.bolts[link.owner], state.bolts[link.owner]);
+    }
+    moveBodies(model, state, d);
+    relock(state, problem, forces);
+}
+
+}  // namespace keyblock

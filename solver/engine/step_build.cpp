@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The matrices of a step: inertia, elasticity of the blocks, loads, what is
+// prescribed, and the links of contacts and held points.
+#include "solver/engine/step_build.h"
+
+#include "solver/engine/contacts.h"
+
+#include <cmath>
+#include <limits>
+
+namespace keyblock {
+namespace {
+
+struct InertiaFactors {
+    double stiffness = 0.0;  // times M into the matrix [1/s²]
+    double velocity = 0.0;  // times M·v into the load [1/s]
+};
+
+InertiaFactors factorsOf(const StepOptions& options) {
+    const double dt = options.dt;
+    switch (options.inertia) {
+        case Inertia::Static: return {2.0 / (dt * dt), 0.0};
+        case Inertia::Shi: return {2.0 / (dt * dt), 2.0 / dt};
+        case Inertia::BackwardEuler: return {1.0 / (dt * dt), 1.0 / dt};
+    }
+    return {};
+}
+
+void addBlocks(const Model& model, const State& state, const InertiaFactors& factors, StepProblem& problem) {
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        const BlockModel& block = model.blocks[i];
+        const BlockMotion& motion = state.blocks[i];
+        const double volume = block.area * model.thickness;
+        Matrix6 stiffness = factors.stiffness * block.massMatrix;
+        stiffness.bottomRightCorner<3, 3>() += volume * block.elasticity;
+        problem.blockStiffness.push_back(stiffness);
+        const auto at = 6 * static_cast<Eigen::Index>(i);
+        const Vector6 momentum = factors.velocity * block.massMatrix * motion.velocity;
+        problem.load.segment<6>(at) += momentum;
+        problem.load.segment<3>(at + 3) -= volume * frameStress(block, motion);
+        problem.motionForce += momentum.head<2>().norm();
+        problem.weight.segment<4>(at + 2).setConstant(1.0 / block.size);
+        problem.floorForce = std::max(problem.floorForce, 1e-12 * block.youngsModulus * block.size * model.thickness);
+        if (block.fixed)
+            for (Eigen::Index k = at; k < at + 6; ++k) problem.known[k] = 1;
+    }
+}
+
+void addNodes(const Model& model, const State& state, const InertiaFactors& factors, StepProblem& problem) {
+    for (std::size_t b = 0; b < model.bolts.size(); ++b) {
+        const BoltModel& bolt = model.bolts[b];
+        const BoltMotion& motion = state.bolts[b];
+        for (std::size_t n = 0; n < bolt.s.size(); ++n) {
+            Eigen::Vector3d mass = Eigen::Vector3d::Zero();
+            for (std::size_t e : {n - 1, n}) {
+                if (e >= bolt.elements.size()) continue;
+                const double translation = lumpedMass(bolt.section, bolt.elements[e].length);
+                mass += bolt.share * Eigen::Vector3d(translation, translation,
+                                                     lumpedInertia(bolt.section, bolt.elements[e].length));
+            }
+            const Eigen::Index at = problem.first(problem.blocks + bolt.firstNode + static_cast<int>(n));
+            problem.nodeStiffness.push_back(factors.stiffness * mass);
+            const Eigen::Vector3d momentum = factors.velocity * mass.cwiseProduct(motion.nodes[n].velocity);
+            problem.load.segment<3>(at) += momentum;
+            problem.motionForce += momentum.head<2>().norm();
+            problem.weight[at + 2] = 1.0 / bolt.elements[std::min(n, bolt.elements.size() - 1)].length;
+            if (!bolt.bends || motion.lost) problem.known[at + 2] = 1;
+            if (motion.lost) problem.known[at] = problem.known[at + 1] = 1;
+        }
+    }
+}
+
+void prescribe(const Model& model, const State& state, const Loads& loads, const LoadPoint& at, StepProblem& problem) {
+    for (std::size_t i = 0; i < loads.motions.size(); ++i) {
+        const PrescribedMotion& motion = loads.motions[i];
+        const Eigen::Index first = 6 * static_cast<Eigen::Index>(motion.block);
+        problem.known[first] = 1;
+        problem.value[first] = at.motions[i] - displacementAlong(model, state, motion);
+        if (motion.holdsRotation) problem.known[first + 2] = 1;
+    }
+}
+
+}  // namespace
+
+double displacementAlong(const Model& model, const State& state, const PrescribedMotion& motion) {
+    return motion.axis.dot(state.blocks[motion.block].centroid - model.blocks[motion.block].centroid);
+}
+
+void addContactLinks(const Model& model, const State& state, bool frictionLocked, StepProblem& problem) {
+    for (std::size_t i = 0; i < state.contacts.size(); ++i) {
+        const Contact& c = state.contacts[i];
+        const BlockMotion& a = state.blocks[c.blockA];
+        const BlockMotion& b = state.blocks[c.blockB];
+        const Point& corner = a.corners[c.corner];
+        const Edge edge = edgeOf(b.corners, c.edge);
+        const Eigen::Matrix<double, 2, 6> ta = displacementMatrix(a, corner), tb = displacementMatrix(b, corner);
+        const auto add = [&](LinkKind kind, const Point& direction, double strain) -> Link& {
+            Link& link = problem.links.emplace_back();
+            link.kind = kind;
+            link.owner = static_cast<int>(i);
+            link.a = c.blockA;
+            link.b = c.blockB;
+            link.ga = ta.transpose() * direction;
+            link.gb = -tb.transpose() * direction;
+            link.strain = strain;
+            return link;
+        };
+        const double kn = contactStiffness(model, c.blockA, c.blockB);
+        const Point from = corner - edge.start;
+        Link& normal = add(LinkKind::Normal, edge.outward, edge.outward.dot(from));
+        normal.law = {c.bonded ? LawKind::Linear : LawKind::Gap, kn, c.gapOffset, 0.0, nullptr, {}, 1.0};
+        const double slip = edge.along.dot(from) - c.lockPlace * edge.length;
+        const bool locked = frictionLocked || c.bonded;
+        const double limit = frictionLocked ? std::numeric_limits<double>::infinity() : c.limit;
+        Link& friction = add(LinkKind::Friction, edge.along, slip);
+        friction.law = {locked ? LawKind::Linear : LawKind::Capped, model.analysis.shearRatio * kn, c.slipOffset, limit,
+                        nullptr, {}, 1.0};
+        const int at = static_cast<int>(problem.links.size()) - 1;
+        if (!locked) problem.frictions.push_back({at, at - 1, model.joints[c.joint].tanPhi, 0.0});
+    }
+}
+
+void addHeldPoints(const Model& model, const State& state, StepProblem& problem) {
+    for (const HeldPoint& held : model.held) {
+        const BlockMotion& block = state.blocks[held.block];
+        const Point now = materialPoint(block, held.place);
+        const Point moved = now - (model.blocks[held.block].centroid + held.place);
+        const Eigen::Matrix<double, 2, 6> t = displacementMatrix(block, now);
+        for (int axis : {0, 1}) {
+            if (!(axis == 0 ? held.x : held.y)) continue;
+            Link& link = problem.links.emplace_back();
+            link.kind = LinkKind::Support;
+            link.a = held.block;
+            link.ga = t.row(axis).transpose();
+            link.strain = moved[axis];
+            link.law.stiffness = held.stiffness;
+        }
+    }
+}
+
+StepProblem buildStep(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
+                      const StepOptions& options) {
+    StepProblem problem;
+    problem.blocks = static_cast<int>(model.blocks.size());
+    problem.nodes = model.nodes;
+    const int n = problem.unknowns();
+    problem.load = externalForce(model, state, loads, at, problem.externalForce);
+    problem.known.assign(n, 0);
+    problem.value = Eigen::VectorXd::Zero(n);
+    problem.weight = Eigen::VectorXd::Ones(n);
+    const InertiaFactors factors = factorsOf(options);
+    addBlocks(model, state, factors, problem);
+    addNodes(model, state, factors, problem);
+    prescribe(model, state, loads, at, problem);
+    addContactLinks(model, state, options.frictionLocked, problem);
+    addHeldPoints(model, state, problem);
+    for (std::size_t b = 0; b < model.bolts.size(); ++b) addBoltLinks(model, state, static_cast<int>(b), problem);
+    return problem;
+}
+
+}  // namespace keyblock

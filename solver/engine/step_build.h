@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Turns model and state into the links and matrices of one step, and takes the
+// accepted step back into the state.
+#pragma once
+
+#include "solver/engine/loads.h"
+#include "solver/engine/step_problem.h"
+
+namespace keyblock {
+
+enum class Inertia {
+    Static,  // 2M/Δt² about rest: a regularisation
+    Shi,  // 2M/Δt², v⁺ = 2D/Δt − v
+    BackwardEuler  // M/Δt², v⁺ = D/Δt
+};
+
+struct StepOptions {
+    Inertia inertia = Inertia::Static;
+    double dt = 1.0;  // [s]
+    bool frictionLocked = false;
+};
+
+/// Everything of one step from where `state` is; its contacts were found for it.
+StepProblem buildStep(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
+                      const StepOptions& options);
+
+/// Links of the contacts, in the order of the state's contacts: normal, then friction.
+void addContactLinks(const Model& model, const State& state, bool frictionLocked, StepProblem& problem);
+
+/// Links of the points held by supports.
+void addHeldPoints(const Model& model, const State& state, StepProblem& problem);
+
+/// Links of one bolt: shank, anchored points, plate.
+void addBoltLinks(const Model& model, const State& state, int bolt, StepProblem& problem);
+
+/// Where a slot is now.
+struct SlotLine {
+    Point p2{0.0, 0.0}, along{1.0, 0.0}, across{0.0, 1.0};
+    double length = 0.0;  // [m]
+};
+SlotLine slotLine(const State& state, const Slot& slot);
+
+/// Distance of a node from the slot's line, to its left [m].
+double offSlot(const SlotLine& line, const BoltNode& node);
+
+/// Node minus rock along the slot since bonding [m].
+double alongSlot(const SlotLine& line, const BoltNode& node);
+
+/// Displacement of a motion's block along its axis since the start of the run [m].
+double displacementAlong(const Model& model, const State& state, const PrescribedMotion& motion);
+
+/// Moves blocks and nodes by the step's displacement; laws and forces stay as they are.
+void moveBodies(const Model& model, State& state, const Eigen::VectorXd& d);
+
+/// Accepts the step: takes forces and new history from the links at `d`, moves the bodies, and
+/// books what friction and plastic flow used. Velocities are left to the caller.
+void acceptStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d);
+
+/// Elastic energy held by the links and blocks where they are [J], by kind.
+struct StoredEnergy {
+    double strain = 0.0, contact = 0.0, bolt = 0.0;
+};
+StoredEnergy storedEnergy(const Model& model, const State& state);
+
+/// Kinetic energy of blocks and bolts [J].
+double kineticEnergy(const Model& model, const State& state);
+
+/// All energies with their balance.
+Energy energyOf(const Model& model, const State& state);
+
+/// Takes the energy that a state was given from outside the motion (initial velocity, preload) as there from the start.
+void resetEnergyStart(const Model& model, State& state);
+
+}  // namespace keyblock

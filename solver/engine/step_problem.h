@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One step as a minimisation. Blocks and bolt nodes are bodies with six or
+// three unknowns; everything between them is a link: one strain, linear in the
+// step's displacements, and one scalar law. The energy is convex and piecewise
+// quadratic, so Newton with an exact line search settles it (theory, "The step").
+#pragma once
+
+#include "solver/engine/laws/law.h"
+#include "solver/engine/linear_system.h"
+#include "solver/engine/model.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+enum class LinkKind { Normal, Friction, Support, AnchorNormal, AnchorSlip, Axial, Bend, Shear, Chord, PlateNormal, PlateShear };
+
+/// strain(D) = strain + ga·D[a] + gb·D[b]
+struct Link {
+    LinkKind kind = LinkKind::Normal;
+    int a = -1, b = -1;  // bodies; b may be −1
+    Vector6 ga = Vector6::Zero(), gb = Vector6::Zero();  // a node uses the first three
+    double strain = 0.0;
+    Law law;
+    int owner = -1;  // contact, or bolt
+    int part = -1;  // node or element of the bolt
+};
+
+/// A friction link's limit is that of its normal link: N·tanφ + c.
+struct FrictionPair {
+    int friction = -1, normal = -1;
+    double tanPhi = 0.0, cohesion = 0.0;  // [N]
+};
+
+struct StepProblem {
+    int blocks = 0, nodes = 0;
+    std::vector<Link> links;
+    std::vector<FrictionPair> frictions;
+    std::vector<Matrix6> blockStiffness;  // inertia and elasticity
+    std::vector<Eigen::Vector3d> nodeStiffness;  // inertia, diagonal
+    Eigen::VectorXd load;  // external force, inertia of the motion so far, less the stress there is
+    std::vector<char> known;  // a row per unknown: prescribed by `value`
+    Eigen::VectorXd value;
+    Eigen::VectorXd weight;  // 1/length for moments and strains, so that all residuals are forces
+    double floorForce = 0.0;  // [N] smallest reference force
+    double motionForce = 0.0;  // summed |M·v/Δt| [N]
+    double externalForce = 0.0;  // summed |external| [N]
+
+    int unknowns() const { return 6 * blocks + 3 * nodes; }
+    int first(int body) const { return body < blocks ? 6 * body : 6 * blocks + 3 * (body - blocks); }
+    int width(int body) const { return body < blocks ? 6 : 3; }
+};
+
+struct SolveSettings {
+    double tolerance = 1e-4;
+    int maxPasses = 40;
+};
+
+struct SolveReport {
+    bool converged = false;
+    bool stopped = false;
+    double residual = 0.0;  // over the reference force
+    int passes = 0;
+    int factorizations = 0;
+    int worst = -1;  // body with the largest residual, or whose pivot vanished
+    bool singular = false;
+};
+
+/// Strain of every link at displacement `d`.
+void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vector<double>& strains);
+
+/// Net force on every unknown at `d` (external less internal), prescribed ones included: there it is minus the reaction.
+Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d);
+
+/// Largest of the summed forces by kind: what residuals are compared with [N].
+double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net);
+
+/// Norm of the residual of the free unknowns [N], and the body with most of it.
+double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net, int* worst = nullptr);
+
+/// Sets every friction limit to what the normal forces at `d` allow.
+void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d);
+
+/// Force that round-off alone leaves unbalanced at `d`: its digits times the springs [N].
+double roundOffForce(const StepProblem& problem, const Eigen::VectorXd& d);
+
+/// Keeps what is worth keeping between steps: the pattern of the matrix and its symbolic factor.
+class StepSolver {
+public:
+    /// Finds the minimum from `d` (prescribed values are put in first) and leaves it there.
+    /// Friction limits are corrected from the normal forces until the true forces balance.
+    SolveReport solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
+                      const std::function<bool()>& stopAsked);
+
+private:
+    void fixPattern(const StepProblem& problem);
+    void assemble(const StepProblem& problem, const std::vector<double>& strains);
+    int equationOf(int unknown) const { return equations_[static_cast<std::size_t>(unknown)]; }
+
+    LinearSystem system_;
+    std::vector<char> known_;
+    std::vector<std::pair<int, int>> pairs_;  // bodies that share an entry, sorted
+    std::vector<int> equations_;  // per unknown; −1 where prescribed
+    std::vector<int> unknownOf_;  // per equation
+    std::vector<std::array<int, 36>> slots_;  // per pair
+};
+
+}  // namespace keyblock

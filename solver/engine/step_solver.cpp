@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Newton with exact line search on the step's convex energy, and around it the
+// correction of the friction limits from the normal forces.
+#include "solver/engine/step_problem.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace keyblock {
+namespace {
+
+constexpr double quietStart = 1e-9;  // a start this well balanced needs no solve
+constexpr int lineSearchSweeps = 30;
+
+/// Slope of the energy along `direction`, from arrays of strains and their rates.
+class LineSlope {
+public:
+    LineSlope(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& direction)
+        : problem_(problem) {
+        linkStrains(problem, d, strains_);
+        linkStrains(problem, Eigen::VectorXd(d + direction), rates_);
+        for (std::size_t i = 0; i < rates_.size(); ++i) rates_[i] -= strains_[i];
+        constant_ = -problem.load.dot(direction);
+        for (int i = 0; i < problem.blocks; ++i) {
+            const Matrix6& k = problem.blockStiffness[static_cast<std::size_t>(i)];
+            const Vector6 kd = k * direction.segment<6>(6 * i);
+            constant_ += kd.dot(d.segment<6>(6 * i));
+            rate_ += kd.dot(direction.segment<6>(6 * i));
+        }
+        for (int i = 0; i < problem.nodes; ++i) {
+            const int at = problem.first(problem.blocks + i);
+            const Eigen::Vector3d kd =
+                problem.nodeStiffness[static_cast<std::size_t>(i)].cwiseProduct(direction.segment<3>(at));
+            constant_ += kd.dot(d.segment<3>(at));
+            rate_ += kd.dot(direction.segment<3>(at));
+        }
+    }
+
+    double at(double alpha) const {
+        double slope = constant_ + alpha * rate_;
+        for (std::size_t i = 0; i < strains_.size(); ++i) {
+            const Law& law = problem_.links[i].law;
+            if (rates_[i] != 0.0) slope += law.share * respond(law, strains_[i] + alpha * rates_[i]).force * rates_[i];
+        }
+        return slope;
+    }
+
+private:
+    const StepProblem& problem_;
+    std::vector<double> strains_, rates_;
+    double constant_ = 0.0, rate_ = 0.0;
+};
+
+/// Step length in (0, 1] at which the slope vanishes; 1 where it still falls there.
+double lineSearch(const LineSlope& slope) {
+    double low = 0.0, high = 1.0;
+    double atLow = slope.at(low), atHigh = slope.at(high);
+    const double enough = 1e-3 * std::abs(atLow);
+    if (atLow >= 0.0 || atHigh <= enough) return 1.0;
+    for (int sweep = 0; sweep < lineSearchSweeps; ++sweep) {  // regula falsi, Illinois
+        const double middle = high - atHigh * (high - low) / (atHigh - atLow);
+        const double atMiddle = slope.at(middle);
+        if (std::abs(atMiddle) <= enough) return middle;
+        if (atMiddle < 0.0) {
+            low = middle, atLow = atMiddle, atHigh *= 0.5;
+        } else {
+            high = middle, atHigh = atMiddle, atLow *= 0.5;
+        }
+    }
+    return low > 0.0 ? low : high;
+}
+
+std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
+    std::vector<std::pair<int, int>> pairs;
+    for (int body = 0; body < problem.blocks + problem.nodes; ++body) pairs.emplace_back(body, body);
+    for (const Link& link : problem.links)
+        if (link.b >= 0) pairs.emplace_back(std::max(link.a, link.b), std::min(link.a, link.b));
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+}  // namespace
+
+void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d) {
+    if (problem.frictions.empty()) return;
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    for (const FrictionPair& pair : problem.frictions) {
+        const auto n = static_cast<std::size_t>(pair.normal);
+        const double push = std::max(0.0, -respond(problem.links[n].law, strains[n]).force);
+        problem.links[static_cast<std::size_t>(pair.friction)].law.limit = push * pair.tanPhi + pair.cohesion;
+    }
+}
+
+double roundOffForce(const StepProblem& problem, const Eigen::VectorXd& d) {
+    constexpr double digits = 8.0 * std::numeric_limits<double>::epsilon();
+    double sum = 0.0;
+    for (const Link& link : problem.links) {
+        const int wa = problem.width(link.a);
+        double size = std::abs(link.strain) +
+                      link.ga.head(wa).cwiseAbs().dot(d.segment(problem.first(link.a), wa).cwiseAbs());
+        if (link.b >= 0) {
+            const int wb = problem.width(link.b);
+            size += link.gb.head(wb).cwiseAbs().dot(d.segment(problem.first(link.b), wb).cwiseAbs());
+        }
+        const double force = digits * link.law.share * link.law.stiffness * size * link.ga.head<2>().norm();
+        sum += force * force;
+    }
+    return std::sqrt(sum);
+}
+
+void StepSolver::fixPattern(const StepProblem& problem) {
+    std::vector<std::pair<int, int>> pairs = bodyPairs(problem);
+    const bool same = problem.known == known_ &&
+                      std::includes(pairs_.begin(), pairs_.end(), pairs.begin(), pairs.end());
+    if (same) return;
+    known_ = problem.known;
+    pairs_ = std::move(pairs);
+    equations_.assign(static_cast<std::size_t>(problem.unknowns()), -1);
+    unknownOf_.clear();
+    for (int i = 0; i < problem.unknowns(); ++i) {
+        if (known_[static_cast<std::size_t>(i)]) continue;
+        equations_[static_cast<std::size_t>(i)] = static_cast<int>(unknownOf_.size());
+        unknownOf_.push_back(i);
+    }
+    std::vector<std::pair<int, int>> entries;
+    const auto eachEntry = [&](const std::pair<int, int>& pair, const auto& visit) {
+        for (int i = 0; i < problem.width(pair.first); ++i)
+            for (int j = 0; j < problem.width(pair.second); ++j) {
+                const int row = equationOf(problem.first(pair.first) + i);
+                const int col = equationOf(problem.first(pair.second) + j);
+                if (row >= 0 && col >= 0 && row >= col) visit(6 * i + j, row, col);
+            }
+    };
+    for (const auto& pair : pairs_)
+        eachEntry(pair, [&](int, int row, int col) { entries.emplace_back(row, col); });
+    system_.analyse(static_cast<int>(unknownOf_.size()), entries);
+    slots_.assign(pairs_.size(), {});
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        slots_[p].fill(-1);
+        eachEntry(pairs_[p], [&](int at, int row, int col) {
+            slots_[p][static_cast<std::size_t>(at)] = system_.slot(row, col);
+        });
+    }
+}
+
+void StepSolver::assemble(const StepProblem& problem, const std::vector<double>& strains) {
+    system_.clear();
+    const auto values = system_.values();
+    const auto add = [&](int first, int second, const auto& block) {
+        const auto found = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair(first, second));
+        const auto& slots = slots_[static_cast<std::size_t>(found - pairs_.begin())];
+        for (int i = 0; i < block.rows(); ++i)
+            for (int j = 0; j < block.cols(); ++j) {
+                const int slot = slots[static_cast<std::size_t>(6 * i + j)];
+                if (slot >= 0) values[static_cast<std::size_t>(slot)] += block(i, j);
+            }
+    };
+    for (int i = 0; i < problem.blocks; ++i) add(i, i, problem.blockStiffness[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < problem.nodes; ++i)
+        add(problem.blocks + i, problem.blocks + i,
+            Eigen::Matrix3d(problem.nodeStiffness[static_cast<std::size_t>(i)].asDiagonal()));
+    for (std::size_t i = 0; i < problem.links.size(); ++i) {
+        const Link& link = problem.links[i];
+        const double k = link.law.share * respond(link.law, strains[i]).tangent;
+        if (k == 0.0) continue;
+        const auto ga = link.ga.head(problem.width(link.a));
+        add(link.a, link.a, (k * ga * ga.transpose()).eval());
+        if (link.b < 0) continue;
+        const auto gb = link.gb.head(problem.width(link.b));
+        add(link.b, link.b, (k * gb * gb.transpose()).eval());
+        if (link.a >= link.b) add(link.a, link.b, (k * ga * gb.transpose()).eval());
+        else add(link.b, link.a, (k * gb * ga.transpose()).eval());
+    }
+}
+
+SolveReport StepSolver::solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
+                              const std::function<bool()>& stopAsked) {
+    SolveReport report;
+    for (int i = 0; i < problem.unknowns(); ++i)
+        if (problem.known[static_cast<std::size_t>(i)]) d[i] = problem.value[i];
+    fixPattern(problem);
+    std::vector<double> strains;
+    for (; report.passes <= settings.maxPasses; ++report.passes) {
+        if (stopAsked && stopAsked()) {
+            report.stopped = true;
+            return report;
+        }
+        Eigen::VectorXd net = netForce(problem, d);
+        double reference = referenceForce(problem, d, net);
+        report.residual = residualNorm(problem, net, &report.worst) / reference;
+        if (!std::isfinite(report.residual)) return report;
+        double enough = report.passes == 0 ? std::min(quietStart, settings.tolerance) : settings.tolerance;
+        if (report.passes > 1) enough = std::max(enough, roundOffForce(problem, d) / reference);
+        if (report.residual <= enough) {  // balanced under the limits assumed: now under the true ones
+            correctFrictionLimits(problem, d);
+            net = netForce(problem, d);
+            reference = referenceForce(problem, d, net);
+            report.residual = residualNorm(problem, net, &report.worst) / reference;
+            if (report.residual <= enough) {
+                report.converged = true;
+                return report;
+            }
+        }
+        linkStrains(problem, d, strains);
+        assemble(problem, strains);
+        ++report.factorizations;
+        const int loose = system_.factor();
+        if (loose >= 0) {
+            report.singular = true;
+            const int unknown = unknownOf_[static_cast<std::size_t>(loose)];
+            report.worst = unknown < 6 * problem.blocks ? unknown / 6
+                                                        : problem.blocks + (unknown - 6 * problem.blocks) / 3;
+            return report;
+        }
+        Eigen::VectorXd right(static_cast<Eigen::Index>(unknownOf_.size())), step(right.size());
+        for (Eigen::Index i = 0; i < right.size(); ++i) right[i] = net[unknownOf_[static_cast<std::size_t>(i)]];
+        system_.solve({right.data(), static_cast<std::size_t>(right.size())},
+                      {step.data(), static_cast<std::size_t>(step.size())});
+        Eigen::VectorXd direction = Eigen::VectorXd::Zero(problem.unknowns());
+        for (Eigen::Index i = 0; i < step.size(); ++i) direction[unknownOf_[static_cast<std::size_t>(i)]] = step[i];
+        d += lineSearch(LineSlope(problem, d, direction)) * direction;
+    }
+    return report;
+}
+
+}  // namespace keyblock
