@@ -5,6 +5,7 @@
 #include "solver/scene/field.h"
 
 #include "solver/scene/number_text.h"
+#include "solver/scene/suggest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,15 @@ bool applies(const Structure& structure, const Field& field, const void* object)
     if (field.only.words.empty())
         return !std::holds_alternative<std::monostate>(value);
     return isOneOf(value, field.only.words);
+}
+
+std::string misplaced(const Field& field) {
+    std::string where;
+    for (const std::string_view word : field.only.words)
+        where += (where.empty() ? "" : " or ") + quoted(word);
+    if (where.empty())
+        return quoted(field.key) + " belongs only where " + quoted(field.only.key) + " is given";
+    return quoted(field.key) + " belongs only where " + quoted(field.only.key) + " is " + where;
 }
 
 bool isFinite(const FieldValue& value) {

@@ -121,6 +121,9 @@ FieldValue defaultOf(const Structure& structure, const Field& field);
 /// True when `field.only` is met by the other fields of `object`, or asks for nothing.
 bool applies(const Structure& structure, const Field& field, const void* object);
 
+/// Says of a field that stands where it does not apply where it would.
+std::string misplaced(const Field& field);
+
 /// True when no number in the value is infinite or NaN.
 bool isFinite(const FieldValue& value);
 

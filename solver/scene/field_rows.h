@@ -49,6 +49,9 @@ struct Says {
     std::string_view source{};
 };
 
+/// Coordinates of places [m]; beyond, nothing of a tunnel is left in the digits of a double.
+inline constexpr Range coordinates{.least = -1e9, .most = 1e9};
+
 inline Range above(double least) { return {.least = least, .leastExcluded = true}; }
 inline Range atLeast(double least) { return {.least = least}; }
 inline Range within(double least, double most) { return {.least = least, .most = most}; }
@@ -240,6 +243,10 @@ struct Reach {
     static const Structure& structure() { return structureOf(static_cast<const Item*>(nullptr)); }
 };
 
+constexpr bool holdsPoints(FieldKind kind) {
+    return kind == FieldKind::Vector || kind == FieldKind::PointPair || kind == FieldKind::Points;
+}
+
 template <auto member>
 void describeAccess(Field& field) {
     if constexpr (HasStructure<typename Holder<Inner<member>>::Item>) {
@@ -269,6 +276,8 @@ Field row(std::string_view key, std::string_view help, Says says = {}) {
     rows::describeAccess<member>(field);
     if (says.isAxis)
         field.kind = FieldKind::Axis;
+    else if (says.unit == "m" && rows::holdsPoints(field.kind))
+        field.range = coordinates;
     return field;
 }
 

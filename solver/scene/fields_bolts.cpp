@@ -23,9 +23,10 @@ const Structure& structureOf(const Anchor*) {
         "override earlier ones; nodes in no entry are artificial, held across the bolt and free along it.",
         defaultsOf<Anchor>(),
         {
-            row<&Anchor::at>("at", "Place along the bolt from its far end; `head`: its head.", {.unit = "m"}),
-            row<&Anchor::from>("from", "Start of the range, from the far end.", {.unit = "m"}),
-            row<&Anchor::to>("to", "End of the range, from the far end.", {.unit = "m"}),
+            row<&Anchor::at>("at", "Place along the bolt from its far end; `head`: its head.",
+                             {.unit = "m", .range = atLeast(0)}),
+            row<&Anchor::from>("from", "Start of the range, from the far end.", {.unit = "m", .range = atLeast(0)}),
+            row<&Anchor::to>("to", "End of the range, from the far end.", {.unit = "m", .range = atLeast(0)}),
             row<&Anchor::per>("per",
                               "Whether numbers hold for each node or for each metre of embedded bolt; those of an "
                               "`at` entry hold for its node."),

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A type of bolt must say enough to be computed, and its numbers must agree with
+// each other: steel that rises, a modulus that fits it, anchors with a law.
+#include "solver/scene/check_report.h"
+#include "solver/scene/number_text.h"
+#include "solver/scene/pointer.h"
+#include "solver/scene/suggest.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double modulusAgreement = 0.01;  // relative, between `youngs_modulus` and the first piece of `steel`
+constexpr double areaAgreement = 1e-3;  // relative, for areas rounded to whole mm²
+
+bool startsAtOrigin(const Table& table) {
+    return !table.empty() && table.front().first == 0.0 && table.front().second == 0.0;
+}
+
+// The first row whose first value does not exceed the one before; 0 when all rise.
+std::size_t firstNotRising(const Table& table) {
+    for (std::size_t i = 1; i < table.size(); ++i)
+        if (!(table[i].first > table[i - 1].first))
+            return i;
+    return 0;
+}
+
+std::size_t firstFalling(const Table& table) {
+    for (std::size_t i = 1; i < table.size(); ++i)
+        if (!(table[i].second >= table[i - 1].second))
+            return i;
+    return 0;
+}
+
+// What a backbone and a force–slip curve have in common. False when the curve is of no use.
+bool checkCurve(const Table& curve, std::string_view abscissa, std::string_view ordinate, const std::string& pointer,
+                CheckReport& report) {
+    const std::string first(abscissa);
+    const std::string second(ordinate);
+    if (!isFinite(curve))
+        return false;  // the table of fields has said so
+    if (curve.size() < 2 || !startsAtOrigin(curve)) {
+        report.error(pointer, "the curve must begin with [0, 0] and have at least two points",
+                     "Give " + first + " and " + second + " from the origin on");
+        return false;
+    }
+    if (const std::size_t row = firstNotRising(curve)) {
+        report.error(under(pointer, row), "the " + first + " does not rise",
+                     "Sort the points by " + first + " and leave out repeated ones");
+        return false;
+    }
+    if (!(curve[1].second > 0.0)) {
+        report.error(under(pointer, 1), "the first piece has no stiffness",
+                     "Give a " + second + " above 0 at the first point after the origin");
+        return false;
+    }
+    return true;
+}
+
+void checkModulus(const BoltType& type, const std::string& pointer, CheckReport& report) {
+    const double fromSteel = type.steel[1].second / type.steel[1].first;
+    if (type.youngsModulus && !(std::abs(*type.youngsModulus - fromSteel) <= modulusAgreement * fromSteel))
+        report.error(under(pointer, "youngs_modulus"),
+                     "Young's modulus " + shortest(*type.youngsModulus) + " Pa and the first piece of 'steel', " +
+                         shortest(fromSteel) + " Pa, differ by more than 1 %",
+                     "Leave 'youngs_modulus' out, or correct the first strain and stress of 'steel'");
+}
+
+void checkSteel(const BoltType& type, const std::string& pointer, CheckReport& report) {
+    if (type.steel.empty()) {
+        if (!type.youngsModulus)
+            report.error(pointer, "the bolt type has neither 'steel' nor 'youngs_modulus'",
+                         "Give one of them, or a type that it is 'like'");
+        return;
+    }
+    const std::string place = under(pointer, "steel");
+    if (!checkCurve(type.steel, "strain", "stress", place, report))
+        return;
+    if (const std::size_t row = firstFalling(type.steel))
+        report.error(under(place, row), "the stress falls", "Let the stress rise or stay up to rupture");
+    checkModulus(type, pointer, report);
+}
+
+void checkSection(const BoltType& type, const std::string& pointer, CheckReport& report) {
+    const double circle = std::numbers::pi / 4.0 * type.diameter * type.diameter;
+    if (type.area && *type.area > circle * (1.0 + areaAgreement))
+        report.error(under(pointer, "area"),
+                     "the area " + shortest(*type.area) + " m² is larger than the full circle of the diameter, " +
+                         shortest(circle) + " m²",
+                     "Correct the area [m²] or the diameter [m]");
+}
+
+void checkPlace(const Anchor& anchor, const std::string& pointer, CheckReport& report) {
+    const Anchor whole;
+    if (anchor.at && (anchor.from != whole.from || anchor.to != whole.to))
+        report.error(pointer, "the anchor has both a place and a range", "Give either 'at', or 'from' and 'to'");
+    const bool backwards = anchor.from.head || (!anchor.to.head && anchor.to.s <= anchor.from.s);
+    if (!anchor.at && backwards)
+        report.error(under(pointer, "to"), "the range ends where it begins, or before",
+                     "Count both from the far end, 'from' below 'to'; for a single node give 'at'");
+}
+
+void checkLimited(const Anchor& anchor, const std::string& pointer, CheckReport& report) {
+    if (!anchor.strength)
+        report.error(under(pointer, "strength"), "the law needs a strength",
+                     "Give 'strength', or use the law 'elastic', which never lets go");
+    else if (anchor.residual > *anchor.strength)
+        report.error(under(pointer, "residual"), "the residual is larger than the strength",
+                     "Give at most the strength; for friction at full strength use the law 'frictional'");
+}
+
+void checkAnchorCurve(const Anchor& anchor, const std::string& pointer, CheckReport& report) {
+    const std::string place = under(pointer, "points");
+    if (!checkCurve(anchor.curve, "slip", "force", place, report))
+        return;
+    for (std::size_t i = 1; i < anchor.curve.size(); ++i)
+        if (anchor.curve[i].second < 0.0)
+            report.error(under(place, i), "the force is negative", "Give what resists the slip, 0 or more");
+}
+
+void checkLaw(const Anchor& anchor, const std::string& pointer, CheckReport& report) {
+    if (anchor.law == AnchorLaw::Curve)
+        return checkAnchorCurve(anchor, pointer, report);
+    if (anchor.stiffness == 0.0)
+        report.error(under(pointer, "stiffness"), "the law needs a stiffness", "Give a stiffness above 0");
+    if (anchor.law != AnchorLaw::Elastic)
+        checkLimited(anchor, pointer, report);
+}
+
+}  // namespace
+
+void checkAnchors(const std::vector<Anchor>& anchors, const std::string& pointer, CheckReport& report) {
+    for (std::size_t i = 0; i < anchors.size(); ++i) {
+        checkPlace(anchors[i], under(pointer, i), report);
+        checkLaw(anchors[i], under(pointer, i), report);
+    }
+}
+
+void checkBoltTypes(CheckContext& context) {
+    const std::vector<BoltType>& types = context.scene.boltTypes;
+    const auto pointerOf = [&](std::size_t i) { return under("/bolt_types", types[i].name); };
+    checkNamesDiffer(
+        types.size(), [&](std::size_t i) { return types[i].name; }, pointerOf, "bolt type", context.report);
+    for (std::size_t i = 0; i < types.size(); ++i) {
+        if (types[i].name.empty())
+            context.report.error(pointerOf(i), "a bolt type has an empty name", "Give it a name");
+        checkSteel(types[i], pointerOf(i), context.report);
+        checkSection(types[i], pointerOf(i), context.report);
+        checkAnchors(types[i].anchors, under(pointerOf(i), "anchors"), context.report);
+    }
+}
+
+}  // namespace keyblock

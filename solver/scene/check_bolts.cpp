@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A bolt must have a length, run through rock, and carry its anchors where it is.
+#include "geometry/polygon.h"
+#include "geometry/segment.h"
+#include "solver/scene/check_report.h"
+#include "solver/scene/lookup.h"
+#include "solver/scene/number_text.h"
+#include "solver/scene/pointer.h"
+#include "solver/scene/suggest.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int usualDivisions = 60;  // of a bolt that leaves them to the program, for judging a gap at its head
+
+bool runsThroughRock(const Bolt& bolt, const CheckContext& context) {
+    const std::vector<Point> ends{bolt.farEnd, bolt.head};
+    const Box box = grown(boxOf(ends), context.tolerance);
+    for (std::size_t i = 0; i < context.scene.blocks.size(); ++i) {
+        const std::vector<Point>& points = context.scene.blocks[i].points;
+        if (context.sound[i] && meets(boxOf(points), box) &&
+            !insideIntervals(points, bolt.farEnd, bolt.head, context.tolerance).empty())
+            return true;
+    }
+    return false;
+}
+
+double distanceToRock(const Point& place, const CheckContext& context) {
+    if (blockWithPoint(context.scene, place) >= 0)
+        return 0.0;
+    double distance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < context.scene.blocks.size(); ++i)
+        if (context.sound[i])
+            distance = std::min(distance, distanceToBoundary(context.scene.blocks[i].points, place));
+    return distance;
+}
+
+void checkHead(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
+    const double division = lengthOf(bolt) / bolt.divisions.value_or(usualDivisions);
+    if (bolt.plate == PlateKind::Spring && context.allSound() && distanceToRock(bolt.head, context) > division)
+        context.report.warning(under(pointer, "head"), "the head hangs in the air, so its plate holds nothing",
+                               "Put the head on the wall, or write \"plate\": \"none\"");
+}
+
+// True when the bolt is long enough to look at further.
+bool checkPosition(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
+    if (!bolt.farEnd.allFinite() || !bolt.head.allFinite())
+        return false;
+    if (lengthOf(bolt) <= context.tolerance) {
+        context.report.error(under(pointer, "head"), "the head lies at the far end, so the bolt has no length",
+                             "Give two different points");
+        return false;
+    }
+    if (runsThroughRock(bolt, context))
+        checkHead(bolt, pointer, context);
+    else if (context.allSound())
+        context.report.error(pointer, "the bolt runs through no block", "Move it into the rock");
+    return true;
+}
+
+void checkPlaceOnBolt(const BoltPlace& place, double length, double tolerance, const std::string& pointer,
+                      std::string_view what, CheckReport& report) {
+    if (distanceAlong(place, length) > length + tolerance)
+        report.error(pointer,
+                     std::string(what) + " at " + shortest(place.s) + " m lies past the end of the bolt, which is " +
+                         shortest(length) + " m long",
+                     "Count metres from the far end, at most the bolt's length");
+}
+
+// Anchors of the bolt itself are told at the anchor, those of its type at the bolt's type.
+void checkAnchorPlaces(const Bolt& bolt, const BoltType* type, const std::string& pointer, CheckContext& context) {
+    if (!bolt.anchors && !type)
+        return;
+    const std::vector<Anchor>& anchors = bolt.anchors ? *bolt.anchors : type->anchors;
+    const double length = lengthOf(bolt);
+    const double tolerance = std::max(context.tolerance, 1e-9 * length);
+    for (std::size_t i = 0; i < anchors.size(); ++i) {
+        const Anchor& anchor = anchors[i];
+        const auto place = [&](std::string_view key) {
+            return bolt.anchors ? under(under(under(pointer, "anchors"), i), key) : under(pointer, "type");
+        };
+        if (anchor.at)
+            checkPlaceOnBolt(*anchor.at, length, tolerance, place("at"), "an anchor", context.report);
+        else
+            checkPlaceOnBolt(anchor.to, length, tolerance, place("to"), "the end of an anchor's range",
+                             context.report);
+    }
+}
+
+std::vector<std::string_view> typeNames(const Scene& scene) {
+    std::vector<std::string_view> names;
+    for (const BoltType& type : scene.boltTypes)
+        names.push_back(type.name);
+    return names;
+}
+
+const BoltType* checkType(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
+    const BoltType* type = findBoltType(context.scene, bolt.type);
+    if (!type && !bolt.type.empty())
+        context.report.error(under(pointer, "type"), "there is no bolt type " + quoted(bolt.type),
+                             suggestion(bolt.type, typeNames(context.scene)) +
+                                 "; built-in types are listed by 'keyblock bolts'");
+    return type;
+}
+
+// What a type says that this program keeps but does not use yet; told once, at the first bolt of the type.
+void noteIdleLaws(const BoltType& type, const std::string& pointer, CheckReport& report) {
+    if (type.bending == Bending::ElasticPlastic)
+        report.note(pointer, "plastic hinges of " + quoted(type.name) + " have no effect yet: it bends elastically",
+                    "Take care with shear across joints, where a hinge would limit the dowel force");
+    if (type.dynamicFactor != 1.0)
+        report.note(pointer,
+                    "the dynamic factor " + shortest(type.dynamicFactor) + " of " + quoted(type.name) +
+                        " has no effect yet: strengths are static",
+                    "For a dynamic stage, give the dynamic strengths in a type of your own");
+}
+
+}  // namespace
+
+void checkBolts(CheckContext& context) {
+    const std::vector<Bolt>& bolts = context.scene.bolts;
+    checkNamesDiffer(
+        bolts.size(), [&](std::size_t i) { return bolts[i].name; },
+        [](std::size_t i) { return under(under("/bolts", i), "name"); }, "bolt", context.report);
+    std::set<const BoltType*> noted;
+    for (std::size_t i = 0; i < bolts.size(); ++i) {
+        const std::string pointer = under("/bolts", i);
+        const BoltType* type = checkType(bolts[i], pointer, context);
+        if (type && noted.insert(type).second)
+            noteIdleLaws(*type, under(pointer, "type"), context.report);
+        if (bolts[i].anchors)
+            checkAnchors(*bolts[i].anchors, under(pointer, "anchors"), context.report);
+        if (checkPosition(bolts[i], pointer, context))
+            checkAnchorPlaces(bolts[i], type, pointer, context);
+    }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The part of the check that the field table does by itself.
+#include "solver/scene/check_report.h"
+#include "solver/scene/number_text.h"
+#include "solver/scene/pointer.h"
+#include "solver/scene/suggest.h"
+
+namespace keyblock {
+
+namespace {
+
+void checkRange(const Field& field, double number, const std::string& pointer, CheckReport& report) {
+    if (contains(field.range, number))
+        return;
+    const std::string unit = field.unit.empty() ? "" : " [" + std::string(field.unit) + "]";
+    report.error(pointer, shortest(number) + " is out of range for " + quoted(field.key),
+                 "Give a number " + rangeText(field.range) + unit);
+}
+
+void checkPoints(const Field& field, const std::vector<Point>& points, const std::string& pointer,
+                 CheckReport& report) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (const double coordinate : {points[i].x(), points[i].y()})
+            checkRange(field, coordinate, under(pointer, i), report);
+}
+
+void checkChildren(const Field& field, const void* object, const std::string& pointer, CheckReport& report) {
+    const Children& children = field.children;
+    for (std::size_t i = 0; i < children.count(object); ++i) {
+        std::string place = pointer;
+        if (field.kind == FieldKind::List)
+            place = under(pointer, i);
+        if (field.kind == FieldKind::Map)
+            place = under(pointer, children.name(object, i));
+        checkFields(children.structure(), children.item(object, i), place, report);
+    }
+}
+
+// A field that does not belong here and still says something; the reader has seen those that say their default.
+void checkBelongs(const Structure& structure, const Field& field, const void* object, const std::string& pointer,
+                  CheckReport& report) {
+    if (field.only.key.empty() || applies(structure, field, object))
+        return;
+    const bool says = hasChildren(field) ? field.kind == FieldKind::List && field.children.count(object) > 0
+                                         : field.get(object) != defaultOf(structure, field);
+    if (says)
+        report.error(pointer, misplaced(field), "Leave it out");
+}
+
+void checkField(const Structure& structure, const Field& field, const void* object, const std::string& pointer,
+                CheckReport& report) {
+    checkBelongs(structure, field, object, pointer, report);
+    if (hasChildren(field))
+        return checkChildren(field, object, pointer, report);
+    if (!field.get)
+        return;
+    const FieldValue value = field.get(object);
+    const auto* text = std::get_if<std::string>(&value);
+    if (field.required && text && text->empty())
+        report.error(pointer, quoted(field.key) + " is empty", "Write " + std::string(field.help));
+    checkValue(field, value, pointer, report);
+}
+
+}  // namespace
+
+void checkValue(const Field& field, const FieldValue& value, const std::string& pointer, CheckReport& report) {
+    if (!isFinite(value))
+        return report.error(pointer, quoted(field.key) + " holds a number that is not finite", "Give a finite number");
+    if (const auto* number = std::get_if<double>(&value))
+        checkRange(field, *number, pointer, report);
+    if (const auto* place = std::get_if<BoltPlace>(&value); place && !place->head)
+        checkRange(field, place->s, pointer, report);
+    if (const auto* point = std::get_if<Point>(&value))
+        for (const double coordinate : {point->x(), point->y()})
+            checkRange(field, coordinate, pointer, report);
+    if (const auto* points = std::get_if<std::vector<Point>>(&value))
+        checkPoints(field, *points, pointer, report);
+}
+
+void checkFields(const Structure& structure, const void* object, const std::string& pointer, CheckReport& report) {
+    for (const Field& field : structure.fields)
+        checkField(structure, field, object, under(pointer, field.key), report);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The small questions that several parts of the check ask.
+#include "solver/scene/check_report.h"
+
+#include "solver/scene/lookup.h"
+#include "solver/scene/number_text.h"
+#include "solver/scene/suggest.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace keyblock {
+
+namespace {
+
+std::string placeText(const Point& place) { return "(" + shortest(place.x()) + ", " + shortest(place.y()) + ")"; }
+
+}  // namespace
+
+void CheckReport::error(std::string pointer, std::string message, std::string remedy) {
+    problems.push_back({Severity::Error, "", 0, std::move(pointer), std::move(message), std::move(remedy)});
+}
+
+void CheckReport::warning(std::string pointer, std::string message, std::string remedy) {
+    problems.push_back({Severity::Warning, "", 0, std::move(pointer), std::move(message), std::move(remedy)});
+}
+
+void CheckReport::note(std::string pointer, std::string message, std::string remedy) {
+    problems.push_back({Severity::Note, "", 0, std::move(pointer), std::move(message), std::move(remedy)});
+}
+
+bool CheckContext::allSound() const {
+    return std::all_of(sound.begin(), sound.end(), [](bool isSound) { return isSound; });
+}
+
+int checkBlockAt(CheckContext& context, const Point& place, const std::string& pointer) {
+    if (!place.allFinite())
+        return -1;
+    const int block = blockAt(context.scene, place, context.tolerance);
+    // A place in a block that is itself wrong is not reported twice.
+    if (block >= 0 || !context.allSound())
+        return block;
+    if (blockWithPoint(context.scene, place) >= 0)
+        context.report.error(pointer, placeText(place) + " lies on the boundary of a block",
+                             "Give a point inside the block that is meant");
+    else
+        context.report.error(pointer, placeText(place) + " lies in no block",
+                             "Give a point inside the block that is meant");
+    return -1;
+}
+
+int checkPointOnBlock(CheckContext& context, const Point& point, const std::string& pointer) {
+    if (!point.allFinite())
+        return -1;
+    const int block = blockWithPoint(context.scene, point);
+    if (block < 0 && context.allSound())
+        context.report.error(pointer, placeText(point) + " lies in no block",
+                             "Give a point inside a block or on its boundary");
+    return block;
+}
+
+void checkAxis(const Point& axis, const std::string& pointer, CheckReport& report) {
+    if (axis.allFinite() && axis.norm() == 0.0)
+        report.error(pointer, "the axis has no direction", "Write \"x\", \"y\" or a vector that is not zero");
+}
+
+void checkNamesDiffer(std::size_t count, const std::function<std::string(std::size_t)>& nameOf,
+                      const std::function<std::string(std::size_t)>& pointerOf, std::string_view what,
+                      CheckReport& report) {
+    std::unordered_map<std::string, std::size_t> first;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string name = nameOf(i);
+        if (name.empty())
+            continue;
+        const auto [found, isNew] = first.try_emplace(name, i);
+        if (!isNew)
+            report.error(pointerOf(i),
+                         "the name " + quoted(name) + " is taken by an earlier " + std::string(what) + " (" +
+                             pointerOf(found->second) + ")",
+                         "Give every " + std::string(what) + " a name of its own");
+    }
+}
+
+}  // namespace keyblock

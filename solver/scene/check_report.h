@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the parts of the check share: where they put what they find, and what
+// they already know of the scene.
+#pragma once
+
+#include "solver/scene/field.h"
+#include "solver/scene/problem.h"
+#include "solver/scene/scene.h"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keyblock {
+
+/// Collects problems.
+struct CheckReport {
+    std::vector<Problem> problems;
+
+    void error(std::string pointer, std::string message, std::string remedy);
+    void warning(std::string pointer, std::string message, std::string remedy);
+    void note(std::string pointer, std::string message, std::string remedy);
+};
+
+/// A scene on the way through its check.
+struct CheckContext {
+    const Scene& scene;
+    double tolerance = 0.0;  // geometric [m]
+    std::vector<bool> sound;  // per block: an outline that places can be looked up in
+    std::vector<bool> fixed;  // per block: held as a whole
+    CheckReport& report;
+
+    bool allSound() const;
+};
+
+/// Numbers finite and in range, required texts not empty, fields where they belong; below `object`, by the table.
+void checkFields(const Structure& structure, const void* object, const std::string& pointer, CheckReport& report);
+
+/// One value against its row: finite, in range.
+void checkValue(const Field& field, const FieldValue& value, const std::string& pointer, CheckReport& report);
+
+void checkRock(CheckContext& context);  // blocks, materials, supports; fills `sound` and `fixed`
+void checkBoltTypes(CheckContext& context);
+void checkBolts(CheckContext& context);
+void checkStages(CheckContext& context);
+void checkWatch(CheckContext& context);  // monitors, quantities, expected numbers
+
+/// Anchors of a type or a bolt, without their place on a bolt.
+void checkAnchors(const std::vector<Anchor>& anchors, const std::string& pointer, CheckReport& report);
+
+/// Finds the block for a `block_at`, or reports that there is none and gives −1.
+int checkBlockAt(CheckContext& context, const Point& place, const std::string& pointer);
+
+/// Finds the block that holds a point inside or on its boundary, or reports that there is none and gives −1.
+int checkPointOnBlock(CheckContext& context, const Point& point, const std::string& pointer);
+
+/// A direction must have a length.
+void checkAxis(const Point& axis, const std::string& pointer, CheckReport& report);
+
+/// Reports every name that occurred before; empty names are left alone.
+void checkNamesDiffer(std::size_t count, const std::function<std::string(std::size_t)>& nameOf,
+                      const std::function<std::string(std::size_t)>& pointerOf, std::string_view what,
+                      CheckReport& report);
+
+}  // namespace keyblock

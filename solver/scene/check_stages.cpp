@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What happens must happen to something: every motion, load and velocity finds
+// its block, no block is told two things, and time runs forward.
+#include "geometry/polygon.h"
+#include "geometry/segment.h"
+#include "solver/scene/check_report.h"
+#include "solver/scene/lookup.h"
+#include "solver/scene/number_text.h"
+#include "solver/scene/pointer.h"
+#include "solver/scene/suggest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace keyblock {
+
+namespace {
+
+/// Which block was taken first by which entry of a list.
+using Taken = std::map<int, std::size_t>;
+
+void checkTable(const Table& table, StageKind kind, const std::string& pointer, CheckReport& report) {
+    if (!isFinite(table))
+        return;  // the table of fields has said so
+    for (std::size_t i = 1; i < table.size(); ++i)
+        if (!(table[i].first > table[i - 1].first))
+            report.error(under(pointer, i), "the time " + shortest(table[i].first) + " does not rise",
+                         "Sort the rows by time and give each time once");
+    if (!table.empty() && table.front().first < 0.0)
+        report.error(under(pointer, 0), "the time is negative", "Count from the start of the stage");
+    if (kind == StageKind::Static && !table.empty() && table.back().first > 1.0)
+        report.warning(under(pointer, table.size() - 1), "a static stage ends at pseudo-time 1, before this row",
+                       "Give times from 0 to 1");
+}
+
+void checkNotFixed(int block, const std::string& pointer, std::string_view what, CheckContext& context) {
+    if (block >= 0 && context.fixed[static_cast<std::size_t>(block)])
+        context.report.error(pointer,
+                             std::string(what) + " acts on the block " + quoted(displayName(context.scene, block)) +
+                                 ", which is held by a support",
+                             "Leave out the one or the other");
+}
+
+void checkTakenOnce(int block, std::size_t entry, const std::string& pointer, std::string_view what, Taken& taken,
+                    CheckContext& context) {
+    if (block < 0)
+        return;
+    const auto [first, isNew] = taken.try_emplace(block, entry);
+    if (!isNew)
+        context.report.error(pointer,
+                             "the block " + quoted(displayName(context.scene, block)) + " already has a " +
+                                 std::string(what) + " in this stage (entry " + std::to_string(first->second) + ")",
+                             "Give a block one " + std::string(what) + " a stage; a slanting axis may be a vector");
+}
+
+void checkMotion(const Motion& motion, std::size_t entry, StageKind kind, const std::string& pointer, Taken& taken,
+                 CheckContext& context) {
+    const int block = checkBlockAt(context, motion.blockAt, under(pointer, "block_at"));
+    checkNotFixed(block, under(pointer, "block_at"), "the motion", context);
+    checkTakenOnce(block, entry, under(pointer, "block_at"), "motion", taken, context);
+    checkAxis(motion.axis, under(pointer, "axis"), context.report);
+    if (motion.table.empty())
+        context.report.error(under(pointer, "table"), "the motion has no table",
+                             "Give rows of time and displacement [m]");
+    checkTable(motion.table, kind, under(pointer, "table"), context.report);
+}
+
+bool liesAlong(const Point& from, const Point& to, const std::array<Point, 2>& line, double tolerance) {
+    const Point direction = (line[1] - line[0]).normalized();
+    const auto off = [&](const Point& p) { return std::abs(cross(direction, p - line[0])); };
+    if (off(from) > tolerance || off(to) > tolerance)
+        return false;
+    const double a = direction.dot(from - line[0]);
+    const double b = direction.dot(to - line[0]);
+    const double length = (line[1] - line[0]).norm();
+    return std::min(std::max(a, b), length) - std::max(std::min(a, b), 0.0) > tolerance;
+}
+
+bool someEdgeLiesAlong(const std::array<Point, 2>& line, const CheckContext& context) {
+    for (const Block& block : context.scene.blocks)
+        for (std::size_t i = 0; i < block.points.size(); ++i)
+            if (liesAlong(block.points[i], block.points[(i + 1) % block.points.size()], line, context.tolerance))
+                return true;
+    return false;
+}
+
+void checkPressure(const Load& load, const std::string& pointer, CheckContext& context) {
+    const std::array<Point, 2>& line = *load.along;
+    if (load.force != Point(0.0, 0.0))
+        context.report.error(under(pointer, "force"), "a load along a line is a pressure, not a force",
+                             "Give 'pressure' [Pa], or 'point' or 'block_at' with the force");
+    if (load.pressure == 0.0)
+        context.report.warning(pointer, "the pressure is 0", "Give 'pressure' [Pa], or leave the load out");
+    if (!line[0].allFinite() || !line[1].allFinite())
+        return;
+    if ((line[1] - line[0]).norm() <= context.tolerance)
+        context.report.error(under(pointer, "along"), "the line has no length", "Give two different points");
+    else if (context.allSound() && !someEdgeLiesAlong(line, context))
+        context.report.error(under(pointer, "along"), "no edge of a block lies along the line",
+                             "Give the two ends of an edge, or of a row of edges");
+}
+
+void checkPlaceOfForce(const Load& load, int block, const std::string& pointer, CheckContext& context) {
+    if (!load.at || block < 0 || !load.at->allFinite())
+        return;
+    const std::vector<Point>& points = context.scene.blocks[static_cast<std::size_t>(block)].points;
+    if (locate(points, *load.at, context.tolerance) == Side::Outside)
+        context.report.error(under(pointer, "at"),
+                             "the force acts outside the block " + quoted(displayName(context.scene, block)),
+                             "Give a point of that block");
+}
+
+void checkForce(const Load& load, const std::string& pointer, CheckContext& context) {
+    if (load.force == Point(0.0, 0.0))
+        context.report.warning(pointer, "the force is 0", "Give 'force' [N], or leave the load out");
+    const std::string place = under(pointer, load.blockAt ? "block_at" : "point");
+    const int block = load.blockAt ? checkBlockAt(context, *load.blockAt, place)
+                                   : checkPointOnBlock(context, *load.point, place);
+    if (load.blockAt)
+        checkNotFixed(block, place, "the load", context);
+    checkPlaceOfForce(load, block, pointer, context);
+}
+
+void checkLoad(const Load& load, StageKind kind, const std::string& pointer, CheckContext& context) {
+    const int places = (load.blockAt ? 1 : 0) + (load.point ? 1 : 0) + (load.along ? 1 : 0);
+    if (places != 1)
+        context.report.error(pointer, "a load needs exactly one of 'block_at', 'point' and 'along'",
+                             places == 0 ? "Give one of them" : "Leave out all but one");
+    else if (load.along)
+        checkPressure(load, pointer, context);
+    else
+        checkForce(load, pointer, context);
+    checkTable(load.table, kind, under(pointer, "table"), context.report);
+}
+
+void checkVelocity(const InitialVelocity& velocity, std::size_t entry, const std::string& pointer, Taken& taken,
+                   CheckContext& context) {
+    const int block = checkBlockAt(context, velocity.blockAt, under(pointer, "block_at"));
+    checkNotFixed(block, under(pointer, "block_at"), "the velocity", context);
+    checkTakenOnce(block, entry, under(pointer, "block_at"), "velocity", taken, context);
+}
+
+void checkTimes(const Stage& stage, const std::string& pointer, CheckReport& report) {
+    if (stage.kind == StageKind::Static)
+        return;
+    if (stage.duration == 0.0)
+        report.error(under(pointer, "duration"), "a dynamic stage needs a duration", "Give seconds, above 0");
+    else if (stage.timeStep && *stage.timeStep > stage.duration)
+        report.warning(under(pointer, "time_step"), "the time step is longer than the stage",
+                       "Give a shorter one, or leave it to the program");
+}
+
+void checkStage(const Stage& stage, const std::string& pointer, CheckContext& context) {
+    checkTimes(stage, pointer, context.report);
+    Taken moved;
+    for (std::size_t i = 0; i < stage.motions.size(); ++i)
+        checkMotion(stage.motions[i], i, stage.kind, under(under(pointer, "motions"), i), moved, context);
+    for (std::size_t i = 0; i < stage.loads.size(); ++i)
+        checkLoad(stage.loads[i], stage.kind, under(under(pointer, "loads"), i), context);
+    Taken thrown;
+    for (std::size_t i = 0; i < stage.initialVelocities.size(); ++i)
+        checkVelocity(stage.initialVelocities[i], i, under(under(pointer, "initial_velocities"), i), thrown, context);
+}
+
+}  // namespace
+
+void checkStages(CheckContext& context) {
+    const std::vector<Stage>& stages = context.scene.stages;
+    if (stages.empty())
+        context.report.warning("", "the scene has no stages, so there is nothing to run",
+                               "Add 'stages', or keep it as a scene to be checked");
+    else if (context.scene.blocks.empty())
+        context.report.error("/blocks", "the scene has no blocks", "Give at least one");
+    checkNamesDiffer(
+        stages.size(), [&](std::size_t i) { return stages[i].name; },
+        [](std::size_t i) { return under(under("/stages", i), "name"); }, "stage", context.report);
+    for (std::size_t i = 0; i < stages.size(); ++i)
+        checkStage(stages[i], under("/stages", i), context);
+}
+
+}  // namespace keyblock
