@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Blocks alone: what a body does that nothing but gravity, a slope or its own
+// elasticity acts on. The closed forms stand beside each case.
+#include "solver/verify/checks.h"
+#include "solver/verify/groups.h"
+#include "solver/verify/readings.h"
+#include "solver/verify/scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double hardRock = 60e9;  // [Pa]
+
+Monitor pointMonitor(const std::string& name, const Point& at) {
+    Monitor monitor;
+    monitor.name = name;
+    monitor.point = at;
+    return monitor;
+}
+
+Stage dynamicStage(double duration, double timeStep) {
+    Stage stage;
+    stage.name = "run";
+    stage.kind = StageKind::Dynamic;
+    stage.duration = duration;
+    stage.timeStep = timeStep;
+    return stage;
+}
+
+/// One free block of 1 m × 1 m, with the monitor `centre`.
+Scene loneBlock(double youngsModulus, double poissonsRatio) {
+    Scene scene = emptyScene(youngsModulus, poissonsRatio, 30.0);
+    scene.blocks = {boxBlock("block", {0, 0}, {1, 1})};
+    scene.monitors = {pointMonitor("centre", {0.5, 0.5})};
+    return scene;
+}
+
+void giveVelocity(Scene& scene, const Point& velocity, double spin) {
+    InitialVelocity initial;
+    initial.blockAt = {0.5, 0.4};
+    initial.velocity = velocity;
+    initial.spin = spin;
+    scene.stages.back().initialVelocities = {initial};
+}
+
+double largestStress(const Results& results) {
+    double largest = 0.0;
+    for (const Frame& frame : results.frames)
+        for (const BlockState& block : frame.blocks)
+            for (const double s : block.stress) largest = std::max(largest, std::abs(s));
+    return largest;
+}
+
+/// y = v0·t − ½·g·t², x = u0·t: exact under Shi's scheme, for a constant force is integrated without error.
+std::vector<CaseResult> projectile(const std::string& name, const Point& velocity) {
+    Checks checks(name);
+    Scene scene = loneBlock(hardRock, 0.25);
+    scene.analysis.gravity = {0.0, -gravity};
+    scene.stages = {dynamicStage(1.0, 0.01)};
+    giveVelocity(scene, velocity, 0.0);
+    const Solved solved = solve(scene);
+    const std::vector<double> x = series(solved, "centre", 0), y = series(solved, "centre", 1);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double t = solved.results.history[i].time;
+        worst = std::max({worst, std::abs(x[i] - velocity.x() * t),
+                          std::abs(y[i] - (velocity.y() * t - 0.5 * gravity * t * t))});
+    }
+    checks.relative("fall after 1 s [m]", reading(solved, "last centre.uy"), velocity.y() - 0.5 * gravity, 1e-9);
+    checks.absolute("largest deviation on the way [m]", worst, 0.0, 1e-9);
+    checks.absolute("largest stress [Pa]", largestStress(solved.results), 0.0, 1e-9 * 2700.0 * gravity);
+    return checks.take();
+}
+
+/// A block of 1 m × 0.5 m on a fixed slope of `slope`°, let go at t = 0.
+Scene incline(double slope, double frictionAngle, double duration) {
+    Scene scene = emptyScene(hardRock, 0.25, frictionAngle);
+    scene.analysis.gravity = {0.0, -gravity};
+    const double c = std::cos(slope * degree), s = std::sin(slope * degree);
+    const auto turned = [&](const Point& p) { return Point(c * p.x() + s * p.y(), -s * p.x() + c * p.y()); };
+    Block base = boxBlock("slope", {0, -1}, {12, 0}), slider = boxBlock("slider", {1, 0}, {2, 0.5});
+    for (Block* block : {&base, &slider})
+        for (Point& p : block->points) p = turned(p);
+    scene.blocks = {base, slider};
+    Support support;
+    support.blockAt = turned({6, -0.5});
+    scene.supports = {support};
+    scene.monitors = {pointMonitor("slider", turned({1.5, 0.25}))};
+    scene.stages = {dynamicStage(duration, 1e-3)};
+    return scene;
+}
+
+/// Distance that the slider went down the slope [m].
+double slid(const Solved& solved, double slope) {
+    return std::cos(slope * degree) * reading(solved, "last slider.ux") -
+           std::sin(slope * degree) * reading(solved, "last slider.uy");
+}
+
+/// s = ½·g·(sin α − cos α·tan φ)·t².
+std::vector<CaseResult> slide() {
+    Checks checks("incline");
+    const double pairs[2][2] = {{30.0, 20.0}, {45.0, 30.0}};
+    for (const auto& [slope, friction] : pairs) {
+        const double a = slope * degree;
+        const double expected =
+            0.5 * gravity * (std::sin(a) - std::cos(a) * std::tan(friction * degree)) * 2.0 * 2.0;
+        const Solved solved = solve(incline(slope, friction, 2.0));
+        checks.relative(slope == 30.0 ? "slid in 2 s at 30°, φ 20° [m]" : "slid in 2 s at 45°, φ 30° [m]",
+                        slid(solved, slope), expected, 1e-3);
+    }
+    return checks.take();
+}
+
+std::vector<CaseResult> stick() {
+    Checks checks("stick");
+    checks.absolute("creep in 5 s at 33°, φ 35° [m]", slid(solve(incline(33.0, 35.0, 5.0)), 33.0), 0.0, 1e-6);
+    checks.absolute("creep in 5 s at 30°, φ 30.1° [m]", slid(solve(incline(30.0, 30.1, 5.0)), 30.0), 0.0, 1e-6);
+    return checks.take();
+}
+
+/// A single strain mode: ν = 0, initial stress along x that nothing balances. With the consistent mass
+/// ρ·w³·h/12 and the stiffness E·w·h, ω² = 12E/(ρw²). Under Shi's scheme the two eigenvalues of a step are complex
+/// below η = ω·Δt = 4 and their product is ρ² = 1/(1 + η²/2); of any three successive steps
+/// x(n+2) = a·x(n+1) − ρ²·x(n).
+double dampingPerStep(double eta) {
+    const double modulus = 60e6, density = 2700.0;
+    Scene scene = loneBlock(modulus, 0.0);
+    scene.blocks[0].initialStress = {100.0, 0.0, 0.0};
+    const double step = eta / std::sqrt(12.0 * modulus / density);
+    scene.stages = {dynamicStage(12.0 * step, step)};
+    scene.output.every = step;
+    const Results results = solve(scene).results;
+    std::vector<double> x;
+    for (const Frame& frame : results.frames)
+        if (x.empty() || frame.step > 0) x.push_back(frame.blocks[0].stress[0]);
+    if (x.size() < 8) return std::nan("");
+    const std::size_t n = 3;  // away from the start
+    const double determinant = x[n + 1] * x[n + 1] - x[n] * x[n + 2];
+    return std::sqrt((x[n + 2] * x[n + 2] - x[n + 1] * x[n + 3]) / determinant);
+}
+
+std::vector<CaseResult> schemesDamping() {
+    Checks checks("scheme's damping");
+    for (const double eta : {0.1, 0.5, 2.0}) {
+        const std::string at = eta == 0.1 ? "0.1" : eta == 0.5 ? "0.5" : "2";
+        checks.relative("amplitude kept per step at η " + at, dampingPerStep(eta),
+                        1.0 / std::sqrt(1.0 + 0.5 * eta * eta), 1e-3);
+    }
+    return checks.take();
+}
+
+/// Stress of a frame turned back by the block's rotation [Pa].
+std::array<double, 3> turnedBack(const BlockState& block) {
+    const double c = std::cos(block.rotation), s = std::sin(block.rotation);
+    const auto& [x, y, xy] = block.stress;
+    return {c * c * x + s * s * y + 2 * c * s * xy, s * s * x + c * c * y - 2 * c * s * xy,
+            c * s * (y - x) + (c * c - s * s) * xy};
+}
+
+void spinFree(Checks& checks) {
+    Scene scene = loneBlock(hardRock, 0.25);
+    scene.stages = {dynamicStage(10.0, 0.01)};
+    giveVelocity(scene, {0, 0}, 1.0);
+    scene.output.every = 0.1;
+    const Results results = solve(scene).results;
+    double area = 0.0, rate = 0.0;
+    for (std::size_t i = 1; i < results.frames.size(); ++i) {
+        const Frame &before = results.frames[i - 1], &now = results.frames[i];
+        area = std::max(area, std::abs(now.blocks[0].area - 1.0));
+        if (now.time > before.time)
+            rate = std::max(rate, std::abs((now.blocks[0].rotation - before.blocks[0].rotation) /
+                                               (now.time - before.time) - 1.0));
+    }
+    const bool ran = results.frames.size() > 50;
+    checks.absolute("(a) change of area in 1000 steps", ran ? area : std::nan(""), 0.0, 1e-9);
+    checks.absolute("(a) change of angular momentum", ran ? rate : std::nan(""), 0.0, 1e-9);
+    checks.relative("(a) turned in 10 s [rad]", ran ? results.frames.back().blocks[0].rotation : std::nan(""), 10.0,
+                    1e-9);
+}
+
+/// 1 MPa along x, balanced by tractions on the two edges that turn with the block; ¼ turn in 100 steps, then on.
+void spinStressed(Checks& checks) {
+    Scene scene = loneBlock(hardRock, 0.25);
+    scene.blocks[0].initialStress = {1e6, 0.0, 0.0};
+    const double step = 0.5 * std::numbers::pi / 100.0;
+    Stage stage = dynamicStage(100 * step, step);
+    for (const double x : {0.0, 1.0}) {
+        Load pull;
+        pull.along = {Point(x, 0.0), Point(x, 1.0)};
+        pull.pressure = -1e6;
+        stage.loads.push_back(pull);
+    }
+    scene.stages = {stage};
+    giveVelocity(scene, {0, 0}, 1.0);
+    const Results results = solve(scene).results;
+    double worst = 0.0;
+    for (const Frame& frame : results.frames) {
+        const auto [x, y, xy] = turnedBack(frame.blocks[0]);
+        worst = std::max({worst, std::abs(x - 1e6), std::abs(y), std::abs(xy)});
+    }
+    const bool ran = results.frames.size() > 50;
+    const auto& last = ran ? results.frames.back().blocks[0].stress : Stress{NAN, NAN, NAN};
+    checks.absolute("(b) change of stress in the block's frame [Pa]", ran ? worst : NAN, 0.0, 1e6 * 1e-9);
+    checks.absolute("(b) sxx after a quarter turn [Pa]", last[0], 0.0, 1e6 * 1e-9);
+    checks.relative("(b) syy after a quarter turn [Pa]", last[1], 1e6, 1e-9);
+    checks.absolute("(b) sxy after a quarter turn [Pa]", last[2], 0.0, 1e6 * 1e-9);
+}
+
+std::vector<CaseResult> spin() {
+    Checks checks("spin");
+    spinFree(checks);
+    spinStressed(checks);
+    return checks.take();
+}
+
+}  // namespace
+
+std::vector<Case> blockCases() {
+    return {
+        {"free fall", "One block under gravity alone, from rest.", [] { return projectile("free fall", {0, 0}); }},
+        {"projectile", "The same with a velocity of (3, 4) m/s.", [] { return projectile("projectile", {3, 4}); }},
+        {"incline", "A block slides down a slope steeper than its friction.", slide},
+        {"stick", "A block on a slope flatter than its friction does not creep.", stick},
+        {"scheme's damping", "One strain mode of a free block under Shi's scheme.", schemesDamping},
+        {"spin", "A block turning freely keeps its area, its spin and its stress.", spin},
+    };
+}
+
+}  // namespace keyblock

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/verify/groups.h"
+
+namespace keyblock {
+
+namespace {
+
+std::vector<Case> allGroups() {
+    std::vector<Case> all;
+    for (const auto& group : {blockCases(), beamCases(), bondCases(), slidingBoltCases(), stepCases()})
+        all.insert(all.end(), group.begin(), group.end());
+    return all;
+}
+
+}  // namespace
+
+const std::vector<Case>& cases() {
+    static const std::vector<Case> all = allGroups();
+    return all;
+}
+
+}  // namespace keyblock

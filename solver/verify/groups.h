@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The groups that make up the suite, one file each.
+#pragma once
+
+#include "solver/verify/verify.h"
+
+#include <vector>
+
+namespace keyblock {
+
+std::vector<Case> blockCases();
+std::vector<Case> beamCases();
+std::vector<Case> bondCases();
+std::vector<Case> slidingBoltCases();
+std::vector<Case> stepCases();
+
+}  // namespace keyblock

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bolts that slip on: friction along the whole length, or at one end only.
+#include "solver/verify/checks.h"
+#include "solver/verify/groups.h"
+#include "solver/verify/readings.h"
+#include "solver/verify/scenes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double tubeFriction = 54e3;  // [N/m]
+
+/// A friction tube of 2 m, 1.5 m of it in the fixed block, 0.5 m and the plate in the block that is pulled by 0.2 m.
+Scene frictionTube(PlateKind plate, double plateStrength) {
+    Scene scene = twoBlocks(rigidRock, 1.5, 2.0);
+    BoltType type = linearType(380e-6, 200e9);
+    type.boltClass = BoltClass::CFC;
+    type.anchors = {anchorRange(Per::Length, AnchorLaw::Frictional, 5e9, tubeFriction, 0.0)};
+    type.plate.normalStrength = plateStrength;
+    addBolt(scene, type, 0.0, 2.0, 60, plate);
+    scene.stages = {pullStage(scene, 0.2, 100)};
+    return scene;
+}
+
+double plateAtLargestForce(const Solved& solved) {
+    const std::vector<double> force = series(solved, "joint force"), plate = series(solved, "plate");
+    const auto most = std::max_element(force.begin(), force.end()) - force.begin();
+    return force.empty() ? NAN : plate[static_cast<std::size_t>(most)];
+}
+
+Solved solveWithPlateForce(Scene scene) {
+    Monitor plate = scene.monitors.back();
+    plate.name = "plate";
+    plate.quantity = BoltQuantity::PlateForce;
+    plate.at.reset();
+    scene.monitors.push_back(plate);
+    return solve(std::move(scene));
+}
+
+/// Once a side slides, the length that is still in its hole is its first length less the opening.
+void strongPlate(Checks& checks) {
+    const Solved solved = solveWithPlateForce(frictionTube(PlateKind::Spring, 89e3));
+    checks.relative("plate 89 kN: largest force [N]", reading(solved, "max joint force"), 81.0e3, 1e-2);
+    checks.relative("plate 89 kN: plate at that force [N]", plateAtLargestForce(solved), 54.0e3, 1e-2);
+    checks.absolute("plate 89 kN: plates lost", countOf(solved, EventKind::PlateLoss), 0.0, 0.0);
+    for (const double opening : {0.1, 0.15, 0.19})
+        checks.relative("plate 89 kN: force at " + std::to_string(static_cast<int>(1e3 * opening + 0.5)) + " mm [N]",
+                        loadAtOpening(loadPath(solved), opening), tubeFriction * (1.5 - opening), 1e-2);
+}
+
+void looseSide(Checks& checks, const Solved& solved, const std::string& which) {
+    for (const double opening : {0.05, 0.1, 0.19})
+        checks.relative(which + ": force at " + std::to_string(static_cast<int>(1e3 * opening + 0.5)) + " mm [N]",
+                        loadAtOpening(loadPath(solved), opening), tubeFriction * (0.5 - opening), 1e-2);
+}
+
+std::vector<CaseResult> splitSet() {
+    Checks checks("Split Set");
+    strongPlate(checks);
+    const Solved weak = solve(frictionTube(PlateKind::Spring, 40e3));
+    checks.relative("plate 40 kN: force when the plate is lost [N]", reading(weak, "first plate-loss joint force"),
+                    67.0e3, 1e-2);
+    checks.absolute("plate 40 kN: plates lost", countOf(weak, EventKind::PlateLoss), 1.0, 0.0);
+    looseSide(checks, weak, "plate 40 kN");
+    const Solved bare = solve(frictionTube(PlateKind::None, 0.0));
+    checks.relative("no plate: largest force [N]", reading(bare, "max joint force"), 27.0e3, 1e-2);
+    looseSide(checks, bare, "no plate");
+    return checks.take();
+}
+
+/// Force of the yielding anchor over its slip: 80 kN to 600 mm, then up to 100 kN at 700 mm.
+double anchorForce(double slip, double stiffness) {
+    if (slip < 80e3 / stiffness) return stiffness * slip;
+    return slip < 0.6 ? 80e3 : 80e3 + 20e3 * (slip - 0.6) / 0.1;
+}
+
+Scene yieldingAnchor(double stiffness) {
+    Scene scene = twoBlocks(rigidRock, 2.0, 2.5);
+    BoltType type = linearType(123e-6, 200e9);
+    type.boltClass = BoltClass::DFC;
+    Anchor anchor = anchorAt(0.0, AnchorLaw::Curve, 0.0);
+    anchor.curve = {{0.0, 0.0}, {80e3 / stiffness, 80e3}, {0.6, 80e3}, {0.7, 100e3}};
+    type.anchors = {anchor};
+    addBolt(scene, type, 0.3, 2.5, 44, PlateKind::Spring);
+    scene.monitors.back().name = "force";
+    Monitor slip = scene.monitors.back();
+    slip.name = "slip";
+    slip.quantity = BoltQuantity::Slip;
+    slip.at = 0.0;
+    scene.monitors.push_back(slip);
+    scene.stages = {pullStage(scene, 0.65, 130)};
+    return scene;
+}
+
+std::vector<CaseResult> roofex() {
+    Checks checks("Roofex");
+    const double stiffness = 100e6;
+    const Solved solved = solve(yieldingAnchor(stiffness));
+    const std::vector<double> slip = series(solved, "slip"), force = series(solved, "force");
+    double worst = 0.0, most = 0.0;
+    for (std::size_t i = 0; i < slip.size(); ++i) {
+        const double u = std::abs(slip[i]);
+        most = std::max(most, u);
+        worst = std::max(worst, std::abs(force[i] - anchorForce(u, stiffness)) / 80e3);
+    }
+    checks.absolute("largest deviation from the curve, over 80 kN", slip.empty() ? NAN : worst, 0.0, 1e-2);
+    const double stretch = 2.2 / (123e-6 * 200e9) + 1e-9;  // [m/N] of the bar and the plate
+    // At 0.65 m: slip u = 0.65 − stretch·F on the rising piece F = 80 kN + 200 kN/m·(u − 0.6).
+    const double expected = (80e3 + 200e3 * 0.05) / (1.0 + 200e3 * stretch);
+    checks.relative("force at an opening of 650 mm [N]", reading(solved, "last force"), expected, 1e-2);
+    checks.relative("slip of the anchor [m]", most, 0.65 - stretch * expected, 1e-2);
+    std::vector<std::pair<double, double>> path;
+    const std::vector<double> opening = series(solved, "opening");
+    for (std::size_t i = 0; i < opening.size(); ++i) path.emplace_back(opening[i], force[i]);
+    checks.relative("force at 100 mm [N]", loadAtOpening(path, 0.1), 80e3, 1e-2);
+    checks.relative("force at 600 mm [N]", loadAtOpening(path, 0.6), 80e3, 1e-2);
+    return checks.take();
+}
+
+}  // namespace
+
+std::vector<Case> slidingBoltCases() {
+    return {{"Split Set", "A friction tube with a strong plate, a weak plate and none.", splitSet},
+            {"Roofex", "A bar that slips through its anchor and is stopped at 600 mm.", roofex}};
+}
+
+}  // namespace keyblock
