@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/verify/reference/bolts.h"
+
+#include <cmath>
+
+namespace keyblock::reference {
+
+const Curve textSteel{{0.0023, 490e6}, {0.021, 500e6}, {0.05, 560e6}, {0.09, 605e6}, {0.13, 625e6}, {0.16, 630e6}};
+const Curve tableSteel{{0.0024, 509e6}, {0.021, 519e6}, {0.06, 585e6}, {0.11, 630e6}, {0.16, 651e6}, {0.24, 651e6}};
+
+std::vector<double> evenNodes(double from, double to, int divisions) {
+    std::vector<double> s;
+    for (int i = 0; i <= divisions; ++i) s.push_back(from + (to - from) * i / divisions);
+    return s;
+}
+
+void anchorEveryNode(BarProblem& problem, const Curve& curve, std::optional<double> peak, double residual) {
+    for (std::size_t i = 0; i < problem.s.size(); ++i) {
+        const double x = problem.s[i];
+        if (std::abs(x - 1.0) < 1e-6) continue;
+        problem.springs.push_back(
+            {static_cast<int>(i), x < 1.0 ? Side::Fixed : Side::Moving, curve, peak, residual, false});
+    }
+}
+
+void addPlate(BarProblem& problem, double stiffness, std::optional<double> strength) {
+    problem.springs.push_back(
+        {static_cast<int>(problem.s.size()) - 1, Side::Moving, {{1.0, stiffness}}, strength, 0.0, true});
+}
+
+void makeRockElastic(BarProblem& problem, double youngsModulus) {
+    problem.blockStiffness = youngsModulus;
+    problem.blockCentre = 1.5;
+    problem.openingAt = 1.001;
+}
+
+BarProblem paperRebar(double youngsModulus, double peak, Mesh mesh) {
+    BarProblem p;
+    p.s = mesh == Mesh::JointInElement ? evenNodes(1.0 / 60.0, 2.0 - 1.0 / 60.0, 59) : evenNodes(0.0, 2.0, 60);
+    p.area = barArea;
+    p.steel = {{1.0, youngsModulus}};
+    anchorEveryNode(p, {{1.0, 84.78e6}}, peak, 2.24e3);
+    return p;
+}
+
+BarProblem elasticRebar(double springStiffness, double plateStiffness) {
+    BarProblem p;
+    p.s = evenNodes(0.0, 2.0, 60);
+    p.area = barArea;
+    p.steel = {{1.0, 212.08e9}};
+    anchorEveryNode(p, {{1.0, springStiffness}}, std::nullopt, 0.0);
+    addPlate(p, plateStiffness, std::nullopt);
+    return p;
+}
+
+BarProblem paperDBolt(const Curve& steel, bool plate) {
+    BarProblem p;
+    p.s = evenNodes(0.0, 2.0, 60);
+    p.area = barArea;
+    p.steel = steel;
+    p.unbreakable = false;
+    for (const int node : {3, 13, 37, 54})
+        p.springs.push_back({node, node < 30 ? Side::Fixed : Side::Moving, {{1.0, 84.78e6}}, std::nullopt, 0.0, false});
+    if (plate) addPlate(p, 1e9, std::nullopt);
+    return p;
+}
+
+BarProblem shearLag(int perSide, double plateStiffness) {
+    BarProblem p;
+    const double h = 1.0 / perSide;
+    p.s = evenNodes(0.5 * h, 2.0 - 0.5 * h, 2 * perSide - 1);
+    p.area = barArea;
+    p.steel = {{1.0, 200e9}};
+    anchorEveryNode(p, {{1.0, 254.34e6 * h}}, std::nullopt, 0.0);
+    if (plateStiffness > 0.0) addPlate(p, plateStiffness, std::nullopt);
+    return p;
+}
+
+BarProblem shearLagByLength(int divisions, double plateStiffness) {
+    BarProblem p;
+    const double h = 2.0 / divisions;
+    p.s = evenNodes(0.0, 2.0, divisions);
+    p.area = barArea;
+    p.steel = {{1.0, 200e9}};
+    anchorEveryNode(p, {{1.0, 254.34e6 * h}}, std::nullopt, 0.0);
+    for (BarSpring& spring : p.springs)
+        if (spring.node == 0 || spring.node == divisions) spring.curve[0].second *= 0.5;
+    if (plateStiffness > 0.0) addPlate(p, plateStiffness, std::nullopt);
+    return p;
+}
+
+}  // namespace keyblock::reference
