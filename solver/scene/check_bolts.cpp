@@ -104,7 +104,7 @@ std::vector<std::string_view> typeNames(const Scene& scene) {
 const BoltType* checkType(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
     const BoltType* type = findBoltType(context.scene, bolt.type);
     if (!type && !bolt.type.empty())
-        context.report.error(under(pointer, "type"), "there is no bolt type " + quoted(bolt.type),
+        context.report.error(under(pointer, "type"), "there is no bolt type " + inQuotes(bolt.type),
                              suggestion(bolt.type, typeNames(context.scene)) +
                                  "; built-in types are listed by 'keyblock bolts'");
     return type;
@@ -113,11 +113,11 @@ const BoltType* checkType(const Bolt& bolt, const std::string& pointer, CheckCon
 // What a type says that this program keeps but does not use yet; told once, at the first bolt of the type.
 void noteIdleLaws(const BoltType& type, const std::string& pointer, CheckReport& report) {
     if (type.bending == Bending::ElasticPlastic)
-        report.note(pointer, "plastic hinges of " + quoted(type.name) + " have no effect yet: it bends elastically",
+        report.note(pointer, "plastic hinges of " + inQuotes(type.name) + " have no effect yet: it bends elastically",
                     "Take care with shear across joints, where a hinge would limit the dowel force");
     if (type.dynamicFactor != 1.0)
         report.note(pointer,
-                    "the dynamic factor " + shortest(type.dynamicFactor) + " of " + quoted(type.name) +
+                    "the dynamic factor " + shortest(type.dynamicFactor) + " of " + inQuotes(type.name) +
                         " has no effect yet: strengths are static",
                     "For a dynamic stage, give the dynamic strengths in a type of your own");
 }

@@ -15,7 +15,7 @@ void checkRange(const Field& field, double number, const std::string& pointer, C
     if (contains(field.range, number))
         return;
     const std::string unit = field.unit.empty() ? "" : " [" + std::string(field.unit) + "]";
-    report.error(pointer, shortest(number) + " is out of range for " + quoted(field.key),
+    report.error(pointer, shortest(number) + " is out of range for " + inQuotes(field.key),
                  "Give a number " + rangeText(field.range) + unit);
 }
 
@@ -59,7 +59,7 @@ void checkField(const Structure& structure, const Field& field, const void* obje
     const FieldValue value = field.get(object);
     const auto* text = std::get_if<std::string>(&value);
     if (field.required && text && text->empty())
-        report.error(pointer, quoted(field.key) + " is empty", "Write " + std::string(field.help));
+        report.error(pointer, inQuotes(field.key) + " is empty", "Write " + std::string(field.help));
     checkValue(field, value, pointer, report);
 }
 
@@ -67,7 +67,7 @@ void checkField(const Structure& structure, const Field& field, const void* obje
 
 void checkValue(const Field& field, const FieldValue& value, const std::string& pointer, CheckReport& report) {
     if (!isFinite(value))
-        return report.error(pointer, quoted(field.key) + " holds a number that is not finite", "Give a finite number");
+        return report.error(pointer, inQuotes(field.key) + " holds a number that is not finite", "Give a finite number");
     if (const auto* number = std::get_if<double>(&value))
         checkRange(field, *number, pointer, report);
     if (const auto* place = std::get_if<BoltPlace>(&value); place && !place->head)

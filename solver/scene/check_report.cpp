@@ -77,7 +77,7 @@ void checkNamesDiffer(std::size_t count, const std::function<std::string(std::si
         const auto [found, isNew] = first.try_emplace(name, i);
         if (!isNew)
             report.error(pointerOf(i),
-                         "the name " + quoted(name) + " is taken by an earlier " + std::string(what) + " (" +
+                         "the name " + inQuotes(name) + " is taken by an earlier " + std::string(what) + " (" +
                              pointerOf(found->second) + ")",
                          "Give every " + std::string(what) + " a name of its own");
     }

@@ -98,8 +98,8 @@ void checkOverlaps(CheckContext& context) {
         const std::size_t b = blocks[static_cast<std::size_t>(second)];
         if (overlap(context.scene.blocks[a].points, context.scene.blocks[b].points, context.tolerance))
             context.report.error(blockPointer(b),
-                                 "the block " + quoted(displayName(context.scene, static_cast<int>(b))) +
-                                     " overlaps " + quoted(displayName(context.scene, static_cast<int>(a))),
+                                 "the block " + inQuotes(displayName(context.scene, static_cast<int>(b))) +
+                                     " overlaps " + inQuotes(displayName(context.scene, static_cast<int>(a))),
                                  "Move corners until the two at most touch");
     }
 }
@@ -117,7 +117,7 @@ void checkReference(const std::string& name, const std::vector<std::pair<std::st
                     std::string_view list, std::string pointer, CheckReport& report) {
     const std::vector<std::string_view> names = namesOf(items);
     if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
-        report.error(std::move(pointer), quoted(name) + " is not among the " + quoted(list),
+        report.error(std::move(pointer), inQuotes(name) + " is not among the " + inQuotes(list),
                      suggestion(name, names));
 }
 

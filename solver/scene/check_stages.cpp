@@ -39,7 +39,7 @@ void checkTable(const Table& table, StageKind kind, const std::string& pointer, 
 void checkNotFixed(int block, const std::string& pointer, std::string_view what, CheckContext& context) {
     if (block >= 0 && context.fixed[static_cast<std::size_t>(block)])
         context.report.error(pointer,
-                             std::string(what) + " acts on the block " + quoted(displayName(context.scene, block)) +
+                             std::string(what) + " acts on the block " + inQuotes(displayName(context.scene, block)) +
                                  ", which is held by a support",
                              "Leave out the one or the other");
 }
@@ -51,7 +51,7 @@ void checkTakenOnce(int block, std::size_t entry, const std::string& pointer, st
     const auto [first, isNew] = taken.try_emplace(block, entry);
     if (!isNew)
         context.report.error(pointer,
-                             "the block " + quoted(displayName(context.scene, block)) + " already has a " +
+                             "the block " + inQuotes(displayName(context.scene, block)) + " already has a " +
                                  std::string(what) + " in this stage (entry " + std::to_string(first->second) + ")",
                              "Give a block one " + std::string(what) + " a stage; a slanting axis may be a vector");
 }
@@ -109,7 +109,7 @@ void checkPlaceOfForce(const Load& load, int block, const std::string& pointer, 
     const std::vector<Point>& points = context.scene.blocks[static_cast<std::size_t>(block)].points;
     if (locate(points, *load.at, context.tolerance) == Side::Outside)
         context.report.error(under(pointer, "at"),
-                             "the force acts outside the block " + quoted(displayName(context.scene, block)),
+                             "the force acts outside the block " + inQuotes(displayName(context.scene, block)),
                              "Give a point of that block");
 }
 

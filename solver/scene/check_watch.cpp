@@ -42,7 +42,7 @@ void checkPlace(const Monitor& monitor, const Bolt& bolt, const std::string& poi
     const double tolerance = 1e-9 * length;
     if (places == 1 && (place > length + tolerance || place < -tolerance))
         report.error(under(pointer, placeKey(monitor)),
-                     "the place is past the end of the bolt " + quoted(bolt.name) + ", which is " + shortest(length) +
+                     "the place is past the end of the bolt " + inQuotes(bolt.name) + ", which is " + shortest(length) +
                          " m long",
                      "Give at most the bolt's length");
 }
@@ -50,7 +50,7 @@ void checkPlace(const Monitor& monitor, const Bolt& bolt, const std::string& poi
 void checkBoltMonitor(const Monitor& monitor, const std::string& pointer, CheckContext& context) {
     if (const Bolt* bolt = findBolt(context.scene, *monitor.bolt))
         return checkPlace(monitor, *bolt, pointer, context.report);
-    context.report.error(under(pointer, "bolt"), "there is no bolt " + quoted(*monitor.bolt),
+    context.report.error(under(pointer, "bolt"), "there is no bolt " + inQuotes(*monitor.bolt),
                          suggestion(*monitor.bolt, boltNames(context.scene)));
 }
 
@@ -61,7 +61,7 @@ void checkBetween(const Monitor& monitor, const std::string& pointer, CheckConte
     const int second = checkPointOnBlock(context, (*monitor.between)[1], under(place, std::size_t{1}));
     if (first >= 0 && first == second)
         context.report.warning(place,
-                               "both points belong to the block " + quoted(displayName(context.scene, first)) +
+                               "both points belong to the block " + inQuotes(displayName(context.scene, first)) +
                                    ", so no joint opens between them",
                                "Move them to the two sides of the joint, off its line");
 }

@@ -69,10 +69,10 @@ bool applies(const Structure& structure, const Field& field, const void* object)
 std::string misplaced(const Field& field) {
     std::string where;
     for (const std::string_view word : field.only.words)
-        where += (where.empty() ? "" : " or ") + quoted(word);
+        where += (where.empty() ? "" : " or ") + inQuotes(word);
     if (where.empty())
-        return quoted(field.key) + " belongs only where " + quoted(field.only.key) + " is given";
-    return quoted(field.key) + " belongs only where " + quoted(field.only.key) + " is " + where;
+        return inQuotes(field.key) + " belongs only where " + inQuotes(field.only.key) + " is given";
+    return inQuotes(field.key) + " belongs only where " + inQuotes(field.only.key) + " is " + where;
 }
 
 bool isFinite(const FieldValue& value) {

@@ -40,7 +40,7 @@ std::string_view shortened(std::string_view text, std::size_t length) {
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string inQuotes(std::string_view text) {
     if (text.size() <= longestQuoted)
         return "'" + std::string(text) + "'";
     return "'" + std::string(shortened(text, longestQuoted)) + "…'";
@@ -51,7 +51,7 @@ std::string listed(const std::vector<std::string_view>& names) {
         return "none";
     std::string text;
     for (std::size_t i = 0; i < std::min(names.size(), mostListed); ++i)
-        text += (i == 0 ? "" : ", ") + quoted(names[i]);
+        text += (i == 0 ? "" : ", ") + inQuotes(names[i]);
     return names.size() > mostListed ? text + ", …" : text;
 }
 
@@ -75,7 +75,7 @@ std::string_view nearestName(std::string_view text, const std::vector<std::strin
 std::string suggestion(std::string_view text, const std::vector<std::string_view>& names) {
     const std::string_view nearest = nearestName(text, names);
     if (!nearest.empty())
-        return "Did you mean " + quoted(nearest) + "?";
+        return "Did you mean " + inQuotes(nearest) + "?";
     return names.empty() ? "There are none" : "There are " + listed(names);
 }
 

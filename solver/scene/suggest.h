@@ -11,7 +11,7 @@
 namespace keyblock {
 
 /// `text` between single quotes; at most 60 characters of it.
-std::string quoted(std::string_view text);
+std::string inQuotes(std::string_view text);
 
 /// The names, quoted, with commas between; at most twelve of them. `none` when there are none.
 std::string listed(const std::vector<std::string_view>& names);
