@@ -53,31 +53,24 @@ double kineticEnergy(const Model& model, const State& state) {
     return energy;
 }
 
+double bookedEnergy(const Model& model, const State& state) {
+    const StoredEnergy stored = storedEnergy(model, state);
+    const EnergyLedger& e = state.energy;
+    return kineticEnergy(model, state) + stored.strain + stored.contact + stored.bolt + e.friction + e.plastic +
+           e.released + e.damped - e.external;
+}
+
 Energy energyOf(const Model& model, const State& state) {
     const StoredEnergy stored = storedEnergy(model, state);
-    Energy e;
-    e.kinetic = kineticEnergy(model, state);
-    e.strain = stored.strain;
-    e.contact = stored.contact;
-    e.bolt = stored.bolt;
-    e.friction = state.energy.friction;
-    e.plastic = state.energy.plastic;
-    e.released = state.energy.released;
-    e.damped = state.energy.damped;
-    e.external = state.energy.external;
-    const double left = e.external + state.startEnergy -
-                        (e.kinetic + e.strain + e.contact + e.bolt + e.friction + e.plastic + e.released + e.damped);
+    const EnergyLedger& ledger = state.energy;
+    Energy e{kineticEnergy(model, state), stored.strain, stored.contact, stored.bolt, ledger.friction,
+             ledger.plastic, ledger.released, ledger.damped, ledger.external, 0.0};
     double largest = std::abs(state.startEnergy);
     for (double term : {e.kinetic, e.strain, e.contact, e.bolt, e.friction, e.plastic, e.released, e.damped, e.external})
         largest = std::max(largest, std::abs(term));
+    const double left = state.startEnergy - bookedEnergy(model, state);
     e.balanceError = largest > 0.0 ? left / largest : 0.0;
     return e;
-}
-
-void resetEnergyStart(const Model& model, State& state) {
-    const Energy e = energyOf(model, state);
-    state.startEnergy = e.kinetic + e.strain + e.contact + e.bolt + e.friction + e.plastic + e.released + e.damped -
-                        e.external;
 }
 
 }  // namespace keyblock

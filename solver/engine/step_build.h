@@ -70,7 +70,7 @@ double kineticEnergy(const Model& model, const State& state);
 /// All energies with their balance.
 Energy energyOf(const Model& model, const State& state);
 
-/// Takes the energy that a state was given from outside the motion (initial velocity, preload) as there from the start.
-void resetEnergyStart(const Model& model, State& state);
+/// Everything stored, moving and used, less the work of the loads [J]: constant where the books balance.
+double bookedEnergy(const Model& model, const State& state);
 
 }  // namespace keyblock

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Quantities of a bolt as history and frames tell them: per bolt, with the
+// signs of the tables.
+#pragma once
+
+#include "solver/engine/state.h"
+#include "solver/results/results.h"
+#include "solver/scene/scene.h"
+
+namespace keyblock {
+
+/// Value at `s` metres from the far end: of the element that holds the place (a node's place belongs to the element
+/// that starts there), or of the nearest node; whole-bolt quantities ignore the place.
+double boltValueAt(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity quantity, double s);
+
+/// Value of largest magnitude along the bolt, with its sign.
+double boltExtreme(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity quantity);
+
+/// All nodes of a bolt as a frame keeps them. \param origin added to every place.
+BoltFrame boltFrame(const BoltModel& bolt, const BoltMotion& motion, const Point& origin);
+
+}  // namespace keyblock

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/run/observation.h"
+
+#include "solver/engine/step_build.h"
+#include "solver/run/bolt_readings.h"
+#include "solver/scene/lookup.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+constexpr std::array boltQuantities{BoltQuantity::AxialForce, BoltQuantity::ShearForce,  BoltQuantity::Moment,
+                                    BoltQuantity::AnchorForce, BoltQuantity::Slip,       BoltQuantity::PlateForce,
+                                    BoltQuantity::DebondedLength, BoltQuantity::Strain};
+
+std::array<double, 3> globalStress(const BlockModel& block, const BlockMotion& motion) {
+    const Eigen::Vector3d own = frameStress(block, motion);
+    Eigen::Matrix2d stress, turn;
+    stress << own[0], own[2], own[2], own[1];
+    turn << std::cos(motion.angle), -std::sin(motion.angle), std::sin(motion.angle), std::cos(motion.angle);
+    const Eigen::Matrix2d global = turn * stress * turn.transpose();
+    return {global(0, 0), global(1, 1), global(0, 1)};
+}
+
+ContactState contactState(const Contact& c) {
+    if (c.bonded) return ContactState::Bonded;
+    if (c.normalForce <= 0.0) return ContactState::Open;
+    return std::abs(c.shearForce) >= c.limit * (1.0 - 1e-12) ? ContactState::Sliding : ContactState::Locked;
+}
+
+ContactFrame contactFrame(const Contact& c, const Model& model) {
+    ContactFrame f;
+    f.blockA = c.blockA;
+    f.blockB = c.blockB;
+    f.jointMaterial = c.joint + 1 < static_cast<int>(model.joints.size()) ? c.joint : -1;
+    f.position = c.position + model.origin;
+    f.state = contactState(c);
+    f.normalForce = c.normalForce;
+    f.shearForce = c.shearForce;
+    f.penetration = -c.gap;
+    f.slip = c.slip;
+    return f;
+}
+
+double areaOf(const std::vector<Point>& corners) {
+    double twice = 0.0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        twice += cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
+    return 0.5 * twice;
+}
+
+}  // namespace
+
+Observation::Observation(const Scene& scene, const Model& model, const State& start) : scene_(scene), model_(model) {
+    for (const Monitor& monitor : scene.monitors) {
+        std::array<Fixed, 2> fixed;
+        const auto fix = [&](std::size_t which, const Point& p) {
+            const int block = blockWithPoint(scene, p);
+            fixed[which] = {block, materialPlace(start.blocks[static_cast<std::size_t>(block)], p - model.origin)};
+        };
+        if (monitor.point) fix(0, *monitor.point);
+        if (monitor.between) {
+            fix(0, (*monitor.between)[0]);
+            fix(1, (*monitor.between)[1]);
+        }
+        fixed_.push_back(fixed);
+    }
+    zero(start);
+}
+
+Point Observation::pointNow(const State& state, std::size_t monitor, std::size_t which) const {
+    const Fixed& fixed = fixed_[monitor][which];
+    if (fixed.block < 0) return {0.0, 0.0};
+    return materialPoint(state.blocks[static_cast<std::size_t>(fixed.block)], fixed.place);
+}
+
+Point Observation::moved(const State& state, std::size_t monitor, std::size_t which) const {
+    return pointNow(state, monitor, which) - reference_.monitorPoints[2 * monitor + which];
+}
+
+void Observation::zero(const State& state) {
+    reference_ = {};
+    for (const BlockMotion& block : state.blocks) {
+        reference_.centroids.push_back(block.centroid);
+        reference_.angles.push_back(block.angle);
+    }
+    for (std::size_t m = 0; m < fixed_.size(); ++m)
+        for (std::size_t which : {0, 1}) reference_.monitorPoints.push_back(pointNow(state, m, which));
+}
+
+BlockState Observation::blockState(const State& state, int index) const {
+    const auto i = static_cast<std::size_t>(index);
+    const BlockMotion& motion = state.blocks[i];
+    BlockState block;
+    block.centroid = motion.centroid + model_.origin;
+    block.displacement = motion.centroid - reference_.centroids[i];
+    block.rotation = motion.angle - reference_.angles[i];
+    block.stress = globalStress(model_.blocks[i], motion);
+    block.velocity = centroidVelocity(motion);
+    block.area = areaOf(motion.corners);
+    block.weight = model_.blocks[i].mass * model_.gravity.norm();
+    for (const Point& corner : motion.corners) block.points.push_back(corner + model_.origin);
+    return block;
+}
+
+Frame Observation::frame(const State& state, int stage, double time) const {
+    Frame frame;
+    frame.stage = stage;
+    frame.time = time;
+    frame.step = state.step;
+    for (int i = 0; i < static_cast<int>(state.blocks.size()); ++i) frame.blocks.push_back(blockState(state, i));
+    for (const Contact& c : state.contacts)
+        if (c.bonded || c.normalForce > 0.0) frame.contacts.push_back(contactFrame(c, model_));
+    for (std::size_t b = 0; b < state.bolts.size(); ++b)
+        frame.bolts.push_back(boltFrame(model_.bolts[b], state.bolts[b], model_.origin));
+    frame.energy = energyOf(model_, state);
+    return frame;
+}
+
+void Observation::addMonitor(const State& state, std::size_t index, std::vector<double>& values) const {
+    const Monitor& monitor = scene_.monitors[index];
+    if (monitor.point) {
+        const Point u = moved(state, index, 0);
+        values.push_back(u.x());
+        values.push_back(u.y());
+    } else if (monitor.between) {
+        values.push_back((moved(state, index, 1) - moved(state, index, 0)).dot(monitor.axis.normalized()));
+    } else {
+        const auto same = std::find_if(scene_.bolts.begin(), scene_.bolts.end(),
+                                       [&](const Bolt& b) { return b.name == *monitor.bolt; });
+        const auto b = static_cast<std::size_t>(same - scene_.bolts.begin());
+        const bool placed = monitor.at || monitor.atFromHead || monitor.atFraction;
+        values.push_back(placed ? boltValueAt(model_.bolts[b], state.bolts[b], monitor.quantity,
+                                              distanceAlong(monitor, model_.bolts[b].s.back()))
+                                : boltExtreme(model_.bolts[b], state.bolts[b], monitor.quantity));
+    }
+}
+
+HistoryRow Observation::history(const State& state, int stage, double time) const {
+    HistoryRow row;
+    row.stage = stage;
+    row.time = time;
+    row.step = state.step;
+    for (std::size_t m = 0; m < scene_.monitors.size(); ++m) addMonitor(state, m, row.values);
+    for (std::size_t b = 0; b < state.bolts.size(); ++b)
+        for (BoltQuantity quantity : boltQuantities)
+            row.values.push_back(boltExtreme(model_.bolts[b], state.bolts[b], quantity));
+    return row;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/run/watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+std::pair<int, int> pairOf(const Contact& c) { return std::minmax(c.blockA, c.blockB); }
+
+bool isClosed(const Model& model, const Contact& c) {
+    return c.bonded || c.normalForce > 0.0 || c.gap - c.gapOffset <= 10.0 * model.tolerance;
+}
+
+Event jointEvent(EventKind kind, const Contact& c) {
+    Event event;
+    event.kind = kind;
+    event.block = std::min(c.blockA, c.blockB);
+    event.otherBlock = std::max(c.blockA, c.blockB);
+    event.position = c.position;
+    event.axialForce = -c.normalForce;
+    event.shearForce = c.shearForce;
+    event.slip = c.slip;
+    return event;
+}
+
+bool carried(const State& state, int block) {
+    for (const Contact& c : state.contacts)
+        if ((c.blockA == block || c.blockB == block) && (c.bonded || c.normalForce > 0.0)) return true;
+    for (const BoltMotion& bolt : state.bolts)
+        for (const BoltNode& node : bolt.nodes)
+            if (!bolt.lost && node.slot >= 0 && bolt.slots[static_cast<std::size_t>(node.slot)].block == block)
+                return true;
+    return false;
+}
+
+}  // namespace
+
+Watch::Watch(const Model& model, const State& start) : model_(model) {
+    for (const BlockMotion& block : start.blocks) start_.push_back(block.centroid);
+    for (const BoltMotion& bolt : start.bolts) {
+        std::vector<char> held(bolt.slots.size(), 0);
+        for (const BoltNode& node : bolt.nodes)
+            if (node.slot >= 0) held[static_cast<std::size_t>(node.slot)] = 1;
+        inhabited_.push_back(std::move(held));
+    }
+}
+
+void Watch::beginStage(const State& state) {
+    slipped_.clear();
+    opened_.clear();
+    closed_.clear();
+    for (const Contact& c : state.contacts)
+        if (isClosed(model_, c)) closed_.insert(pairOf(c));
+}
+
+void Watch::lookAtJoints(const State& state, std::vector<Event>& events) {
+    std::set<Pair> now;
+    for (const Contact& c : state.contacts) {
+        if (!isClosed(model_, c)) continue;
+        now.insert(pairOf(c));
+        const bool slides = !c.bonded && c.normalForce > 0.0 && std::abs(c.slip) > 10.0 * model_.tolerance &&
+                            std::abs(c.shearForce) >= c.limit * (1.0 - 1e-9);
+        if (slides && slipped_.insert(pairOf(c)).second) events.push_back(jointEvent(EventKind::JointSlip, c));
+    }
+    for (const Contact& c : state.contacts)
+        if (closed_.contains(pairOf(c)) && !now.contains(pairOf(c)) && opened_.insert(pairOf(c)).second)
+            events.push_back(jointEvent(EventKind::JointOpen, c));
+    closed_ = std::move(now);
+}
+
+void Watch::lookForFalls(State& state, std::vector<Event>& events) const {
+    for (std::size_t i = 0; i < state.blocks.size(); ++i) {
+        BlockMotion& block = state.blocks[i];
+        if (block.fallen || model_.blocks[i].fixed) continue;
+        if ((block.centroid - start_[i]).norm() < model_.blocks[i].size || carried(state, static_cast<int>(i))) continue;
+        block.fallen = true;
+        Event event;
+        event.kind = EventKind::BlockFalls;
+        event.block = static_cast<int>(i);
+        event.position = block.centroid;
+        events.push_back(event);
+    }
+}
+
+void Watch::lookForPulledOut(State& state, std::vector<Event>& events) const {
+    for (std::size_t b = 0; b < state.bolts.size(); ++b) {
+        BoltMotion& bolt = state.bolts[b];
+        for (std::size_t s = 0; s < inhabited_[b].size(); ++s) {
+            if (!inhabited_[b][s] || bolt.leftSlot[s] || bolt.lost) continue;
+            const bool held = std::any_of(bolt.nodes.begin(), bolt.nodes.end(),
+                                          [&](const BoltNode& n) { return n.slot == static_cast<int>(s); });
+            if (held) continue;
+            bolt.leftSlot[s] = 1;
+            Event event;
+            event.kind = EventKind::PulledOut;
+            event.bolt = static_cast<int>(b);
+            event.block = bolt.slots[s].block;
+            const BlockMotion& rock = state.blocks[static_cast<std::size_t>(event.block)];
+            event.position = materialPoint(rock, bolt.slots[s].p3);
+            events.push_back(event);
+        }
+    }
+}
+
+std::vector<Event> Watch::look(State& state) {
+    std::vector<Event> events;
+    lookAtJoints(state, events);
+    lookForFalls(state, events);
+    lookForPulledOut(state, events);
+    return events;
+}
+
+}  // namespace keyblock
