@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Comments point to the help page by the name of a section: theory, "Blocks". A
+// section that is renamed must not leave them behind.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string textOf(const fs::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::set<std::string> sectionsOf(const std::string& page) {
+    std::set<std::string> sections;
+    std::istringstream lines(page);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("## ")) sections.insert(line.substr(3));
+    return sections;
+}
+
+/// Every section that a source text names.
+std::set<std::string> sectionsNamedIn(const std::string& source) {
+    static const std::regex reference("theory, \"([^\"]+)\"");
+    std::set<std::string> named;
+    for (std::sregex_iterator found(source.begin(), source.end(), reference), end; found != end; ++found)
+        named.insert((*found)[1]);
+    return named;
+}
+
+TEST(Help, HoldsEverySectionThatTheSourcesName) {
+    const fs::path root = KEYBLOCK_SOURCE_DIR;
+    const std::set<std::string> sections = sectionsOf(textOf(root / "resources/help/theory.md"));
+    std::size_t references = 0;
+    for (const char* floor : {"geometry", "solver", "app"})
+        for (const auto& entry : fs::recursive_directory_iterator(root / floor)) {
+            if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+            for (const std::string& section : sectionsNamedIn(textOf(entry.path()))) {
+                EXPECT_TRUE(sections.contains(section)) << entry.path() << " names the section " << section;
+                ++references;
+            }
+        }
+    EXPECT_GT(references, 0u);
+}
+
+TEST(Help, FindsSectionsAndNames) {
+    EXPECT_EQ(sectionsOf("# Theory\n## Blocks\ntext\n## The step\n"), (std::set<std::string>{"Blocks", "The step"}));
+    EXPECT_EQ(sectionsNamedIn("/// (theory, \"No such section\")"), std::set<std::string>{"No such section"});
+}
+
+}  // namespace
