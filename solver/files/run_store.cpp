@@ -225,8 +225,8 @@ std::vector<StageRecord> RunStore::stages() const {
         std::vector<StageRecord> records;
         sqlite::Statement statement(database_,
                                     "SELECT stage, outcome, time, steps, message, blocks, passes, step_cuts, "
-                                    "factorizations, max_penetration_ratio, max_residual, balance_error, health_steps FROM "
-                                    "stages ORDER BY stage");
+                                    "factorizations, max_penetration_ratio, max_residual, balance_error, health_steps "
+                                    "FROM stages ORDER BY stage");
         while (statement.next())
             records.push_back(stageAt(statement, scene_));
         return records;

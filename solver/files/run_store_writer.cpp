@@ -27,9 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void cannotWrite(const fs::path& path, const std::string& reason) {
-    throw CannotWrite("cannot write " + path.string() + ": " + reason +
-                      "; free space there, or choose another place with --out");
+[[noreturn]] void cannotWrite(const fs::path& path, const sqlite::Error& error) {
+    throw CannotWrite(cannotWriteText(path, error.systemError, error.what()));
 }
 
 bool startsAsDatabase(const fs::path& path) {
@@ -119,7 +118,7 @@ void putInPlace(const fs::path& part, const fs::path& path, bool overwrite) {
     }
     fs::rename(part, path, error);
     if (error)
-        cannotWrite(path, error.message());
+        throw CannotWrite(cannotWriteText(path, error.value()));
 }
 
 constexpr const char* insertStage = "INSERT INTO stages (stage, name, kind) VALUES (?,?,?)";
@@ -187,13 +186,13 @@ RunStoreWriter::~RunStoreWriter() {
 template <typename Work>
 void RunStoreWriter::write(Work work) {
     if (!open_)
-        cannotWrite(path_, "it was closed");
+        throw CannotWrite("cannot write " + path_.string() + ": the store is closed; run the scene again");
     try {
         open_->beginIfNeeded();
         work(*open_);
     } catch (const sqlite::Error& error) {
         open_.reset();
-        cannotWrite(path_, error.what());
+        cannotWrite(path_, error);
     }
 }
 
@@ -212,7 +211,7 @@ void RunStoreWriter::begin(const Scene& scene, const HistoryColumns& columns) {
         open_ = std::make_unique<Open>(path_);
     } catch (const sqlite::Error& error) {
         fs::remove(part, ignored);
-        cannotWrite(path_, error.what());
+        cannotWrite(path_, error);
     } catch (const CannotWrite&) {
         fs::remove(part, ignored);
         throw;
@@ -281,7 +280,7 @@ void RunStoreWriter::close() {
         open_.reset();
     } catch (const sqlite::Error& error) {
         open_.reset();
-        cannotWrite(path_, error.what());
+        cannotWrite(path_, error);
     }
     try {
         sqlite::Database(path_, sqlite::Access::Write).run("PRAGMA journal_mode=DELETE");

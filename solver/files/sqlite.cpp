@@ -7,8 +7,8 @@
 #include <sqlite3.h>
 
 #include <bit>
+#include <cerrno>
 #include <limits>
-#include <system_error>
 
 namespace keyblock::sqlite {
 
@@ -16,15 +16,15 @@ namespace {
 
 constexpr int busyWait = 5000;  // [ms]
 
-/// SQLite's own words, and the system's where it asked the system.
-std::string message(sqlite3* handle) {
-    if (!handle)
-        return "out of memory";
-    const std::string text = sqlite3_errmsg(handle);
-    const int code = sqlite3_errcode(handle);
-    const int system = sqlite3_system_errno(handle);
-    const bool asked = code == SQLITE_CANTOPEN || code == SQLITE_IOERR || code == SQLITE_FULL;
-    return asked && system != 0 ? text + " (" + std::generic_category().message(system) + ")" : text;
+/// What the connection has to say about its last failure.
+[[noreturn]] void fail(int code, sqlite3* connection) {
+    if (!connection)
+        throw Error(code, "out of memory");
+    const int kind = code & 0xFF;
+    if (kind == SQLITE_FULL)
+        throw Error(code, "no space is left", ENOSPC);
+    const bool askedSystem = kind == SQLITE_CANTOPEN || kind == SQLITE_IOERR;
+    throw Error(code, sqlite3_errmsg(connection), askedSystem ? sqlite3_system_errno(connection) : 0);
 }
 
 /// The path as a URI that tells SQLite to take no locks and look for no journal.
@@ -77,14 +77,14 @@ Database::Database(const std::filesystem::path& path, Access access) {
     const int code = sqlite3_open_v2(name.c_str(), &handle, flagsFor(access), nullptr);
     handle_.reset(handle);
     if (code != SQLITE_OK)
-        throw Error(code, message(handle));
+        fail(code, handle);
     sqlite3_busy_timeout(handle, busyWait);
 }
 
 void Database::run(const std::string& sql) {
     const int code = sqlite3_exec(handle(), sql.c_str(), nullptr, nullptr, nullptr);
     if (code != SQLITE_OK)
-        throw Error(code, message(handle()));
+        fail(code, handle());
 }
 
 void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
@@ -95,12 +95,14 @@ Statement::Statement(const Database& database, std::string_view sql) {
         sqlite3_prepare_v2(database.handle(), sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
     statement_.reset(statement);
     if (code != SQLITE_OK)
-        throw Error(code, message(database.handle()));
+        fail(code, database.handle());
 }
+
+sqlite3* Statement::connection() const { return sqlite3_db_handle(statement_.get()); }
 
 void Statement::check(int code) const {
     if (code != SQLITE_OK)
-        throw Error(code, message(sqlite3_db_handle(statement_.get())));
+        fail(code, connection());
 }
 
 Statement& Statement::bind(std::int64_t value) {
@@ -137,11 +139,8 @@ bool Statement::next() {
     const int code = sqlite3_step(statement_.get());
     if (code == SQLITE_ROW)
         return true;
-    if (code != SQLITE_DONE) {
-        const std::string text = message(sqlite3_db_handle(statement_.get()));
-        sqlite3_reset(statement_.get());
-        throw Error(code, text);
-    }
+    if (code != SQLITE_DONE)
+        fail(code, connection());
     return false;
 }
 

@@ -22,9 +22,11 @@ namespace keyblock::sqlite {
 
 /// What SQLite answered, with its result code.
 struct Error : std::runtime_error {
-    Error(int resultCode, const std::string& message) : std::runtime_error(message), code(resultCode) {}
+    Error(int resultCode, const std::string& message, int systemErrorNumber = 0)
+        : std::runtime_error(message), code(resultCode), systemError(systemErrorNumber) {}
 
     int code;
+    int systemError;  // 0 where the system was not to blame
 };
 
 enum class Access { Create, Write, Read, ReadUnchanging };
@@ -74,6 +76,7 @@ private:
     };
 
     void check(int code) const;
+    sqlite3* connection() const;
 
     std::unique_ptr<sqlite3_stmt, Finalize> statement_;
     int bound_ = 0;

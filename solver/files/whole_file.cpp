@@ -10,7 +10,6 @@
 
 #include <cerrno>
 #include <fstream>
-#include <string>
 #include <system_error>
 
 namespace keyblock {
@@ -19,9 +18,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, int error) {
-    throw CannotWrite("cannot write " + path.string() + ": " + std::generic_category().message(error) +
-                      "; free space there, or choose another place");
+std::string remedyFor(int systemError) {
+    switch (systemError) {
+        case ENOENT:
+        case ENOTDIR: return "make its folder first, or choose another place";
+        case EACCES:
+        case EPERM:
+        case EROFS: return "get the right to write there, or choose another place";
+        case ENOSPC:
+        case EDQUOT:
+        case EFBIG: return "free space there, or choose another place";
+        default: return "choose another place";
+    }
+}
+
+[[noreturn]] void fail(const fs::path& path, int systemError) {
+    throw CannotWrite(cannotWriteText(path, systemError));
 }
 
 /// Removes the unfinished file unless it was put in its place.
@@ -72,6 +84,12 @@ bool isDeviceOrPipe(const fs::path& path) {
 }
 
 }  // namespace
+
+std::string cannotWriteText(const fs::path& path, int systemError, const std::string& reason) {
+    const std::string system = systemError != 0 ? std::generic_category().message(systemError) : "";
+    const std::string both = !reason.empty() && !system.empty() ? reason + " (" + system + ")" : reason + system;
+    return "cannot write " + path.string() + ": " + both + "; " + remedyFor(systemError);
+}
 
 fs::path partPath(const fs::path& path) {
     fs::path part = path;

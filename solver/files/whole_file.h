@@ -8,8 +8,12 @@
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <string>
 
 namespace keyblock {
+
+/// One line on why `path` is not written, for the system's error number, with what to do; 0 when the system gave none.
+std::string cannotWriteText(const std::filesystem::path& path, int systemError, const std::string& reason = {});
 
 /// The name that a file bears while it is written: beside `path`, ending in `.part-` and the process number.
 std::filesystem::path partPath(const std::filesystem::path& path);

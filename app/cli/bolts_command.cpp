@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The verb `bolts`: the library at a glance, or one type with every number's source.
+#include "app/cli/bolt_listing.h"
+#include "app/cli/commands.h"
+#include "app/cli/output.h"
+#include "app/cli/text_table.h"
+#include "solver/files/bolt_library.h"
+#include "solver/scene/words.h"
+
+namespace keyblock::cli {
+
+namespace {
+
+std::string classWord(const BoltType& type) {
+    return std::string(boltClassWords[static_cast<std::size_t>(type.boltClass)]);
+}
+
+std::string kilonewtons(const std::optional<double>& force) { return force ? shown(*force / 1e3) : "unlimited"; }
+
+TextRow overviewRow(const BoltType& type) {
+    const double area = areaOf(type);
+    const std::optional<double> stress = tensileStrengthOf(type);
+    const auto tension = stress ? std::optional(*stress * area) : std::nullopt;
+    const auto shear = tension ? std::optional(*tension * type.shearStrengthRatio) : std::nullopt;
+    return {type.name,
+            classWord(type),
+            shown(type.diameter * 1e3),
+            shown(area * 1e6),
+            kilonewtons(tension),
+            kilonewtons(shear),
+            kilonewtons(type.plate.normalStrength)};
+}
+
+std::string overview() {
+    std::vector<TextRow> rows;
+    for (const BoltType& type : builtInBoltTypes())
+        rows.push_back(overviewRow(type));
+    return textTable({{"type"},
+                      {"class"},
+                      {"diameter, mm", Align::Right},
+                      {"area, mm²", Align::Right},
+                      {"tension, kN", Align::Right},
+                      {"shear, kN", Align::Right},
+                      {"plate, kN", Align::Right}},
+                     rows) +
+           "\nEverything is per bolt. 'keyblock bolts NAME' gives every number of a type with its source.\n";
+}
+
+std::string typeNames() {
+    std::string names;
+    for (const BoltType& type : builtInBoltTypes())
+        names += (names.empty() ? "" : ", ") + type.name;
+    return names;
+}
+
+std::string detail(const BoltType& type) {
+    std::vector<TextRow> rows;
+    bool allConfirmed = true;
+    for (const BoltNumber& number : numbersOf(type)) {
+        rows.push_back({number.key, number.value, number.unit, number.confirmed ? "" : "?", number.source});
+        allConfirmed = allConfirmed && number.confirmed;
+    }
+    const std::string origin = type.like.empty() ? "" : ", like " + type.like;
+    return type.name + " (" + classWord(type) + origin + ")\n" +
+           (type.source.empty() ? "" : type.source + "\n") + "\n" +
+           textTable({{"key"}, {"value", Align::Right}, {"unit"}, {""}, {"source"}}, rows) +
+           (allConfirmed ? "" : "\n? marks a number that no source at hand confirms.\n");
+}
+
+}  // namespace
+
+ExitCode perform(const BoltsOptions& options) {
+    if (!options.name) {
+        print(overview());
+        return Done;
+    }
+    const BoltType* type = findBuiltInBoltType(*options.name);
+    if (!type)
+        throw UsageError("there is no bolt type '" + *options.name + "'; there are " + typeNames());
+    print(detail(*type));
+    return Done;
+}
+
+}  // namespace keyblock::cli

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The only place that knows CLI11: it is slow to compile and stays alone here.
+#include "app/cli/command_line.h"
+
+#include "app/cli/output.h"
+#include "solver/files/program_version.h"
+#include "solver/results/tables.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace keyblock::cli {
+
+namespace {
+
+constexpr int mostThreads = 1024;
+
+const std::map<std::string, ProgressKind> progressKinds{
+    {"bar", ProgressKind::Bar}, {"json", ProgressKind::Json}, {"none", ProgressKind::None}};
+
+std::string progressProblem(const std::string& word) {
+    return progressKinds.contains(word) ? "" : "'" + word + "' is none of bar, json, none";
+}
+
+/// One member for each verb, filled while CLI11 parses.
+struct Options {
+    RunOptions run;
+    CheckOptions check;
+    InfoOptions info;
+    ExportOptions exported;
+    VerifyOptions verify;
+    BoltsOptions bolts;
+};
+
+void addOverrides(CLI::App* verb, std::vector<std::string>& overrides) {
+    verb->add_option("--set", overrides, "Replace values of the scene before it is read; may be given again")
+        ->type_name("PATH=VALUE")
+        ->allow_extra_args(false)
+        ->take_all();
+}
+
+void addRun(CLI::App& app, RunOptions& options) {
+    CLI::App* verb = app.add_subcommand("run", "Run a scene and keep what comes out in a run store");
+    verb->add_option("SCENE.json", options.scene, "The scene")->required()->type_name("");
+    verb->add_option("--out", options.out, "The run store; default: the scene's name, beside it")
+        ->type_name("RUN.kbrun");
+    addOverrides(verb, options.overrides);
+    verb->add_option("--threads", options.threads, "Threads; never changes a result; default: all the machine has")
+        ->type_name("N")
+        ->check(CLI::Range(1, mostThreads).description(""));
+    verb->add_option_function<std::string>(
+            "--progress", [&options](const std::string& word) { options.progress = progressKinds.at(word); },
+            "How to tell progress on standard error; json: one object a line; default: bar on a terminal, else none")
+        ->type_name("bar|json|none")
+        ->check(progressProblem);
+    verb->add_flag("--overwrite", options.overwrite, "Replace a run store that is there");
+}
+
+void addCheck(CLI::App& app, CheckOptions& options) {
+    CLI::App* verb = app.add_subcommand("check", "Tell everything that is wrong with a scene; nothing is run");
+    verb->add_option("SCENE.json", options.scene, "The scene")->required()->type_name("");
+    addOverrides(verb, options.overrides);
+    verb->add_flag("--json", options.json, "Answer in JSON");
+}
+
+void addInfo(CLI::App& app, InfoOptions& options) {
+    CLI::App* verb = app.add_subcommand("info", "Tell what is in a run store, finished or not");
+    verb->add_option("RUN.kbrun", options.run, "The run store")->required()->type_name("");
+    verb->add_flag("--json", options.json, "Answer in JSON");
+}
+
+std::string tableNames() {
+    std::string names;
+    for (const std::string_view word : tableWords())
+        names += (names.empty() ? "" : "|") + std::string(word);
+    return names;
+}
+
+void addExport(CLI::App& app, ExportOptions& options) {
+    CLI::App* verb = app.add_subcommand("export", "Write a table of a run as CSV");
+    verb->add_option("RUN.kbrun", options.run, "The run store")->required()->type_name("");
+    verb->add_option("--table", options.table, "Which table")->required()->type_name(tableNames());
+    verb->add_option("--bolt", options.bolt, "Only this bolt (tables events and bolts)")->type_name("NAME");
+    verb->add_option("--stage", options.stage, "Only this stage")->type_name("NAME");
+    verb->add_option("--at", options.at,
+                     "A moment: the nearest one kept, the last one or all; default: last for bolts, blocks and "
+                     "contacts, all for the others")
+        ->type_name("STAGE:TIME|last|all");
+    verb->add_option("--out", options.out, "The file to write")->required()->type_name("FILE.csv");
+}
+
+void addVerify(CLI::App& app, VerifyOptions& options) {
+    CLI::App* verb = app.add_subcommand("verify", "Check the program against numbers found without it");
+    CLI::Option* names = verb->add_option("--case", options.names, "Only this case; may be given again")
+                             ->type_name("NAME")
+                             ->allow_extra_args(false);
+    verb->add_flag("--paper", options.paper, "The paper's tables: paper, reference, Keyblock")->excludes(names);
+    verb->add_flag("--json", options.json, "Answer in JSON");
+}
+
+void addBolts(CLI::App& app, BoltsOptions& options) {
+    CLI::App* verb = app.add_subcommand("bolts", "List the bolt library, or one type with every number's source");
+    verb->add_option("NAME", options.name, "A type of the library")->type_name("");
+}
+
+void requireKnownVerb(const CLI::App& app, int argc, const char* const* argv) {
+    if (argc > 1 && argv[1][0] == '-')
+        return;
+    std::string names;
+    for (const CLI::App* verb : app.get_subcommands({})) {
+        if (argc > 1 && verb->get_name() == argv[1])
+            return;
+        names += (names.empty() ? "" : ", ") + verb->get_name();
+    }
+    const std::string fault = argc > 1 ? "there is no verb '" + std::string(argv[1]) + "'" : "the verb is missing";
+    throw UsageError(fault + "; there are " + names + "; see 'keyblock --help'");
+}
+
+/// CLI11's own words without their line breaks and its hint.
+[[noreturn]] void fail(const CLI::App& app, const CLI::ParseError& error) {
+    std::string message = error.what();
+    message = message.substr(0, message.find('\n'));
+    std::string verb;
+    for (const CLI::App* chosen : app.get_subcommands())
+        verb = " " + chosen->get_name();
+    throw UsageError(message + "; see 'keyblock" + verb + " --help'");
+}
+
+/// `--set a=1 b=2` means `--set a=1 --set b=2`: values go on as long as they look like one.
+std::vector<std::string> wordsInReverse(int argc, const char* const* argv) {
+    std::vector<std::string> words;
+    bool setting = false;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        const bool option = word.rfind('-', 0) == 0;
+        const bool another = setting && !option && words.back() != "--set" && word.find('=') != std::string::npos;
+        if (another)
+            words.push_back("--set");
+        setting = another || word == "--set" || (setting && words.back() == "--set");
+        words.push_back(word);
+    }
+    std::reverse(words.begin(), words.end());
+    return words;
+}
+
+Command commandOf(const CLI::App& app, const Options& options) {
+    const std::string verb = app.get_subcommands().front()->get_name();
+    if (verb == "run")
+        return options.run;
+    if (verb == "check")
+        return options.check;
+    if (verb == "info")
+        return options.info;
+    if (verb == "export")
+        return options.exported;
+    if (verb == "verify")
+        return options.verify;
+    return options.bolts;
+}
+
+}  // namespace
+
+std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv) {
+    Options options;
+    CLI::App app("Keyblock: blocky rock, rock bolts and how they let go, by discontinuous deformation analysis",
+                 "keyblock");
+    app.set_version_flag("--version", "keyblock " + std::string(programVersion()), "Print the version");
+    app.set_help_flag("--help,-h", "Print this help");
+    app.require_subcommand(1);
+    app.footer("Exit codes: 0 done, 1 a verification missed, 2 usage, 3 invalid scene or file, 4 numerical failure,\n"
+               "5 limit reached, 6 cannot write, 70 internal, 75 interrupted.");
+    addRun(app, options.run);
+    addCheck(app, options.check);
+    addInfo(app, options.info);
+    addExport(app, options.exported);
+    addVerify(app, options.verify);
+    addBolts(app, options.bolts);
+    requireKnownVerb(app, argc, argv);
+    try {
+        app.parse(wordsInReverse(argc, argv));
+    } catch (const CLI::CallForHelp&) {
+        return Answer{app.help()};
+    } catch (const CLI::CallForVersion&) {
+        return Answer{"keyblock " + std::string(programVersion()) + "\n"};
+    } catch (const CLI::ParseError& error) {
+        fail(app, error);
+    }
+    return commandOf(app, options);
+}
+
+}  // namespace keyblock::cli

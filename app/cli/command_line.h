@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From the words after `keyblock` to a command.
+#pragma once
+
+#include "app/cli/commands.h"
+
+#include <string>
+#include <variant>
+
+namespace keyblock::cli {
+
+/// What `--help` or `--version` asked for.
+struct Answer {
+    std::string text;
+};
+
+/// Reads the command line. \throws UsageError
+std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv);
+
+}  // namespace keyblock::cli

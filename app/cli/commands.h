@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The verbs and what each was told. Every verb prints for itself and returns the
+// program's exit code; what goes wrong outside its own business it throws.
+#pragma once
+
+#include "app/cli/exit_codes.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace keyblock::cli {
+
+enum class ProgressKind { Automatic, Bar, Json, None };
+
+struct RunOptions {
+    std::filesystem::path scene;
+    std::optional<std::filesystem::path> out;  // null: the scene's name with .kbrun, beside it
+    std::vector<std::string> overrides;  // path=value
+    int threads = 0;  // 0: as many as the machine has
+    ProgressKind progress = ProgressKind::Automatic;  // a bar on a terminal, else none
+    bool overwrite = false;
+};
+
+struct CheckOptions {
+    std::filesystem::path scene;
+    std::vector<std::string> overrides;
+    bool json = false;
+};
+
+struct InfoOptions {
+    std::filesystem::path run;
+    bool json = false;
+};
+
+struct ExportOptions {
+    std::filesystem::path run;
+    std::string table;
+    std::optional<std::string> bolt;
+    std::optional<std::string> stage;
+    std::optional<std::string> at;
+    std::filesystem::path out;
+};
+
+struct VerifyOptions {
+    std::vector<std::string> names;  // empty: every case
+    bool paper = false;  // the paper's tables instead of the cases
+    bool json = false;
+};
+
+struct BoltsOptions {
+    std::optional<std::string> name;
+};
+
+using Command = std::variant<RunOptions, CheckOptions, InfoOptions, ExportOptions, VerifyOptions, BoltsOptions>;
+
+ExitCode perform(const RunOptions& options);
+ExitCode perform(const CheckOptions& options);
+ExitCode perform(const InfoOptions& options);
+ExitCode perform(const ExportOptions& options);
+ExitCode perform(const VerifyOptions& options);
+ExitCode perform(const BoltsOptions& options);
+
+}  // namespace keyblock::cli

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the program tells the shell; scripts and schedulers rely on these numbers.
+#pragma once
+
+namespace keyblock::cli {
+
+enum ExitCode : int {
+    Done = 0,  // a collapse or a broken bolt is a result
+    Missed = 1,  // a verification
+    Usage = 2,
+    Invalid = 3,  // scene or file
+    NumericalFailure = 4,  // results so far are kept
+    LimitReached = 5,
+    NotWritten = 6,  // full disk, no right
+    Internal = 70,
+    Interrupted = 75,  // Ctrl+C or SIGTERM; results so far are kept
+};
+
+}  // namespace keyblock::cli

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The verb `info`: what a run store holds, also while it is written or after its
+// run was killed.
+#include "app/cli/commands.h"
+#include "app/cli/json_answers.h"
+#include "app/cli/output.h"
+#include "app/cli/run_summary.h"
+
+namespace keyblock::cli {
+
+ExitCode perform(const InfoOptions& options) {
+    const RunStore store(options.run);
+    if (options.json)
+        print(infoJson(store));
+    else
+        print(summaryOf(store, {}) + "\nscene   " + store.sceneHash() + "\nwritten by keyblock " +
+              store.programVersion() + "\n");
+    return Done;
+}
+
+}  // namespace keyblock::cli

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The only place of the command line that knows the JSON library. Numbers that are
+// not finite become null; text that is no UTF-8 is repaired.
+#include "app/cli/json_answers.h"
+
+#include "app/cli/run_summary.h"
+#include "solver/results/words.h"
+
+#include <nlohmann/json.hpp>
+
+namespace keyblock::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string dumped(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+template <typename Value>
+Json orNull(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json stageJson(const Scene& scene, const StageRecord& record) {
+    const auto index = static_cast<std::size_t>(record.result.stage);
+    Json json{{"name", scene.stages[index].name}, {"kind", wordOf(scene.stages[index].kind)}};
+    json["outcome"] = record.ended ? Json(wordOf(record.result.outcome)) : Json(nullptr);
+    json["time_s"] = record.ended ? Json(record.result.time) : Json(nullptr);
+    json["steps"] = record.ended ? Json(record.result.steps) : Json(nullptr);
+    return json;
+}
+
+Json healthJson(const std::optional<RunHealth>& health) {
+    if (!health)
+        return {{"passes_mean", nullptr},
+                {"step_cuts", nullptr},
+                {"max_penetration_ratio", nullptr},
+                {"balance_error", nullptr},
+                {"residual", nullptr}};
+    return {{"passes_mean", health->passesMean},
+            {"step_cuts", health->stepCuts},
+            {"max_penetration_ratio", health->maxPenetrationRatio},
+            {"balance_error", health->balanceError},
+            {"residual", health->residual}};
+}
+
+Json caseJson(const CaseResult& result) {
+    return {{"name", result.name},           {"quantity", result.quantity},   {"measured", result.measured},
+            {"expected", result.expected},   {"tolerance", result.tolerance}, {"relative", result.relative},
+            {"passed", result.passed},       {"seconds", result.seconds}};
+}
+
+Json paperTableJson(const PaperTable& table) {
+    Json rows = Json::array();
+    for (const PaperRow& row : table.rows)
+        rows.push_back({{"quantity", row.quantity},
+                        {"unit", row.unit},
+                        {"paper", orNull(row.paper)},
+                        {"reference", orNull(row.reference)},
+                        {"keyblock", row.keyblock},
+                        {"tolerance", row.tolerance},
+                        {"passed", row.passed}});
+    return {{"title", table.title}, {"rows", rows}};
+}
+
+}  // namespace
+
+std::string problemsJson(std::span<const Problem> problems) {
+    Json list = Json::array();
+    for (const Problem& problem : problems)
+        list.push_back({{"severity", wordOf(problem.severity)},
+                        {"pointer", problem.pointer},
+                        {"line", problem.line > 0 ? Json(problem.line) : Json(nullptr)},
+                        {"message", problem.message},
+                        {"remedy", problem.remedy}});
+    return dumped({{"problems", list}}, 2);
+}
+
+std::string infoJson(const RunStore& store) {
+    const std::vector<StageRecord> records = store.stages();
+    Json stages = Json::array();
+    for (const StageRecord& record : records)
+        stages.push_back(stageJson(store.scene(), record));
+    Json events = Json::object();
+    for (const auto& [kind, count] : countByKind(store.events()))
+        events[std::string(wordOf(kind))] = count;
+    return dumped({{"title", store.scene().title},
+                   {"program_version", store.programVersion()},
+                   {"scene_hash", store.sceneHash()},
+                   {"stages", stages},
+                   {"frames", store.frames().size()},
+                   {"events", events},
+                   {"health", healthJson(healthOf(records))}},
+                  2);
+}
+
+std::string casesJson(std::span<const CaseResult> results) {
+    Json list = Json::array();
+    for (const CaseResult& result : results)
+        list.push_back(caseJson(result));
+    return dumped({{"cases", list}}, 2);
+}
+
+std::string paperJson(std::span<const PaperTable> tables) {
+    Json list = Json::array();
+    for (const PaperTable& table : tables)
+        list.push_back(paperTableJson(table));
+    return dumped({{"tables", list}}, 2);
+}
+
+std::string progressJson(const ProgressLine& line) {
+    return dumped({{"stage", line.stage},
+                   {"time_s", line.time},
+                   {"fraction", line.fraction},
+                   {"eta_s", orNull(line.secondsLeft)},
+                   {"passes", line.passes},
+                   {"events", line.events}},
+                  -1);
+}
+
+}  // namespace keyblock::cli

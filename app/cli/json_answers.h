@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The answers in JSON, with the fixed keys that scripts read. More keys may come;
+// none goes.
+#pragma once
+
+#include "solver/files/run_store.h"
+#include "solver/scene/problem.h"
+#include "solver/verify/verify.h"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace keyblock::cli {
+
+/// `problems[] {severity, pointer, line, message, remedy}`; a line that is not known is null.
+std::string problemsJson(std::span<const Problem> problems);
+
+/// `scene_hash, stages[] {name, kind, outcome, time_s, steps}, frames, events {kind: count}, health {…}`; what a stage
+/// that has not ended does not know yet is null.
+std::string infoJson(const RunStore& store);
+
+/// `cases[] {name, quantity, measured, expected, tolerance, relative, passed, seconds}`.
+std::string casesJson(std::span<const CaseResult> results);
+
+/// `tables[] {title, rows[] {quantity, unit, paper, reference, keyblock, tolerance, passed}}`.
+std::string paperJson(std::span<const PaperTable> tables);
+
+/// What is known of a run that goes on.
+struct ProgressLine {
+    std::string stage;
+    double time = 0.0;  // [s] within the stage, or pseudo-time
+    double fraction = 0.0;  // of the whole run
+    std::optional<double> secondsLeft;  // null: not known yet
+    long passes = 0;
+    long events = 0;
+};
+
+/// `{stage, time_s, fraction, eta_s, passes, events}` on one line.
+std::string progressJson(const ProgressLine& line);
+
+}  // namespace keyblock::cli

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From words to a verb to an exit code. Whatever a verb throws is told here, on one
+// line, with the code that the contract gives it.
+#include "app/cli/command_line.h"
+#include "app/cli/output.h"
+#include "solver/files/errors.h"
+#include "solver/files/run_store_writer.h"
+
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+
+namespace keyblock::cli {
+
+namespace {
+
+ExitCode obey(int argc, const char* const* argv) {
+    const std::variant<Command, Answer> line = readCommandLine(argc, argv);
+    if (const Answer* answer = std::get_if<Answer>(&line)) {
+        print(answer->text);
+        return Done;
+    }
+    return std::visit([](const auto& options) { return perform(options); }, std::get<Command>(line));
+}
+
+ExitCode failed(ExitCode code, const std::string& message) {
+    printErrorLine(message);
+    return code;
+}
+
+ExitCode obeyOrTellWhy(int argc, const char* const* argv) {
+    try {
+        return obey(argc, argv);
+    } catch (const UsageError& error) {
+        return failed(Usage, error.what());
+    } catch (const StoreExists& error) {
+        return failed(Usage, error.what());
+    } catch (const CannotRead& error) {
+        return failed(Invalid, error.what());
+    } catch (const CannotWrite& error) {
+        return failed(NotWritten, error.what());
+    } catch (const std::bad_alloc&) {
+        return failed(Internal, "out of memory; make the scene smaller or use a larger machine");
+    } catch (const std::exception& error) {
+        return failed(Internal, "internal: " + std::string(error.what()) + "; please report it with the scene");
+    }
+}
+
+}  // namespace
+
+}  // namespace keyblock::cli
+
+int main(int argc, char** argv) {
+    using namespace keyblock::cli;
+    ignoreClosedPipes();
+    const ExitCode code = obeyOrTellWhy(argc, argv);
+    if (const int failure = outputFailure(); failure != 0 && code == Done)
+        return failed(NotWritten, "cannot write to standard output: " + std::string(std::strerror(failure)) +
+                                      "; free space there");
+    return code;
+}

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Time left is what the done share took, carried on; too early it is not told.
+#include "app/cli/progress.h"
+
+#include "app/cli/output.h"
+#include "app/cli/text_table.h"
+#include "solver/results/words.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock::cli {
+
+namespace {
+
+constexpr std::chrono::milliseconds shortestPause{100};
+constexpr double leastFraction = 0.005;  // below it the time left is a guess
+constexpr int barCells = 24;
+constexpr const char* clearLine = "\r\033[K";
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::optional<double> secondsLeft(double elapsed, double fraction) {
+    if (fraction < leastFraction)
+        return std::nullopt;
+    const double seconds = elapsed * (1.0 - std::min(fraction, 1.0)) / fraction;
+    return std::round(1000.0 * seconds) / 1000.0;
+}
+
+std::string twoDigits(long value) { return (value < 10 ? "0" : "") + std::to_string(value); }
+
+/// `m:ss`, or `h:mm:ss`.
+std::string clockText(double seconds) {
+    constexpr double longest = 3600.0 * 999.0;
+    const long whole = std::lround(std::min(seconds, longest));
+    const long hours = whole / 3600;
+    const long minutes = whole / 60 % 60;
+    const std::string start = hours > 0 ? std::to_string(hours) + ":" + twoDigits(minutes) : std::to_string(minutes);
+    return start + ":" + twoDigits(whole % 60);
+}
+
+/// The first `width` characters of a UTF-8 text.
+std::string cutTo(const std::string& text, std::size_t width) {
+    std::size_t end = text.size();
+    while (shownWidth(text.substr(0, end)) > width)
+        --end;
+    while (end < text.size() && shownWidth(text.substr(end, 1)) == 0)
+        ++end;
+    return text.substr(0, end);
+}
+
+std::string eventText(const Scene& scene, const Event& event) {
+    std::string text = std::string(wordOf(event.kind));
+    if (event.bolt >= 0)
+        text += " of " + boltName(scene, event.bolt);
+    if (event.node >= 0)
+        text += " at node " + std::to_string(event.node);
+    if (event.element >= 0)
+        text += " in element " + std::to_string(event.element);
+    return text;
+}
+
+}  // namespace
+
+ProgressSink::ProgressSink(const Scene& scene, Sink& next, ProgressKind kind)
+    : scene_(scene), next_(next), kind_(kind), runStart_(Clock::now()), stageStart_(runStart_) {}
+
+void ProgressSink::begin(const Scene& scene, const HistoryColumns& columns) {
+    runStart_ = Clock::now();
+    next_.begin(scene, columns);
+}
+
+void ProgressSink::stageBegins(int stage) {
+    stageStart_ = Clock::now();
+    next_.stageBegins(stage);
+}
+
+void ProgressSink::event(const Event& event) {
+    lastEvent_ = event;
+    next_.event(event);
+}
+
+void ProgressSink::stageEnds(const StageResult& result) {
+    stageSeconds_[result.stage] = secondsSince(stageStart_);
+    next_.stageEnds(result);
+}
+
+void ProgressSink::update(const Progress& progress) {
+    progress_ = progress;
+    untold_ = true;
+    if (kind_ == ProgressKind::None || (lastTold_ && Clock::now() - *lastTold_ < shortestPause))
+        return;
+    tell();
+}
+
+ProgressSink::~ProgressSink() {
+    if (kind_ == ProgressKind::Json && untold_)
+        tell();
+    if (kind_ == ProgressKind::Bar)
+        printToError(clearLine);
+}
+
+void ProgressSink::tell() {
+    lastTold_ = Clock::now();
+    untold_ = false;
+    const ProgressLine line{stageName(scene_, progress_.stage),
+                            progress_.time,
+                            progress_.fraction,
+                            secondsLeft(secondsSince(runStart_), progress_.fraction),
+                            progress_.passes,
+                            progress_.events};
+    printToError(kind_ == ProgressKind::Json ? progressJson(line) : clearLine + barText(line));
+}
+
+std::string ProgressSink::barText(const ProgressLine& line) const {
+    const double fraction = std::clamp(line.fraction, 0.0, 1.0);
+    const auto filled = static_cast<std::size_t>(std::floor(fraction * barCells));
+    std::string text = line.stage + " [" + std::string(filled, '#') + std::string(barCells - filled, '-') + "] " +
+                       std::to_string(std::lround(std::floor(100.0 * fraction))) + " %";
+    if (line.secondsLeft)
+        text += "  " + clockText(*line.secondsLeft) + " left";
+    text += "  " + std::to_string(line.events) + (line.events == 1 ? " event" : " events");
+    if (lastEvent_)
+        text += ", last " + eventText(scene_, *lastEvent_);
+    return cutTo(text, static_cast<std::size_t>(terminalWidth() - 1));
+}
+
+}  // namespace keyblock::cli

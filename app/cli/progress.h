@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tells how far a run is, on standard error, at most ten times a second: as a bar
+// with the time left, or as one JSON object a line.
+#pragma once
+
+#include "app/cli/commands.h"
+#include "app/cli/json_answers.h"
+#include "solver/run/run.h"
+#include "solver/run/sink.h"
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace keyblock::cli {
+
+using Clock = std::chrono::steady_clock;
+
+/// Passes everything on to another sink and tells progress beside it.
+class ProgressSink : public Sink {
+public:
+    /// \pre `kind` is not `Automatic`; scene and sink outlive this.
+    ProgressSink(const Scene& scene, Sink& next, ProgressKind kind);
+    /// Tells the last state, or takes the bar away.
+    ~ProgressSink() override;
+    ProgressSink(const ProgressSink&) = delete;
+    ProgressSink& operator=(const ProgressSink&) = delete;
+
+    void begin(const Scene& scene, const HistoryColumns& columns) override;
+    void stageBegins(int stage) override;
+    void event(const Event& event) override;
+    void history(const HistoryRow& row) override { next_.history(row); }
+    void frame(const Frame& frame) override { next_.frame(frame); }
+    void stageEnds(const StageResult& result) override;
+
+    /// To be called after every step.
+    void update(const Progress& progress);
+
+    /// Wall clock of every stage that ended [s].
+    const std::map<int, double>& stageSeconds() const { return stageSeconds_; }
+
+private:
+    void tell();
+    std::string barText(const ProgressLine& line) const;
+
+    const Scene& scene_;
+    Sink& next_;
+    ProgressKind kind_;
+    Progress progress_;
+    bool untold_ = false;
+    std::optional<Event> lastEvent_;
+    Clock::time_point runStart_;
+    Clock::time_point stageStart_;
+    std::optional<Clock::time_point> lastTold_;
+    std::map<int, double> stageSeconds_;
+};
+
+}  // namespace keyblock::cli

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The verb `run`: read, run into the store, read the store back and sum up. What is
+// printed at the end therefore went through the disk.
+#include "app/cli/commands.h"
+#include "app/cli/output.h"
+#include "app/cli/progress.h"
+#include "app/cli/run_summary.h"
+#include "app/cli/stop_signals.h"
+#include "solver/files/run_store.h"
+#include "solver/files/run_store_writer.h"
+#include "solver/files/scene_file.h"
+#include "solver/results/words.h"
+#include "solver/run/run.h"
+
+#include <algorithm>
+
+namespace keyblock::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The scene if it can be run; errors and warnings are told on standard error.
+std::optional<Scene> runnableScene(const RunOptions& options) {
+    SceneReading reading = readSceneFile(options.scene, options.overrides);
+    for (const Problem& problem : reading.problems)
+        if (problem.severity != Severity::Note)
+            printToError(oneLine(problem) + '\n');
+    if (reading.scene && reading.scene->stages.empty()) {
+        printErrorLine(options.scene.string() + ": /stages: the scene has no stages, so there is nothing to run; " +
+                       "add one, or check it with 'keyblock check'");
+        return std::nullopt;
+    }
+    return std::move(reading.scene);
+}
+
+ProgressKind progressOf(const RunOptions& options) {
+    if (options.progress != ProgressKind::Automatic)
+        return options.progress;
+    return errorIsTerminal() ? ProgressKind::Bar : ProgressKind::None;
+}
+
+bool anyEnded(const std::vector<StageResult>& results, Outcome outcome) {
+    return std::any_of(results.begin(), results.end(),
+                       [&](const StageResult& result) { return result.outcome == outcome; });
+}
+
+ExitCode exitCodeOf(const std::vector<StageResult>& results) {
+    if (anyEnded(results, Outcome::Failed))
+        return NumericalFailure;
+    if (anyEnded(results, Outcome::Stopped))
+        return Interrupted;
+    return anyEnded(results, Outcome::Limit) ? LimitReached : Done;
+}
+
+void tellWhyItEnded(ExitCode code, const Scene& scene, const std::vector<StageResult>& results, const fs::path& out) {
+    const std::string kept = "; results so far are in " + out.string();
+    if (code == Interrupted)
+        printErrorLine("interrupted" + kept);
+    if (code == LimitReached)
+        printErrorLine("a limit was reached" + kept);
+    if (code != NumericalFailure)
+        return;
+    for (const StageResult& result : results)
+        if (result.outcome == Outcome::Failed)
+            printErrorLine("stage '" + stageName(scene, result.stage) + "': " + result.message + kept);
+}
+
+/// Runs the scene into its store; returns what each stage came to.
+std::vector<StageResult> runInto(RunStoreWriter& store, const Scene& scene, const RunOptions& options,
+                                 std::map<int, double>& stageSeconds) {
+    ProgressSink sink(scene, store, progressOf(options));
+    Control control;
+    control.progress = [&](const Progress& progress) { sink.update(progress); };
+    const StopSignals signals(control.stop);
+    const std::vector<StageResult> results = keyblock::run(scene, sink, control, {options.threads});
+    store.close();
+    stageSeconds = sink.stageSeconds();
+    return results;
+}
+
+}  // namespace
+
+ExitCode perform(const RunOptions& options) {
+    fs::path out = options.out.value_or(fs::path(options.scene).replace_extension(".kbrun"));
+    const std::optional<Scene> scene = runnableScene(options);
+    if (!scene)
+        return Invalid;
+    RunStoreWriter store(out, options.overwrite);
+    std::map<int, double> stageSeconds;
+    const std::vector<StageResult> results = runInto(store, *scene, options, stageSeconds);
+    print(summaryOf(RunStore(out), stageSeconds) + "\nresults in " + out.string() + "\n");
+    const ExitCode code = exitCodeOf(results);
+    tellWhyItEnded(code, *scene, results, out);
+    return code;
+}
+
+}  // namespace keyblock::cli

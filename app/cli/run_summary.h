@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a run came to, for people: stages, events by kind, health, and the numbers
+// that the scene asked for beside those it expects. `run` ends with it, `info`
+// begins with it.
+#pragma once
+
+#include "solver/results/run_source.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keyblock::cli {
+
+/// The numbers' health over all stages that ended.
+struct RunHealth {
+    double passesMean = 0.0;  // a step
+    long stepCuts = 0;
+    double maxPenetrationRatio = 0.0;
+    double balanceError = 0.0;
+    double residual = 0.0;
+};
+
+/// Null when no stage has ended.
+std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records);
+
+std::map<EventKind, long> countByKind(const std::vector<Event>& events);
+
+/// The whole summary. `stageSeconds` [s of wall clock, by stage] adds a column; empty leaves it out.
+std::string summaryOf(const RunSource& run, const std::map<int, double>& stageSeconds);
+
+}  // namespace keyblock::cli
