@@ -37,18 +37,22 @@ public:
         share();
     }
 
-    bool follow() {
-        bool changed = false;
+    double follow() {
+        std::vector<std::pair<double, double>> before;
+        for (const BoltNode& node : motion_.nodes) before.emplace_back(node.bond.share, node.normalShare);
         for (int n = 0; n < nodes(); ++n) {
-            const int before = blockOf(n);
-            const int now = find(n, before);
-            if (now == before) continue;
-            changed = true;
+            const int was = blockOf(n);
+            const int now = find(n, was);
+            if (now == was) continue;
             leave(n);
             if (now >= 0) enter(n, now);
         }
         share();
-        return changed;
+        double change = 0.0;
+        for (int n = 0; n < nodes(); ++n)
+            change = std::max({change, std::abs(motion_.nodes[n].bond.share - before[n].first),
+                               std::abs(motion_.nodes[n].normalShare - before[n].second)});
+        return change;
     }
 
 private:
@@ -214,11 +218,11 @@ void placeBolts(const Model& model, State& state) {
     for (std::size_t b = 0; b < model.bolts.size(); ++b) BoltPlaces(model, state, static_cast<int>(b)).start();
 }
 
-bool followBolts(const Model& model, State& state) {
-    bool changed = false;
+double followBolts(const Model& model, State& state) {
+    double change = 0.0;
     for (std::size_t b = 0; b < model.bolts.size(); ++b)
-        if (!state.bolts[b].lost) changed = BoltPlaces(model, state, static_cast<int>(b)).follow() || changed;
-    return changed;
+        if (!state.bolts[b].lost) change = std::max(change, BoltPlaces(model, state, static_cast<int>(b)).follow());
+    return change;
 }
 
 }  // namespace keyblock

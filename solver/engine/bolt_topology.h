@@ -13,7 +13,7 @@ namespace keyblock {
 /// Blocks, shares and first bonds of every node where the scene has them.
 void placeBolts(const Model& model, State& state);
 
-/// Blocks and shares after the bodies moved. \return true where a node changed its block.
-bool followBolts(const Model& model, State& state);
+/// Blocks and shares after the bodies moved. \return the largest change of a node's share [m, or 1 per node].
+double followBolts(const Model& model, State& state);
 
 }  // namespace keyblock

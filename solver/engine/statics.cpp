@@ -24,6 +24,8 @@ constexpr double moveShare = 0.05;  // of the smallest block: the longest move o
 constexpr double farShare = 2.0;  // of a block's own size: moved so far it has left its place
 constexpr double shortestStep = 1e-7;  // over the longest pseudo-step
 constexpr double finestIncrement = 1e-3;  // of the given increment, before a collapse is believed
+constexpr double followShare = 1e-7;  // of the scene: embedded lengths that changed less need no new equilibrium
+constexpr int mostRounds = 4;
 constexpr double locateShare = 1e-4;  // an event is located at least to this share of its limit
 
 double smallestSize(const Model& model) {
@@ -176,12 +178,15 @@ public:
                 if (ending.ending == Ending::NoEquilibrium) state_ = std::move(trial);
                 return ending;
             }
-            if (!worstLimit(heldLimits(engine_.model, trial), 1.0 + reachedShare)) {
+            double least = 1.0 + reachedShare;
+            if (!worstLimit(heldLimits(engine_.model, trial), least)) {
                 accept(std::move(trial), to);
-                continue;
+            } else {
+                ending = toFirstLimit(std::move(trial), to);
+                least = 1.0 - locateShare;  // the one that was located
             }
-            ending = toFirstLimit(std::move(trial), to);
-            if (ending.ending == Ending::Done) ending = releaseAll();
+            if (ending.ending == Ending::Done) ending = follow();
+            if (ending.ending == Ending::Done) ending = releaseAll(least);
             if (ending.ending != Ending::Done) return ending;
         }
         return {};
@@ -206,7 +211,18 @@ private:
         state_ = std::move(trial);
         ++state_.step;
         done_ = to;
-        followBolts(engine_.model, state_);
+    }
+
+    /// Gives nodes the blocks and shares they have now, and finds the equilibrium that goes with them.
+    StepEnding follow() {
+        const double small = followShare * engine_.model.size;
+        for (int round = 0; round < mostRounds && followBolts(engine_.model, state_) > small; ++round) {
+            State trial = state_;
+            const StepEnding ending = equilibrium(trial, done_);
+            state_ = std::move(trial);
+            if (ending.ending != Ending::Done) return ending;
+        }
+        return {};
     }
 
     /// Cuts the increment where the first limit is reached: `over` is the state at `to`, past it.
@@ -252,8 +268,7 @@ private:
     }
 
     /// One at a time, the largest overload first, with equilibrium between, until nothing is over its limit.
-    StepEnding releaseAll() {
-        double least = 1.0 - locateShare;  // the one that was located
+    StepEnding releaseAll(double least) {
         while (const auto limit = worstLimit(heldLimits(engine_.model, state_), least)) {
             least = 1.0 - reachedShare;
             const double time = reached().time;
@@ -265,7 +280,7 @@ private:
                 state_ = std::move(trial);
                 if (ending.ending != Ending::Done) return ending;
                 ++state_.step;
-                followBolts(engine_.model, state_);
+                if (const StepEnding followed = follow(); followed.ending != Ending::Done) return followed;
             }
             observer_.afterEvent(state_, time);
         }

@@ -40,8 +40,8 @@ void addBlocks(const Model& model, const State& state, const InertiaFactors& fac
         const Vector6 momentum = factors.velocity * block.massMatrix * motion.velocity;
         problem.load.segment<6>(at) += momentum;
         problem.load.segment<3>(at + 3) -= volume * frameStress(block, motion);
-        problem.motionForce += momentum.head<2>().norm();
         problem.weight.segment<4>(at + 2).setConstant(1.0 / block.size);
+        problem.motionForce += momentum.cwiseProduct(problem.weight.segment<6>(at)).norm();
         problem.floorForce = std::max(problem.floorForce, 1e-12 * block.youngsModulus * block.size * model.thickness);
         if (block.fixed)
             for (Eigen::Index k = at; k < at + 6; ++k) problem.known[k] = 1;

@@ -111,6 +111,11 @@ double roundOffForce(const StepProblem& problem, const Eigen::VectorXd& d) {
         const double force = digits * link.law.share * link.law.stiffness * size * link.ga.head<2>().norm();
         sum += force * force;
     }
+    for (int i = 0; i < problem.blocks; ++i) {
+        const Vector6 size = problem.blockStiffness[static_cast<std::size_t>(i)].cwiseAbs() *
+                                 d.segment<6>(6 * i).cwiseAbs() + problem.load.segment<6>(6 * i).cwiseAbs();
+        sum += (digits * size.cwiseProduct(problem.weight.segment<6>(6 * i))).squaredNorm();
+    }
     return std::sqrt(sum);
 }
 
