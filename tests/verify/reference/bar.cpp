@@ -42,6 +42,17 @@ struct Device {
                             (curve[piece + 1].first - curve[piece].first);
         return std::max(rise, flattest * firstSlope());
     }
+    /// Keeps `after` from now on; as friction it may unload again.
+    void letGo(double after, bool restick) {
+        force = after;
+        peak.reset();
+        released = !restick;
+        if (!restick) return;
+        const double slip = std::abs(after) / firstSlope();
+        curve = {{slip, std::abs(after)}, {slip + 1.0, std::abs(after)}};
+        yield = std::abs(after);
+        plastic = true;
+    }
     double along(const Eigen::VectorXd& q) const {
         double e = 0.0;
         for (const auto& [i, c] : gradient) e += c * q(i);
@@ -272,8 +283,7 @@ bool Model::releaseOverloaded(bool byLoad, BarResult& result) {
         const double after = std::copysign(device.residual, device.force);
         Eigen::VectorXd drop = Eigen::VectorXd::Zero(q_.size());
         for (const auto& [i, c] : device.gradient) drop(i) += (device.force - after) * c;
-        device.released = true;
-        device.force = after;
+        device.letGo(after, spring.restick);
         advance(drop, 0.0, byLoad, 1.0, false, result);
         event.loadAfter = load();
         result.events.push_back(event);

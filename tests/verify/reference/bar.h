@@ -32,6 +32,7 @@ struct BarSpring {
     std::optional<double> peak;  // [N] lets go there
     double residual = 0.0;  // [N] constant after that
     bool plate = false;  // goes after nodes in a tie
+    bool restick = false;  // the residual is friction: it unloads elastically when the slip turns
 };
 
 struct BarProblem {

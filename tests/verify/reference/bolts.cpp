@@ -20,13 +20,13 @@ void anchorEveryNode(BarProblem& problem, const Curve& curve, std::optional<doub
         const double x = problem.s[i];
         if (std::abs(x - 1.0) < 1e-6) continue;
         problem.springs.push_back(
-            {static_cast<int>(i), x < 1.0 ? Side::Fixed : Side::Moving, curve, peak, residual, false});
+            {static_cast<int>(i), x < 1.0 ? Side::Fixed : Side::Moving, curve, peak, residual});
     }
 }
 
 void addPlate(BarProblem& problem, double stiffness, std::optional<double> strength) {
     problem.springs.push_back(
-        {static_cast<int>(problem.s.size()) - 1, Side::Moving, {{1.0, stiffness}}, strength, 0.0, true});
+        {static_cast<int>(problem.s.size()) - 1, Side::Moving, {{1.0, stiffness}}, strength, 0.0, true, false});
 }
 
 void makeRockElastic(BarProblem& problem, double youngsModulus) {
@@ -61,7 +61,7 @@ BarProblem paperDBolt(const Curve& steel, bool plate) {
     p.steel = steel;
     p.unbreakable = false;
     for (const int node : {3, 13, 37, 54})
-        p.springs.push_back({node, node < 30 ? Side::Fixed : Side::Moving, {{1.0, 84.78e6}}, std::nullopt, 0.0, false});
+        p.springs.push_back({node, node < 30 ? Side::Fixed : Side::Moving, {{1.0, 84.78e6}}, std::nullopt, 0.0});
     if (plate) addPlate(p, 1e9, std::nullopt);
     return p;
 }
