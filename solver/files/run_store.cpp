@@ -54,19 +54,26 @@ sqlite::Database openedAs(const fs::path& path, sqlite::Access access) {
     return database;
 }
 
-/// A store left in write-ahead mode in a folder without the right to write opens only as unchanging.
-sqlite::Database opened(const fs::path& path) {
-    requireDatabase(path);
+/// Reading alone does in most cases. A run killed while it closed its store leaves a journal that only a writer may
+/// roll back; a store left in write-ahead mode in a folder without the right to write opens only as unchanging.
+sqlite::Database openedAsPossible(const fs::path& path) {
     std::error_code ignored;
     const bool alone = !fs::exists(path.string() + "-wal", ignored);
     try {
-        try {
-            return openedAs(path, sqlite::Access::Read);
-        } catch (const sqlite::Error& error) {
-            if (error.code != SQLITE_CANTOPEN || !alone)
-                throw;
-        }
-        return openedAs(path, sqlite::Access::ReadUnchanging);
+        return openedAs(path, sqlite::Access::Read);
+    } catch (const sqlite::Error& error) {
+        if (error.code == SQLITE_READONLY)
+            return openedAs(path, sqlite::Access::Write);
+        if (error.code == SQLITE_CANTOPEN && alone)
+            return openedAs(path, sqlite::Access::ReadUnchanging);
+        throw;
+    }
+}
+
+sqlite::Database opened(const fs::path& path) {
+    requireDatabase(path);
+    try {
+        return openedAsPossible(path);
     } catch (const sqlite::Error& error) {
         if (error.code == SQLITE_BUSY)
             cannotRead(path, "another program holds it; try again");

@@ -103,7 +103,7 @@ void makeStore(const fs::path& part, const Scene& scene, const HistoryColumns& c
     database.run(run_schema::tables);
     writeColumns(database, columns);
     writeAbout(database, scene, columns);
-    database.run("COMMIT");
+    database.run("COMMIT; PRAGMA journal_mode=WAL");
 }
 
 /// Moves the new store to its place; another run that took the place meanwhile keeps it.

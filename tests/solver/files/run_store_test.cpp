@@ -145,17 +145,22 @@ TEST_F(RunStoreTest, KeepsEveryCommittedFrameOfAKilledRun) {
 }
 
 TEST_F(RunStoreTest, OpensAfterAKillAtAnyMoment) {
-    for (int pause = 0; pause < 12; ++pause) {
-        fs::remove(storePath());
+    for (int pause = 0; pause < 40; ++pause) {
+        for (const fs::directory_entry& left : fs::directory_iterator(folder_.path()))
+            fs::remove(left);
         const pid_t child = ::fork();
         if (child == 0) {
-            RunStoreWriter writer(storePath(), false);
-            writer.begin(test::sampleScene(), test::sampleResults().columns);
-            writer.stageBegins(0);
-            for (int count = 0;; ++count)
-                writer.frame(laterFrame(count));
+            // Opened, written and closed again and again, so that a kill may fall into any of it.
+            for (bool overwrite = false;; overwrite = true) {
+                RunStoreWriter writer(storePath(), overwrite);
+                writer.begin(test::sampleScene(), test::sampleResults().columns);
+                writer.stageBegins(0);
+                for (int count = 0; count < 20; ++count)
+                    writer.frame(laterFrame(count));
+                writer.close();
+            }
         }
-        ::usleep(static_cast<useconds_t>(700 * pause * pause));
+        ::usleep(static_cast<useconds_t>(1300 * pause));
         ::kill(child, SIGKILL);
         ::waitpid(child, nullptr, 0);
         if (!fs::exists(storePath()))
@@ -163,8 +168,6 @@ TEST_F(RunStoreTest, OpensAfterAKillAtAnyMoment) {
         const RunStore store(storePath());
         for (std::size_t index = 0; index < store.frames().size(); ++index)
             ASSERT_EQ(store.frame(index), laterFrame(static_cast<int>(index)));
-        for (const char* ending : {"-wal", "-shm"})
-            fs::remove(storePath().string() + ending);
     }
 }
 
