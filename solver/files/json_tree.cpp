@@ -143,7 +143,7 @@ private:
 
     void fail(std::string message, std::string remedy) {
         failed_ = true;
-        problems_.push_back({Severity::Error, "", line(), pointer(), std::move(message), std::move(remedy)});
+        addProblem(problems_, {Severity::Error, "", line(), pointer(), std::move(message), std::move(remedy)});
     }
 
     template <typename Value>
@@ -204,7 +204,7 @@ private:
 
     void reportDuplicate(const JsonMember& before, const JsonMember& again) {
         open_.back().key = again.key;
-        problems_.push_back({Severity::Error, "", again.node.line, pointer(),
+        addProblem(problems_, {Severity::Error, "", again.node.line, pointer(),
                              "the key " + inQuotes(again.key) + " is given twice, first on line " +
                                  std::to_string(before.node.line),
                              "Keep one of the two"});

@@ -67,7 +67,8 @@ void checkField(const Structure& structure, const Field& field, const void* obje
 
 void checkValue(const Field& field, const FieldValue& value, const std::string& pointer, CheckReport& report) {
     if (!isFinite(value))
-        return report.error(pointer, inQuotes(field.key) + " holds a number that is not finite", "Give a finite number");
+        return report.error(pointer, inQuotes(field.key) + " holds a number that is not finite",
+                            "Give a finite number");
     if (const auto* number = std::get_if<double>(&value))
         checkRange(field, *number, pointer, report);
     if (const auto* place = std::get_if<BoltPlace>(&value); place && !place->head)

@@ -20,15 +20,15 @@ std::string placeText(const Point& place) { return "(" + shortest(place.x()) + "
 }  // namespace
 
 void CheckReport::error(std::string pointer, std::string message, std::string remedy) {
-    problems.push_back({Severity::Error, "", 0, std::move(pointer), std::move(message), std::move(remedy)});
+    addProblem(problems, {Severity::Error, "", 0, std::move(pointer), std::move(message), std::move(remedy)});
 }
 
 void CheckReport::warning(std::string pointer, std::string message, std::string remedy) {
-    problems.push_back({Severity::Warning, "", 0, std::move(pointer), std::move(message), std::move(remedy)});
+    addProblem(problems, {Severity::Warning, "", 0, std::move(pointer), std::move(message), std::move(remedy)});
 }
 
 void CheckReport::note(std::string pointer, std::string message, std::string remedy) {
-    problems.push_back({Severity::Note, "", 0, std::move(pointer), std::move(message), std::move(remedy)});
+    addProblem(problems, {Severity::Note, "", 0, std::move(pointer), std::move(message), std::move(remedy)});
 }
 
 bool CheckContext::allSound() const {

@@ -34,6 +34,21 @@ bool allFinite(const Other&) {
     return true;  // flags and texts
 }
 
+bool sameObject(const Structure& structure, const void* a, const void* b) {
+    return std::all_of(structure.fields.begin(), structure.fields.end(),
+                       [&](const Field& field) { return sameValue(field, a, b); });
+}
+
+bool sameChildren(const Children& children, const void* a, const void* b) {
+    if (children.isNull(a) != children.isNull(b) || children.count(a) != children.count(b))
+        return false;
+    for (std::size_t i = 0; i < children.count(a); ++i)
+        if (children.name(a, i) != children.name(b, i) ||
+            !sameObject(children.structure(), children.item(a, i), children.item(b, i)))
+            return false;
+    return true;
+}
+
 bool isOneOf(const FieldValue& value, const std::vector<std::string_view>& words) {
     const auto* text = std::get_if<std::string>(&value);
     return text && std::find(words.begin(), words.end(), *text) != words.end();
@@ -55,6 +70,12 @@ FieldValue defaultOf(const Structure& structure, const Field& field) {
     if (field.kind == FieldKind::Fixed)
         return field.accepted.front();
     return field.get ? field.get(structure.defaults) : FieldValue{};
+}
+
+bool sameValue(const Field& field, const void* a, const void* b) {
+    if (hasChildren(field))
+        return sameChildren(field.children, a, b);
+    return !field.get || field.get(a) == field.get(b);
 }
 
 bool applies(const Structure& structure, const Field& field, const void* object) {

@@ -85,6 +85,7 @@ struct Field {
     Range range{};
     bool required = false;
     bool nullable = false;  // null is a value of its own, or stands for the empty one
+    bool emptyIsNull = false;  // the latter
     bool emptyIsZero = false;  // a Vector that may be written []
     Only only{};
     std::span<const std::string_view> words{};  // of a Word
@@ -120,6 +121,9 @@ FieldValue defaultOf(const Structure& structure, const Field& field);
 
 /// True when `field.only` is met by the other fields of `object`, or asks for nothing.
 bool applies(const Structure& structure, const Field& field, const void* object);
+
+/// True when two objects of the field's struct say the same in it, down to the last value.
+bool sameValue(const Field& field, const void* a, const void* b);
 
 /// Says of a field that stands where it does not apply where it would.
 std::string misplaced(const Field& field);

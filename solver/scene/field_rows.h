@@ -270,6 +270,7 @@ Field row(std::string_view key, std::string_view help, Says says = {}) {
     Field field{.key = key, .unit = says.unit, .help = help, .source = says.source, .range = says.range};
     field.required = says.required;
     field.nullable = rows::isOptional<member> || says.emptyIsNull;
+    field.emptyIsNull = says.emptyIsNull;
     field.emptyIsZero = says.emptyIsZero;
     field.only = std::move(says.only);
     field.laterWords = std::move(says.laterWords);

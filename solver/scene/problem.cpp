@@ -5,8 +5,20 @@
 #include "solver/scene/problem.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace keyblock {
+
+void addProblem(std::vector<Problem>& problems, Problem problem) {
+    const bool isError = problem.severity == Severity::Error;
+    if (problems.size() >= (isError ? mostProblems : mostProblems / 2))
+        return;
+    if (problems.size() + 1 == mostProblems) {
+        problem.message = "there are more problems than can be listed";
+        problem.remedy = "Correct these first";
+    }
+    problems.push_back(std::move(problem));
+}
 
 bool hasErrors(std::span<const Problem> problems) {
     return std::any_of(problems.begin(), problems.end(),

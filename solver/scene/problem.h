@@ -5,9 +5,11 @@
 // to do about it. A bad scene is no exception but a list of these, all at once.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace keyblock {
 
@@ -24,6 +26,12 @@ struct Problem {
 
     bool operator==(const Problem&) const = default;
 };
+
+/// No list holds more: whoever faces a thousand corrects some and asks again.
+inline constexpr std::size_t mostProblems = 1000;
+
+/// Appends to a list that is not full. Half of it is kept for errors; the last entry says that more follow.
+void addProblem(std::vector<Problem>& problems, Problem problem);
 
 /// True when one of them is an error.
 bool hasErrors(std::span<const Problem> problems);

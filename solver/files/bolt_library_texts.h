@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The texts of resources/bolts/*.json. The build makes the source file of this
+// header, so that the program needs no path to its data when it runs.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace keyblock {
+
+/// One text per file, in the order of the file names.
+std::span<const std::string_view> boltLibraryTexts();
+
+}  // namespace keyblock

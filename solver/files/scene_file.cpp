@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From text to scene: tree, overrides, version, fields, bolt types, sense. Each
+// step adds what it finds and the next goes on with what is usable, so that a
+// person hears everything at once; what follows from an error already told is
+// left out.
+#include "solver/files/scene_file.h"
+
+#include "solver/files/bolt_library.h"
+#include "solver/files/bolt_type_reader.h"
+#include "solver/files/field_json.h"
+#include "solver/files/json_tree.h"
+#include "solver/files/object_reader.h"
+#include "solver/files/overrides.h"
+#include "solver/files/scene_version.h"
+#include "solver/scene/check.h"
+#include "solver/scene/field.h"
+#include "solver/scene/lookup.h"
+#include "solver/scene/pointer.h"
+#include "solver/scene/suggest.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace keyblock {
+
+namespace {
+
+using Problems = std::vector<Problem>;
+
+std::vector<std::string_view> allBoltTypeNames(const Scene& scene) {
+    std::vector<std::string_view> names;
+    for (const std::vector<BoltType>* types : {&scene.boltTypes, &builtInBoltTypes()})
+        for (const BoltType& type : *types)
+            names.push_back(type.name);
+    return names;
+}
+
+// Before the built-in types that are used join the scene's own: only here are all names known.
+void checkBoltTypeNames(const Scene& scene, const JsonNode& root, Problems& problems) {
+    for (std::size_t i = 0; i < scene.bolts.size(); ++i) {
+        const std::string& type = scene.bolts[i].type;
+        const std::string pointer = under(under("/bolts", i), "type");
+        if (!type.empty() && !findBoltType(scene, type) && !findBuiltInBoltType(type))
+            addProblem(problems, {Severity::Error, "", lineAt(root, pointer), pointer,
+                                  "there is no bolt type " + inQuotes(type),
+                                  suggestion(type, allBoltTypeNames(scene))});
+    }
+}
+
+Scene readScene(const JsonNode& root, Problems& problems) {
+    Scene scene;
+    readObject(root, sceneStructure(), &scene, "", problems, {"bolt_types"});
+    if (const JsonNode* types = findMember(root, "bolt_types"))
+        scene.boltTypes = readBoltTypes(*types, builtInBoltTypes(), "/bolt_types", problems);
+    checkBoltTypeNames(scene, root, problems);
+    addUsedBuiltInBoltTypes(scene);
+    return scene;
+}
+
+// True when an error is told of the same place, of something inside it, or of what it lies in.
+bool isExplained(const Problem& problem, const Problems& errors) {
+    return std::any_of(errors.begin(), errors.end(), [&](const Problem& error) {
+        const bool haveBothAPlace = !problem.pointer.empty() && !error.pointer.empty();
+        return haveBothAPlace &&
+               (isWithin(problem.pointer, error.pointer) || isWithin(error.pointer, problem.pointer));
+    });
+}
+
+void addSense(const Scene& scene, const JsonNode& root, Problems& problems) {
+    const Problems told = problems;
+    for (Problem& problem : checkScene(scene)) {
+        if (isExplained(problem, told))
+            continue;
+        problem.line = lineAt(root, problem.pointer);
+        addProblem(problems, std::move(problem));
+    }
+}
+
+SceneReading finished(std::optional<Scene> scene, Problems problems, const std::string& name,
+                      std::span<const std::string> overrides) {
+    nameOrigins(problems, name, overrides);
+    std::stable_sort(problems.begin(), problems.end(),
+                     [](const Problem& a, const Problem& b) { return a.line < b.line; });
+    if (hasErrors(problems))
+        scene.reset();
+    return {std::move(scene), std::move(problems)};
+}
+
+// As much as is needed to know that a file, or a pipe without end, is too long.
+std::string wholeText(std::istream& stream) {
+    std::string text;
+    std::array<char, 65536> part{};
+    while (text.size() <= longestJson) {
+        stream.read(part.data(), part.size());
+        if (stream.gcount() == 0)
+            break;
+        text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+    }
+    return text;
+}
+
+SceneReading unreadable(const std::string& name, std::string message, std::string remedy) {
+    return {{}, {{Severity::Error, name, 0, "", std::move(message), std::move(remedy)}}};
+}
+
+}  // namespace
+
+SceneReading readSceneText(std::string_view text, const std::string& name, std::span<const std::string> overrides) {
+    JsonReading json = readJson(text);
+    Problems problems = std::move(json.problems);
+    if (!json.root)
+        return finished({}, std::move(problems), name, overrides);
+    applyOverrides(*json.root, overrides, problems);
+    if (!bringUpToDate(*json.root, problems))
+        return finished({}, std::move(problems), name, overrides);
+    Scene scene = readScene(*json.root, problems);
+    addSense(scene, *json.root, problems);
+    return finished(std::move(scene), std::move(problems), name, overrides);
+}
+
+SceneReading readSceneFile(const std::filesystem::path& path, std::span<const std::string> overrides) {
+    const std::string name = path.string();
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        return unreadable(name, "this is a folder, not a scene file", "Give a scene file");
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        return unreadable(name, "the file cannot be opened: " + std::string(std::strerror(errno)),
+                          "Check the name and the right to read it");
+    return readSceneText(wholeText(file), name, overrides);
+}
+
+}  // namespace keyblock
