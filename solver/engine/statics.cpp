@@ -26,6 +26,7 @@ constexpr double shortestStep = 1e-7;  // over the longest pseudo-step
 constexpr double finestIncrement = 1e-3;  // of the given increment, before a collapse is believed
 constexpr double followShare = 1e-7;  // of the scene: embedded lengths that changed less need no new equilibrium
 constexpr int mostRounds = 4;
+constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, where joints carry their first forces
 constexpr double locateShare = 1e-4;  // an event is located at least to this share of its limit
 
 double smallestSize(const Model& model) {
@@ -58,8 +59,9 @@ public:
         int worst = -1;
         for (int step = 0; step < settings_.maxSteps; ++step) {
             state.contacts = findContacts(model_, state.blocks, state.contacts, 2.0 * moveLimit_, false);
-            StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, false});
-            if (balanced(problem, step)) {
+            const bool lock = step < lockedSteps && unloaded(state);
+            StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, lock});
+            if (!lock && balanced(problem, step)) {
                 Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
                 keepBooks(state, start, at, moved, problem);
                 acceptStep(model_, state, problem, still);
@@ -120,6 +122,12 @@ private:
             else
                 state.energy.damped += 0.5 * (start.net[i] - end.net[i]) * moved[i];
         }
+    }
+
+    /// No joint has carried anything yet: friction without normal forces would let everything slide.
+    static bool unloaded(const State& state) {
+        return std::all_of(state.contacts.begin(), state.contacts.end(),
+                           [](const Contact& c) { return c.normalForce == 0.0 && !c.bonded; });
     }
 
     bool balanced(StepProblem& problem, int step) {
