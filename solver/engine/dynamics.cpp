@@ -139,7 +139,7 @@ StepEnding DynamicStage::preload(State& state) {
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
         const SolveReport report = solveStep(engine_, problem, trial, d, model.analysis.tolerance);
         if (report.stopped) return {Ending::Stopped, "", {}};
-        if (!report.converged) return {};  // the first step then finds the forces by itself
+        if (!report.converged) break;  // what was found so far is a fair start
         takePreload(model, trial, problem, d);
     }
     state = std::move(trial);
