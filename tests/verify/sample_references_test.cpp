@@ -11,13 +11,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace keyblock {
 namespace {
 
-using namespace reference;
+using namespace reference;  // the calculation's own bolts, not those of the verification
 
 Scene sample(const std::string& name) {
     const SceneReading reading = readSceneFile(std::string(KEYBLOCK_SAMPLES_DIR) + "/" + name + ".json");
@@ -101,6 +102,64 @@ TEST(SampleReference, ElasticRebarsExpectTheReference) {
         EXPECT_NEAR(expectedOf(scene, "last B.plate_force"), result.springForce.back(), 0.01);
         EXPECT_NEAR(expectedOf(scene, "last force at 0.683 m"), result.elementForce[20], 0.1);
     }
+}
+
+BarSpring endSpring(const Curve& curve, std::optional<double> peak) {
+    BarSpring spring;
+    spring.curve = curve;
+    spring.peak = peak;
+    return spring;
+}
+
+double circle(double diameter) { return 3.14159265358979323846 * 0.25 * diameter * diameter; }
+
+TEST(SampleReference, GroutedRebarExpectsTheReference) {
+    BarProblem problem = boltAcross(1.0, 2.0, 59, barArea, textSteel);
+    BarSpring bond = endSpring({{1.0, 2543.4e6}}, 736.8e3);
+    bond.residual = 67.2e3;
+    bond.restick = true;
+    anchorByLength(problem, 1.0, 0.0, 2.0, bond);
+    addPlate(problem, 1e9, 120e3);
+    const BarResult result = pullTo(problem, 0.01);
+    const auto yield = result.first(BarEventKind::Corner);
+    ASSERT_TRUE(yield);
+    const Scene scene = sample("rebar-20");
+    EXPECT_NEAR(expectedOf(scene, "first debonding joint force"), result.releases().front().load, 0.1);
+    EXPECT_NEAR(expectedOf(scene, "first debonding dilation"), result.releases().front().opening, 1e-9);
+    EXPECT_NEAR(expectedOf(scene, "first yield joint force"), yield->load, 0.1);
+    EXPECT_NEAR(expectedOf(scene, "first yield dilation"), yield->opening, 1e-9);
+    EXPECT_NEAR(expectedOf(scene, "last joint force"), result.path.back().second, 0.1);
+}
+
+TEST(SampleReference, BoltsHeldAtTheirEndsExpectTheReference) {
+    BarProblem shell = boltAcross(1.0, 2.0, 20, 235e-6, {{1.0, 200e9}});
+    shell.springs = {endSpring({{1.0, 40e6}}, 85e3)};
+    addPlate(shell, 1e9, 89e3);
+    const BarEvent lost = pullTo(shell, 0.01).releases().front();
+    EXPECT_NEAR(expectedOf(sample("expansion-shell"), "first bolt-loss joint force"), lost.load, 0.1);
+    EXPECT_NEAR(expectedOf(sample("expansion-shell"), "first bolt-loss dilation"), lost.opening, 1e-9);
+
+    BarProblem cone = boltAcross(1.5, 2.3, 46, circle(0.0172), {{0.00296, 592e6}, {0.12, 800e6}});
+    cone.springs = {endSpring({{0.00156, 78e3}, {0.6, 98e3}}, std::nullopt)};
+    addPlate(cone, 1e9, 150e3);
+    const BarResult ploughs = pullTo(cone, 0.2);
+    EXPECT_NEAR(expectedOf(sample("cone-bolt"), "first debonding joint force"), ploughs.path[1].second, 0.1);
+    EXPECT_NEAR(expectedOf(sample("cone-bolt"), "first debonding dilation"), ploughs.path[1].first, 1e-9);
+    EXPECT_NEAR(expectedOf(sample("cone-bolt"), "last joint force"), ploughs.path.back().second, 0.1);
+}
+
+TEST(SampleReference, BoltsThatSlipThroughTheirAnchorExpectTheReference) {
+    BarProblem roofex = boltAcross(1.5, 2.4, 48, circle(0.0125), {{0.004, 800e6}, {0.1, 815e6}});
+    anchorByLength(roofex, 1.5, 0.0, 0.35,
+                   endSpring({{0.0008, 228571.429}, {0.6, 228571.429}, {0.62, 285714.286}}, std::nullopt));
+    addPlate(roofex, 1e9, 100e3);
+    EXPECT_NEAR(expectedOf(sample("roofex"), "last joint force"), pullTo(roofex, 0.615).path.back().second, 0.1);
+
+    BarProblem garford = boltAcross(1.5, 2.4, 48, barArea, {{0.0025, 500e6}, {0.15, 605e6}});
+    anchorByLength(garford, 1.5, 0.0, 0.35,
+                   endSpring({{0.0012, 342857.143}, {0.35, 342857.143}, {0.37, 400e3}}, std::nullopt));
+    addPlate(garford, 1e9, 150e3);
+    EXPECT_NEAR(expectedOf(sample("garford"), "last joint force"), pullTo(garford, 0.365).path.back().second, 0.1);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/verify/reference/bolts.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keyblock::reference {
@@ -88,6 +89,36 @@ BarProblem shearLagByLength(int divisions, double plateStiffness) {
         if (spring.node == 0 || spring.node == divisions) spring.curve[0].second *= 0.5;
     if (plateStiffness > 0.0) addPlate(p, plateStiffness, std::nullopt);
     return p;
+}
+
+BarProblem boltAcross(double joint, double length, int divisions, double area, const Curve& steel) {
+    BarProblem p;
+    p.s = evenNodes(0.0, length, divisions);
+    p.area = area;
+    p.steel = steel;
+    p.blockStiffness = rockStiffness * (length - joint);
+    p.blockCentre = 0.5 * (joint + length);
+    p.openingAt = joint + 0.001;
+    return p;
+}
+
+void anchorByLength(BarProblem& problem, double joint, double from, double to, const BarSpring& perMetre) {
+    const double h = problem.s[1] - problem.s[0];
+    for (std::size_t i = 0; i < problem.s.size(); ++i) {
+        const double x = problem.s[i];
+        if (std::abs(x - joint) < 1e-6) continue;
+        const Side side = x < joint ? Side::Fixed : Side::Moving;
+        const double low = std::max({x - 0.5 * h, from, side == Side::Moving ? joint : 0.0});
+        const double high = std::min({x + 0.5 * h, to, side == Side::Fixed ? joint : problem.s.back()});
+        if (high - low < 1e-9) continue;
+        BarSpring spring = perMetre;
+        spring.node = static_cast<int>(i);
+        spring.side = side;
+        for (auto& point : spring.curve) point.second *= high - low;
+        if (spring.peak) *spring.peak *= high - low;
+        spring.residual *= high - low;
+        problem.springs.push_back(spring);
+    }
 }
 
 }  // namespace keyblock::reference

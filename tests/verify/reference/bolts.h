@@ -43,6 +43,13 @@ BarProblem shearLag(int perSide, double plateStiffness);
 /// The same bond shared by length among the nodes of a bolt from end to end, ends and joint clipped.
 BarProblem shearLagByLength(int divisions, double plateStiffness);
 
+/// A bolt from x = 0 to `length` across a joint at `joint`, in rock of 60 GPa, the blocks as long as the bolt.
+BarProblem boltAcross(double joint, double length, int divisions, double area, const Curve& steel);
+
+/// Holds the stretch [from, to] by a curve per metre, shared among the nodes by their tributary lengths clipped at the
+/// stretch and at the joint.
+void anchorByLength(BarProblem& problem, double joint, double from, double to, const BarSpring& perMetre);
+
 extern const Curve textSteel, tableSteel;  // strain, stress [Pa]
 
 }  // namespace keyblock::reference
