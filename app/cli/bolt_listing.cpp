@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The source of a number is looked for from the narrow to the wide: its own, that
-// of the part it stands in, that of the field's default, that of the whole type.
+// of the part it stands in, that of the whole type. A value left at its default has
+// the default's source unless it is given one of its own.
 #include "app/cli/bolt_listing.h"
 
 #include "solver/scene/field.h"
@@ -87,15 +88,18 @@ private:
     }
 
     std::string sourceOf(const std::string& path, const Field& field, bool isDefault) const {
-        if (const std::string given = givenSource(path); !given.empty() || !isNumeric(field.kind))
-            return given;
-        if (!isDefault)
-            return type_.source;
-        return field.source.empty() ? "default of the program" : std::string(field.source);
+        if (const auto own = type_.sources.find(path); own != type_.sources.end())
+            return own->second;
+        if (!isNumeric(field.kind))
+            return {};
+        if (isDefault)
+            return field.source.empty() ? "default of the program" : std::string(field.source);
+        const std::string part = partSource(path);
+        return part.empty() ? type_.source : part;
     }
 
-    /// The source given for the path or for the nearest part that holds it; empty when none is.
-    std::string givenSource(std::string path) const {
+    /// The source given for the nearest part that holds the path; empty when none is.
+    std::string partSource(std::string path) const {
         while (!path.empty()) {
             if (const auto found = type_.sources.find(path); found != type_.sources.end())
                 return found->second;

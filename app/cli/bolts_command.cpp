@@ -17,20 +17,20 @@ std::string classWord(const BoltType& type) {
     return std::string(boltClassWords[static_cast<std::size_t>(type.boltClass)]);
 }
 
-std::string kilonewtons(const std::optional<double>& force) { return force ? shown(*force / 1e3) : "unlimited"; }
+std::string kilonewtons(double force) { return shown(force / 1e3); }
 
 TextRow overviewRow(const BoltType& type) {
     const double area = areaOf(type);
     const std::optional<double> stress = tensileStrengthOf(type);
-    const auto tension = stress ? std::optional(*stress * area) : std::nullopt;
-    const auto shear = tension ? std::optional(*tension * type.shearStrengthRatio) : std::nullopt;
+    const double tension = stress.value_or(0.0) * area;
+    const std::optional<double>& plate = type.plate.normalStrength;
     return {type.name,
             classWord(type),
             shown(type.diameter * 1e3),
             shown(area * 1e6),
-            kilonewtons(tension),
-            kilonewtons(shear),
-            kilonewtons(type.plate.normalStrength)};
+            stress ? kilonewtons(tension) : "unlimited",
+            stress ? kilonewtons(tension * type.shearStrengthRatio) : "unlimited",
+            plate ? kilonewtons(*plate) : "unlimited"};
 }
 
 std::string overview() {

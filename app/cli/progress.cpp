@@ -84,6 +84,12 @@ void ProgressSink::event(const Event& event) {
 
 void ProgressSink::stageEnds(const StageResult& result) {
     stageSeconds_[result.stage] = secondsSince(stageStart_);
+    progress_.stage = result.stage;
+    progress_.time = result.time;
+    const bool wentOn = result.outcome != Outcome::Stopped && result.outcome != Outcome::Failed;
+    if (wentOn && static_cast<std::size_t>(result.stage) + 1 == scene_.stages.size())
+        progress_.fraction = 1.0;
+    untold_ = true;
     next_.stageEnds(result);
 }
 

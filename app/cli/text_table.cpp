@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace keyblock::cli {
 
@@ -35,8 +36,9 @@ void widen(std::vector<TextColumn>& columns, const TextRow& cells) {
 std::string shown(double value) { return formatted(value, std::chars_format::general, 6); }
 
 std::string shownPercent(double share) {
-    const std::string text = formatted(100.0 * share, std::chars_format::fixed, 2) + " %";
-    return share < 0.0 ? text : "+" + text;
+    const std::string digits = formatted(std::abs(100.0 * share), std::chars_format::fixed, 2);
+    const bool isNothing = digits == "0.00";
+    return (isNothing ? "" : share < 0.0 ? "-" : "+") + digits + " %";
 }
 
 std::size_t shownWidth(std::string_view text) {

@@ -13,7 +13,7 @@ namespace keyblock::cli {
 /// `value` with six significant digits, `.` decimals in every locale.
 std::string shown(double value);
 
-/// `share` as a percentage with its sign, as in `+0.12 %`.
+/// `share` as a percentage with two decimals and its sign, as in `+0.12 %`.
 std::string shownPercent(double share);
 
 /// Number of characters that a UTF-8 text shows.

@@ -9,7 +9,7 @@
 #include "solver/files/scene_file.h"
 #include "solver/files/sha256.h"
 #include "solver/results/tables.h"
-#include "tests/solver/files/scratch_folder.h"
+#include "tests/scratch_folder.h"
 #include "tests/solver/results/sample_run.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "solver/files/whole_file.h"
 
 #include "solver/run/errors.h"
-#include "tests/solver/files/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A scene goes in, a store and tables come out: the same bytes on any number of
+// threads and in any locale, and what is done is kept when a run is interrupted.
+#include "tests/cli/command_line_fixture.h"
+
+#include <nlohmann/json.hpp>
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace keyblock::test {
+namespace {
+
+using Runs = CommandLine;
+using nlohmann::json;
+
+TEST_F(Runs, SumsUpWhatTheSceneAskedFor) {
+    putPullScene();
+    const Ended ended = keyblock({"run", "pull.json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_TRUE(ended.err.empty()) << ended.err;
+    EXPECT_NE(ended.out.find("equilibrium"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("first debonding joint force"), std::string::npos);
+    EXPECT_NE(ended.out.find("met"), std::string::npos);
+    // The second expectation is wrong on purpose: told, and no error.
+    EXPECT_NE(ended.out.find("missed"), std::string::npos);
+    EXPECT_NE(ended.out.find("-50.00 %"), std::string::npos) << ended.out;
+}
+
+TEST_F(Runs, TablesHaveTheirHeadersAndMeetTheSummary) {
+    putPullScene();
+    ASSERT_EQ(keyblock({"run", "pull.json"}).code, 0);
+    EXPECT_EQ(lines(table("pull.kbrun", "history"))[0], "stage,time_s,dilation_m,joint_force_N");
+    EXPECT_EQ(lines(table("pull.kbrun", "bolts")).size(), 1U + 16U);
+    EXPECT_EQ(lines(table("pull.kbrun", "blocks")).size(), 1U + 2U);
+    EXPECT_GT(lines(table("pull.kbrun", "energy")).size(), 10U);
+    EXPECT_EQ(lines(table("pull.kbrun", "contacts"))[0].rfind("stage,time_s,block_a,block_b,", 0), 0U);
+    const auto events = lines(table("pull.kbrun", "events", {"--bolt", "B"}));
+    EXPECT_EQ(events[0],
+              "stage,time_s,step,kind,bolt,node,element,block,x_m,y_m,axial_force_N,shear_force_N,anchor_force_N,"
+              "slip_m");
+    const json info = json::parse(keyblock({"info", "pull.kbrun", "--json"}).out);
+    EXPECT_GT(info.at("events").at("debonding").get<int>(), 0);
+    const auto debondings = std::count_if(events.begin(), events.end(), [](const std::string& line) {
+        return line.find(",debonding,B,") != std::string::npos;
+    });
+    EXPECT_EQ(info.at("events").at("debonding").get<long>(), debondings);
+}
+
+TEST_F(Runs, InfoHasTheKeysOfTheContract) {
+    putPullScene();
+    ASSERT_EQ(keyblock({"run", "pull.json"}).code, 0);
+    const json info = json::parse(keyblock({"info", "pull.kbrun", "--json"}).out);
+    EXPECT_EQ(info.at("scene_hash").get<std::string>().size(), 64U);
+    EXPECT_EQ(info.at("stages").at(0).at("name"), "pull");
+    EXPECT_EQ(info.at("stages").at(0).at("kind"), "static");
+    EXPECT_EQ(info.at("stages").at(0).at("outcome"), "equilibrium");
+    EXPECT_EQ(info.at("stages").at(0).at("time_s"), 1.0);
+    EXPECT_GE(info.at("stages").at(0).at("steps").get<int>(), 10);
+    EXPECT_GE(info.at("frames").get<int>(), 10);
+    for (const char* key : {"passes_mean", "step_cuts", "max_penetration_ratio", "balance_error", "residual"})
+        EXPECT_TRUE(info.at("health").at(key).is_number()) << key;
+}
+
+TEST_F(Runs, OneAndTwoThreadsGiveTheSameBytes) {
+    putPullScene();
+    ASSERT_EQ(keyblock({"run", "pull.json", "--threads", "1", "--out", "one.kbrun"}).code, 0);
+    ASSERT_EQ(keyblock({"run", "pull.json", "--threads", "2", "--out", "two.kbrun"}).code, 0);
+    for (const std::string name : {"history", "events", "bolts", "blocks", "contacts", "energy"})
+        EXPECT_EQ(table("one.kbrun", name, {"--at", "all"}), table("two.kbrun", name, {"--at", "all"})) << name;
+}
+
+TEST_F(Runs, ALocaleWithDecimalCommasChangesNothing) {
+    putPullScene();
+    const std::map<std::string, std::string> german{{"LC_ALL", "de_DE.UTF-8"}, {"LANG", "de_DE.UTF-8"}};
+    ASSERT_EQ(keyblock({"run", "pull.json", "--out", "plain.kbrun"}).code, 0);
+    ASSERT_EQ(keyblock({"run", "pull.json", "--out", "comma.kbrun"}, german).code, 0);
+    ASSERT_EQ(keyblock({"export", "comma.kbrun", "--table", "history", "--out", "comma.csv"}, german).code, 0);
+    EXPECT_EQ(content("comma.csv"), table("plain.kbrun", "history"));
+    EXPECT_EQ(keyblock({"info", "comma.kbrun"}, german).out, keyblock({"info", "plain.kbrun"}).out);
+}
+
+TEST_F(Runs, OverridesReachTheScene) {
+    putPullScene();
+    const Ended ended = keyblock({"run", "--set", "stages[0].name=tear", "stages[0].increments=4", "pull.json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(json::parse(keyblock({"info", "pull.kbrun", "--json"}).out).at("stages").at(0).at("name"), "tear");
+}
+
+TEST_F(Runs, ProgressComesAsJsonLines) {
+    putPullScene();
+    const Ended ended = keyblock({"run", "pull.json", "--progress", "json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const auto told = lines(ended.err);
+    ASSERT_FALSE(told.empty());
+    for (const std::string& line : told) {
+        const json progress = json::parse(line);
+        EXPECT_EQ(progress.at("stage"), "pull");
+        for (const char* key : {"time_s", "fraction", "eta_s", "passes", "events"})
+            EXPECT_TRUE(progress.contains(key)) << key;
+    }
+    EXPECT_NEAR(json::parse(told.back()).at("fraction").get<double>(), 1.0, 1e-9);
+}
+
+TEST_F(Runs, AnInterruptedRunKeepsWhatIsDone) {
+    putEndlessScene();
+    for (const int signal : {SIGTERM, SIGINT}) {
+        Program program({"run", "rest.json", "--overwrite"}, folder());
+        ::sleep(1);
+        program.signal(signal);
+        const Ended ended = program.wait();
+        EXPECT_EQ(ended.code, 75) << ended.err;
+        EXPECT_NE(ended.err.find("interrupted"), std::string::npos) << ended.err;
+        const Ended info = keyblock({"info", "rest.kbrun", "--json"});
+        ASSERT_EQ(info.code, 0) << info.err;
+        EXPECT_EQ(json::parse(info.out).at("stages").at(0).at("outcome"), "stopped");
+        EXPECT_GT(json::parse(info.out).at("frames").get<int>(), 0);
+    }
+}
+
+TEST_F(Runs, AKilledRunLeavesAStoreThatOpens) {
+    putEndlessScene();
+    Program program({"run", "rest.json"}, folder());
+    ::sleep(1);
+    const Ended live = keyblock({"info", "rest.kbrun", "--json"});
+    EXPECT_EQ(live.code, 0) << live.err;
+    program.signal(SIGKILL);
+    EXPECT_EQ(program.wait().code, -1);
+    const Ended info = keyblock({"info", "rest.kbrun", "--json"});
+    ASSERT_EQ(info.code, 0) << info.err;
+    EXPECT_TRUE(json::parse(info.out).at("stages").at(0).at("outcome").is_null());
+    EXPECT_GE(json::parse(info.out).at("frames").get<int>(), json::parse(live.out).at("frames").get<int>());
+    EXPECT_GT(lines(table("rest.kbrun", "blocks")).size(), 1U);
+}
+
+}  // namespace
+}  // namespace keyblock::test

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Words that the program does not take end with 2 and one line that helps; every
+// verb explains itself.
+#include "tests/cli/command_line_fixture.h"
+
+namespace keyblock::test {
+namespace {
+
+class Usage : public CommandLine {
+protected:
+    void expectUsageError(const std::vector<std::string>& words, const std::string& part) const {
+        const Ended ended = keyblock(words);
+        EXPECT_EQ(ended.code, 2) << part;
+        EXPECT_EQ(lines(ended.err).size(), 1U) << ended.err;
+        EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+        EXPECT_TRUE(ended.out.empty()) << ended.out;
+    }
+};
+
+TEST_F(Usage, EveryVerbHasHelp) {
+    const Ended whole = keyblock({"--help"});
+    EXPECT_EQ(whole.code, 0);
+    for (const std::string verb : {"run", "check", "info", "export", "verify", "bolts"}) {
+        EXPECT_NE(whole.out.find("\n  " + verb + " "), std::string::npos) << verb;
+        const Ended ended = keyblock({verb, "--help"});
+        EXPECT_EQ(ended.code, 0) << verb;
+        EXPECT_NE(ended.out.find("keyblock " + verb), std::string::npos) << ended.out;
+        EXPECT_TRUE(ended.err.empty()) << ended.err;
+    }
+}
+
+TEST_F(Usage, VersionIsTold) { EXPECT_EQ(keyblock({"--version"}).out.rfind("keyblock ", 0), 0U); }
+
+TEST_F(Usage, OnlyVerbsThatAreBuiltExist) {
+    for (const std::string verb : {"report", "sweep", "safety", "trade", "stress", "import"})
+        expectUsageError({verb}, "there is no verb '" + verb + "'");
+    expectUsageError({}, "the verb is missing");
+}
+
+TEST_F(Usage, WrongOptionsAreTold) {
+    expectUsageError({"run"}, "SCENE.json");
+    expectUsageError({"run", "scene.json", "--preset", "draft"}, "--preset");
+    expectUsageError({"run", "scene.json", "--resume"}, "--resume");
+    expectUsageError({"run", "scene.json", "--threads", "0"}, "--threads");
+    expectUsageError({"run", "scene.json", "--threads", "many"}, "--threads");
+    expectUsageError({"run", "scene.json", "--progress", "loud"}, "none of bar, json, none");
+    expectUsageError({"export", "run.kbrun", "--out", "t.csv"}, "--table");
+    expectUsageError({"export", "run.kbrun", "--table", "forces", "--out", "t.csv"}, "history, events, bolts");
+    expectUsageError({"export", "run.kbrun", "--table", "energy", "--bolt", "B", "--out", "t.csv"}, "--bolt");
+    expectUsageError({"verify", "--case", "no such case"}, "there is no case 'no such case'; there are ");
+    expectUsageError({"verify", "--case", "free fall", "--paper"}, "--paper");
+    expectUsageError({"bolts", "toothpick"}, "rebar-20");
+}
+
+}  // namespace
+}  // namespace keyblock::test
