@@ -243,7 +243,7 @@ void setNormalSprings(BoltModel& bolt, const BoltType& type, bool automatic) {
 }
 
 /// Length over which a dowel in these springs bends: 1/β, β = (K/4EI)^¼ [m].
-double dowelLength(const BoltType& type, const BeamSection& section, double length) {
+double dowelLengthOf(const BoltType& type, const BeamSection& section, double length) {
     double k = type.normalStiffness.value_or(groutNormalStiffness);
     if (type.normalStiffness && type.normalPer == Per::Node) k *= coarseDivisions / length;
     return std::pow(4.0 * section.youngsModulus * section.secondMoment / k, 0.25);
@@ -264,10 +264,11 @@ BoltModel boltModel(const Scene& scene, const Bolt& bolt, const Model& model) {
     b.shearStrength = shearStrengthOf(type, b.section.area);
     b.bends = type.bending != Bending::None;
     b.slots = slotsOf(model, b.farEnd, head);
-    const std::vector<double> joints = jointPlaces(b.slots, length, model.tolerance);
-    b.s = boltNodes(length, bolt.divisions, joints, dowelLength(type, b.section, length));
+    b.joints = jointPlaces(b.slots, length, model.tolerance);
+    b.dowelLength = dowelLengthOf(type, b.section, length);
+    b.s = boltNodes(length, bolt.divisions, b.joints, b.dowelLength);
     for (std::size_t i = 0; i + 1 < b.s.size(); ++i) {
-        const bool shears = std::any_of(joints.begin(), joints.end(), [&](double s) {
+        const bool shears = std::any_of(b.joints.begin(), b.joints.end(), [&](double s) {
             return s >= b.s[i] - model.tolerance && s <= b.s[i + 1] + model.tolerance;
         });
         b.elements.push_back({b.s[i + 1] - b.s[i], shears});

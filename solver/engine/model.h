@@ -91,6 +91,8 @@ struct BoltModel {
     std::vector<BoltElement> elements;
     std::vector<AnchorModel> anchors;  // a row per node
     std::vector<Slot> slots;  // along the bolt
+    std::vector<double> joints;  // where slots end inside the bolt [m]
+    double dowelLength = 0.0;  // over which a dowel bends, 1/β [m]
     std::vector<int> startBlock;  // a row per node; −1: gap, joint or outside
     Point farEnd{0.0, 0.0}, axis{1.0, 0.0};
     double angle = 0.0;  // [rad]

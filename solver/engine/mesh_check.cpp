@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/mesh_check.h"
+
+#include "solver/engine/model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace keyblock {
+namespace {
+
+std::string millimetres(double metres) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", metres * 1e3);
+    std::string shown = text;
+    std::replace(shown.begin(), shown.end(), ',', '.');
+    return shown + " mm";
+}
+
+bool onNode(const BoltModel& bolt, double joint, double tolerance) {
+    return std::any_of(bolt.s.begin(), bolt.s.end(), [&](double s) { return std::abs(s - joint) <= tolerance; });
+}
+
+/// Longest element that crosses or touches a joint; 0 without joints.
+double longestAtJoints(const BoltModel& bolt) {
+    double longest = 0.0;
+    for (const BoltElement& element : bolt.elements)
+        if (element.shears) longest = std::max(longest, element.length);
+    return longest;
+}
+
+}  // namespace
+
+std::vector<Problem> checkMeshes(const Scene& scene) {
+    std::vector<Problem> problems;
+    if (scene.blocks.empty()) return problems;
+    const Model model = makeModel(scene);
+    for (std::size_t i = 0; i < scene.bolts.size(); ++i) {
+        const BoltModel& bolt = model.bolts[i];
+        if (!scene.bolts[i].divisions || !bolt.bends) continue;
+        const double fine = bolt.dowelLength / 8.0, longest = longestAtJoints(bolt);
+        const bool node = std::any_of(bolt.joints.begin(), bolt.joints.end(),
+                                      [&](double joint) { return onNode(bolt, joint, model.tolerance); });
+        if (longest <= fine * (1.0 + 1e-9) && !node) continue;
+        Problem problem;
+        problem.severity = Severity::Warning;
+        problem.pointer = "/bolts/" + std::to_string(i) + "/divisions";
+        problem.message = "bolt " + bolt.name + " has " +
+                          (longest > fine ? "elements of " + millimetres(longest) + " at a joint, where shear wants " +
+                                                millimetres(fine) + " or less"
+                                          : std::string("a node on a joint")) +
+                          ": its dowel forces come out too soft (its pull does not)";
+        problem.remedy = "leave divisions out, and the program refines the bolt at every joint";
+        problems.push_back(std::move(problem));
+    }
+    return problems;
+}
+
+}  // namespace keyblock
