@@ -30,7 +30,7 @@ std::string stageTable(const Scene& scene, const std::vector<StageRecord>& recor
                         record.ended ? std::string(wordOf(result.outcome)) : "not ended",
                         record.ended ? shown(result.time) : "", record.ended ? std::to_string(result.steps) : ""});
         if (!seconds.empty())
-            rows.back().push_back(seconds.contains(result.stage) ? shown(seconds.at(result.stage)) : "");
+            rows.back().push_back(seconds.contains(result.stage) ? shownSeconds(seconds.at(result.stage)) : "");
     }
     return textTable(columns, rows);
 }
@@ -117,7 +117,7 @@ std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records) {
             continue;
         const Health& health = record.result.health;
         any = true;
-        steps += health.steps;
+        steps += record.result.steps;
         passes += health.passes;
         total.stepCuts += health.stepCuts;
         total.maxPenetrationRatio = std::max(total.maxPenetrationRatio, health.maxPenetrationRatio);

@@ -41,6 +41,8 @@ std::string shownPercent(double share) {
     return (isNothing ? "" : share < 0.0 ? "-" : "+") + digits + " %";
 }
 
+std::string shownSeconds(double seconds) { return formatted(seconds, std::chars_format::fixed, 3); }
+
 std::size_t shownWidth(std::string_view text) {
     const auto startsCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), startsCharacter));

@@ -16,6 +16,9 @@ std::string shown(double value);
 /// `share` as a percentage with two decimals and its sign, as in `+0.12 %`.
 std::string shownPercent(double share);
 
+/// Seconds with three decimals.
+std::string shownSeconds(double seconds);
+
 /// Number of characters that a UTF-8 text shows.
 std::size_t shownWidth(std::string_view text);
 

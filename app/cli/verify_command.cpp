@@ -56,22 +56,24 @@ std::vector<CaseResult> resultsOf(const Case& one) {
     }
 }
 
-std::vector<TextColumn> caseColumns(const std::vector<Case>& chosen) {
-    std::size_t widest = 0;
-    for (const Case& one : chosen)
-        widest = std::max(widest, shownWidth(one.name));
-    return {{"case", Align::Left, widest},      {"quantity", Align::Left, 44},  {"measured", Align::Right, 12},
-            {"expected", Align::Right, 12},     {"tolerance", Align::Right, 11}, {"seconds", Align::Right, 9},
-            {"", Align::Left, 4}};
-}
+/// Wide enough for most quantities, so that rows line up from case to case.
+const std::vector<TextColumn> caseColumns{{"", Align::Left, 0},          {"", Align::Left, 62},
+                                          {"", Align::Right, 12},        {"", Align::Right, 12},
+                                          {"", Align::Right, 10},        {"", Align::Right, 9},
+                                          {"", Align::Left, 4}};
 
 std::string tolerance(const CaseResult& result) {
     return result.relative ? shown(100.0 * result.tolerance) + " %" : shown(result.tolerance);
 }
 
 TextRow caseRow(const CaseResult& result) {
-    return {result.name,        result.quantity,       shown(result.measured),           shown(result.expected),
-            tolerance(result),  shown(result.seconds), result.passed ? "ok" : "MISS"};
+    return {"",
+            result.quantity,
+            shown(result.measured),
+            shown(result.expected),
+            tolerance(result),
+            shownSeconds(result.seconds),
+            result.passed ? "ok" : "MISS"};
 }
 
 template <typename Results>
@@ -80,23 +82,32 @@ ExitCode verdict(const Results& results) {
     return passed ? Done : Missed;
 }
 
-ExitCode performCases(const VerifyOptions& options) {
-    const std::vector<Case> chosen = chosenCases(options.names);
-    const std::vector<TextColumn> columns = caseColumns(chosen);
-    if (!options.json)
-        print(textLine(columns, {"case", "quantity", "measured", "expected", "tolerance", "seconds", ""}));
+/// Runs the cases one after another; prints each as it is done, unless the answer is to be JSON.
+std::vector<CaseResult> resultsOfAll(const std::vector<Case>& chosen, bool quiet) {
     std::vector<CaseResult> all;
-    for (const Case& one : chosen)
+    for (const Case& one : chosen) {
+        if (!quiet)
+            print(one.name + ": " + one.description + "\n");
         for (const CaseResult& result : resultsOf(one)) {
-            if (!options.json)
-                print(textLine(columns, caseRow(result)));
+            if (!quiet)
+                print(textLine(caseColumns, caseRow(result)));
             all.push_back(result);
         }
+    }
+    return all;
+}
+
+ExitCode performCases(const VerifyOptions& options) {
+    const std::vector<Case> chosen = chosenCases(options.names);
+    if (!options.json)
+        print(textLine(caseColumns, {"", "", "measured", "expected", "tolerance", "seconds", ""}));
+    const std::vector<CaseResult> all = resultsOfAll(chosen, options.json);
     const auto missed = std::count_if(all.begin(), all.end(), [](const CaseResult& one) { return !one.passed; });
     if (options.json)
         print(casesJson(all));
     else
-        print("\n" + std::to_string(all.size()) + " numbers, " + std::to_string(missed) + " missed\n");
+        print("\n" + std::to_string(all.size()) + " numbers in " + std::to_string(chosen.size()) + " cases, " +
+              std::to_string(missed) + " missed\n");
     return verdict(all);
 }
 
