@@ -4,7 +4,6 @@
 
 #include "solver/engine/bolt_topology.h"
 #include "solver/engine/contacts.h"
-#include "solver/engine/limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -226,8 +225,7 @@ StepEnding DynamicStage::step(State& state, double& time, double end, StepObserv
     countAccepted(engine_, state, trial.residual);
     double least = high > 0.0 ? 1.0 - locateShare : 1.0 + reachedShare;
     while (const auto limit = worstLimit(heldLimits(model, state), least)) {
-        observer.beforeEvent(state, time);
-        for (Event& event : releaseLimit(model, state, *limit)) observer.event(event, state, time);
+        releaseAndTell(model, state, *limit, time, observer);
         observer.afterEvent(state, time);
         least = 1.0 + reachedShare;
     }

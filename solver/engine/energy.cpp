@@ -11,6 +11,23 @@
 #include <Eigen/LU>
 
 namespace keyblock {
+namespace {
+
+StepProblem noLinks(const Model& model) {
+    StepProblem problem;
+    problem.blocks = static_cast<int>(model.blocks.size());
+    problem.nodes = model.nodes;
+    return problem;
+}
+
+double heldBy(const StepProblem& problem) {
+    double energy = 0.0;
+    for (const Link& link : problem.links)
+        energy += link.law.share * storedEnergy(link.law, respond(link.law, link.strain).force);
+    return energy;
+}
+
+}  // namespace
 
 StoredEnergy storedEnergy(const Model& model, const State& state) {
     StoredEnergy energy;
@@ -19,18 +36,19 @@ StoredEnergy storedEnergy(const Model& model, const State& state) {
         energy.strain += 0.5 * model.blocks[i].area * model.thickness *
                          stress.dot(model.blocks[i].elasticity.inverse() * stress);
     }
-    StepProblem links;
-    links.blocks = static_cast<int>(model.blocks.size());
-    links.nodes = model.nodes;
-    addContactLinks(model, state, false, links);
-    addHeldPoints(model, state, links);
-    for (std::size_t b = 0; b < model.bolts.size(); ++b) addBoltLinks(model, state, static_cast<int>(b), links);
-    for (const Link& link : links.links) {
-        const double stored = link.law.share * storedEnergy(link.law, respond(link.law, link.strain).force);
-        const bool contact = link.kind == LinkKind::Normal || link.kind == LinkKind::Friction;
-        (contact ? energy.contact : link.kind == LinkKind::Support ? energy.strain : energy.bolt) += stored;
-    }
+    StepProblem contacts = noLinks(model), held = noLinks(model);
+    addContactLinks(model, state, false, contacts);
+    addHeldPoints(model, state, held);
+    energy.contact = heldBy(contacts);
+    energy.strain += heldBy(held);
+    for (std::size_t b = 0; b < model.bolts.size(); ++b) energy.bolt += boltEnergy(model, state, static_cast<int>(b));
     return energy;
+}
+
+double boltEnergy(const Model& model, const State& state, int bolt) {
+    StepProblem links = noLinks(model);
+    addBoltLinks(model, state, bolt, links);
+    return heldBy(links);
 }
 
 double kineticEnergy(const Model& model, const State& state) {

@@ -7,6 +7,16 @@
 
 namespace keyblock {
 
+void releaseAndTell(const Model& model, State& state, const Limit& limit, double time, StepObserver& observer) {
+    const State before = state;
+    const std::vector<Event> events = releaseLimit(model, state, limit);
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        if (i > 0) observer.afterEvent(before, time);
+        observer.beforeEvent(before, time);
+        observer.event(events[i], before, time);
+    }
+}
+
 SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, double tolerance) {
     const SolveSettings settings{tolerance, engine.model.analysis.maxPasses};
     const SolveReport report = engine.solver.solve(problem, d, settings, engine.stopAsked);
@@ -22,17 +32,19 @@ SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen:
 }
 
 double largestMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d) {
+    Eigen::VectorXd own = d;
+    for (int i = 0; i < problem.unknowns(); ++i)
+        if (problem.known[static_cast<std::size_t>(i)]) own[i] = 0.0;
     double largest = 0.0;
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const auto at = 6 * static_cast<Eigen::Index>(i);
-        if (problem.known[static_cast<std::size_t>(at)]) continue;
         double reach = 0.0;
         for (const Point& corner : model.blocks[i].shape) reach = std::max(reach, corner.norm());
-        const double strain = d.segment<3>(at + 3).cwiseAbs().maxCoeff();
-        largest = std::max(largest, d.segment<2>(at).norm() + (std::abs(d[at + 2]) + strain) * reach);
+        const double strain = own.segment<3>(at + 3).cwiseAbs().maxCoeff();
+        largest = std::max(largest, own.segment<2>(at).norm() + (std::abs(own[at + 2]) + strain) * reach);
     }
     for (int n = 0; n < problem.nodes; ++n)
-        largest = std::max(largest, d.segment<2>(problem.first(problem.blocks + n)).norm());
+        largest = std::max(largest, own.segment<2>(problem.first(problem.blocks + n)).norm());
     return largest;
 }
 

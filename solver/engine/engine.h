@@ -5,6 +5,7 @@
 // its pattern, the counts of the numbers' health, and how to be stopped.
 #pragma once
 
+#include "solver/engine/limits.h"
 #include "solver/engine/step_build.h"
 #include "solver/results/results.h"
 
@@ -44,10 +45,13 @@ public:
     virtual void afterEvent(const State& state, double time) = 0;
 };
 
+/// Releases a limit and tells the events that this is, each with the state before it.
+void releaseAndTell(const Model& model, State& state, const Limit& limit, double time, StepObserver& observer);
+
 /// Solves one step and counts it. Friction limits used are kept in the state's contacts.
 SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, double tolerance);
 
-/// Largest move of a corner or node in `d`, prescribed blocks left out [m].
+/// Largest move of a corner or node by what is not prescribed in `d` [m].
 double largestMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d);
 
 /// Block behind a body of a step, −1 for a node; and its name for a message.

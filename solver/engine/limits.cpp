@@ -3,6 +3,7 @@
 #include "solver/engine/limits.h"
 
 #include "solver/engine/contacts.h"
+#include "solver/engine/step_build.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,20 +121,12 @@ Event boltEvent(const BoltModel& bolt, const BoltMotion& motion, const Limit& li
     return event;
 }
 
-/// Energy that a bonded point gives up when it lets go and keeps `residual` [J].
-double bondEnergy(const AnchorModel& anchor, const NodeBond& bond, double residual) {
-    const double perShare = bond.force / bond.share;
-    return bond.share * (half(perShare, anchor.stiffness) - half(residual, anchor.stiffness));
-}
-
 void debond(const Model& model, State& state, const Limit& limit) {
     const BoltModel& bolt = model.bolts[limit.owner];
     const AnchorModel& anchor = bolt.anchors[limit.part];
     NodeBond& bond = state.bolts[limit.owner].nodes[limit.part].bond;
     bond.bonded = false;
     if (anchor.curve) return;  // the curve goes on
-    const double kept = anchor.restick ? anchor.residual : 0.0;
-    state.energy.released += bolt.share * bondEnergy(anchor, bond, kept);
     bond.gone = anchor.residual <= 0.0;
     const double pull = -bond.force > 0.0 ? 1.0 : -1.0;  // sign of the law's force
     bond.keptForce = pull * anchor.residual;
@@ -153,9 +146,7 @@ void loseBolt(BoltMotion& motion) {
     for (BoltElementState& e : motion.elements) e.axialForce = e.shearForce = e.moment1 = e.moment2 = 0.0;
 }
 
-void rupture(const BoltModel& bolt, State& state, BoltElementState& element, double length) {
-    const BeamSection& s = bolt.section;
-    state.energy.released += bolt.share * half(element.axialForce, s.youngsModulus * s.area / length);
+void rupture(BoltElementState& element) {
     element.ruptured = true;
     element.axialForce = element.shearForce = element.moment1 = element.moment2 = 0.0;
 }
@@ -164,12 +155,11 @@ std::vector<Event> releaseBolt(const Model& model, State& state, const Limit& li
     const BoltModel& bolt = model.bolts[limit.owner];
     BoltMotion& motion = state.bolts[limit.owner];
     std::vector<Event> events{boltEvent(bolt, motion, limit, kind)};
+    const double held = boltEnergy(model, state, limit.owner);
     switch (limit.kind) {
         case LimitKind::Bond: debond(model, state, limit); break;
         case LimitKind::CurveEnd: {
             NodeBond& bond = motion.nodes[limit.part].bond;
-            const AnchorModel& anchor = bolt.anchors[limit.part];
-            state.energy.released += bolt.share * bond.share * half(bond.force / bond.share, anchor.curve->modulus);
             bond.bonded = false;
             bond.gone = true;
             bond.force = 0.0;
@@ -177,12 +167,8 @@ std::vector<Event> releaseBolt(const Model& model, State& state, const Limit& li
         }
         case LimitKind::Yield: motion.elements[limit.part].yielded = true; break;
         case LimitKind::TensileRupture:
-        case LimitKind::ShearRupture:
-            rupture(bolt, state, motion.elements[limit.part], bolt.elements[limit.part].length);
-            break;
+        case LimitKind::ShearRupture: rupture(motion.elements[limit.part]); break;
         case LimitKind::Plate:
-            state.energy.released += bolt.share * (half(motion.plateNormal, bolt.plate.normalStiffness) +
-                                                   half(motion.plateShear, bolt.plate.shearStiffness));
             motion.plateHolds = false;
             motion.plateNormal = motion.plateShear = 0.0;
             break;
@@ -194,6 +180,7 @@ std::vector<Event> releaseBolt(const Model& model, State& state, const Limit& li
         events.back().kind = EventKind::BoltLoss;
         loseBolt(motion);
     }
+    state.energy.released += held - boltEnergy(model, state, limit.owner);
     return events;
 }
 

@@ -10,7 +10,6 @@
 
 #include "solver/engine/bolt_topology.h"
 #include "solver/engine/contacts.h"
-#include "solver/engine/limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -280,8 +279,7 @@ private:
         while (const auto limit = worstLimit(heldLimits(engine_.model, state_), least)) {
             least = 1.0 - reachedShare;
             const double time = reached().time;
-            observer_.beforeEvent(state_, time);
-            for (Event& event : releaseLimit(engine_.model, state_, *limit)) observer_.event(event, state_, time);
+            releaseAndTell(engine_.model, state_, *limit, time, observer_);
             if (changesForces(limit->kind)) {
                 State trial = state_;
                 const StepEnding ending = equilibrium(trial, done_);

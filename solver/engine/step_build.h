@@ -64,6 +64,9 @@ struct StoredEnergy {
 };
 StoredEnergy storedEnergy(const Model& model, const State& state);
 
+/// Elastic energy held by one bolt: shank, anchored points and plate [J].
+double boltEnergy(const Model& model, const State& state, int bolt);
+
 /// Kinetic energy of blocks and bolts [J].
 double kineticEnergy(const Model& model, const State& state);
 
