@@ -25,7 +25,7 @@ constexpr double shortestStep = 1e-7;  // over the longest pseudo-step
 constexpr double finestIncrement = 1e-3;  // of the given increment, before a collapse is believed
 constexpr double followShare = 1e-7;  // of the scene: embedded lengths that changed less need no new equilibrium
 constexpr int mostRounds = 4;
-constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, where joints carry their first forces
+constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, when joints take up the run's first forces
 constexpr double locateShare = 1e-4;  // an event is located at least to this share of its limit
 
 double smallestSize(const Model& model) {
@@ -58,7 +58,7 @@ public:
         int worst = -1;
         for (int step = 0; step < settings_.maxSteps; ++step) {
             state.contacts = findContacts(model_, state.blocks, state.contacts, 2.0 * moveLimit_, false);
-            const bool lock = step < lockedSteps && unloaded(state);
+            const bool lock = step < lockedSteps && state.step == 0 && unloaded(state);
             StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, lock});
             if (!lock && balanced(problem, step)) {
                 Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
@@ -83,7 +83,7 @@ public:
             }
             moveBodies(model_, state, d);
             moved += d;
-            lastMove_ = move;
+            if (!lock) lastMove_ = move;
             dt_ = std::min(2.0 * dt_, longest_);
             if (!farBlocks(places, state).empty()) break;
         }
