@@ -22,7 +22,7 @@ CREATE TABLE stages (stage INTEGER PRIMARY KEY, name TEXT, kind TEXT,
     max_penetration_ratio REAL, max_residual REAL, balance_error REAL, health_steps INTEGER);
 CREATE TABLE events (event INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, kind TEXT,
     bolt INTEGER, node INTEGER, element INTEGER, block INTEGER, other_block INTEGER, x REAL, y REAL,
-    axial_force REAL, shear_force REAL, anchor_force REAL, slip REAL);
+    axial_force REAL, shear_force REAL, anchor_force REAL, slip REAL, history_row INTEGER);
 CREATE TABLE history (row INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, "values" BLOB);
 CREATE TABLE frames (frame INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER,
     kinetic REAL, strain REAL, contact REAL, bolt REAL, friction REAL, plastic REAL, released REAL, damped REAL,
@@ -35,7 +35,7 @@ inline constexpr const char* layout =
     "Every BLOB holds little-endian IEEE 754 doubles, row after row. Table columns lists the values of a row by "
     "payload: blocks, corners, contacts, nodes and bolts of a frame; history of a history row; mechanism for "
     "stages.blocks. Row n of blocks and of bolts is the scene's block or bolt n. Stages, blocks, bolts, nodes and "
-    "elements count from 0; -1 marks an index that does not apply. A stage without an outcome never ended. SI units; "
+    "elements count from 0, as do rows of history, of which events.history_row names the one just before an event; -1 marks an index that does not apply. A stage without an outcome never ended. SI units; "
     "times are within the stage. Row key scene of table about is the scene as JSON, scene_hash its SHA-256.";
 
 }  // namespace keyblock::run_schema

@@ -125,8 +125,8 @@ constexpr const char* insertStage = "INSERT INTO stages (stage, name, kind) VALU
 constexpr const char* endStage =
     "UPDATE stages SET outcome=?, time=?, steps=?, message=?, blocks=?, passes=?, step_cuts=?, factorizations=?, "
     "max_penetration_ratio=?, max_residual=?, balance_error=?, health_steps=? WHERE stage=?";
-constexpr const char* insertEvent = "INSERT INTO events VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
-constexpr const char* insertHistory = "INSERT INTO history VALUES (NULL,?,?,?,?)";
+constexpr const char* insertEvent = "INSERT INTO events VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
+constexpr const char* insertHistory = "INSERT INTO history VALUES (?,?,?,?,?)";
 constexpr const char* insertFrame = "INSERT INTO frames VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
 
 }  // namespace
@@ -151,6 +151,7 @@ struct RunStoreWriter::Open {
 
     sqlite::Database database;
     bool inTransaction = false;
+    std::int64_t historyRows = 0;
     sqlite::Statement stage{database, insertStage};
     sqlite::Statement stageEnd{database, endStage};
     sqlite::Statement event{database, insertEvent};
@@ -233,13 +234,13 @@ void RunStoreWriter::event(const Event& e) {
             open.event.bind(std::int64_t{index});
         for (const double value : {e.position.x(), e.position.y(), e.axialForce, e.shearForce, e.anchorForce, e.slip})
             open.event.bind(value);
-        open.event.run();
+        open.event.bind(open.historyRows - 1).run();
     });
 }
 
 void RunStoreWriter::history(const HistoryRow& row) {
     write([&](Open& open) {
-        open.history.bind(std::int64_t{row.stage}).bind(row.time).bind(std::int64_t{row.step});
+        open.history.bind(open.historyRows++).bind(std::int64_t{row.stage}).bind(row.time).bind(std::int64_t{row.step});
         open.history.bind(std::span<const double>(row.values)).run();
     });
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The history holds a row just before and one just after every event, at the
-// event's own time. `first KIND MONITOR` therefore needs no interpolation: it is
-// the row before, which is found by counting the events that share the time.
+// event's own time, and each event knows the row before it. `first KIND MONITOR`
+// therefore needs no interpolation, however many events share a time.
 #include "solver/results/quantity.h"
 
 #include "solver/results/history.h"
@@ -32,26 +32,6 @@ Measurement reduced(Reduction reduction, std::span<const HistoryRow> history, st
     }
 }
 
-template <typename Timed>
-bool sameTime(const Timed& a, const Event& b) {
-    return a.stage == b.stage && a.time == b.time;
-}
-
-/// The row just before `events[index]`; null where the history has none at its time.
-const HistoryRow* rowBefore(std::size_t index, std::span<const HistoryRow> history, std::span<const Event> events) {
-    const Event& event = events[index];
-    std::vector<const HistoryRow*> rows;
-    for (const HistoryRow& row : history)
-        if (sameTime(row, event))
-            rows.push_back(&row);
-    if (rows.empty())
-        return nullptr;
-    const auto atThatTime = [&](const Event& other) { return sameTime(other, event); };
-    const auto earlier = static_cast<std::size_t>(
-        std::count_if(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(index), atThatTime));
-    return rows[std::min(2 * earlier, rows.size() - 1)];
-}
-
 Measurement atFirst(const Quantity& quantity, std::span<const HistoryRow> history, std::span<const Event> events,
                     std::size_t column) {
     const auto kind = static_cast<EventKind>(quantity.eventKind);
@@ -59,10 +39,9 @@ Measurement atFirst(const Quantity& quantity, std::span<const HistoryRow> histor
     if (found == events.end())
         return problem("no " + std::string(eventKindWords[static_cast<std::size_t>(quantity.eventKind)]) +
                        " happened");
-    const HistoryRow* row = rowBefore(static_cast<std::size_t>(found - events.begin()), history, events);
-    if (!row)
-        return problem("the history has no row at the event");
-    return {row->values[column], ""};
+    if (found->historyRow < 0 || static_cast<std::size_t>(found->historyRow) >= history.size())
+        return problem("the history has no row before the event");
+    return {history[static_cast<std::size_t>(found->historyRow)].values[column], ""};
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ struct Event {
     double shearForce = 0.0;  // [N]
     double anchorForce = 0.0;  // [N] positive when the rock pulls the bolt towards its head
     double slip = 0.0;  // [m] rock minus bolt along the axis
+    long historyRow = -1;  // the history row just before it, from 0; the sink that keeps both counts; −1: none
 
     bool operator==(const Event&) const = default;
 };

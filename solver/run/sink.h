@@ -30,7 +30,10 @@ class MemorySink : public Sink {
 public:
     void begin(const Scene&, const HistoryColumns& columns) override { results.columns = columns; }
     void stageBegins(int) override {}
-    void event(const Event& event) override { results.events.push_back(event); }
+    void event(const Event& event) override {
+        results.events.push_back(event);
+        results.events.back().historyRow = static_cast<long>(results.history.size()) - 1;
+    }
     void history(const HistoryRow& row) override { results.history.push_back(row); }
     void frame(const Frame& frame) override { results.frames.push_back(frame); }
     void stageEnds(const StageResult& result) override { results.stages.push_back(result); }

@@ -56,8 +56,14 @@ TEST(Measure, ReducesAColumn) {
 
 TEST(Measure, TakesTheRowJustBeforeTheFirstEventOfAKind) {
     EXPECT_EQ(measured("first debonding opening"), 102.0);
-    // The joint opens at the same time, after the debonding: its row before is the third of that time.
+    // The joint opens at the same time, after the debonding and the row that follows it.
     EXPECT_EQ(measured("first joint-open opening"), 302.0);
+}
+
+TEST(Measure, EventsOfOneReleaseShareTheRowBefore) {
+    Results results = test::sampleResults();
+    results.events[1].historyRow = results.events[0].historyRow;
+    EXPECT_EQ(measure("first joint-open opening", test::sampleScene(), results).value, 102.0);
 }
 
 TEST(Measure, SaysWhyThereIsNoNumber) {
@@ -65,6 +71,9 @@ TEST(Measure, SaysWhyThereIsNoNumber) {
     Results results = test::sampleResults();
     EXPECT_NE(measure("first collapse opening", scene, results).problem.find("no collapse"), std::string::npos);
     EXPECT_NE(measure("max nothing", scene, results).problem.find("names no monitor"), std::string::npos);
+    results.events[0].historyRow = -1;
+    EXPECT_FALSE(measure("first debonding opening", scene, results).value);
+    results.events[0].historyRow = 1;
     results.history.clear();
     EXPECT_FALSE(measure("max opening", scene, results).value);
     EXPECT_FALSE(measure("first debonding opening", scene, results).value);

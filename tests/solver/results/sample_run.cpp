@@ -65,6 +65,7 @@ Event debonding() {
     event.shearForce = -1e-300;
     event.anchorForce = 24560.0;
     event.slip = 2.9e-4;
+    event.historyRow = 1;
     return event;
 }
 
@@ -76,6 +77,7 @@ Event jointOpen() {
     event.block = 0;
     event.otherBlock = 1;
     event.position = {1.0, 0.5};
+    event.historyRow = 3;
     return event;
 }
 
@@ -203,6 +205,9 @@ void feed(const Scene& scene, const Results& results, Sink& sink) {
     const auto upTo = [](const auto& item, const Frame& frame) {
         return item.stage < frame.stage || (item.stage == frame.stage && item.time <= frame.time);
     };
+    const auto isNext = [](const Event& item, std::size_t row) {
+        return static_cast<std::size_t>(item.historyRow) == row;
+    };
     sink.begin(scene, results.columns);
     std::size_t event = 0;
     std::size_t history = 0;
@@ -211,10 +216,11 @@ void feed(const Scene& scene, const Results& results, Sink& sink) {
         sink.stageBegins(stage.stage);
         for (; next < results.frames.size() && results.frames[next].stage == stage.stage; ++next) {
             const Frame& frame = results.frames[next];
-            for (; history < results.history.size() && upTo(results.history[history], frame); ++history)
+            for (; history < results.history.size() && upTo(results.history[history], frame); ++history) {
                 sink.history(results.history[history]);
-            for (; event < results.events.size() && upTo(results.events[event], frame); ++event)
-                sink.event(results.events[event]);
+                for (; event < results.events.size() && isNext(results.events[event], history); ++event)
+                    sink.event(results.events[event]);
+            }
             sink.frame(frame);
         }
         sink.stageEnds(stage);
