@@ -73,7 +73,21 @@ std::string quantityTable(const RunSource& run, const std::vector<HistoryRow>& h
     return rows.empty() ? "" : "\n" + textTable({{"quantity"}, {"value, SI", Align::Right}, {""}}, rows);
 }
 
-TextRow expectedRow(const Comparison& comparison) {
+/// Whether no stage was cut short; only then can an expectation be judged.
+bool isWhole(const std::vector<StageRecord>& records) {
+    return std::all_of(records.begin(), records.end(), [](const StageRecord& record) {
+        const Outcome outcome = record.result.outcome;
+        return record.ended && outcome != Outcome::Stopped && outcome != Outcome::Failed && outcome != Outcome::Limit;
+    });
+}
+
+std::string verdictOf(const Comparison& comparison, bool whole) {
+    if (!whole)
+        return "cut short";
+    return comparison.within ? "met" : "missed";
+}
+
+TextRow expectedRow(const Comparison& comparison, bool whole) {
     const Expected& expected = comparison.expected;
     const bool relative = expected.value != 0.0;
     const bool known = comparison.measured.value.has_value();
@@ -84,15 +98,16 @@ TextRow expectedRow(const Comparison& comparison) {
             shown(expected.value),
             known ? deviation : "",
             tolerance,
-            comparison.within ? "met" : "missed",
+            verdictOf(comparison, whole),
             known ? expected.source : comparison.measured.problem};
 }
 
 std::string expectedTable(const RunSource& run, const std::vector<HistoryRow>& history,
                           const std::vector<Event>& events) {
+    const bool whole = isWhole(run.stages());
     std::vector<TextRow> rows;
     for (const Expected& expected : run.scene().about.expected)
-        rows.push_back(expectedRow(compare(expected, run.scene(), history, events)));
+        rows.push_back(expectedRow(compare(expected, run.scene(), history, events), whole));
     if (rows.empty())
         return {};
     return "\n" + textTable({{"expected by the scene"},

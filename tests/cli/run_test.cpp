@@ -108,13 +108,15 @@ TEST_F(Runs, ProgressComesAsJsonLines) {
 
 TEST_F(Runs, AnInterruptedRunKeepsWhatIsDone) {
     putEndlessScene();
+    const std::string expectation = "about.expected=[{\"quantity\": \"last top.uy\", \"value\": 1}]";
     for (const int signal : {SIGTERM, SIGINT}) {
-        Program program({"run", "rest.json", "--overwrite"}, folder());
+        Program program({"run", "rest.json", "--overwrite", "--set", expectation}, folder());
         ::sleep(1);
         program.signal(signal);
         const Ended ended = program.wait();
         EXPECT_EQ(ended.code, 75) << ended.err;
         EXPECT_NE(ended.err.find("interrupted"), std::string::npos) << ended.err;
+        EXPECT_NE(ended.out.find("cut short"), std::string::npos) << ended.out;
         const Ended info = keyblock({"info", "rest.kbrun", "--json"});
         ASSERT_EQ(info.code, 0) << info.err;
         EXPECT_EQ(json::parse(info.out).at("stages").at(0).at("outcome"), "stopped");
