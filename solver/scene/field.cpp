@@ -54,7 +54,22 @@ bool isOneOf(const FieldValue& value, const std::vector<std::string_view>& words
     return text && std::find(words.begin(), words.end(), *text) != words.end();
 }
 
+void collect(const Structure& structure, std::vector<const Structure*>& all) {
+    if (std::find(all.begin(), all.end(), &structure) != all.end())
+        return;
+    all.push_back(&structure);
+    for (const Field& field : structure.fields)
+        if (hasChildren(field))
+            collect(field.children.structure(), all);
+}
+
 }  // namespace
+
+std::vector<const Structure*> allStructures() {
+    std::vector<const Structure*> all;
+    collect(sceneStructure(), all);
+    return all;
+}
 
 const Field* findField(const Structure& structure, std::string_view key) {
     const auto found = std::find_if(structure.fields.begin(), structure.fields.end(),
@@ -87,14 +102,14 @@ bool applies(const Structure& structure, const Field& field, const void* object)
     return isOneOf(value, field.only.words);
 }
 
-std::string misplaced(const Field& field) {
-    std::string where;
+std::string condition(const Field& field) {
+    std::string words;
     for (const std::string_view word : field.only.words)
-        where += (where.empty() ? "" : " or ") + inQuotes(word);
-    if (where.empty())
-        return inQuotes(field.key) + " belongs only where " + inQuotes(field.only.key) + " is given";
-    return inQuotes(field.key) + " belongs only where " + inQuotes(field.only.key) + " is " + where;
+        words += (words.empty() ? "" : " or ") + inQuotes(word);
+    return "where " + inQuotes(field.only.key) + (words.empty() ? " is given" : " is " + words);
 }
+
+std::string misplaced(const Field& field) { return inQuotes(field.key) + " belongs only " + condition(field); }
 
 bool isFinite(const FieldValue& value) {
     return std::visit([](const auto& held) { return allFinite(held); }, value);

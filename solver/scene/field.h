@@ -110,6 +110,9 @@ const Structure& sceneStructure();
 /// The table of a bolt type, whose `like` a reader follows by itself.
 const Structure& boltTypeStructure();
 
+/// The scene's table and all below it, each once, in the order of the rows that lead to them.
+std::vector<const Structure*> allStructures();
+
 /// The row of that key; null when there is none.
 const Field* findField(const Structure& structure, std::string_view key);
 
@@ -124,6 +127,9 @@ bool applies(const Structure& structure, const Field& field, const void* object)
 
 /// True when two objects of the field's struct say the same in it, down to the last value.
 bool sameValue(const Field& field, const void* a, const void* b);
+
+/// Where the field applies, e.g. `where 'kind' is 'dynamic'`. \pre it asks for something.
+std::string condition(const Field& field);
 
 /// Says of a field that stands where it does not apply where it would.
 std::string misplaced(const Field& field);

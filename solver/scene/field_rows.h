@@ -7,6 +7,7 @@
 #pragma once
 
 #include "solver/scene/field.h"
+#include "solver/scene/lookup.h"
 #include "solver/scene/words.h"
 
 #include <algorithm>
@@ -49,8 +50,8 @@ struct Says {
     std::string_view source{};
 };
 
-/// Coordinates of places [m]; beyond, nothing of a tunnel is left in the digits of a double.
-inline constexpr Range coordinates{.least = -1e9, .most = 1e9};
+/// Coordinates of places [m].
+inline constexpr Range coordinates{.least = -farthestCoordinate, .most = farthestCoordinate};
 
 inline Range above(double least) { return {.least = least, .leastExcluded = true}; }
 inline Range atLeast(double least) { return {.least = least}; }

@@ -22,7 +22,7 @@ Box boxOfScene(const Scene& scene) {
     std::vector<Point> corners;
     for (const Block& block : scene.blocks)
         std::copy_if(block.points.begin(), block.points.end(), std::back_inserter(corners),
-                     [](const Point& point) { return point.allFinite(); });
+                     isUsable);
     return corners.empty() ? Box{} : boxOf(corners);
 }
 
@@ -45,6 +45,10 @@ int indexOfKey(const Pairs& pairs, const std::string& key) {
 }
 
 }  // namespace
+
+bool isUsable(const Point& place) {
+    return place.allFinite() && place.cwiseAbs().maxCoeff() <= farthestCoordinate;
+}
 
 double sceneSize(const Scene& scene) {
     const Box box = boxOfScene(scene);

@@ -12,7 +12,13 @@
 
 namespace keyblock {
 
-/// Diagonal of the box around all blocks, of those corners that are finite [m]; 1 without blocks.
+/// Places lie no farther from the origin in x and y [m]; beyond, nothing of a tunnel is left in the digits of a double.
+inline constexpr double farthestCoordinate = 1e9;
+
+/// True when both coordinates are finite and not too far.
+bool isUsable(const Point& place);
+
+/// Diagonal of the box around all blocks, of those corners that are usable [m]; 1 without blocks.
 double sceneSize(const Scene& scene);
 
 /// Below this distance two points are one, and a point is on an edge [m]: 1e-9 of the scene's size,
