@@ -53,16 +53,40 @@ private:
     const char** reached_;
 };
 
-// The parser's message without its own prefix and without bytes that are no plain text.
+// The parser's message without its own prefix, without what it read last (the word says that better) and without
+// bytes that are no plain text.
 std::string detailOf(std::string_view what) {
     if (const auto column = what.find("column "); column != std::string_view::npos)
         what.remove_prefix(std::min(what.find(": ", column) + 2, what.size()));
     else if (const auto bracket = what.find("] "); bracket != std::string_view::npos)
         what.remove_prefix(bracket + 2);
-    std::string text(what.substr(0, longestDetail));
+    std::string text(what.substr(0, std::min(what.find("; last read"), longestDetail)));
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c < 0x20 || c > 0x7e; }, '?');
     return text;
+}
+
+bool isWordCharacter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '+';
+}
+
+// The letters and digits around a place in a text.
+std::string_view wordAround(std::string_view text, std::size_t place) {
+    std::size_t begin = place;
+    std::size_t end = place;
+    while (begin > 0 && isWordCharacter(text[begin - 1]))
+        --begin;
+    while (end < text.size() && isWordCharacter(text[end]))
+        ++end;
+    return text.substr(begin, end - begin);
+}
+
+bool isNoFiniteNumber(std::string_view word) {
+    std::string letters;
+    for (const char c : word)
+        if (c != '-' && c != '+')
+            letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return letters == "nan" || letters == "inf" || letters == "infinity";
 }
 
 std::string remedyFor(std::string_view detail) {
@@ -71,8 +95,6 @@ std::string remedyFor(std::string_view detail) {
         return "Save the file as UTF-8";
     if (tells("overflow"))
         return "Give a number below 1.8e308";
-    if (tells("'N") || tells("'n") || tells("'I") || tells("'i") || tells("'-I") || tells("'-i") || tells("'-N"))
-        return "JSON knows no NaN and no Infinity; give a finite number";
     if (tells("unexpected end of input") || tells("missing closing quote"))
         return "The text breaks off; complete it";
     return "Correct the text here or just before; a comma, quote or bracket may be missing or too many";
@@ -81,7 +103,8 @@ std::string remedyFor(std::string_view detail) {
 // Builds the tree; gives false to the parser when a limit is passed.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 public:
-    TreeBuilder(const char* begin, const char** reached) : counted_(begin), reached_(reached) {}
+    TreeBuilder(std::string_view text, const char** reached)
+        : text_(text), counted_(text.data()), reached_(reached) {}
 
     bool null() override { return leaf(std::monostate{}); }
     bool boolean(bool value) override { return leaf(value); }
@@ -106,8 +129,12 @@ public:
         return true;
     }
     bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) override {
+        const std::string_view word = wordAround(text_, placeOfError());
         const std::string detail = detailOf(error.what());
-        fail("not valid JSON: " + detail, remedyFor(detail));
+        if (isNoFiniteNumber(word))
+            fail(inQuotes(word) + " is no JSON: there is no number but finite ones", "Give a finite number");
+        else
+            fail("not valid JSON: " + detail, remedyFor(detail));
         return false;
     }
 
@@ -120,7 +147,7 @@ public:
 private:
     struct Open {
         JsonNode node;
-        std::string key;  // of the next member
+        std::optional<std::string> key;  // of the member that is being read
     };
 
     // The parser may have read one character past a number, so that one is not counted.
@@ -130,13 +157,19 @@ private:
         return line_;
     }
 
+    // Of the last character that was read.
+    std::size_t placeOfError() const {
+        const auto read = static_cast<std::size_t>(*reached_ - text_.data());
+        return read == 0 ? 0 : read - 1;
+    }
+
     std::string pointer() const {
         std::string text;
         for (const Open& open : open_) {
             if (const auto* list = std::get_if<JsonList>(&open.node.value))
                 text = under(text, list->size());
-            else
-                text = under(text, open.key);
+            else if (open.key)
+                text = under(text, *open.key);
         }
         return text;
     }
@@ -161,13 +194,20 @@ private:
         else if (auto* list = std::get_if<JsonList>(&open_.back().node.value))
             list->push_back(std::move(node));
         else
-            std::get<JsonObject>(open_.back().node.value).push_back({open_.back().key, std::move(node)});
+            placeMember(std::move(node));
         return true;
+    }
+
+    void placeMember(JsonNode node) {
+        Open& parent = open_.back();
+        std::get<JsonObject>(parent.node.value).push_back({std::move(*parent.key), std::move(node)});
+        parent.key.reset();
     }
 
     template <typename Value>
     bool open(Value&& empty) {
         if (static_cast<int>(open_.size()) >= deepestJson) {
+            open_.clear();  // its pointer would say no more than that it is long
             fail("lists and objects lie more than " + std::to_string(deepestJson) + " deep inside each other",
                  "No scene needs that; look for brackets that are too many");
             return false;
@@ -203,13 +243,14 @@ private:
     }
 
     void reportDuplicate(const JsonMember& before, const JsonMember& again) {
-        open_.back().key = again.key;
+        open_.back().key = again.key;  // for the pointer
         addProblem(problems_, {Severity::Error, "", again.node.line, pointer(),
-                             "the key " + inQuotes(again.key) + " is given twice, first on line " +
-                                 std::to_string(before.node.line),
-                             "Keep one of the two"});
+                               "the key " + inQuotes(again.key) + " is given twice, first on line " +
+                                   std::to_string(before.node.line),
+                               "Keep one of the two"});
     }
 
+    std::string_view text_;
     const char* counted_;
     const char** reached_;
     int line_ = 1;
@@ -254,7 +295,7 @@ JsonReading readJson(std::string_view text) {
     if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE"))
         return refused("the text is UTF-16", "Save the file as UTF-8");
     const char* reached = text.data();
-    TreeBuilder builder(text.data(), &reached);
+    TreeBuilder builder(text, &reached);
     nlohmann::json::sax_parse(TellingIterator(text.data(), &reached),
                               TellingIterator(text.data() + text.size(), &reached), &builder);
     return builder.take();

@@ -42,7 +42,7 @@ struct JsonReading {
 
 inline constexpr int deepestJson = 64;  // lists and objects inside each other
 inline constexpr std::size_t longestJson = std::size_t{64} << 20;  // bytes
-inline constexpr std::size_t mostJsonValues = 4'000'000;
+inline constexpr std::size_t mostJsonValues = 2'000'000;
 
 /// Reads a JSON text in UTF-8. Problems have line and pointer but no file.
 JsonReading readJson(std::string_view text);

@@ -10,6 +10,7 @@
 #include "solver/scene/suggest.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace keyblock {
 
@@ -39,13 +40,22 @@ private:
         const Field* field = findField(structure_, member.key);
         if (!field)
             return addError(problems_, member.node, place,
-                            "a " + std::string(structure_.name) + " has no key " + inQuotes(member.key),
+                            "the " + std::string(structure_.name) + " has no key " + inQuotes(member.key),
                             suggestion(member.key, keys()));
         if (hasChildren(*field))
             return readChildren(*field, member.node, place);
         const auto value = valueFromJson(*field, member.node, place, problems_);
-        if (value && field->set)
+        if (!value)
+            markUnread(*field);
+        else if (field->set)
             field->set(target_, *value);
+    }
+
+    // A place that could not be read must not pass for the origin in later checks.
+    void markUnread(const Field& field) {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        if (field.kind == FieldKind::Vector)
+            field.set(target_, Point(none, none));
     }
 
     void readChildren(const Field& field, const JsonNode& node, const std::string& place) {
@@ -67,7 +77,7 @@ private:
             return addError(problems_, node, place,
                             inQuotes(field.key) + " is " + std::string(kindText(node)) + ", but must be a list",
                             "Write [ … ] with an object for each");
-        for (std::size_t i = 0; i < list->size(); ++i)
+        for (std::size_t i = 0; i < list->size() && !isFull(problems_); ++i)
             readObject((*list)[i], field.children.structure(), field.children.append(target_, {}), under(place, i),
                        problems_);
     }
@@ -85,11 +95,14 @@ private:
     }
 
     void reportMissing(const JsonNode& node) {
-        for (const Field& field : structure_.fields)
-            if (field.required && !findMember(node, field.key))
-                addError(problems_, node, under(pointer_, field.key),
-                         "the " + std::string(structure_.name) + " has no " + inQuotes(field.key),
-                         "Add it: " + std::string(field.help));
+        for (const Field& field : structure_.fields) {
+            if (!field.required || findMember(node, field.key))
+                continue;
+            markUnread(field);
+            addError(problems_, node, under(pointer_, field.key),
+                     "the " + std::string(structure_.name) + " has no " + inQuotes(field.key),
+                     "Add it: " + std::string(field.help));
+        }
     }
 
     // By presence: in the wrong place even the default is a mistake; null says nothing, so it may stand anywhere.
@@ -128,7 +141,8 @@ private:
 
 void readObject(const JsonNode& node, const Structure& structure, void* target, const std::string& pointer,
                 std::vector<Problem>& problems, const std::vector<std::string_view>& skipped) {
-    ObjectReader(structure, target, pointer, problems).read(node, skipped);
+    if (!isFull(problems))
+        ObjectReader(structure, target, pointer, problems).read(node, skipped);
 }
 
 }  // namespace keyblock

@@ -4,7 +4,6 @@
 // Paths come in three spellings, all turned into the same list of keys.
 #include "solver/files/overrides.h"
 
-#include "solver/scene/pointer.h"
 #include "solver/scene/suggest.h"
 
 #include <charconv>
@@ -80,9 +79,9 @@ public:
     void apply(JsonNode& root) {
         const auto equals = option_.find('=');
         if (!isUtf8(option_))
-            return fail("", "the option is not UTF-8", "Write it in UTF-8");
+            return fail("the option is not UTF-8", "Write it in UTF-8");
         if (equals == std::string::npos || equals == 0)
-            return fail("", "the option has no path or no value", "Write path=value, e.g. stages[0].increments=20");
+            return fail("the option has no path or no value", "Write path=value, e.g. stages[0].increments=20");
         const std::string path = option_.substr(0, equals);
         const auto keys = path.front() == '/' ? keysOfPointer(path) : keysOfPath(path);
         JsonNode* place = find(root, keys);
@@ -95,15 +94,13 @@ public:
 private:
     JsonNode* find(JsonNode& root, const std::vector<std::string>& keys) {
         JsonNode* node = &root;
-        std::string pointer;
         for (const std::string& key : keys) {
             JsonNode* next = key.empty() ? nullptr : child(*node, key);
             if (!next) {
-                fail(pointer, missing(*node, key), "Correct the path; list elements count from 0");
+                fail(missing(*node, key), "Correct the path; list elements count from 0");
                 return nullptr;
             }
             node = next;
-            pointer = under(pointer, key);
         }
         return node;
     }
@@ -122,13 +119,12 @@ private:
         if (!reading.root)
             return {text};
         for (Problem& problem : reading.problems)
-            fail(problem.pointer, problem.message, problem.remedy);
+            fail(problem.message, problem.remedy);
         return std::move(*reading.root);
     }
 
-    void fail(std::string pointer, std::string message, std::string remedy) {
-        addProblem(
-            problems_, {Severity::Error, "", line_, std::move(pointer), std::move(message), std::move(remedy)});
+    void fail(std::string message, std::string remedy) {
+        addProblem(problems_, {Severity::Error, "", line_, "", std::move(message), std::move(remedy)});
     }
 
     const std::string& option_;

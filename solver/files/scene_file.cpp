@@ -71,9 +71,18 @@ bool isExplained(const Problem& problem, const Problems& errors) {
     });
 }
 
-void addSense(const Scene& scene, const JsonNode& root, Problems& problems) {
-    const Problems told = problems;
-    for (Problem& problem : checkScene(scene)) {
+// Where a whole list could not be read, everything that refers to it would seem wrong.
+bool lacksWholeList(const Problems& told) {
+    return std::any_of(told.begin(), told.end(), [](const Problem& problem) {
+        const Field* field = problem.pointer.empty() ? nullptr
+                                                     : findField(sceneStructure(), problem.pointer.substr(1));
+        return field && hasChildren(*field);
+    });
+}
+
+// `told` are the problems of single fields.
+void addSense(const Scene& scene, const JsonNode& root, const Problems& told, Problems& problems) {
+    for (Problem& problem : lacksWholeList(told) ? checkValues(scene) : checkScene(scene)) {
         if (isExplained(problem, told))
             continue;
         problem.line = lineAt(root, problem.pointer);
@@ -118,8 +127,12 @@ SceneReading readSceneText(std::string_view text, const std::string& name, std::
     applyOverrides(*json.root, overrides, problems);
     if (!bringUpToDate(*json.root, problems))
         return finished({}, std::move(problems), name, overrides);
-    Scene scene = readScene(*json.root, problems);
-    addSense(scene, *json.root, problems);
+    Problems ofFields;
+    Scene scene = readScene(*json.root, ofFields);
+    for (const Problem& problem : ofFields)
+        addProblem(problems, problem);
+    if (!isFull(problems))
+        addSense(scene, *json.root, ofFields, problems);
     return finished(std::move(scene), std::move(problems), name, overrides);
 }
 

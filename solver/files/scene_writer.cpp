@@ -64,11 +64,21 @@ const BoltType& baseOf(const BoltType& type, const Scene& scene) {
     return builtIn ? *builtIn : defaults;
 }
 
+// What differs from the base; sources that come along with their numbers are not repeated.
+JsonNode boltTypeNode(BoltType type, BoltType base) {
+    std::erase_if(type.sources, [&](const auto& entry) {
+        const auto inherited = base.sources.find(entry.first);
+        return inherited != base.sources.end() && inherited->second == entry.second;
+    });
+    base.sources.clear();
+    return objectNode(boltTypeStructure(), &type, &base);
+}
+
 JsonObject ownBoltTypes(const Scene& scene) {
     JsonObject types;
     for (const BoltType& type : scene.boltTypes)
         if (!type.builtIn)
-            types.push_back({type.name, objectNode(boltTypeStructure(), &type, &baseOf(type, scene))});
+            types.push_back({type.name, boltTypeNode(type, baseOf(type, scene))});
     return types;
 }
 

@@ -10,6 +10,12 @@
 
 namespace keyblock {
 
+std::vector<Problem> checkValues(const Scene& scene) {
+    CheckReport report;
+    checkFields(sceneStructure(), &scene, "", report);
+    return std::move(report.problems);
+}
+
 std::vector<Problem> checkScene(const Scene& scene) {
     CheckReport report;
     checkFields(sceneStructure(), &scene, "", report);

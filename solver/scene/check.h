@@ -17,4 +17,7 @@ namespace keyblock {
 /// Bears any scene, however broken; a scene without errors can be run.
 std::vector<Problem> checkScene(const Scene& scene);
 
+/// Only what is wrong with single values: ranges, empty names, fields where they do not belong.
+std::vector<Problem> checkValues(const Scene& scene);
+
 }  // namespace keyblock

@@ -65,16 +65,19 @@ bool checkPosition(const Bolt& bolt, const std::string& pointer, CheckContext& c
     return true;
 }
 
-void checkPlaceOnBolt(const BoltPlace& place, double length, double tolerance, const std::string& pointer,
+// False when the place is past the end.
+bool checkPlaceOnBolt(const BoltPlace& place, double length, double tolerance, const std::string& pointer,
                       std::string_view what, CheckReport& report) {
-    if (distanceAlong(place, length) > length + tolerance)
-        report.error(pointer,
-                     std::string(what) + " at " + shortest(place.s) + " m lies past the end of the bolt, which is " +
-                         shortest(length) + " m long",
-                     "Count metres from the far end, at most the bolt's length");
+    if (distanceAlong(place, length) <= length + tolerance)
+        return true;
+    report.error(pointer,
+                 std::string(what) + " at " + shortest(place.s) + " m lies past the end of the bolt, which is " +
+                     shortest(length) + " m long",
+                 "Count metres from the far end, at most the bolt's length");
+    return false;
 }
 
-// Anchors of the bolt itself are told at the anchor, those of its type at the bolt's type.
+// Anchors of the bolt itself are told at the anchor, those of its type once, at the bolt's type.
 void checkAnchorPlaces(const Bolt& bolt, const BoltType* type, const std::string& pointer, CheckContext& context) {
     if (!bolt.anchors && !type)
         return;
@@ -86,11 +89,12 @@ void checkAnchorPlaces(const Bolt& bolt, const BoltType* type, const std::string
         const auto place = [&](std::string_view key) {
             return bolt.anchors ? under(under(under(pointer, "anchors"), i), key) : under(pointer, "type");
         };
-        if (anchor.at)
-            checkPlaceOnBolt(*anchor.at, length, tolerance, place("at"), "an anchor", context.report);
-        else
-            checkPlaceOnBolt(anchor.to, length, tolerance, place("to"), "the end of an anchor's range",
-                             context.report);
+        const bool fits =
+            anchor.at ? checkPlaceOnBolt(*anchor.at, length, tolerance, place("at"), "an anchor", context.report)
+                      : checkPlaceOnBolt(anchor.to, length, tolerance, place("to"), "the end of an anchor's range",
+                                         context.report);
+        if (!fits && !bolt.anchors)
+            return;
     }
 }
 

@@ -32,7 +32,7 @@ void CheckReport::note(std::string pointer, std::string message, std::string rem
 }
 
 bool CheckContext::allSound() const {
-    return std::all_of(sound.begin(), sound.end(), [](bool isSound) { return isSound; });
+    return !sound.empty() && std::all_of(sound.begin(), sound.end(), [](bool isSound) { return isSound; });
 }
 
 int checkBlockAt(CheckContext& context, const Point& place, const std::string& pointer) {

@@ -33,7 +33,7 @@ struct CheckContext {
     std::vector<bool> fixed;  // per block: held as a whole
     CheckReport& report;
 
-    bool allSound() const;
+    bool allSound() const;  // false without blocks: then nothing can be looked up either
 };
 
 /// Numbers finite and in range, required texts not empty, fields where they belong; below `object`, by the table.

@@ -21,9 +21,7 @@ namespace {
 std::string blockPointer(std::size_t block) { return under("/blocks", block); }
 
 bool hasUsableCorners(const Block& block) {
-    return std::all_of(block.points.begin(), block.points.end(), [](const Point& point) {
-        return point.allFinite() && point.cwiseAbs().maxCoeff() <= 1e9;  // else the table's ranges have said so
-    });
+    return std::all_of(block.points.begin(), block.points.end(), isUsable);  // else the table's ranges have said so
 }
 
 // Index of a corner that repeats the one before it (the first: the last); −1 when none does.
@@ -36,11 +34,13 @@ int repeatedCorner(const std::vector<Point>& points, double tolerance) {
     return -1;
 }
 
-double perimeter(const std::vector<Point>& points) {
-    double length = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        length += (points[(i + 1) % points.size()] - points[i]).norm();
-    return length;
+bool lieOnOneLine(const std::vector<Point>& points, double tolerance) {
+    const auto distance = [&](const Point& point) { return (point - points[0]).norm(); };
+    const Point farthest = *std::max_element(
+        points.begin(), points.end(), [&](const Point& a, const Point& b) { return distance(a) < distance(b); });
+    const Point direction = (farthest - points[0]).normalized();
+    return std::all_of(points.begin(), points.end(),
+                       [&](const Point& point) { return std::abs(cross(direction, point - points[0])) <= tolerance; });
 }
 
 bool checkRepeatedCorner(const std::vector<Point>& points, const std::string& pointer, const CheckContext& context) {
@@ -68,7 +68,7 @@ bool checkOutline(const Block& block, std::size_t index, CheckContext& context) 
     }
     if (!checkRepeatedCorner(points, pointer, context))
         return false;
-    if (std::abs(signedArea(points)) <= context.tolerance * perimeter(points) && !crossesItself(points, 0.0)) {
+    if (lieOnOneLine(points, context.tolerance)) {
         context.report.error(pointer, "the block has no area", "Give corners that do not lie on one line");
         return false;
     }

@@ -169,11 +169,12 @@ void checkStage(const Stage& stage, const std::string& pointer, CheckContext& co
 
 void checkStages(CheckContext& context) {
     const std::vector<Stage>& stages = context.scene.stages;
+    const bool needsBlocks = !stages.empty() || !context.scene.bolts.empty() || !context.scene.supports.empty();
+    if (context.scene.blocks.empty() && needsBlocks)
+        context.report.error("/blocks", "the scene has no blocks", "Give at least one");
     if (stages.empty())
         context.report.warning("", "the scene has no stages, so there is nothing to run",
                                "Add 'stages', or keep it as a scene to be checked");
-    else if (context.scene.blocks.empty())
-        context.report.error("/blocks", "the scene has no blocks", "Give at least one");
     checkNamesDiffer(
         stages.size(), [&](std::size_t i) { return stages[i].name; },
         [](std::size_t i) { return under(under("/stages", i), "name"); }, "stage", context.report);

@@ -38,6 +38,8 @@ void checkPlace(const Monitor& monitor, const Bolt& bolt, const std::string& poi
         return report.error(pointer, "the monitor names more than one place along the bolt",
                             "Keep one of 'at', 'at_from_head' and 'at_fraction'");
     const double length = lengthOf(bolt);
+    if (!(length > 0.0))
+        return;  // told at the bolt
     const double place = distanceAlong(monitor, length);
     const double tolerance = 1e-9 * length;
     if (places == 1 && (place > length + tolerance || place < -tolerance))

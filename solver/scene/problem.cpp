@@ -20,6 +20,8 @@ void addProblem(std::vector<Problem>& problems, Problem problem) {
     problems.push_back(std::move(problem));
 }
 
+bool isFull(std::span<const Problem> problems) { return problems.size() >= mostProblems; }
+
 bool hasErrors(std::span<const Problem> problems) {
     return std::any_of(problems.begin(), problems.end(),
                        [](const Problem& problem) { return problem.severity == Severity::Error; });

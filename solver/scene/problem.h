@@ -33,6 +33,9 @@ inline constexpr std::size_t mostProblems = 1000;
 /// Appends to a list that is not full. Half of it is kept for errors; the last entry says that more follow.
 void addProblem(std::vector<Problem>& problems, Problem problem);
 
+/// True when nothing more can be appended, so that looking further is of no use.
+bool isFull(std::span<const Problem> problems);
+
 /// True when one of them is an error.
 bool hasErrors(std::span<const Problem> problems);
 

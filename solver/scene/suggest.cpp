@@ -31,6 +31,15 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
+// Half a name is meant to be the whole.
+std::string_view nameBeginningWith(std::string_view text, const std::vector<std::string_view>& names) {
+    constexpr std::size_t shortestBeginning = 3;
+    for (const std::string_view name : names)
+        if (text.size() >= shortestBeginning && name.size() > text.size() && name.starts_with(text))
+            return name;
+    return {};
+}
+
 // Cuts at a character, not inside one: the bytes that continue a UTF-8 character start with 10.
 std::string_view shortened(std::string_view text, std::size_t length) {
     while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80)
@@ -69,7 +78,7 @@ std::string_view nearestName(std::string_view text, const std::vector<std::strin
             nearest = name;
         }
     }
-    return nearest;
+    return nearest.empty() ? nameBeginningWith(text, names) : nearest;
 }
 
 std::string suggestion(std::string_view text, const std::vector<std::string_view>& names) {

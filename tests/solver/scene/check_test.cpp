@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Scenes built in code are checked like those from files; what a file cannot
+// hold, numbers that are not finite above all, is tried here.
+#include "solver/scene/check.h"
+
+#include "solver/scene/lookup.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+namespace keyblock {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Scene soundScene() {
+    Scene scene;
+    scene.materials = {{"rock", {2700, 60e9, 0.17}}};
+    Block left{.name = "left", .points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .material = "rock", .jointMaterial = {}};
+    Block right{.name = "", .points = {{1, 0}, {2, 0}, {2, 1}, {1, 1}}, .material = "rock", .jointMaterial = {}};
+    scene.blocks = {left, right};
+    scene.supports.resize(1);
+    scene.supports[0].blockAt = Point(0.5, 0.5);
+    BoltType type;
+    type.name = "bar";
+    type.youngsModulus = 200e9;
+    type.bending = Bending::Elastic;
+    scene.boltTypes = {type};
+    scene.bolts.resize(1);
+    scene.bolts[0].name = "B";
+    scene.bolts[0].type = "bar";
+    scene.bolts[0].farEnd = {0.1, 0.5};
+    scene.bolts[0].head = {1.9, 0.5};
+    scene.stages.resize(1);
+    scene.stages[0].name = "pull";
+    scene.stages[0].motions.resize(1);
+    scene.stages[0].motions[0].blockAt = {1.5, 0.5};
+    scene.stages[0].motions[0].table = {{0, 0}, {1, 0.001}};
+    return scene;
+}
+
+std::string listing(const std::vector<Problem>& problems) {
+    std::string text;
+    for (const Problem& problem : problems)
+        text += oneLine(problem) + "\n";
+    return text;
+}
+
+void expectProblem(const std::function<void(Scene&)>& breakIt, const std::string& pointer, Severity severity) {
+    Scene scene = soundScene();
+    breakIt(scene);
+    const std::vector<Problem> problems = checkScene(scene);
+    EXPECT_TRUE(std::any_of(problems.begin(), problems.end(),
+                            [&](const Problem& p) { return p.pointer == pointer && p.severity == severity; }))
+        << pointer << "\n" << listing(problems);
+}
+
+TEST(CheckScene, FindsNothingInASoundScene) {
+    EXPECT_TRUE(checkScene(soundScene()).empty()) << listing(checkScene(soundScene()));
+}
+
+TEST(CheckScene, BearsNumbersThatAreNotFinite) {
+    const auto error = Severity::Error;
+    for (const double bad : {nan, infinity, -infinity}) {
+        expectProblem([&](Scene& s) { s.blocks[0].points[2].x() = bad; }, "/blocks/0/points", error);
+        expectProblem([&](Scene& s) { s.bolts[0].head.y() = bad; }, "/bolts/0/head", error);
+        expectProblem([&](Scene& s) { s.stages[0].motions[0].table[1].first = bad; }, "/stages/0/motions/0/table",
+                      error);
+        expectProblem([&](Scene& s) { s.stages[0].motions[0].axis.x() = bad; }, "/stages/0/motions/0/axis", error);
+        expectProblem([&](Scene& s) { s.supports[0].blockAt = Point(bad, 0); }, "/supports/0/block_at", error);
+        expectProblem([&](Scene& s) { s.materials[0].second.density = bad; }, "/materials/rock/density", error);
+        expectProblem([&](Scene& s) { s.boltTypes[0].steel = {{0, 0}, {0.1, bad}}; }, "/bolt_types/bar/steel", error);
+        expectProblem([&](Scene& s) { s.analysis.gravity.y() = bad; }, "/analysis/gravity", error);
+    }
+}
+
+TEST(CheckScene, FindsWhatOnlyCodeCanBuild) {
+    const auto error = Severity::Error;
+    expectProblem([](Scene& s) { s.materials.push_back(s.materials[0]); }, "/materials/rock", error);
+    expectProblem([](Scene& s) { s.boltTypes.push_back(s.boltTypes[0]); }, "/bolt_types/bar", error);
+    expectProblem([](Scene& s) { s.stages[0].timeStep = 0.1; }, "/stages/0/time_step", error);
+    expectProblem([](Scene& s) { s.stages[0].initialVelocities.resize(1); }, "/stages/0/initial_velocities", error);
+    expectProblem([](Scene& s) { s.bolts[0].name.clear(); }, "/bolts/0/name", error);
+    expectProblem([](Scene& s) { s.blocks[0].name = "b2"; }, "/blocks/1/name", error);
+}
+
+TEST(CheckScene, WarnsOfWhatIsProbablyAMistake) {
+    const auto warning = Severity::Warning;
+    expectProblem([](Scene& s) { s.bolts[0].head = {2.5, 0.5}; }, "/bolts/0/head", warning);
+    expectProblem([](Scene& s) { s.stages[0].motions[0].table = {{0, 0}, {2, 1}}; }, "/stages/0/motions/0/table/1",
+                  warning);
+    expectProblem([](Scene& s) { s.stages.clear(); }, "", warning);
+    expectProblem(
+        [](Scene& s) {
+            s.monitors.resize(1);
+            s.monitors[0].name = "m";
+            s.monitors[0].between = {Point(0.2, 0.5), Point(0.3, 0.5)};
+        },
+        "/monitors/0/between", warning);
+}
+
+TEST(CheckScene, NotesLawsThatHaveNoEffectYet) {
+    expectProblem([](Scene& s) { s.boltTypes[0].bending = Bending::ElasticPlastic; }, "/bolts/0/type", Severity::Note);
+    expectProblem([](Scene& s) { s.boltTypes[0].dynamicFactor = 0.5; }, "/bolts/0/type", Severity::Note);
+}
+
+TEST(CheckScene, AcceptsASceneFarFromTheOrigin) {
+    Scene scene = soundScene();
+    const Point shift(1e6, -1e6);
+    for (Block& block : scene.blocks)
+        for (Point& point : block.points)
+            point += shift;
+    *scene.supports[0].blockAt += shift;
+    scene.bolts[0].farEnd += shift;
+    scene.bolts[0].head += shift;
+    scene.stages[0].motions[0].blockAt += shift;
+    EXPECT_TRUE(checkScene(scene).empty()) << listing(checkScene(scene));
+}
+
+TEST(CheckScene, BearsAnEmptyScene) { EXPECT_FALSE(hasErrors(checkScene(Scene{}))); }
+
+}  // namespace
+}  // namespace keyblock
