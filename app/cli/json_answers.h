@@ -18,8 +18,8 @@ namespace keyblock::cli {
 /// `problems[] {severity, pointer, line, message, remedy}`; a line that is not known is null.
 std::string problemsJson(std::span<const Problem> problems);
 
-/// `scene_hash, stages[] {name, kind, outcome, time_s, steps}, frames, events {kind: count}, health {…}`; what a stage
-/// that has not ended does not know yet is null.
+/// `scene_hash, stages[] {name, kind, outcome, time_s, steps}, frames, events {kind: count}, health {…}`; what is not
+/// known yet of a stage that has not ended is null.
 std::string infoJson(const RunStore& store);
 
 /// `cases[] {name, quantity, measured, expected, tolerance, relative, passed, seconds}`.
