@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One step by itself: the minimum obeys Coulomb, balances, and a body that
+// nothing holds is named.
+#include "solver/engine/bolt_topology.h"
+#include "solver/engine/contacts.h"
+#include "solver/engine/step_build.h"
+#include "solver/verify/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace keyblock {
+namespace {
+
+constexpr double push = 5e3;  // [N]
+
+/// A box on a fixed base, pushed along the joint.
+Scene boxOnBase(double frictionAngle) {
+    Scene scene = emptyScene(10e9, 0.2, frictionAngle);
+    scene.analysis.gravity = {0.0, -gravity};
+    scene.blocks = {boxBlock("base", {-1, -1}, {2, 0}), boxBlock("box", {0, 0}, {1, 1})};
+    Support support;
+    support.blockAt = Point(0.0, -0.5);
+    scene.supports = {support};
+    return scene;
+}
+
+struct Step {
+    Model model;
+    State state;
+    Loads loads;
+    LoadPoint at;
+    StepProblem problem;
+    Eigen::VectorXd d;
+    SolveReport report;
+
+    Step(const Scene& scene, double force, double dt) : model(makeModel(scene)), state(makeState(model)) {
+        state.contacts = findContacts(model, state.blocks, {}, 0.01, true);
+        placeBolts(model, state);
+        loads.forces = {{1, {0.0, 0.0}, {force, 0.0}}};
+        at.gravity = 1.0;
+        at.forces = {1.0};
+        problem = buildStep(model, state, loads, at, {Inertia::Static, dt, false});
+        d = Eigen::VectorXd::Zero(problem.unknowns());
+        report = StepSolver().solve(problem, d, {1e-10, 40}, {});
+    }
+
+    double sum(LinkKind kind) const {
+        std::vector<double> strains;
+        linkStrains(problem, d, strains);
+        double total = 0.0;
+        for (std::size_t i = 0; i < strains.size(); ++i)
+            if (problem.links[i].kind == kind) total += respond(problem.links[i].law, strains[i]).force;
+        return total;
+    }
+};
+
+TEST(StepSolver, MinimumObeysCoulombAndBalances) {
+    for (const double angle : {0.0, 5.0, 30.0, 80.0}) {
+        Step step(boxOnBase(angle), push, 0.1);
+        ASSERT_TRUE(step.report.converged) << angle;
+        EXPECT_LE(step.report.residual, 1e-9);
+        const double weight = 2700.0 * gravity, tanPhi = std::tan(angle * std::numbers::pi / 180.0);
+        std::vector<double> strains;
+        linkStrains(step.problem, step.d, strains);
+        for (const FrictionPair& pair : step.problem.frictions) {
+            const auto f = static_cast<std::size_t>(pair.friction), n = static_cast<std::size_t>(pair.normal);
+            const double normal = -respond(step.problem.links[n].law, strains[n]).force;
+            EXPECT_GE(normal, 0.0);
+            EXPECT_LE(std::abs(respond(step.problem.links[f].law, strains[f]).force), normal * tanPhi + 1e-6);
+        }
+        // what friction does not carry accelerates the box: 2M/Δt² at rest
+        const double inertia = 2.0 * 2700.0 / (0.1 * 0.1);
+        EXPECT_NEAR(-step.sum(LinkKind::Normal), weight - inertia * -step.d[7], 1e-6 * weight) << angle;
+        EXPECT_NEAR(std::abs(step.sum(LinkKind::Friction)), push - inertia * step.d[6], 1e-6 * push) << angle;
+        if (tanPhi * weight >= push) continue;
+        EXPECT_NEAR(std::abs(step.sum(LinkKind::Friction)), tanPhi * weight, 1e-5 * weight) << angle;
+    }
+}
+
+TEST(StepSolver, ConvergedMeansTheTrueForcesBalance) {
+    Step step(boxOnBase(30.0), push, 1e3);
+    ASSERT_TRUE(step.report.converged);
+    correctFrictionLimits(step.problem, step.d);
+    const Eigen::VectorXd net = netForce(step.problem, step.d);
+    EXPECT_LE(residualNorm(step.problem, net), 1e-9 * referenceForce(step.problem, step.d, net));
+}
+
+TEST(StepSolver, NamesTheLooseBlock) {
+    Scene scene = boxOnBase(30.0);
+    scene.materials[0].second.density = 0.0;
+    for (Point& p : scene.blocks[1].points) p += Point(0.0, 5.0);  // holds to nothing, and has no mass
+    const Step step(scene, push, 1.0);
+    EXPECT_FALSE(step.report.converged);
+    EXPECT_TRUE(step.report.singular);
+    EXPECT_EQ(step.report.worst, 1);
+}
+
+TEST(StepSolver, NamesTheLooseNode) {
+    Scene scene = boxOnBase(30.0);
+    BoltType type = linearType(barArea(), 200e9);
+    type.density = 0.0;
+    type.bending = Bending::None;  // artificial anchors hold it across only: it slides along itself
+    addBolt(scene, type, 0.2, 0.8, 2, PlateKind::None);
+    const Step step(scene, push, 1.0);
+    EXPECT_TRUE(step.report.singular);
+    EXPECT_GE(step.report.worst, 2);
+}
+
+TEST(StepSolver, StopsWhenAsked) {
+    Step step(boxOnBase(30.0), push, 1.0);
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(step.problem.unknowns());
+    const SolveReport report = StepSolver().solve(step.problem, d, {1e-10, 40}, [] { return true; });
+    EXPECT_TRUE(report.stopped);
+    EXPECT_FALSE(report.converged);
+}
+
+}  // namespace
+}  // namespace keyblock
