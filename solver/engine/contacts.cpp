@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <tuple>
 
 namespace keyblock {
@@ -35,6 +34,15 @@ bool facesEdge(const std::vector<Point>& corners, int corner, const Edge& edge) 
     return true;
 }
 
+/// The two edges lie on each other's outer side: sides of a notch.
+bool faceEachOther(const std::vector<Point>& corners, int e, int f) {
+    const Edge first = edgeOf(corners, e), second = edgeOf(corners, f);
+    const auto before = [](const Edge& edge, const Edge& other) {
+        return edge.outward.dot(other.start + 0.5 * other.length * other.along - edge.start) > 0.0;
+    };
+    return before(first, second) && before(second, first);
+}
+
 struct PairSearch {
     const Model& model;
     const std::vector<BlockMotion>& blocks;
@@ -44,32 +52,43 @@ struct PairSearch {
         return slackShare * std::min(model.blocks[a].size, model.blocks[b].size) + model.tolerance;
     }
 
-    /// The edge of B that corner `corner` of A enters by, if it is near enough.
-    std::optional<Contact> cornerOnBlock(int a, int corner, int b) const {
+    /// The edges of B that corner `corner` of A stands before, near enough to enter by.
+    std::vector<Contact> facedEdges(int a, int corner, int b) const {
         const std::vector<Point>& own = blocks[a].corners;
         const std::vector<Point>& other = blocks[b].corners;
         const double over = slack(a, b);
-        std::optional<Contact> best;
+        std::vector<Contact> faced;
         for (int e = 0; e < static_cast<int>(other.size()); ++e) {
             const Edge edge = edgeOf(other, e);
             const Point from = own[corner] - edge.start;
             const double gap = edge.outward.dot(from), along = edge.along.dot(from);
             if (gap > margin || gap < -deepest * model.blocks[b].size) continue;
             if (along < -over || along > edge.length + over || !facesEdge(own, corner, edge)) continue;
-            if (best && gap <= best->gap) continue;
-            best = Contact{};
-            best->blockA = a, best->corner = corner, best->blockB = b, best->edge = e;
-            best->gap = gap;
-            best->lockPlace = along / edge.length;
+            Contact& contact = faced.emplace_back();
+            contact.blockA = a, contact.corner = corner, contact.blockB = b, contact.edge = e;
+            contact.gap = gap;
+            contact.lockPlace = along / edge.length;
         }
-        return best;
+        return faced;
+    }
+
+    /// Where B bulges, a corner enters by the edge it is least behind; both sides of a notch can hold it.
+    void addCorner(int a, int corner, int b, std::vector<Contact>& found) const {
+        const std::vector<Contact> faced = facedEdges(a, corner, b);
+        for (std::size_t i = 0; i < faced.size(); ++i) {
+            bool enters = true;
+            for (std::size_t j = 0; j < faced.size() && enters; ++j) {
+                const bool nearer = faced[j].gap > faced[i].gap || (faced[j].gap == faced[i].gap && j < i);
+                enters = !nearer || faceEachOther(blocks[b].corners, faced[i].edge, faced[j].edge);
+            }
+            if (enters) found.push_back(faced[i]);
+        }
     }
 
     std::vector<Contact> both(int a, int b) const {
         std::vector<Contact> found;
         for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)})
-            for (int c = 0; c < static_cast<int>(blocks[first].corners.size()); ++c)
-                if (auto contact = cornerOnBlock(first, c, second)) found.push_back(*contact);
+            for (int c = 0; c < static_cast<int>(blocks[first].corners.size()); ++c) addCorner(first, c, second, found);
         return found;
     }
 

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which corners stand before which edges, once each, and what they remember.
+#include "solver/engine/contacts.h"
+
+#include "solver/engine/step_build.h"
+#include "solver/verify/scenes.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace keyblock {
+namespace {
+
+struct Found {
+    Model model;
+    State state;
+    std::vector<Contact> contacts;
+
+    explicit Found(const Scene& scene, double margin = 1e-3) : model(makeModel(scene)), state(makeState(model)) {
+        contacts = findContacts(model, state.blocks, {}, margin, true);
+    }
+
+    void shift(int block, const Point& by) {
+        Vector6 d = Vector6::Zero();
+        d.head<2>() = by;
+        moveBlock(model.blocks[static_cast<std::size_t>(block)], state.blocks[static_cast<std::size_t>(block)], d);
+    }
+
+    int between(int a, int b) const {
+        return static_cast<int>(std::count_if(contacts.begin(), contacts.end(), [&](const Contact& c) {
+            return std::minmax(c.blockA, c.blockB) == std::minmax(a, b);
+        }));
+    }
+};
+
+Scene boxes(const std::vector<std::pair<Point, Point>>& corners) {
+    Scene scene = emptyScene(10e9, 0.2, 30.0);
+    for (const auto& [low, high] : corners) scene.blocks.push_back(boxBlock("", low, high));
+    return scene;
+}
+
+TEST(Contacts, StackedEqualBoxesHaveOneSpringPerCornerPair) {
+    EXPECT_EQ(Found(boxes({{{0, 0}, {1, 1}}, {{0, 1}, {1, 2}}})).contacts.size(), 2u);
+}
+
+TEST(Contacts, ABrickOnTwoHasOneSpringPerCorner) {
+    const Found found(boxes({{{0, 0}, {1, 1}}, {{1, 0}, {2, 1}}, {{0.5, 1}, {1.5, 2}}}));
+    EXPECT_EQ(found.between(0, 1), 2);
+    EXPECT_EQ(found.between(0, 2), 2);
+    EXPECT_EQ(found.between(1, 2), 2);
+}
+
+TEST(Contacts, FourBlocksAtAPoint) {
+    const Found found(boxes({{{0, 0}, {1, 1}}, {{1, 0}, {2, 1}}, {{0, 1}, {1, 2}}, {{1, 1}, {2, 2}}}));
+    for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {1, 3}, {2, 3}}) EXPECT_EQ(found.between(a, b), 2);
+    EXPECT_LE(found.between(0, 3), 1);
+    EXPECT_LE(found.between(1, 2), 1);
+}
+
+TEST(Contacts, LengthsOfAJointAddUpToIt) {
+    Scene scene = boxes({{{0, 0}, {3, 1}}, {{1, 1}, {2, 2}}, {{2.5, 1}, {4.5, 2}}});
+    scene.jointMaterials[0].second.cohesion = 1e6;
+    const Found found(scene);
+    std::map<std::pair<int, int>, double> length;
+    for (const Contact& c : found.contacts) length[std::minmax(c.blockA, c.blockB)] += c.length;
+    EXPECT_NEAR((length[{0, 1}]), 1.0, 1e-12);
+    EXPECT_NEAR((length[{0, 2}]), 0.5, 1e-12);
+    for (const Contact& c : found.contacts) EXPECT_TRUE(c.bonded);
+}
+
+TEST(Contacts, FacesThatTouchCarryNothingAtFirst) {
+    Scene scene = boxes({{{0, 0}, {1, 1}}, {{0.25, 1}, {1.25, 2}}});
+    for (Block& block : scene.blocks)
+        for (Point& p : block.points)  // where round-off opens or closes the joint
+            p = Eigen::Rotation2D<double>(0.3) * p + Point(1e5, -1e5);
+    const Found found(scene);
+    ASSERT_EQ(found.contacts.size(), 2u);
+    StepProblem problem;
+    problem.blocks = 2;
+    State state = found.state;
+    state.contacts = found.contacts;
+    addContactLinks(found.model, state, false, problem);
+    for (const Link& link : problem.links)
+        EXPECT_NEAR(respond(link.law, link.strain).force, 0.0, 1e-15 * link.law.stiffness);
+}
+
+TEST(Contacts, OpenFacesGiveNoOffset) {
+    const Found found(boxes({{{0, 0}, {1, 1}}, {{0.25, 1.0001}, {1.25, 2}}}));
+    ASSERT_EQ(found.contacts.size(), 2u);
+    for (const Contact& c : found.contacts) {
+        EXPECT_EQ(c.gapOffset, 0.0);
+        EXPECT_NEAR(c.gap, 1e-4, 1e-12);
+    }
+}
+
+TEST(Contacts, HistoryFollowsTheFeatures) {
+    Found found(boxes({{{0, 0}, {4, 1}}, {{0, 1}, {1, 2}}, {{1.0005, 1}, {2, 2}}, {{3, 1}, {4, 2}}}));
+    const auto key = [](const Contact& c) { return std::tuple(c.blockA, c.corner, c.blockB, c.edge); };
+    double mark = 0.0;
+    std::map<std::tuple<int, int, int, int>, double> marks;
+    for (Contact& c : found.contacts) marks[key(c)] = c.slipOffset = mark += 1e-6;
+    found.shift(2, {0.5, 0.0});  // away from one neighbour
+    std::vector<Contact> now = findContacts(found.model, found.state.blocks, found.contacts, 1e-3, false);
+    EXPECT_NE(now.size(), found.contacts.size());
+    for (const Contact& c : now) {
+        ASSERT_TRUE(marks.contains(key(c)));
+        EXPECT_EQ(c.slipOffset, marks[key(c)]);
+    }
+}
+
+TEST(Contacts, CornersThatPassEachOtherMeetOnce) {
+    Found found(boxes({{{0, 0}, {1, 1}}, {{1, 1}, {2, 2}}}));  // touch in a corner only
+    EXPECT_LE(found.contacts.size(), 1u);
+    found.shift(1, {-1e-6, -2e-6});
+    EXPECT_LE(findContacts(found.model, found.state.blocks, found.contacts, 1e-3, false).size(), 1u);
+}
+
+/// An L holds a box on its floor and at its wall: the corner in the notch stands before both.
+TEST(Contacts, CornerInANotchStandsBeforeBothSides) {
+    Scene scene = boxes({{{0, 0}, {1, 1}}, {{0.0001, 0}, {1, 1}}});
+    scene.blocks[0].points = {{-1, -1}, {2, -1}, {2, 0}, {0, 0}, {0, 2}, {-1, 2}};
+    const Found found(scene);
+    int floor = 0, wall = 0;
+    for (const Contact& c : found.contacts) {
+        if (c.blockA != 1 || c.blockB != 0) continue;
+        const Edge edge = edgeOf(found.state.blocks[0].corners, c.edge);
+        floor += edge.outward.y() > 0.9;
+        wall += edge.outward.x() > 0.9;
+    }
+    EXPECT_EQ(floor, 2);
+    EXPECT_EQ(wall, 2);
+}
+
+/// Just inside a convex corner, only the nearer face is the way in.
+TEST(Contacts, CornerInsideAConvexCornerTakesTheNearerFace) {
+    Found found(boxes({{{0, 0}, {1, 1}}, {{1, 1}, {2, 2}}}));
+    found.shift(1, {-1e-5, -3e-5});
+    for (const Contact& c : findContacts(found.model, found.state.blocks, {}, 1e-3, false)) {
+        const Edge edge = edgeOf(found.state.blocks[static_cast<std::size_t>(c.blockB)].corners, c.edge);
+        EXPECT_NEAR(std::abs(edge.outward.x()), 1.0, 1e-12);
+        EXPECT_NEAR(c.gap, -1e-5, 1e-12);
+    }
+}
+
+}  // namespace
+}  // namespace keyblock
