@@ -292,12 +292,21 @@ double stiffestOf(const Model& model) {
     return stiffest;
 }
 
-/// Adds nodes up to `to`, in equal elements no longer than `longest`.
+/// Adds nodes up to `to`, in equal elements no longer than `longest`; nothing where `to` is the last node but for
+/// round-off.
 void fill(std::vector<double>& nodes, double to, double longest) {
     const double from = nodes.back();
-    if (to - from <= 0.0) return;
+    if (to - from <= 1e-9 * longest) return;
     const int count = std::max(1, static_cast<int>(std::ceil((to - from) / longest - 1e-9)));
     for (int i = 1; i <= count; ++i) nodes.push_back(from + (to - from) * i / count);
+}
+
+/// Half the element around a joint: no longer than `longest`, clear of the other joints and within the bolt [m].
+double halfElement(const std::vector<double>& joints, std::size_t joint, double length, double longest) {
+    double room = std::min({longest, 2.0 * joints[joint], 2.0 * (length - joints[joint])});
+    if (joint > 0) room = std::min(room, joints[joint] - joints[joint - 1]);
+    if (joint + 1 < joints.size()) room = std::min(room, joints[joint + 1] - joints[joint]);
+    return 0.5 * room;
 }
 
 }  // namespace
@@ -313,17 +322,18 @@ std::vector<double> boltNodes(double length, std::optional<int> divisions, const
     const double fine = std::min(coarse, dowel / 8.0);
     const double zone = 3.0 * dowel;
     double fineUntil = -1.0;  // how far the zone of the last joint reaches
-    for (double joint : joints) {
-        const double first = std::max(joint - 0.5 * fine, 0.0), last = std::min(joint + 0.5 * fine, length);
-        if (first <= nodes.back()) continue;  // within the element of the joint before
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        const double half = halfElement(joints, i, length, fine);
+        const double first = joints[i] - half;
         fill(nodes, std::min(fineUntil, first), fine);
-        fill(nodes, std::max(nodes.back(), joint - zone), coarse);
+        fill(nodes, std::min(std::max(nodes.back(), joints[i] - zone), first), coarse);
         fill(nodes, first, fine);
-        nodes.push_back(last);
-        fineUntil = std::min(joint + zone, length);
+        nodes.push_back(joints[i] + half);
+        fineUntil = std::min(joints[i] + zone, length);
     }
-    fill(nodes, std::min(fineUntil, length), fine);
+    fill(nodes, fineUntil, fine);
     fill(nodes, length, coarse);
+    nodes.back() = length;
     return nodes;
 }
 
