@@ -9,16 +9,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
+#include <utility>
 
 namespace keyblock {
 namespace {
 
-using Interval = std::pair<double, double>;  // along the unstrained bolt [m]
-
-double overlapOf(const std::vector<Interval>& pieces, double from, double to) {
+/// Length of `pieces` that lies in `stretches` and between `from` and `to` [m].
+double overlapOf(const std::vector<Stretch>& pieces, const std::vector<Stretch>& stretches, double from, double to) {
     double sum = 0.0;
-    for (const auto& [a, b] : pieces) sum += std::max(0.0, std::min(b, to) - std::max(a, from));
+    for (const auto& [a, b] : pieces)
+        for (const auto& [c, d] : stretches) sum += std::max(0.0, std::min({b, d, to}) - std::max({a, c, from}));
     return sum;
 }
 
@@ -133,10 +133,10 @@ private:
     }
 
     /// Stretches of the bolt in each block; an element within one block lies there wholly.
-    std::map<int, std::vector<Interval>> embedded() const {
-        std::map<int, std::vector<Interval>> pieces;
+    std::map<int, std::vector<Stretch>> embedded() const {
+        std::map<int, std::vector<Stretch>> pieces;
         const auto add = [&](int block, double from, double to) {
-            std::vector<Interval>& own = pieces[block];
+            std::vector<Stretch>& own = pieces[block];
             if (!own.empty() && from - own.back().second < 1e-12 * bolt_.s.back()) own.back().second = to;
             else own.emplace_back(from, to);
         };
@@ -164,40 +164,34 @@ private:
     double tributaryFrom(int n) const { return n == 0 ? bolt_.s[0] : 0.5 * (bolt_.s[n - 1] + bolt_.s[n]); }
     double tributaryTo(int n) const { return n + 1 == nodes() ? bolt_.s[n] : 0.5 * (bolt_.s[n] + bolt_.s[n + 1]); }
 
-    /// Shares the length embedded in each block within [from, to] wholly among that block's nodes of the entry.
-    template <class Counts, class Range, class Set>
-    void shareLength(const std::map<int, std::vector<Interval>>& pieces, Counts counts, Range range, Set set) {
-        std::map<std::tuple<int, double, double>, double> weights;
+    /// Shares the length embedded in each block within an entry's stretches wholly among that block's nodes of it.
+    template <class Entry, class Set>
+    void shareLength(const std::map<int, std::vector<Stretch>>& pieces,
+                     const std::vector<std::vector<Stretch>>& stretches, Entry entryOf, Set set) {
+        std::map<std::pair<int, int>, double> weights;  // by block and entry
         std::vector<double> own(nodes(), 0.0);
-        const auto keyOf = [&](int n) { return std::tuple_cat(std::tuple(blockOf(n)), range(n)); };
+        const auto counts = [&](int n) { return entryOf(n) >= 0 && pieces.contains(blockOf(n)); };
         for (int n = 0; n < nodes(); ++n) {
-            const auto found = counts(n) ? pieces.find(blockOf(n)) : pieces.end();
-            if (found == pieces.end()) continue;
-            const auto [from, to] = range(n);
-            own[n] = overlapOf(found->second, std::max(from, tributaryFrom(n)), std::min(to, tributaryTo(n)));
-            weights[keyOf(n)] += own[n];
+            if (!counts(n)) continue;
+            own[n] = overlapOf(pieces.at(blockOf(n)), stretches[entryOf(n)], tributaryFrom(n), tributaryTo(n));
+            weights[{blockOf(n), entryOf(n)}] += own[n];
         }
         for (int n = 0; n < nodes(); ++n) {
-            const auto found = counts(n) ? weights.find(keyOf(n)) : weights.end();
-            if (found == weights.end() || found->second <= 0.0) {
-                set(n, 0.0);
-                continue;
-            }
-            const auto [from, to] = range(n);
-            set(n, overlapOf(pieces.at(blockOf(n)), from, to) * own[n] / found->second);
+            const double weight = counts(n) ? weights[{blockOf(n), entryOf(n)}] : 0.0;
+            const double whole =
+                weight > 0.0 ? overlapOf(pieces.at(blockOf(n)), stretches[entryOf(n)], 0.0, bolt_.s.back()) : 0.0;
+            set(n, weight > 0.0 ? whole * own[n] / weight : 0.0);
         }
     }
 
     void share() {
         const auto pieces = embedded();
-        const double length = bolt_.s.back();
         shareLength(
-            pieces, [&](int n) { return bolt_.anchors[n].real && bolt_.anchors[n].per == Per::Length; },
-            [&](int n) { return std::tuple(bolt_.anchors[n].from, bolt_.anchors[n].to); },
+            pieces, bolt_.stretches,
+            [&](int n) { return bolt_.anchors[n].per == Per::Length ? bolt_.anchors[n].entry : -1; },
             [&](int n, double share) { motion_.nodes[n].bond.share = share; });
         shareLength(
-            pieces, [&](int) { return bolt_.normalPer == Per::Length; },
-            [&](int) { return std::tuple(0.0, length); },
+            pieces, {{{0.0, bolt_.s.back()}}}, [&](int) { return bolt_.normalPer == Per::Length ? 0 : -1; },
             [&](int n, double share) { motion_.nodes[n].normalShare = share; });
         for (int n = 0; n < nodes(); ++n) {
             const double in = blockOf(n) >= 0 ? 1.0 : 0.0;

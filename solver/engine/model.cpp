@@ -169,7 +169,7 @@ int startBlockOf(const std::vector<Slot>& slots, double s, double tolerance) {
 
 double placeOf(const BoltPlace& place, double length) { return place.head ? length : place.s; }
 
-AnchorModel anchorModel(const Anchor& anchor, double length) {
+AnchorModel anchorModel(const Anchor& anchor) {
     AnchorModel model;
     model.real = true;
     model.law = anchor.law;
@@ -181,8 +181,6 @@ AnchorModel anchorModel(const Anchor& anchor, double length) {
     model.boltLost = anchor.onFailure == OnFailure::BoltLost;
     model.curveEnds = anchor.law == AnchorLaw::Curve && anchor.after == AfterCurve::Zero;
     if (anchor.law == AnchorLaw::Curve) model.curve = Backbone::of(anchor.curve);
-    model.from = placeOf(anchor.from, length);
-    model.to = placeOf(anchor.to, length);
     return model;
 }
 
@@ -193,19 +191,44 @@ int nearestNode(const std::vector<double>& nodes, double s) {
     return best;
 }
 
+/// What is left of a stretch once another is taken out of it.
+std::vector<Stretch> without(const std::vector<Stretch>& stretches, const Stretch& taken) {
+    std::vector<Stretch> left;
+    for (const auto& [from, to] : stretches) {
+        if (std::min(to, taken.first) > from) left.emplace_back(from, std::min(to, taken.first));
+        if (to > std::max(from, taken.second)) left.emplace_back(std::max(from, taken.second), to);
+    }
+    return left;
+}
+
+/// Stretches of the bolt that each entry holds: later entries take theirs from earlier ones.
+std::vector<std::vector<Stretch>> stretchesOf(const std::vector<Anchor>& entries, double length) {
+    std::vector<std::vector<Stretch>> stretches;
+    for (const Anchor& entry : entries) {
+        const Stretch own{placeOf(entry.from, length), placeOf(entry.to, length)};
+        if (!entry.at)
+            for (std::vector<Stretch>& earlier : stretches) earlier = without(earlier, own);
+        stretches.push_back({own});
+    }
+    return stretches;
+}
+
 /// Later entries override earlier ones on the nodes they share.
 std::vector<AnchorModel> anchorsOfNodes(const std::vector<Anchor>& entries, const std::vector<double>& nodes,
                                         double length, double tolerance) {
     std::vector<AnchorModel> anchors(nodes.size());
-    for (const Anchor& entry : entries) {
-        const AnchorModel model = anchorModel(entry, length);
+    for (std::size_t e = 0; e < entries.size(); ++e) {
+        const Anchor& entry = entries[e];
+        AnchorModel model = anchorModel(entry);
+        model.entry = static_cast<int>(e);
+        const double from = placeOf(entry.from, length), to = placeOf(entry.to, length);
         bool any = false;
         for (std::size_t i = 0; i < nodes.size() && !entry.at; ++i) {
-            if (nodes[i] < model.from - tolerance || nodes[i] > model.to + tolerance) continue;
+            if (nodes[i] < from - tolerance || nodes[i] > to + tolerance) continue;
             anchors[i] = model;
             any = true;
         }
-        const double middle = entry.at ? placeOf(*entry.at, length) : 0.5 * (model.from + model.to);
+        const double middle = entry.at ? placeOf(*entry.at, length) : 0.5 * (from + to);
         if (!any) anchors[static_cast<std::size_t>(nearestNode(nodes, middle))] = model;
     }
     return anchors;
@@ -275,6 +298,7 @@ BoltModel boltModel(const Scene& scene, const Bolt& bolt, const Model& model) {
     }
     for (double s : b.s) b.startBlock.push_back(startBlockOf(b.slots, s, model.tolerance));
     b.anchors = anchorsOfNodes(anchorsOf(scene, bolt), b.s, length, model.tolerance);
+    b.stretches = stretchesOf(anchorsOf(scene, bolt), length);
     setNormalSprings(b, type, !bolt.divisions);
     if (bolt.plate == PlateKind::Spring) b.plate = plateModel(model, b, type);
     b.firstNode = model.nodes;

@@ -14,6 +14,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace keyblock {
@@ -57,6 +58,8 @@ struct Slot {
     double s2 = 0.0, s3 = 0.0;  // the same along the bolt [m]
 };
 
+using Stretch = std::pair<double, double>;  // from and to along the unstrained bolt [m]
+
 /// What holds a node along the bolt, before its share of the length is known.
 struct AnchorModel {
     bool real = false;
@@ -68,7 +71,7 @@ struct AnchorModel {
     bool boltLost = false;  // this anchor's failure loses the whole bolt
     bool curveEnds = false;  // nothing past the curve's last slip
     std::optional<Backbone> curve;
-    double from = 0.0, to = 0.0;  // [m] the stretch of the bolt it holds
+    int entry = -1;  // row of BoltModel::stretches
 };
 
 struct BoltElement {
@@ -90,6 +93,7 @@ struct BoltModel {
     std::vector<double> s;  // nodes from the far end [m]
     std::vector<BoltElement> elements;
     std::vector<AnchorModel> anchors;  // a row per node
+    std::vector<std::vector<Stretch>> stretches;  // that each anchor entry holds and no later one takes
     std::vector<Slot> slots;  // along the bolt
     std::vector<double> joints;  // where slots end inside the bolt [m]
     double dowelLength = 0.0;  // over which a dowel bends, 1/β [m]

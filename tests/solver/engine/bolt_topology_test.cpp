@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A bolt drawn through a block, a gap, a block and out: every node knows where
+// it is, and what holds it adds up to the length that is in the rock.
+#include "solver/engine/bolt_topology.h"
+
+#include "solver/verify/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+/// Blocks from 0 to 1 m and from 1.2 to 2.2 m; a bolt from 0.1 to 0.9 m with anchors per length.
+Scene gapScene(const std::vector<Anchor>& anchors) {
+    Scene scene = emptyScene(10e9, 0.2, 30.0);
+    scene.blocks = {boxBlock("left", {0, 0}, {1, 1}), boxBlock("right", {1.2, 0}, {2.2, 1})};
+    BoltType type = linearType(barArea(), 200e9);
+    type.anchors = anchors;
+    type.normalPer = Per::Length;
+    addBolt(scene, type, 0.1, 0.9, 16, PlateKind::None);
+    return scene;
+}
+
+Anchor alongAll() { return anchorRange(Per::Length, AnchorLaw::Frictional, 1e9, 1e4, 0.0); }
+
+Anchor stretch(double from, double to) {
+    Anchor anchor = alongAll();
+    anchor.from = {false, from};
+    anchor.to = {false, to};
+    return anchor;
+}
+
+struct Placed {
+    Model model;
+    State state;
+
+    explicit Placed(const Scene& scene) : model(makeModel(scene)), state(makeState(model)) { placeBolts(model, state); }
+
+    int blockOf(std::size_t node) const {
+        const BoltMotion& bolt = state.bolts[0];
+        return bolt.nodes[node].slot < 0 ? -1 : bolt.slots[static_cast<std::size_t>(bolt.nodes[node].slot)].block;
+    }
+
+    /// Sums of the shares of the anchors and of the springs across, in one block.
+    std::pair<double, double> shares(int block) const {
+        std::pair<double, double> sum{0.0, 0.0};
+        for (std::size_t n = 0; n < state.bolts[0].nodes.size(); ++n) {
+            if (blockOf(n) != block) continue;
+            if (model.bolts[0].anchors[n].real) sum.first += state.bolts[0].nodes[n].bond.share;
+            sum.second += state.bolts[0].nodes[n].normalShare;
+        }
+        return sum;
+    }
+
+    void draw(double by) {
+        for (BoltNode& node : state.bolts[0].nodes) node.x.x() += by;
+        ++state.step;
+        followBolts(model, state);
+    }
+};
+
+double overlapOf(double a, double b, double c, double d) { return std::max(0.0, std::min(b, d) - std::max(a, c)); }
+
+TEST(BoltTopology, SharesAddUpToTheEmbeddedLengthAllTheWay) {
+    Placed bolt(gapScene({alongAll()}));
+    double moved = 0.0;
+    for (int i = 0; i < 260; ++i) {
+        const auto [left, leftNormal] = bolt.shares(0);
+        const auto [right, rightNormal] = bolt.shares(1);
+        const double inLeft = overlapOf(0.1 + moved, 0.9 + moved, 0.0, 1.0);
+        const double inRight = overlapOf(0.1 + moved, 0.9 + moved, 1.2, 2.2);
+        EXPECT_NEAR(left, inLeft, 1e-9) << moved;
+        EXPECT_NEAR(right, inRight, 1e-9) << moved;
+        EXPECT_NEAR(leftNormal, inLeft, 1e-9) << moved;
+        EXPECT_NEAR(rightNormal, inRight, 1e-9) << moved;
+        bolt.draw(0.0097);
+        moved += 0.0097;
+    }
+    for (const BoltNode& node : bolt.state.bolts[0].nodes) {  // right out
+        EXPECT_EQ(node.slot, -1);
+        EXPECT_EQ(node.bond.share, 0.0);
+        EXPECT_EQ(node.normalShare, 0.0);
+    }
+}
+
+TEST(BoltTopology, ANodePassesFromBlockToGapToBlockAndOut) {
+    Placed bolt(gapScene({alongAll()}));
+    std::vector<int> seen{bolt.blockOf(16)};
+    for (int i = 0; i < 300; ++i) {
+        bolt.draw(0.0049);
+        if (bolt.blockOf(16) != seen.back()) seen.push_back(bolt.blockOf(16));
+    }
+    EXPECT_EQ(seen, (std::vector<int>{0, -1, 1, -1}));
+}
+
+TEST(BoltTopology, SharesAreClippedToTheRange) {
+    const Placed bolt(gapScene({stretch(0.12, 0.53)}));
+    EXPECT_NEAR(bolt.shares(0).first, 0.41, 1e-12);
+    for (std::size_t n = 0; n < bolt.model.bolts[0].s.size(); ++n) {
+        const double s = bolt.model.bolts[0].s[n];
+        if (!bolt.model.bolts[0].anchors[n].real || (s > 0.12 - 0.025 && s < 0.53 + 0.025)) continue;
+        EXPECT_EQ(bolt.state.bolts[0].nodes[n].bond.share, 0.0) << s;
+    }
+}
+
+/// The length that a later entry takes over is not held twice.
+TEST(BoltTopology, OverriddenLengthCountsOnce) {
+    EXPECT_NEAR(Placed(gapScene({alongAll(), stretch(0.2, 0.4)})).shares(0).first, 0.8, 1e-12);
+    EXPECT_NEAR(Placed(gapScene({alongAll(), stretch(0.2, 0.4), stretch(0.3, 0.6)})).shares(0).first, 0.8, 1e-12);
+}
+
+TEST(BoltTopology, ANodeOnAJointIsInNeitherBlock) {
+    Scene scene = twoBlocks(10e9, 1.0, 2.0);
+    BoltType type = linearType(barArea(), 200e9);
+    type.anchors = {alongAll()};
+    addBolt(scene, type, 0.5, 1.5, 10, PlateKind::None);
+    const Placed bolt(scene);
+    EXPECT_EQ(bolt.blockOf(4), 0);
+    EXPECT_EQ(bolt.blockOf(5), -1);
+    EXPECT_EQ(bolt.blockOf(6), 1);
+    EXPECT_NEAR(bolt.shares(0).first, 0.5, 1e-12);
+    EXPECT_NEAR(bolt.shares(1).first, 0.5, 1e-12);
+    EXPECT_EQ(bolt.state.bolts[0].nodes[5].bond.share, 0.0);
+}
+
+TEST(BoltTopology, ANodeFlushWithAFreeFaceIsInItsBlock) {
+    Scene scene = twoBlocks(10e9, 1.0, 2.0);
+    BoltType type = linearType(barArea(), 200e9);
+    type.anchors = {alongAll()};
+    addBolt(scene, type, 0.0, 2.0, 10, PlateKind::None);
+    Placed bolt(scene);
+    EXPECT_EQ(bolt.blockOf(0), 0);
+    EXPECT_EQ(bolt.blockOf(10), 1);
+    EXPECT_EQ(followBolts(bolt.model, bolt.state), 0.0);  // and stays there
+    EXPECT_EQ(bolt.blockOf(0), 0);
+    EXPECT_EQ(bolt.blockOf(10), 1);
+}
+
+TEST(BoltTopology, FollowingWithoutAMoveChangesNothing) {
+    Placed bolt(gapScene({alongAll()}));
+    bolt.draw(0.5);
+    const std::vector<BoltNode> nodes = bolt.state.bolts[0].nodes;
+    EXPECT_EQ(followBolts(bolt.model, bolt.state), 0.0);
+    EXPECT_EQ(bolt.state.bolts[0].nodes, nodes);
+}
+
+TEST(BoltTopology, PerNodeSharesAreWholeOrNothing) {
+    Placed bolt(gapScene({anchorRange(Per::Node, AnchorLaw::Frictional, 1e9, 1e4, 0.0)}));
+    for (int i = 0; i < 30; ++i) {
+        for (std::size_t n = 0; n <= 16; ++n)
+            EXPECT_EQ(bolt.state.bolts[0].nodes[n].bond.share, bolt.blockOf(n) >= 0 ? 1.0 : 0.0);
+        bolt.draw(0.083);
+    }
+}
+
+}  // namespace
+}  // namespace keyblock
