@@ -14,6 +14,7 @@
 #include "solver/files/object_reader.h"
 #include "solver/files/overrides.h"
 #include "solver/files/scene_version.h"
+#include "solver/engine/mesh_check.h"
 #include "solver/scene/check.h"
 #include "solver/scene/field.h"
 #include "solver/scene/lookup.h"
@@ -85,6 +86,12 @@ void addSense(const Scene& scene, const JsonNode& root, const Problems& told, Pr
     for (Problem& problem : lacksWholeList(told) ? checkValues(scene) : checkScene(scene)) {
         if (isExplained(problem, told))
             continue;
+        problem.line = lineAt(root, problem.pointer);
+        addProblem(problems, std::move(problem));
+    }
+    if (hasErrors(problems) || hasErrors(told))
+        return;
+    for (Problem& problem : checkMeshes(scene)) {
         problem.line = lineAt(root, problem.pointer);
         addProblem(problems, std::move(problem));
     }

@@ -37,6 +37,15 @@ std::size_t firstFalling(const Table& table) {
     return 0;
 }
 
+// The first row whose piece is steeper than the first piece; 0 when none is.
+std::size_t firstSteeper(const Table& table) {
+    const double slope = table[1].second / table[1].first;
+    for (std::size_t i = 2; i < table.size(); ++i)
+        if (table[i].second - table[i - 1].second > slope * (table[i].first - table[i - 1].first) * (1.0 + 1e-9))
+            return i;
+    return 0;
+}
+
 // What a backbone and a force–slip curve have in common. False when the curve is of no use.
 bool checkCurve(const Table& curve, std::string_view abscissa, std::string_view ordinate, const std::string& pointer,
                 CheckReport& report) {
@@ -57,6 +66,11 @@ bool checkCurve(const Table& curve, std::string_view abscissa, std::string_view 
     if (!(curve[1].second > 0.0)) {
         report.error(under(pointer, 1), "the first piece has no stiffness",
                      "Give a " + second + " above 0 at the first point after the origin");
+        return false;
+    }
+    if (const std::size_t row = firstSteeper(curve)) {
+        report.error(under(pointer, row), "the curve gets steeper than its first piece, by which it unloads",
+                     "Let the first piece be the steepest: begin the curve where it is stiff");
         return false;
     }
     return true;

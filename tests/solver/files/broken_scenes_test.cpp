@@ -124,6 +124,7 @@ const std::vector<BrokenScene>& brokenScenes() {
         {"unknown-like", "/bolt_types/a/like", "'d-bolt-20'"},
         {"no-steel", "/bolt_types/mine", "neither"},
         {"falling-steel", "/bolt_types/mine/steel/2", "falls"},
+        {"steepening-steel", "/bolt_types/mine/steel/2", "steeper"},
         {"steel-strain-back", "/bolt_types/mine/steel/2", "does not rise"},
         {"steel-off-origin", "/bolt_types/mine/steel", "[0, 0]"},
         {"modulus-against-steel", "/bolt_types/mine/youngs_modulus", "1 %"},
