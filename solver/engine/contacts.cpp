@@ -3,6 +3,7 @@
 #include "solver/engine/contacts.h"
 
 #include "geometry/grid.h"
+#include "geometry/polygon.h"
 
 #include <tbb/parallel_for.h>
 
@@ -64,6 +65,8 @@ struct PairSearch {
             const double gap = edge.outward.dot(from), along = edge.along.dot(from);
             if (gap > margin || gap < -deepest * model.blocks[b].size) continue;
             if (along < -over || along > edge.length + over || !facesEdge(own, corner, edge)) continue;
+            // A top corner of a brick on a wide slab faces the slab's bottom edge too, from above the slab.
+            if (gap < -over && locate(other, own[corner], over) == Side::Outside) continue;
             Contact& contact = faced.emplace_back();
             contact.blockA = a, contact.corner = corner, contact.blockB = b, contact.edge = e;
             contact.gap = gap;
