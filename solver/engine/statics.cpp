@@ -26,6 +26,8 @@ constexpr double finestIncrement = 1e-3;  // of the given increment, before a co
 constexpr double followShare = 1e-7;  // of the scene: embedded lengths that changed less need no new equilibrium
 constexpr int mostRounds = 4;
 constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, when joints take up the run's first forces
+constexpr int mostTries = 60;  // to locate an event
+constexpr double narrowest = 1e-12;  // of an increment, when one is
 constexpr double locateShare = 1e-4;  // an event is located at least to this share of its limit
 
 double smallestSize(const Model& model) {
@@ -246,7 +248,7 @@ private:
             const double off = worst ? worst->ratio - 1.0 : -1.0;
             const bool exact = std::abs(off) <= reachedShare;
             const bool goodEnough = std::abs(off) <= locateShare && tries > 12;
-            if (exact || goodEnough || tries > 60 || high - low <= 1e-15) {
+            if (exact || goodEnough) {
                 accept(std::move(trial), middle);
                 return {};
             }
@@ -256,6 +258,10 @@ private:
             } else {
                 low = middle;
                 atLow = heldLimits(engine_.model, trial);
+            }
+            if (tries > mostTries || high - low <= narrowest) {  // the limit is passed in a jump
+                accept(std::move(over), high);
+                return {};
             }
         }
     }
