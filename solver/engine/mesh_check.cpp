@@ -51,7 +51,7 @@ std::vector<Problem> checkMeshes(const Scene& scene) {
                           (longest > fine ? "elements of " + millimetres(longest) + " at a joint, where shear wants " +
                                                 millimetres(fine) + " or less"
                                           : std::string("a node on a joint")) +
-                          ": its dowel forces come out too soft (its pull does not)";
+                          ": its dowel forces come out too soft; its pull is right";
         problem.remedy = "leave divisions out, and the program refines the bolt at every joint";
         problems.push_back(std::move(problem));
     }
