@@ -56,7 +56,9 @@ void moveOn(const Model& model, State& state, const StepProblem& problem, const 
 
 /// What one law lost to the scheme: work of its force at the end, less what it stored and used (theory, "Energies").
 double lawLoss(const Law& law, double before, double after) {
-    const double f0 = respond(law, before).force, f1 = respond(law, after).force;
+    // a friction limit may have fallen since: before the step the law carried what its offset says
+    const double f0 = law.kind == LawKind::Capped ? law.stiffness * (before - law.offset) : respond(law, before).force;
+    const double f1 = respond(law, after).force;
     double used = 0.0;
     if (law.kind == LawKind::Capped && law.stiffness > 0.0)
         used = f1 * ((after - f1 / law.stiffness) - (before - f0 / law.stiffness));

@@ -139,6 +139,7 @@ void loseBolt(BoltMotion& motion) {
     motion.plateHolds = false;
     motion.plateNormal = motion.plateShear = 0.0;
     for (BoltNode& node : motion.nodes) {
+        node.velocity.setZero();
         node.bond.bonded = false;
         node.bond.gone = true;
         node.bond.force = 0.0;
@@ -178,7 +179,9 @@ std::vector<Event> releaseBolt(const Model& model, State& state, const Limit& li
     if (anchorFails && bolt.anchors[limit.part].boltLost) {
         events.push_back(events.front());
         events.back().kind = EventKind::BoltLoss;
+        const double moving = kineticEnergy(model, state);
         loseBolt(motion);
+        state.energy.released += moving - kineticEnergy(model, state);
     }
     state.energy.released += held - boltEnergy(model, state, limit.owner);
     return events;
@@ -196,10 +199,10 @@ Event releaseJoint(const Model& model, State& state, const Limit& limit) {
     event.shearForce = c.shearForce;
     c.bonded = false;
     c.limit = std::max(0.0, c.normalForce) * model.joints[c.joint].tanPhi;
-    const double kept = std::min(std::abs(c.shearForce), c.limit);
-    state.energy.released += half(std::min(0.0, c.normalForce), kn) +
-                             half(c.shearForce, model.analysis.shearRatio * kn) -
-                             half(kept, model.analysis.shearRatio * kn);
+    const double ks = model.analysis.shearRatio * kn;
+    const double kept = std::clamp(c.shearForce, -c.limit, c.limit);
+    if (ks > 0.0) c.slipOffset += (c.shearForce - kept) / ks;  // carries what friction keeps where the blocks are now
+    state.energy.released += half(std::min(0.0, c.normalForce), kn) + half(c.shearForce, ks) - half(kept, ks);
     return event;
 }
 

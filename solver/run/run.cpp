@@ -75,6 +75,7 @@ private:
     }
 
     StepEnding runStatic(const Stage& stage) {
+        state_.energy.damped += kineticEnergy(model_, state_);
         for (BlockMotion& block : state_.blocks) block.velocity.setZero();
         for (BoltMotion& bolt : state_.bolts)
             for (BoltNode& node : bolt.nodes) node.velocity.setZero();

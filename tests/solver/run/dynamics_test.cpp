@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Dynamic stages through the whole run: rest, falls, slides, bonds that let go
+// in motion, the change from one kind of stage to the other, and their energy.
+#include "solver/run/run.h"
+
+#include "solver/verify/readings.h"
+#include "solver/verify/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace keyblock {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double weight = 2700.0 * gravity;  // [N] of a cube
+
+Stage dynamic(double duration, double timeStep) {
+    Stage stage;
+    stage.name = "motion";
+    stage.kind = StageKind::Dynamic;
+    stage.duration = duration;
+    stage.timeStep = timeStep;
+    return stage;
+}
+
+Stage settle() {
+    Stage stage;
+    stage.name = "settle";
+    return stage;
+}
+
+/// A box on a fixed base, gravity turned by `angle`°.
+Scene boxOnBase(double angle, double frictionAngle) {
+    Scene scene = emptyScene(10e9, 0.2, frictionAngle);
+    scene.blocks = {boxBlock("base", {-1, -1}, {9, 0}), boxBlock("box", {0, 0}, {1, 1})};
+    Support support;
+    support.blockAt = Point(4.0, -0.5);
+    scene.supports = {support};
+    scene.analysis.gravity = {gravity * std::sin(angle * degree), -gravity * std::cos(angle * degree)};
+    scene.output.frames = 10;
+    return scene;
+}
+
+const BlockState& box(const Results& results) { return results.frames.back().blocks[1]; }
+
+void expectBalance(const Results& results, double error = 1e-3) {
+    for (const StageResult& stage : results.stages) {
+        EXPECT_NE(stage.outcome, Outcome::Failed) << stage.message;
+        EXPECT_LT(std::abs(stage.health.balanceError), error) << "stage " << stage.stage;
+    }
+    for (const Frame& frame : results.frames) EXPECT_LT(std::abs(frame.energy.balanceError), error) << frame.time;
+}
+
+TEST(Dynamics, ABlockAtRestStaysThere) {
+    Scene scene = boxOnBase(0.0, 30.0);
+    scene.stages = {dynamic(1.0, 1e-3)};
+    const Results results = runInMemory(scene);
+    EXPECT_EQ(results.stages[0].steps, 1000);
+    EXPECT_LT(box(results).displacement.norm(), 1e-14);
+    EXPECT_LT(box(results).velocity.norm(), 1e-11);
+    EXPECT_TRUE(results.events.empty());
+}
+
+TEST(Dynamics, BackwardEulerRestsToo) {
+    Scene scene = boxOnBase(20.0, 30.0);
+    scene.stages = {dynamic(0.2, 1e-3)};
+    scene.stages[0].integration = Integration::BackwardEuler;
+    const Results results = runInMemory(scene);
+    EXPECT_LT(box(results).displacement.norm(), 1e-9);
+    expectBalance(results);
+}
+
+TEST(Dynamics, ASettledBlockDoesNotBounce) {
+    Scene scene = boxOnBase(10.0, 30.0);
+    Stage motion = dynamic(0.2, 1e-3);
+    motion.zeroDisplacements = true;
+    scene.stages = {settle(), motion};
+    const Results results = runInMemory(scene);
+    ASSERT_EQ(results.stages.size(), 2u);
+    EXPECT_LT(box(results).displacement.norm(), 1e-12);
+    EXPECT_LT(box(results).velocity.norm(), 1e-9);
+    expectBalance(results);
+}
+
+TEST(Dynamics, ZeroGravityIsPeace) {
+    Scene scene = boxOnBase(0.0, 30.0);
+    scene.analysis.gravity = {0.0, 0.0};
+    scene.stages = {dynamic(0.1, 1e-3)};
+    const Results results = runInMemory(scene);
+    EXPECT_EQ(results.stages[0].outcome, Outcome::Duration);
+    EXPECT_EQ(box(results).displacement, Point(0.0, 0.0));
+    EXPECT_EQ(box(results).velocity, Point(0.0, 0.0));
+}
+
+TEST(Dynamics, FreeFallTurnsWorkIntoMotion) {
+    Scene scene = boxOnBase(0.0, 30.0);
+    for (Point& p : scene.blocks[1].points) p.y() += 20.0;
+    for (const Integration scheme : {Integration::Shi, Integration::BackwardEuler}) {
+        scene.stages = {dynamic(0.5, 1e-3)};
+        scene.stages[0].integration = scheme;
+        const Results results = runInMemory(scene);
+        const Energy& energy = results.frames.back().energy;
+        EXPECT_NEAR(energy.kinetic, 0.5 * 2700.0 * std::pow(0.5 * gravity, 2), 1e-6 * energy.kinetic);
+        expectBalance(results, 1e-9);
+    }
+}
+
+TEST(Dynamics, SlidingTurnsWorkIntoFriction) {
+    for (const Integration scheme : {Integration::Shi, Integration::BackwardEuler}) {
+        Scene scene = boxOnBase(40.0, 20.0);
+        scene.stages = {dynamic(0.5, 1e-3)};
+        scene.stages[0].integration = scheme;
+        const Results results = runInMemory(scene);
+        const double slid = box(results).displacement.x();
+        const double a = gravity * (std::sin(40 * degree) - std::cos(40 * degree) * std::tan(20 * degree));
+        EXPECT_NEAR(slid, 0.5 * a * 0.25, 5e-3 * slid);
+        const double friction = weight * std::cos(40 * degree) * std::tan(20 * degree) * slid;
+        EXPECT_NEAR(results.frames.back().energy.friction, friction, 5e-3 * friction);
+        expectBalance(results);
+    }
+}
+
+TEST(Dynamics, AKnockLosesEnergyButNeverGains) {
+    Scene scene = boxOnBase(0.0, 30.0);
+    for (Point& p : scene.blocks[1].points) p.y() += 0.01;
+    for (const Integration scheme : {Integration::Shi, Integration::BackwardEuler}) {
+        scene.stages = {dynamic(0.2, 1e-4)};
+        scene.stages[0].integration = scheme;
+        const Results results = runInMemory(scene);
+        for (const Frame& frame : results.frames) {
+            const Energy& e = frame.energy;
+            EXPECT_LE(e.kinetic + e.strain + e.contact, e.external + 1e-6 * weight * 0.01);
+            EXPECT_GE(e.damped, -1e-9 * weight);
+        }
+        expectBalance(results, 1e-2);
+    }
+}
+
+/// Motion that a static stage takes away is booked.
+TEST(Dynamics, AStaticStageBooksTheMotionItEnds) {
+    Scene scene = boxOnBase(40.0, 20.0);
+    scene.jointMaterials.emplace_back("rough", JointMaterial{60.0, 0.0, 0.0});
+    scene.stages = {dynamic(0.2, 1e-3), settle()};
+    scene.stages[0].initialVelocities.resize(1);
+    scene.stages[0].initialVelocities[0].blockAt = {0.5, 0.5};
+    scene.stages[0].initialVelocities[0].velocity = {1.0, 0.0};
+    scene.analysis.gravity = {0.0, -gravity};
+    const Results results = runInMemory(scene);
+    ASSERT_EQ(results.stages.size(), 2u);
+    EXPECT_EQ(results.stages[1].outcome, Outcome::Equilibrium) << results.stages[1].message;
+    EXPECT_EQ(results.frames.back().energy.kinetic, 0.0);
+    expectBalance(results);
+}
+
+/// A block hung on one bar from rest swings to twice its weight; a bond of less strength lets go on the way.
+Scene hung(double strength) {
+    Scene scene = emptyScene(rigidRock, 0.2, 0.0);
+    scene.blocks = {boxBlock("left", {0, 0}, {1, 1}), boxBlock("right", {1.1, 0}, {2.1, 1})};
+    Support support;
+    support.blockAt = Point(0.5, 0.1);
+    scene.supports = {support};
+    scene.analysis.gravity = {gravity, 0.0};
+    BoltType bar = linearType(barArea(), 200e9);
+    bar.bending = Bending::None;
+    Anchor weak = anchorRange(Per::Node, AnchorLaw::PeakResidual, 1e8, strength, 5e3);
+    weak.at = BoltPlace{false, 0.0};
+    bar.anchors = {weak, anchorAt(1.5, AnchorLaw::Elastic, 1e9)};
+    addBolt(scene, bar, 0.3, 1.8, 15, PlateKind::None);
+    scene.monitors.clear();
+    scene.stages = {dynamic(0.03, 1e-4)};
+    scene.output.frames = 30;
+    return scene;
+}
+
+TEST(Dynamics, ABondLetsGoAtItsStrength) {
+    const Results results = runInMemory(hung(40e3));
+    const auto event = std::find_if(results.events.begin(), results.events.end(),
+                                    [](const Event& e) { return e.kind == EventKind::Debonding; });
+    ASSERT_NE(event, results.events.end());
+    EXPECT_EQ(event->node, 0);
+    EXPECT_NEAR(std::abs(event->anchorForce), 40e3, 1e-4 * 40e3);
+    expectBalance(results);
+}
+
+TEST(Dynamics, ABondStrongerThanTheSwingHolds) {
+    const Results results = runInMemory(hung(2.1 * weight));
+    EXPECT_TRUE(results.events.empty());
+    expectBalance(results);
+}
+
+TEST(Dynamics, ALostBoltLeavesNothingBehind) {
+    Scene scene = hung(40e3);
+    scene.boltTypes[0].anchors[0].onFailure = OnFailure::BoltLost;
+    const Results results = runInMemory(scene);
+    EXPECT_TRUE(results.frames.back().bolts[0].lost);
+    const double speed = box(results).velocity.x();
+    EXPECT_NEAR(results.frames.back().energy.kinetic, 0.5 * 2700.0 * speed * speed, 1e-6 * 2700.0 * speed * speed);
+    expectBalance(results);
+}
+
+/// Cohesion that lets go in motion: the books know what it held.
+TEST(Dynamics, AJointThatLetsGoKeepsTheBooks) {
+    Scene scene = boxOnBase(40.0, 20.0);
+    scene.jointMaterials[0].second.cohesion = 5e3;
+    scene.stages = {dynamic(0.1, 1e-3)};
+    const Results results = runInMemory(scene);
+    EXPECT_FALSE(results.events.empty());
+    EXPECT_GT(results.frames.back().energy.released, 0.0);
+    expectBalance(results);
+}
+
+}  // namespace
+}  // namespace keyblock
