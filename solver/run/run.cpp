@@ -206,7 +206,7 @@ private:
         if (!due) return;
         const double every = scene_.output.every.value_or(duration * static_cast<double>(scene_.stages.size()) /
                                                           std::max(1, scene_.output.frames));
-        while (nextFrame_ <= time_ * (1.0 + 1e-12)) nextFrame_ += every;
+        nextFrame_ = (std::floor(time_ * (1.0 + 1e-12) / every) + 1.0) * every;
         keptStep_ = state_.step;
         keptStage_ = stage_;
         sink_.history(observation_.history(state_, stage_, time_));
