@@ -16,8 +16,8 @@
 
 namespace keyblock {
 
-/// Curve from the origin, strain rising. A piece flatter than 1e-7 of the first slope uses that slope;
-/// past the last point the force keeps that last slope.
+/// Curve from the origin, strain rising. A piece flatter than 1e-7 of the first slope uses that slope,
+/// and so does the force past the last point.
 struct Backbone {
     double modulus = 0.0;  // slope of the first piece
     std::vector<double> plastic;  // accumulated plastic strain at each yield point, from 0

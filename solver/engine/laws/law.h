@@ -14,7 +14,7 @@ namespace keyblock {
 
 enum class LawKind {
     Linear,  // k·(e − offset)
-    Gap,  // the same where it pushes, nothing where it would pull
+    Gap,  // the same where it pushes or just touches, nothing where it would pull
     Capped,  // the same up to ± limit: Coulomb friction with a given limit
     Constant,  // the force `limit`, whatever the strain
     Curve  // backbone with a plastic state
@@ -40,7 +40,7 @@ inline LawResponse respond(const Law& law, double e) {
     const double trial = law.stiffness * (e - law.offset);
     switch (law.kind) {
         case LawKind::Linear: return {trial, law.stiffness};
-        case LawKind::Gap: return trial < 0.0 ? LawResponse{trial, law.stiffness} : LawResponse{};
+        case LawKind::Gap: return trial <= 0.0 ? LawResponse{trial, law.stiffness} : LawResponse{};
         case LawKind::Capped:
             if (trial > law.limit) return {law.limit, 0.0};
             if (trial < -law.limit) return {-law.limit, 0.0};
