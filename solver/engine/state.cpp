@@ -39,7 +39,7 @@ Point materialPlace(const BlockMotion& motion, const Point& x) {
 Eigen::Matrix<double, 2, 6> displacementMatrix(const BlockMotion& motion, const Point& x) {
     const Point d = x - motion.centroid;
     const Eigen::Matrix2d r = rotation(motion.angle);
-    const Point own = r.transpose() * d;
+    const Point own = materialPlace(motion, x);  // strains stretch the first shape
     Eigen::Matrix<double, 2, 6> t;
     t.col(0) = motion.axis;
     t.col(1) = turnLeft(motion.axis);

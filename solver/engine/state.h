@@ -116,7 +116,7 @@ Point materialPoint(const BlockMotion& motion, const Point& place);
 /// The point of the block's frame at the start that is now at `x`.
 Point materialPlace(const BlockMotion& motion, const Point& x);
 
-/// T(x): displacement at `x` from (u, v, r, εx, εy, γ), strains in the block's frame.
+/// T(x): displacement at `x` from (u, v, r, εx, εy, γ), strains in the block's frame; the derivative of `moveBlock`.
 Eigen::Matrix<double, 2, 6> displacementMatrix(const BlockMotion& motion, const Point& x);
 
 /// Stress in the block's frame [Pa].

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace keyblock {
 namespace {
@@ -24,6 +25,8 @@ constexpr double farShare = 2.0;  // of a block's own size: moved so far it has 
 constexpr double shortestStep = 1e-7;  // over the longest pseudo-step
 constexpr double finestIncrement = 1e-3;  // of the given increment, before a collapse is believed
 constexpr double followShare = 1e-7;  // of the scene: embedded lengths that changed less need no new equilibrium
+constexpr double wellBalanced = 1e-9;  // residual over the reference force that needs no better
+constexpr double stillFalling = 0.1;  // of the residual before: so quick a fall is followed under the tolerance, too
 constexpr int mostRounds = 4;
 constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, when joints take up the run's first forces
 constexpr int mostTries = 60;  // to locate an event
@@ -90,7 +93,9 @@ public:
             if (!farBlocks(places, state).empty()) break;
         }
         StepEnding result{ending, message, farBlocks(places, state)};
-        if (result.blocks.empty() && blockOfBody(model_, worst) >= 0) result.blocks.push_back(worst);
+        if (!result.blocks.empty()) return result;
+        const int named = ending == Ending::Failed ? blockOfBody(model_, worst) : mostMoved(places, state);
+        if (named >= 0) result.blocks.push_back(named);
         return result;
     }
 
@@ -137,8 +142,9 @@ private:
         const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
         correctFrictionLimits(problem, still);
         const Eigen::VectorXd net = netForce(problem, still);
-        residual_ = residualNorm(problem, net) / referenceForce(problem, still, net);
-        return residual_ <= tolerance_ || (step > 0 && lastMove_ <= roundOff());
+        const double before = std::exchange(residual_, residualNorm(problem, net) / referenceForce(problem, still, net));
+        if (residual_ > tolerance_) return step > 0 && lastMove_ <= roundOff();
+        return residual_ <= wellBalanced || residual_ > stillFalling * before;  // no longer worth a pseudo-step
     }
 
     /// Moves smaller than this are lost in the coordinates [m].
@@ -155,6 +161,19 @@ private:
         return far;
     }
 
+    /// Where nothing has left its place yet: the block that is farthest on its way, over its own size.
+    int mostMoved(const std::vector<BlockMotion>& places, const State& state) const {
+        int most = -1;
+        double farthest = 0.0;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const double moved = (state.blocks[i].centroid - places[i].centroid).norm() / model_.blocks[i].size;
+            if (moved <= farthest) continue;
+            farthest = moved;
+            most = static_cast<int>(i);
+        }
+        return most;
+    }
+
     Engine& engine_;
     const Model& model_;
     const Loads& loads_;
@@ -163,7 +182,7 @@ private:
     double moveLimit_;
     double longest_, dt_;
     double lastMove_ = std::numeric_limits<double>::max();
-    double residual_ = 0.0;
+    double residual_ = std::numeric_limits<double>::max();  // over the reference force, when last judged
 };
 
 class Increment {

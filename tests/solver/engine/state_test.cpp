@@ -56,7 +56,7 @@ TEST(Block, DisplacementMatrixIsTheDerivativeOfTheMove) {
     const Model model = makeModel(oddBlock());
     BlockMotion motion = makeState(model).blocks[0];
     turnUnknowns(motion, {1.0, 2.0});
-    moveBlock(model.blocks[0], motion, (Vector6() << 0.3, -0.2, 0.9, 0.0, 0.0, 0.0).finished());
+    moveBlock(model.blocks[0], motion, (Vector6() << 0.3, -0.2, 0.9, 0.01, -0.02, 0.03).finished());
     const Point place{0.4, -0.3};
     const auto t = displacementMatrix(motion, materialPoint(motion, place));
     constexpr double h = 1e-5;
