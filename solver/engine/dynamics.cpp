@@ -83,7 +83,8 @@ void keepBooks(const Model& model, State& state, const StepProblem& problem, con
     }
 }
 
-bool touches(const Model& model, const Contact& c) { return std::abs(c.gap - c.gapOffset) <= 10.0 * model.tolerance; }
+/// At its zero point, or past it and carrying.
+bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
 
 /// Only touching contacts act while preload is sought; bolts and supports keep the force they have.
 void keepTouching(const Model& model, const State& state, StepProblem& problem) {

@@ -67,6 +67,31 @@ TEST(Dynamics, ABlockAtRestStaysThere) {
     EXPECT_TRUE(results.events.empty());
 }
 
+/// However far the joints give under the load that they take up before the first step.
+TEST(Dynamics, SoftAndTallStacksStayToo) {
+    for (const double modulus : {1e7, 10e9}) {
+        Scene scene = boxOnBase(0.0, 30.0);
+        scene.materials[0].second.youngsModulus = modulus;
+        for (int i = 1; i < 30; ++i) scene.blocks.push_back(boxBlock("", {0, i}, {1, i + 1.0}));
+        scene.stages = {dynamic(0.05, 1e-3)};
+        const Results results = runInMemory(scene);
+        for (const BlockState& block : results.frames.back().blocks) EXPECT_LT(block.displacement.norm(), 1e-9);
+    }
+}
+
+/// Joints that carry already stay as they are where others, without any force yet, are given theirs.
+TEST(Dynamics, ASettledPairOfStacksDoesNotBounce) {
+    Scene scene = boxOnBase(0.0, 30.0);
+    for (const auto& [x, y] : {std::pair{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}})
+        scene.blocks.push_back(boxBlock("", {x, y}, {x + 1.0, y + 1.0}));
+    Stage motion = dynamic(0.05, 1e-3);
+    motion.zeroDisplacements = true;
+    scene.stages = {settle(), motion};
+    const Results results = runInMemory(scene);
+    for (const BlockState& block : results.frames.back().blocks) EXPECT_LT(block.displacement.norm(), 1e-10);
+    expectBalance(results);
+}
+
 TEST(Dynamics, BackwardEulerRestsToo) {
     Scene scene = boxOnBase(20.0, 30.0);
     scene.stages = {dynamic(0.2, 1e-3)};
