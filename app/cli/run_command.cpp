@@ -22,12 +22,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The scene if it can be run; errors and warnings are told on standard error.
+/// The scene if it can be run. Errors are told on standard error, warnings with the results: standard error is for
+/// progress, which others read line by line.
 std::optional<Scene> runnableScene(const RunOptions& options) {
     SceneReading reading = readSceneFile(options.scene, options.overrides);
     for (const Problem& problem : reading.problems)
-        if (problem.severity != Severity::Note)
+        if (problem.severity == Severity::Error)
             printToError(oneLine(problem) + '\n');
+        else if (problem.severity == Severity::Warning)
+            print(oneLine(problem) + '\n');
     if (reading.scene && reading.scene->stages.empty()) {
         printErrorLine(options.scene.string() + ": /stages: the scene has no stages, so there is nothing to run; " +
                        "add one, or check it with 'keyblock check'");
