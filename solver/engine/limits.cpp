@@ -243,7 +243,13 @@ std::optional<Limit> worstLimit(const std::vector<Limit>& limits, double least) 
     return std::nullopt;
 }
 
-bool changesForces(LimitKind kind) { return kind != LimitKind::Yield; }
+bool changesForces(const Model& model, const Limit& limit) {
+    if (limit.kind == LimitKind::Yield) return false;
+    if (limit.kind != LimitKind::Bond || limit.ratio > 1.0 + tieShare) return true;
+    const AnchorModel& anchor = model.bolts[limit.owner].anchors[limit.part];
+    const bool goesOn = anchor.curve || (anchor.strength && anchor.residual >= *anchor.strength);
+    return !goesOn || anchor.boltLost;
+}
 
 std::vector<Event> releaseLimit(const Model& model, State& state, const Limit& limit) {
     if (limit.kind == LimitKind::JointBond) return {releaseJoint(model, state, limit)};

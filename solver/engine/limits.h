@@ -32,8 +32,9 @@ inline constexpr double reachedShare = 1e-9;
 /// The limit to release: the largest ratio, or the first of those equal to it; none under `least`.
 std::optional<Limit> worstLimit(const std::vector<Limit>& limits, double least);
 
-/// True where releasing it changes what holds, so that equilibrium must be found again.
-bool changesForces(LimitKind kind);
+/// True where releasing it changes what holds, so that equilibrium must be found again: not for yield, nor for
+/// friction or a curve that goes on from the force it has.
+bool changesForces(const Model& model, const Limit& limit);
 
 /// Lets it go. \return the events this is, with forces and slip just before.
 std::vector<Event> releaseLimit(const Model& model, State& state, const Limit& limit);

@@ -305,7 +305,7 @@ private:
             least = 1.0 - reachedShare;
             const double time = reached().time;
             releaseAndTell(engine_.model, state_, *limit, time, observer_);
-            if (changesForces(limit->kind)) {
+            if (changesForces(engine_.model, *limit)) {
                 State trial = state_;
                 const StepEnding ending = equilibrium(trial, done_);
                 state_ = std::move(trial);
