@@ -13,6 +13,8 @@
 namespace keyblock {
 namespace {
 
+constexpr double roundOffEnergy = 1e-18;  // over E · volume: less is no energy to balance
+
 StepProblem noLinks(const Model& model) {
     StepProblem problem;
     problem.blocks = static_cast<int>(model.blocks.size());
@@ -84,10 +86,12 @@ Energy energyOf(const Model& model, const State& state) {
     Energy e{kineticEnergy(model, state), stored.strain, stored.contact, stored.bolt, ledger.friction,
              ledger.plastic, ledger.released, ledger.damped, ledger.external, 0.0};
     double largest = std::abs(state.startEnergy);
+    for (const BlockModel& block : model.blocks)
+        largest = std::max(largest, roundOffEnergy * block.youngsModulus * block.area * model.thickness);
     for (double term : {e.kinetic, e.strain, e.contact, e.bolt, e.friction, e.plastic, e.released, e.damped, e.external})
         largest = std::max(largest, std::abs(term));
     const double left = state.startEnergy - bookedEnergy(model, state);
-    e.balanceError = largest > 0.0 ? left / largest : 0.0;
+    e.balanceError = left / largest;
     return e;
 }
 
