@@ -13,6 +13,8 @@
 namespace keyblock {
 namespace {
 
+constexpr std::size_t linksANode = 7;  // four of its element, two to the rock, and room for the plate's
+
 struct InertiaFactors {
     double stiffness = 0.0;  // times M into the matrix [1/s²]
     double velocity = 0.0;  // times M·v into the load [1/s]
@@ -118,7 +120,7 @@ void addContactLinks(const Model& model, const State& state, bool frictionLocked
         friction.law = {locked ? LawKind::Linear : LawKind::Capped, model.analysis.shearRatio * kn, c.slipOffset, limit,
                         nullptr, {}, 1.0};
         const int at = static_cast<int>(problem.links.size()) - 1;
-        if (!locked) problem.frictions.push_back({at, at - 1, model.joints[c.joint].tanPhi, 0.0});
+        if (!locked) problem.frictions.push_back({at, at - 1, model.joints[c.joint].tanPhi});
     }
 }
 
@@ -154,6 +156,7 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
     addBlocks(model, state, factors, problem);
     addNodes(model, state, factors, problem);
     prescribe(model, state, loads, at, problem);
+    problem.links.reserve(2 * (state.contacts.size() + model.held.size()) + linksANode * static_cast<std::size_t>(model.nodes));
     addContactLinks(model, state, options.frictionLocked, problem);
     addHeldPoints(model, state, problem);
     for (std::size_t b = 0; b < model.bolts.size(); ++b) addBoltLinks(model, state, static_cast<int>(b), problem);

@@ -31,10 +31,10 @@ struct Link {
     int part = -1;  // node or element of the bolt
 };
 
-/// A friction link's limit is that of its normal link: N·tanφ + c.
+/// A friction link's limit comes from its normal link: N·tanφ.
 struct FrictionPair {
     int friction = -1, normal = -1;
-    double tanPhi = 0.0, cohesion = 0.0;  // [N]
+    double tanPhi = 0.0;
 };
 
 struct StepProblem {

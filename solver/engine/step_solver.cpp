@@ -93,7 +93,7 @@ void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d) {
     for (const FrictionPair& pair : problem.frictions) {
         const auto n = static_cast<std::size_t>(pair.normal);
         const double push = std::max(0.0, -respond(problem.links[n].law, strains[n]).force);
-        problem.links[static_cast<std::size_t>(pair.friction)].law.limit = push * pair.tanPhi + pair.cohesion;
+        problem.links[static_cast<std::size_t>(pair.friction)].law.limit = push * pair.tanPhi;
     }
 }
 
