@@ -19,12 +19,6 @@ constexpr double nearShare = 1e-3;  // of the smallest block: contacts are alway
 constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
 constexpr int preloadRounds = 4;
 
-double smallestSize(const Model& model) {
-    double smallest = std::numeric_limits<double>::max();
-    for (const BlockModel& block : model.blocks) smallest = std::min(smallest, block.size);
-    return smallest;
-}
-
 /// New velocity of every body, and the kinetic energy that backward Euler loses beyond its forces' work.
 void moveOn(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d, Inertia scheme,
             double dt) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace keyblock {
 
@@ -29,6 +30,12 @@ SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen:
     }
     if (engine.passed) engine.passed();
     return report;
+}
+
+double smallestSize(const Model& model) {
+    double smallest = std::numeric_limits<double>::max();
+    for (const BlockModel& block : model.blocks) smallest = std::min(smallest, block.size);
+    return smallest;
 }
 
 double largestMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d) {

@@ -51,6 +51,9 @@ void releaseAndTell(const Model& model, State& state, const Limit& limit, double
 /// Solves one step and counts it. Friction limits used are kept in the state's contacts.
 SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, double tolerance);
 
+/// √area of the smallest block [m].
+double smallestSize(const Model& model);
+
 /// Largest move of a corner or node by what is not prescribed in `d` [m].
 double largestMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d);
 

@@ -33,12 +33,6 @@ constexpr int mostTries = 60;  // to locate an event
 constexpr double narrowest = 1e-12;  // of an increment, when one is
 constexpr double locateShare = 1e-4;  // an event is located at least to this share of its limit
 
-double smallestSize(const Model& model) {
-    double smallest = std::numeric_limits<double>::max();
-    for (const BlockModel& block : model.blocks) smallest = std::min(smallest, block.size);
-    return smallest;
-}
-
 double longestPseudoStep(const Model& model) {
     double mass = 0.0;
     for (const BlockModel& block : model.blocks) mass += block.mass;
