@@ -4,7 +4,7 @@
 # The commands a person types. Each does its own set-up: missing Debian packages
 # are installed first, and what is built already is not built again.
 .DEFAULT_GOAL := help
-.PHONY: help run test asan tsan bench clean packages
+.PHONY: help run test asan tsan bench fuzz clean packages
 
 SHOWN := build/release/rebar-stated.kbrun
 
@@ -14,6 +14,7 @@ help:
 	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
 	@echo "make tsan   the tests under the thread sanitizer"
 	@echo "make bench  time and memory of typical work"
+	@echo "make fuzz   look for bytes that break the scene reader, MINUTES=60"
 	@echo "make clean  remove everything that was built"
 
 packages:
@@ -41,6 +42,12 @@ asan tsan: packages
 bench: packages
 	$(call build,headless)
 	build/headless/tests/bench/keyblock_bench
+
+MINUTES ?= 60
+fuzz:
+	@sh resources/install/debian.sh clang
+	$(call build,fuzz)
+	@sh tests/fuzz/fuzz.sh build/fuzz/tests/fuzz/driver/scene_fuzz $(MINUTES)
 
 clean:
 	rm -rf build
