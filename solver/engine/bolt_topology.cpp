@@ -14,6 +14,8 @@
 namespace keyblock {
 namespace {
 
+constexpr double cellSlack = 1e-3;  // of a cell: so far apart glue may hold two
+
 /// Length of `pieces` that lies in `stretches` and between `from` and `to` [m].
 double overlapOf(const std::vector<Stretch>& pieces, const std::vector<Stretch>& stretches, double from, double to) {
     double sum = 0.0;
@@ -44,6 +46,10 @@ public:
             const int was = blockOf(n);
             const int now = find(n, was);
             if (now == was) continue;
+            if (now >= 0 && was >= 0 && sameRock(model_, now, was)) {
+                pass(n, now);
+                continue;
+            }
             leave(n);
             if (now >= 0) enter(n, now);
         }
@@ -69,8 +75,11 @@ private:
     int find(int n, int before) const {
         const Point& x = motion_.nodes[n].x;
         if (before >= 0 && sideOf(before, x) == Side::Inside) return before;
+        if (before >= 0 && model_.blocks[before].cell)
+            if (const int cell = findCell(n, before); cell >= 0) return cell;
         int onFace = -1, faces = 0;
-        for (int b = 0; b < static_cast<int>(model_.blocks.size()); ++b) {
+        for (int b = 0; b < model_.firstOf.back(); ++b) {  // plates are no rock
+            if (onFace >= 0 && sameRock(model_, onFace, b)) continue;  // between cells: the first
             const Point away = x - state_.blocks[b].centroid;
             if (away.squaredNorm() > 4.0 * reachOf(b) * reachOf(b)) continue;
             const Side side = sideOf(b, x);
@@ -80,6 +89,21 @@ private:
             ++faces;
         }
         return faces == 1 ? onFace : -1;
+    }
+
+    /// Within the same block: a bonded node stays with its cell, another goes to the one that it is inside;
+    /// between cells that glue holds a little apart it stays. −1 once it has left the block.
+    int findCell(int n, int before) const {
+        const BoltNode& node = motion_.nodes[n];
+        const auto rock = static_cast<std::size_t>(model_.blocks[before].rock);
+        int beside = 0;
+        for (int cell = model_.firstOf[rock]; cell < model_.firstOf[rock + 1]; ++cell) {
+            const double slack = cellSlack * model_.blocks[cell].size, reach = reachOf(cell);
+            if ((node.x - state_.blocks[cell].centroid).squaredNorm() > 4.0 * reach * reach) continue;
+            if (sideOf(cell, node.x) == Side::Inside) return node.bond.bonded ? before : cell;
+            if (locate(state_.blocks[cell].corners, node.x, slack) == Side::Boundary) ++beside;
+        }
+        return beside > 1 ? before : -1;
     }
 
     double reachOf(int block) const {
@@ -124,6 +148,44 @@ private:
         node.bond.gone = node.bond.gone || (state_.step > 0 && bolt_.anchors[n].law == AnchorLaw::Elastic);
     }
 
+    /// Into the next cell of the same block, with the force that the node has.
+    void pass(int n, int block) {
+        BoltNode& node = motion_.nodes[n];
+        const double along = alongSlot(slotLine(state_, motion_.slots[node.slot]), node);
+        node.slot = slotIn(n, block);
+        const SlotLine line = slotLine(state_, motion_.slots[node.slot]);
+        node.bond.place = (line.along.dot(node.x - line.p2) - along) / line.length;
+    }
+
+    /// Cells of one block count as one: its first row stands for them.
+    int wholeOf(int block) const {
+        return block >= 0 && model_.blocks[block].cell ? model_.firstOf[model_.blocks[block].rock] : block;
+    }
+
+    int wholeAt(int n) const { return wholeOf(blockOf(n)); }
+
+    /// The block, or all cells of which it is one.
+    void addWhole(int block, std::vector<int>& blocks) const {
+        if (block < 0 || !model_.blocks[block].cell) {
+            blocks.push_back(block);
+            return;
+        }
+        const auto rock = static_cast<std::size_t>(model_.blocks[block].rock);
+        for (int cell = model_.firstOf[rock]; cell < model_.firstOf[rock + 1]; ++cell) blocks.push_back(cell);
+    }
+
+    /// Parts of an element in a block; a bolt along the edge between two cells counts as in one of them.
+    std::vector<std::pair<double, double>> insideOf(int block, Point a, Point b) const {
+        if (model_.blocks[block].cell) {
+            const double reach = reachOf(block) + (b - a).norm();
+            if ((a - state_.blocks[block].centroid).squaredNorm() > 4.0 * reach * reach) return {};
+            const Point aside = 4.0 * model_.tolerance * turnLeft((b - a).normalized());
+            a += aside;
+            b += aside;
+        }
+        return insideIntervals(state_.blocks[block].corners, a, b, model_.tolerance);
+    }
+
     void leave(int n) {
         BoltNode& node = motion_.nodes[n];
         node.slot = -1;
@@ -132,7 +194,7 @@ private:
         node.bond.slip = 0.0;
     }
 
-    /// Stretches of the bolt in each block; an element within one block lies there wholly.
+    /// Stretches of the bolt in each block, its cells as one; an element within one block lies there wholly.
     std::map<int, std::vector<Stretch>> embedded() const {
         std::map<int, std::vector<Stretch>> pieces;
         const auto add = [&](int block, double from, double to) {
@@ -141,21 +203,21 @@ private:
             else own.emplace_back(from, to);
         };
         for (int e = 0; e + 1 < nodes(); ++e) {
-            const int b1 = blockOf(e), b2 = blockOf(e + 1);
+            const int b1 = wholeAt(e), b2 = wholeAt(e + 1);
             const double s = bolt_.s[e], length = bolt_.elements[e].length;
             if (b1 >= 0 && b1 == b2) {
                 add(b1, s, s + length);
                 continue;
             }
-            std::vector<int> blocks{b1, b2};
-            for (const Slot& slot : motion_.slots) blocks.push_back(slot.block);
+            std::vector<int> blocks;
+            for (int block : {blockOf(e), blockOf(e + 1)}) addWhole(block, blocks);
+            for (const Slot& slot : motion_.slots) addWhole(slot.block, blocks);
             std::sort(blocks.begin(), blocks.end());
             blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
             for (int block : blocks) {
                 if (block < 0) continue;
-                for (const auto& [f, t] : insideIntervals(state_.blocks[block].corners, motion_.nodes[e].x,
-                                                          motion_.nodes[e + 1].x, model_.tolerance))
-                    add(block, s + f * length, s + t * length);
+                for (const auto& [f, t] : insideOf(block, motion_.nodes[e].x, motion_.nodes[e + 1].x))
+                    add(wholeOf(block), s + f * length, s + t * length);
             }
         }
         return pieces;
@@ -170,16 +232,16 @@ private:
                      const std::vector<std::vector<Stretch>>& stretches, Entry entryOf, Set set) {
         std::map<std::pair<int, int>, double> weights;  // by block and entry
         std::vector<double> own(nodes(), 0.0);
-        const auto counts = [&](int n) { return entryOf(n) >= 0 && pieces.contains(blockOf(n)); };
+        const auto counts = [&](int n) { return entryOf(n) >= 0 && pieces.contains(wholeAt(n)); };
         for (int n = 0; n < nodes(); ++n) {
             if (!counts(n)) continue;
-            own[n] = overlapOf(pieces.at(blockOf(n)), stretches[entryOf(n)], tributaryFrom(n), tributaryTo(n));
-            weights[{blockOf(n), entryOf(n)}] += own[n];
+            own[n] = overlapOf(pieces.at(wholeAt(n)), stretches[entryOf(n)], tributaryFrom(n), tributaryTo(n));
+            weights[{wholeAt(n), entryOf(n)}] += own[n];
         }
         for (int n = 0; n < nodes(); ++n) {
-            const double weight = counts(n) ? weights[{blockOf(n), entryOf(n)}] : 0.0;
+            const double weight = counts(n) ? weights[{wholeAt(n), entryOf(n)}] : 0.0;
             const double whole =
-                weight > 0.0 ? overlapOf(pieces.at(blockOf(n)), stretches[entryOf(n)], 0.0, bolt_.s.back()) : 0.0;
+                weight > 0.0 ? overlapOf(pieces.at(wholeAt(n)), stretches[entryOf(n)], 0.0, bolt_.s.back()) : 0.0;
             set(n, weight > 0.0 ? whole * own[n] / weight : 0.0);
         }
     }

@@ -59,7 +59,9 @@ struct PairSearch {
         const std::vector<Point>& other = blocks[b].corners;
         const double over = slack(a, b);
         std::vector<Contact> faced;
+        const std::vector<char>& inner = model.blocks[b].inner;
         for (int e = 0; e < static_cast<int>(other.size()); ++e) {
+            if (!inner.empty() && inner[static_cast<std::size_t>(e)]) continue;  // no face: glued to the next cell
             const Edge edge = edgeOf(other, e);
             const Point from = own[corner] - edge.start;
             const double gap = edge.outward.dot(from), along = edge.along.dot(from);
@@ -154,7 +156,8 @@ void giveHistory(const PairSearch& search, const std::vector<Contact>& before, b
     if (!first || std::abs(contact.gap) > 10.0 * search.model.tolerance) return;
     contact.gapOffset = contact.gap;
     const JointModel& joint = search.model.joints[contact.joint];
-    contact.bonded = contact.length > 0.0 && (joint.cohesion > 0.0 || joint.tensileStrength > 0.0);
+    const bool plate = search.model.blocks[contact.blockA].plateOf >= 0 || search.model.blocks[contact.blockB].plateOf >= 0;
+    contact.bonded = !plate && contact.length > 0.0 && (joint.cohesion > 0.0 || joint.tensileStrength > 0.0);
 }
 
 }  // namespace
@@ -178,7 +181,10 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     boxes.reserve(blocks.size());
     for (const BlockMotion& block : blocks) boxes.push_back(grown(boxOf(block.corners), 0.5 * margin + model.tolerance));
     std::vector<std::pair<int, int>> pairs = BoxGrid(std::move(boxes)).meetingPairs();
-    std::erase_if(pairs, [&](const auto& p) { return model.blocks[p.first].fixed && model.blocks[p.second].fixed; });
+    std::erase_if(pairs, [&](const auto& p) {
+        const bool still = model.blocks[p.first].fixed && model.blocks[p.second].fixed;
+        return still || sameRock(model, p.first, p.second);
+    });
 
     const PairSearch search{model, blocks, margin};
     std::vector<std::vector<Contact>> perPair(pairs.size());

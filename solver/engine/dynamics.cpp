@@ -83,7 +83,7 @@ bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset 
 /// Only touching contacts act while preload is sought; bolts and supports keep the force they have.
 void keepTouching(const Model& model, const State& state, StepProblem& problem) {
     for (Link& link : problem.links) {
-        if (link.kind == LinkKind::Support) continue;
+        if (link.kind == LinkKind::Support || link.kind == LinkKind::Glue) continue;
         if (link.kind == LinkKind::Normal || link.kind == LinkKind::Friction) {
             if (touches(model, state.contacts[static_cast<std::size_t>(link.owner)])) continue;
             link.law = {};
@@ -105,6 +105,8 @@ void takePreload(const Model& model, State& state, const StepProblem& problem, c
         const double offset = link.strain - respond(link.law, strains[i]).force / link.law.stiffness;
         if (link.kind == LinkKind::Normal) state.contacts[static_cast<std::size_t>(link.owner)].gapOffset = offset;
         if (link.kind == LinkKind::Friction) state.contacts[static_cast<std::size_t>(link.owner)].slipOffset = offset;
+        if (link.kind == LinkKind::Glue)
+            state.glue[static_cast<std::size_t>(link.owner)].offset[static_cast<std::size_t>(link.part)] = offset;
     }
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         state.blocks[i].preStress +=

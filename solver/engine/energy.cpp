@@ -3,6 +3,7 @@
 //
 // Energies of a state: what is stored, what moves, and the balance over all
 // that was booked since the start.
+#include "solver/engine/glue.h"
 #include "solver/engine/step_build.h"
 
 #include <algorithm>
@@ -41,6 +42,7 @@ StoredEnergy storedEnergy(const Model& model, const State& state) {
     StepProblem contacts = noLinks(model), held = noLinks(model);
     addContactLinks(model, state, false, contacts);
     addHeldPoints(model, state, held);
+    addGlueLinks(model, state, 0.0, held);
     energy.contact = heldBy(contacts);
     energy.strain += heldBy(held);
     for (std::size_t b = 0; b < model.bolts.size(); ++b) energy.bolt += boltEnergy(model, state, static_cast<int>(b));

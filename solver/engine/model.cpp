@@ -5,8 +5,10 @@
 #include "solver/engine/model.h"
 
 #include "geometry/polygon.h"
-#include "geometry/segment.h"
+#include "solver/engine/bolt_slots.h"
+#include "solver/engine/glue.h"
 #include "solver/scene/lookup.h"
+#include "solver/scene/solved_blocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,13 +64,21 @@ std::vector<Point> relative(const std::vector<Point>& points, const Point& origi
     return moved;
 }
 
-BlockModel blockModel(const Scene& scene, int index, const Point& origin) {
-    const Block& block = scene.blocks[static_cast<std::size_t>(index)];
-    const Material& material = materialOf(scene, block);
-    std::vector<Point> corners = counterClockwise(relative(block.points, origin));
+Material plateMaterial(const Plate& plate) { return {plate.density, plate.youngsModulus, plate.poissonsRatio}; }
+
+BlockModel blockModel(const Scene& scene, const SolvedBlock& solved) {
+    const Block& block = scene.blocks[static_cast<std::size_t>(solved.block)];
+    const bool plate = solved.plateOf >= 0;
+    const Material material = plate ? plateMaterial(boltTypeOf(scene, scene.bolts[solved.plateOf]).plate)
+                                    : materialOf(scene, block);
+    std::vector<Point> corners = counterClockwise(solved.points);
     const Moments m = moments(corners);
     BlockModel model;
-    model.name = displayName(scene, index);
+    model.name = solved.name;
+    model.rock = solved.block;
+    model.cell = solved.cell;
+    model.plateOf = solved.plateOf;
+    model.inner = solved.inner;
     model.shape = relative(corners, m.centroid);
     model.centroid = m.centroid;
     model.area = m.area;
@@ -77,7 +87,7 @@ BlockModel blockModel(const Scene& scene, int index, const Point& origin) {
     model.massMatrix = massOf(m, material.density * scene.analysis.thickness);
     model.elasticity = elasticityOf(material, scene.analysis.plane);
     model.youngsModulus = material.youngsModulus;
-    model.initialStress = block.initialStress;
+    if (!plate) model.initialStress = block.initialStress;
     model.jointMaterial = jointMaterialIndex(scene, block);
     if (model.jointMaterial < 0) model.jointMaterial = static_cast<int>(scene.jointMaterials.size());
     return model;
@@ -87,20 +97,14 @@ JointModel jointModel(const JointMaterial& material) {
     return {std::tan(material.frictionAngle * std::numbers::pi / 180.0), material.cohesion, material.tensileStrength};
 }
 
-/// The corners of block `i` are those of its shape around its centroid.
-std::vector<Point> cornersOf(const BlockModel& block) {
-    std::vector<Point> corners = block.shape;
-    for (Point& p : corners) p += block.centroid;
-    return corners;
-}
-
 void holdSupports(const Scene& scene, Model& model) {
     for (const Support& support : scene.supports) {
         if (support.blockAt) {
-            model.blocks[static_cast<std::size_t>(blockAt(scene, *support.blockAt))].fixed = true;
+            const auto block = static_cast<std::size_t>(blockAt(scene, *support.blockAt));
+            for (int row = model.firstOf[block]; row < model.firstOf[block + 1]; ++row) model.blocks[row].fixed = true;
             continue;
         }
-        const int block = blockWithPoint(scene, *support.point);
+        const int block = rowHolding(model, blockWithPoint(scene, *support.point), *support.point - model.origin);
         const BlockModel& held = model.blocks[static_cast<std::size_t>(block)];
         const double stiffness = scene.analysis.penaltyRatio * held.youngsModulus * model.thickness;
         model.held.push_back({block, *support.point - model.origin - held.centroid, support.fix != Fix::Y,
@@ -128,43 +132,6 @@ double shearStrengthOf(const BoltType& type, double area) {
     double stress = 0.0;
     for (const auto& [strain, value] : type.steel) stress = std::max(stress, value);
     return type.shearStrengthRatio * type.tensileStrength.value_or(stress) * area;
-}
-
-std::vector<Slot> slotsOf(const Model& model, const Point& farEnd, const Point& head) {
-    std::vector<Slot> slots;
-    const double length = (head - farEnd).norm();
-    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-        const BlockModel& block = model.blocks[b];
-        for (const auto& [from, to] : insideIntervals(cornersOf(block), farEnd, head, model.tolerance)) {
-            const Point p2 = farEnd + from * (head - farEnd), p3 = farEnd + to * (head - farEnd);
-            slots.push_back({static_cast<int>(b), p2 - block.centroid, p3 - block.centroid, from * length,
-                             to * length});
-        }
-    }
-    std::sort(slots.begin(), slots.end(), [](const Slot& a, const Slot& b) { return a.s2 < b.s2; });
-    return slots;
-}
-
-/// Where slots end inside the bolt: joints and faces of gaps.
-std::vector<double> jointPlaces(const std::vector<Slot>& slots, double length, double tolerance) {
-    std::vector<double> places;
-    for (const Slot& slot : slots)
-        for (double s : {slot.s2, slot.s3})
-            if (s > tolerance && s < length - tolerance) places.push_back(s);
-    std::sort(places.begin(), places.end());
-    const auto close = [&](double a, double b) { return b - a <= tolerance; };
-    places.erase(std::unique(places.begin(), places.end(), close), places.end());
-    return places;
-}
-
-int startBlockOf(const std::vector<Slot>& slots, double s, double tolerance) {
-    int block = -1, touching = 0;
-    for (const Slot& slot : slots) {
-        if (s < slot.s2 - tolerance || s > slot.s3 + tolerance) continue;
-        block = slot.block;
-        ++touching;
-    }
-    return touching == 1 ? block : -1;
 }
 
 double placeOf(const BoltPlace& place, double length) { return place.head ? length : place.s; }
@@ -234,6 +201,25 @@ std::vector<AnchorModel> anchorsOfNodes(const std::vector<Anchor>& entries, cons
     return anchors;
 }
 
+void setSprings(const Plate& type, PlateModel& plate) {
+    plate.present = true;
+    plate.normalStiffness = type.normalStiffness;
+    plate.shearStiffness = type.shearStiffness;
+    plate.normalStrength = type.normalStrength;
+    plate.shearStrength = type.shearStrength;
+}
+
+/// Ties the head to its place on the plate that is a block, square to the face that it lies against.
+PlateModel blockPlate(const Model& model, const BoltModel& bolt, int index, const BoltType& type) {
+    PlateModel plate;
+    for (plate.block = model.firstOf.back(); model.blocks[plate.block].plateOf != index;) ++plate.block;
+    const BlockModel& body = model.blocks[plate.block];
+    plate.place = bolt.farEnd + bolt.s.back() * bolt.axis - body.centroid;
+    plate.along = turnLeft((body.shape[1] - body.shape[0]).normalized());
+    setSprings(type.plate, plate);
+    return plate;
+}
+
 PlateModel plateModel(const Model& model, const BoltModel& bolt, const BoltType& type) {
     PlateModel plate;
     const double length = bolt.s.back();
@@ -246,13 +232,9 @@ PlateModel plateModel(const Model& model, const BoltModel& bolt, const BoltType&
         plate.block = slot.block;
     }
     if (plate.block < 0) return plate;
-    plate.present = true;
     plate.place = bolt.farEnd + length * bolt.axis - model.blocks[static_cast<std::size_t>(plate.block)].centroid;
     plate.along = bolt.axis;
-    plate.normalStiffness = type.plate.normalStiffness;
-    plate.shearStiffness = type.plate.shearStiffness;
-    plate.normalStrength = type.plate.normalStrength;
-    plate.shearStrength = type.plate.shearStrength;
+    setSprings(type.plate, plate);
     return plate;
 }
 
@@ -272,7 +254,8 @@ double dowelLengthOf(const BoltType& type, const BeamSection& section, double le
     return std::pow(4.0 * section.youngsModulus * section.secondMoment / k, 0.25);
 }
 
-BoltModel boltModel(const Scene& scene, const Bolt& bolt, const Model& model) {
+BoltModel boltModel(const Scene& scene, int index, const Model& model) {
+    const Bolt& bolt = scene.bolts[static_cast<std::size_t>(index)];
     const BoltType& type = boltTypeOf(scene, bolt);
     BoltModel b;
     b.name = bolt.name;
@@ -286,8 +269,8 @@ BoltModel boltModel(const Scene& scene, const Bolt& bolt, const Model& model) {
     if (!type.steel.empty()) b.steel = Backbone::of(type.steel);
     b.shearStrength = shearStrengthOf(type, b.section.area);
     b.bends = type.bending != Bending::None;
-    b.slots = slotsOf(model, b.farEnd, head);
-    b.joints = jointPlaces(b.slots, length, model.tolerance);
+    b.slots = slotsAlong(model, b.farEnd, head);
+    b.joints = jointPlaces(model, b.slots, length);
     b.dowelLength = dowelLengthOf(type, b.section, length);
     b.s = boltNodes(length, bolt.divisions, b.joints, b.dowelLength);
     for (std::size_t i = 0; i + 1 < b.s.size(); ++i) {
@@ -296,11 +279,12 @@ BoltModel boltModel(const Scene& scene, const Bolt& bolt, const Model& model) {
         });
         b.elements.push_back({b.s[i + 1] - b.s[i], shears});
     }
-    for (double s : b.s) b.startBlock.push_back(startBlockOf(b.slots, s, model.tolerance));
+    for (double s : b.s) b.startBlock.push_back(startBlockOf(model, b.slots, s));
     b.anchors = anchorsOfNodes(anchorsOf(scene, bolt), b.s, length, model.tolerance);
     b.stretches = stretchesOf(anchorsOf(scene, bolt), length);
     setNormalSprings(b, type, !bolt.divisions);
     if (bolt.plate == PlateKind::Spring) b.plate = plateModel(model, b, type);
+    if (bolt.plate == PlateKind::Block) b.plate = blockPlate(model, b, index, type);
     b.firstNode = model.nodes;
     return b;
 }
@@ -361,6 +345,29 @@ std::vector<double> boltNodes(double length, std::optional<int> divisions, const
     return nodes;
 }
 
+std::vector<Point> startCorners(const BlockModel& block) {
+    std::vector<Point> corners = block.shape;
+    for (Point& p : corners) p += block.centroid;
+    return corners;
+}
+
+bool sameRock(const Model& model, int a, int b) {
+    if (a == b) return true;
+    const auto &first = model.blocks[a], &second = model.blocks[b];
+    return first.cell && second.cell && first.rock == second.rock;
+}
+
+int rowHolding(const Model& model, int block, const Point& place) {
+    const int first = model.firstOf[block], end = model.firstOf[block + 1];
+    int beside = first;
+    for (int row = end - 1; row >= first && end - first > 1; --row) {
+        const Side side = locate(startCorners(model.blocks[row]), place, model.tolerance);
+        if (side == Side::Inside) return row;
+        if (side == Side::Boundary) beside = row;
+    }
+    return beside;
+}
+
 Model makeModel(const Scene& scene) {
     Model model;
     model.analysis = scene.analysis;
@@ -368,14 +375,16 @@ Model makeModel(const Scene& scene) {
     model.gravity = scene.analysis.gravity;
     model.size = sceneSize(scene);
     model.tolerance = geometricTolerance(scene);
-    model.origin = scene.blocks.front().points.front();
-    for (std::size_t i = 0; i < scene.blocks.size(); ++i)
-        model.blocks.push_back(blockModel(scene, static_cast<int>(i), model.origin));
+    const SolvedBlocks solved = solvedBlocks(scene);
+    model.origin = solved.origin;
+    model.firstOf = solved.firstOf;
+    for (const SolvedBlock& block : solved.blocks) model.blocks.push_back(blockModel(scene, block));
+    for (const SharedEdge& edge : solved.glued) model.glue.push_back(glueModel(scene, model, edge));
     for (const auto& [name, material] : scene.jointMaterials) model.joints.push_back(jointModel(material));
     model.joints.push_back(jointModel(builtInJointMaterial));
     holdSupports(scene, model);
-    for (const Bolt& bolt : scene.bolts) {
-        model.bolts.push_back(boltModel(scene, bolt, model));
+    for (std::size_t i = 0; i < scene.bolts.size(); ++i) {
+        model.bolts.push_back(boltModel(scene, static_cast<int>(i), model));
         model.nodes += static_cast<int>(model.bolts.back().s.size());
     }
     model.stiffest = stiffestOf(model);

@@ -35,12 +35,26 @@ struct BlockModel {
     double youngsModulus = 0.0;  // [Pa]
     Stress initialStress{};  // [Pa]
     int jointMaterial = -1;
+    int rock = -1;  // the scene's block that it is, or is a cell of; of a plate, the one that it lies against
+    bool cell = false;
+    int plateOf = -1;  // bolt whose plate it is
+    std::vector<char> inner;  // a row per edge: glued to other cells from end to end; empty: none
     bool fixed = false;
 };
 
 struct JointModel {
     double tanPhi = 0.0;
     double cohesion = 0.0, tensileStrength = 0.0;  // [Pa]
+};
+
+/// Elastic bond along an edge that two cells share (theory, "Sub-blocks").
+struct GlueModel {
+    int a = -1, b = -1;  // blocks
+    Point placeA{0.0, 0.0}, placeB{0.0, 0.0};  // the edge's middle in either frame at the start, from the centroid [m]
+    Point along{1.0, 0.0};  // the edge with `a` on its left, at the start
+    double length = 0.0;  // [m]
+    double normal = 0.0, shear = 0.0;  // springs at the middle [N/m]
+    double turn = 0.0;  // spring between the two sides' directions [N m/rad]
 };
 
 /// A point held in x, y or both by a spring.
@@ -118,13 +132,24 @@ struct Model {
     double thickness = 1.0;
     Point gravity{0.0, 0.0};
     double stiffest = 1.0;  // largest spring of the scene [N/m]
-    std::vector<BlockModel> blocks;
+    std::vector<BlockModel> blocks;  // rows of `solvedBlocks`
+    std::vector<int> firstOf;  // row where each block of the scene begins, then where the plates do
+    std::vector<GlueModel> glue;
     std::vector<JointModel> joints;  // the scene's, then the built-in one
     std::vector<HeldPoint> held;
     std::vector<BoltModel> bolts;
     int nodes = 0;
     Analysis analysis;
 };
+
+/// Corners where they are at the start [m].
+std::vector<Point> startCorners(const BlockModel& block);
+
+/// True for one block, and for two cells of one.
+bool sameRock(const Model& model, int a, int b);
+
+/// The row of a block of the scene, or of its first cell, that holds `place` at the start. \pre one does.
+int rowHolding(const Model& model, int block, const Point& place);
 
 /// \pre the scene was checked without errors.
 Model makeModel(const Scene& scene);

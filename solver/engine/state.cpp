@@ -81,6 +81,7 @@ State makeState(const Model& model) {
         placeCorners(block, motion);
         state.blocks.push_back(std::move(motion));
     }
+    state.glue.resize(model.glue.size());
     for (const BoltModel& bolt : model.bolts) {
         BoltMotion motion;
         motion.slots = bolt.slots;

@@ -9,6 +9,7 @@
 #include "solver/engine/model.h"
 #include "solver/results/results.h"
 
+#include <array>
 #include <vector>
 
 namespace keyblock {
@@ -43,6 +44,13 @@ struct Contact {
     Point position{0.0, 0.0};  // [m]
 
     bool operator==(const Contact&) const = default;
+};
+
+/// Strains at which the links of a glued edge carry nothing: normal, shear [m], turn [rad].
+struct GlueState {
+    std::array<double, 3> offset{};
+
+    bool operator==(const GlueState&) const = default;
 };
 
 /// Tangential state of an anchored point.
@@ -98,6 +106,7 @@ struct EnergyLedger {
 struct State {
     std::vector<BlockMotion> blocks;
     std::vector<Contact> contacts;
+    std::vector<GlueState> glue;  // a row per glued edge of the model
     std::vector<BoltMotion> bolts;
     EnergyLedger energy;
     double startEnergy = 0.0;  // stored before anything moved [J]

@@ -119,7 +119,7 @@ void acceptStep(const Model& model, State& state, const StepProblem& problem, co
         }
         if (link.kind == LinkKind::Normal || link.kind == LinkKind::Friction)
             acceptContact(link, forces[i], state.contacts[link.owner]);
-        else if (link.kind != LinkKind::Support)
+        else if (link.kind != LinkKind::Support && link.kind != LinkKind::Glue)
             acceptBoltLink(link, strains[i], forces[i], curve, model.bolts[link.owner], state.bolts[link.owner]);
     }
     moveBodies(model, state, d);

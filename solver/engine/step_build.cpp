@@ -5,6 +5,8 @@
 // prescribed, and the links of held points.
 #include "solver/engine/step_build.h"
 
+#include "solver/engine/glue.h"
+
 #include <cmath>
 
 namespace keyblock {
@@ -119,8 +121,9 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
     addBlocks(model, state, factors, problem);
     addNodes(model, state, factors, problem);
     prescribe(model, state, loads, at, problem);
-    problem.links.reserve(2 * (state.contacts.size() + model.held.size()) + linksANode * static_cast<std::size_t>(model.nodes));
+    problem.links.reserve(2 * (state.contacts.size() + model.held.size()) + 3 * model.glue.size() + linksANode * static_cast<std::size_t>(model.nodes));
     addContactLinks(model, state, options.frictionLocked, problem);
+    addGlueLinks(model, state, options.inertia == Inertia::Static ? 0.0 : 0.5 * options.dt, problem);
     addHeldPoints(model, state, problem);
     for (std::size_t b = 0; b < model.bolts.size(); ++b) addBoltLinks(model, state, static_cast<int>(b), problem);
     return problem;

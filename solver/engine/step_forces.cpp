@@ -77,6 +77,7 @@ double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, cons
     for (std::size_t i = 0; i < forces.size(); ++i) {
         const LinkKind kind = problem.links[i].kind;
         if (ofContact(kind)) contact += std::abs(forces[i]);
+        else if (kind == LinkKind::Glue) continue;  // within a block, like its stress
         else if (kind == LinkKind::Support) reaction += std::abs(forces[i]);
         else if (kind != LinkKind::Bend && kind != LinkKind::Shear) bolt += std::abs(forces[i]);
     }

@@ -18,7 +18,7 @@
 
 namespace keyblock {
 
-enum class LinkKind { Normal, Friction, Support, AnchorNormal, AnchorSlip, Axial, Bend, Shear, Chord, PlateNormal, PlateShear };
+enum class LinkKind { Normal, Friction, Glue, Support, AnchorNormal, AnchorSlip, Axial, Bend, Shear, Chord, PlateNormal, PlateShear };
 
 /// strain(D) = strain + ga·D[a] + gb·D[b]
 struct Link {

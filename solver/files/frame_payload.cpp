@@ -130,8 +130,8 @@ void packContacts(const Frame& frame, std::vector<double>& out) {
 
 bool unpackContact(RowReader& row, const Scene& scene, Frame& frame) {
     ContactFrame c;
-    c.blockA = row.index(-1, scene.blocks.size());
-    c.blockB = row.index(-1, scene.blocks.size());
+    c.blockA = row.index(-1, frame.blocks.size());
+    c.blockB = row.index(-1, frame.blocks.size());
     c.jointMaterial = row.index(-1, scene.jointMaterials.size());
     c.position = row.point();
     c.state = static_cast<ContactState>(row.index(0, 4));
@@ -152,12 +152,12 @@ void packNodes(const Frame& frame, std::vector<double>& out) {
                                    n.ruptured ? 1.0 : 0.0});
 }
 
-bool unpackNode(RowReader& row, const Scene& scene, Frame& frame) {
+bool unpackNode(RowReader& row, const Scene&, Frame& frame) {
     const auto bolt = static_cast<std::size_t>(row.index(0, frame.bolts.size()));
     BoltNodeFrame n;
     n.s = row.number();
     n.position = row.point();
-    n.block = row.index(-1, scene.blocks.size());
+    n.block = row.index(-1, frame.blocks.size());
     n.real = row.flag();
     n.state = static_cast<NodeState>(row.index(0, 4));
     n.axialForce = row.number();
@@ -211,7 +211,7 @@ std::vector<double> pack(Payload payload, const Frame& frame) {
     return values;
 }
 
-bool unpack(Payload payload, std::span<const double> values, const Scene& scene, Frame& frame) {
+bool unpack(Payload payload, std::span<const double> values, const Scene& scene, std::size_t blocks, Frame& frame) {
     const std::size_t width = payloadColumns(payload).size();
     if (values.size() % width != 0)
         return false;
@@ -221,7 +221,7 @@ bool unpack(Payload payload, std::span<const double> values, const Scene& scene,
             return false;
     }
     if (payload == Payload::Blocks)
-        return frame.blocks.size() == scene.blocks.size();
+        return frame.blocks.size() == blocks;
     return payload != Payload::Bolts || frame.bolts.size() == scene.bolts.size();
 }
 

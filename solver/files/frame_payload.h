@@ -35,7 +35,7 @@ std::span<const PayloadColumn> payloadColumns(Payload payload);
 std::vector<double> pack(Payload payload, const Frame& frame);
 
 /// Puts the rows of a payload into a frame: blocks before corners, bolts before nodes. False when they do not fit
-/// the scene or the columns.
-bool unpack(Payload payload, std::span<const double> values, const Scene& scene, Frame& frame);
+/// the scene, the number of blocks that are solved, or the columns.
+bool unpack(Payload payload, std::span<const double> values, const Scene& scene, std::size_t blocks, Frame& frame);
 
 }  // namespace keyblock

@@ -34,7 +34,8 @@ CREATE TABLE frames (frame INTEGER PRIMARY KEY, stage INTEGER, time REAL, step I
 inline constexpr const char* layout =
     "Every BLOB holds little-endian IEEE 754 doubles, row after row. Table columns lists the values of a row by "
     "payload: blocks, corners, contacts, nodes and bolts of a frame; history of a history row; mechanism for "
-    "stages.blocks. Row n of blocks and of bolts is the scene's block or bolt n. Stages, blocks, bolts, nodes, "
+    "stages.blocks. Row n of bolts is the scene's bolt n; row n of blocks the n-th that is solved: the scene's, cells in "
+    "place of those that are cut, then plates that are blocks. Stages, blocks, bolts, nodes, "
     "elements and rows of history count from 0; -1 marks an index that does not apply. events.history_row names the "
     "row just before an event. A stage without an outcome never ended. SI units; times are within the stage. Row key "
     "scene of table about is the scene as JSON, scene_hash its SHA-256.";

@@ -12,6 +12,7 @@
 #include "solver/files/scene_file.h"
 #include "solver/results/history.h"
 #include "solver/results/words.h"
+#include "solver/scene/solved_blocks.h"
 
 #include <sqlite3.h>
 
@@ -117,7 +118,7 @@ Value known(const std::optional<Value>& value) {
 
 constexpr std::size_t anyNumber = 1000000000;
 
-Event eventAt(const sqlite::Statement& row, const Scene& scene) {
+Event eventAt(const sqlite::Statement& row, const Scene& scene, std::size_t blocks) {
     Event event;
     event.stage = indexBelow(row.integer(0), 0, scene.stages.size());
     event.time = row.real(1);
@@ -126,8 +127,8 @@ Event eventAt(const sqlite::Statement& row, const Scene& scene) {
     event.bolt = indexBelow(row.integer(4), -1, scene.bolts.size());
     event.node = indexBelow(row.integer(5), -1, anyNumber);
     event.element = indexBelow(row.integer(6), -1, anyNumber);
-    event.block = indexBelow(row.integer(7), -1, scene.blocks.size());
-    event.otherBlock = indexBelow(row.integer(8), -1, scene.blocks.size());
+    event.block = indexBelow(row.integer(7), -1, blocks);
+    event.otherBlock = indexBelow(row.integer(8), -1, blocks);
     event.position = {row.real(9), row.real(10)};
     event.axialForce = row.real(11);
     event.shearForce = row.real(12);
@@ -137,7 +138,7 @@ Event eventAt(const sqlite::Statement& row, const Scene& scene) {
     return event;
 }
 
-StageRecord stageAt(const sqlite::Statement& row, const Scene& scene) {
+StageRecord stageAt(const sqlite::Statement& row, const Scene& scene, std::size_t blocks) {
     StageRecord record;
     record.result.stage = indexBelow(row.integer(0), 0, scene.stages.size());
     record.ended = !row.isNull(1);
@@ -149,7 +150,7 @@ StageRecord stageAt(const sqlite::Statement& row, const Scene& scene) {
     result.steps = static_cast<long>(row.integer(3));
     result.message = row.text(4);
     for (const double block : known(row.doubles(5)))
-        result.blocks.push_back(indexBelow(block, scene.blocks.size()));
+        result.blocks.push_back(indexBelow(block, blocks));
     result.health.steps = static_cast<long>(row.integer(12));
     result.health.passes = static_cast<long>(row.integer(6));
     result.health.stepCuts = static_cast<long>(row.integer(7));
@@ -207,6 +208,7 @@ void RunStore::readAbout() {
         cannotRead(path_, "this program does not accept the scene in it" + first + "; run the scene again");
     }
     scene_ = std::move(*reading.scene);
+    names_ = keyblock::blockNames(scene_);
 }
 
 void RunStore::readColumns() {
@@ -236,7 +238,7 @@ std::vector<StageRecord> RunStore::stages() const {
                                     "factorizations, max_penetration_ratio, max_residual, balance_error, health_steps "
                                     "FROM stages ORDER BY stage");
         while (statement.next())
-            records.push_back(stageAt(statement, scene_));
+            records.push_back(stageAt(statement, scene_, names_.size()));
         return records;
     });
 }
@@ -249,7 +251,7 @@ std::vector<Event> RunStore::events() const {
                                     "axial_force, shear_force, anchor_force, slip, history_row FROM events ORDER BY "
                                     "event");
         while (statement.next())
-            events.push_back(eventAt(statement, scene_));
+            events.push_back(eventAt(statement, scene_, names_.size()));
         return events;
     });
 }
@@ -283,7 +285,7 @@ Frame RunStore::frame(std::size_t index) const {
             cannotRead(path_, damaged);
         for (const Payload payload :
              {Payload::Blocks, Payload::Corners, Payload::Contacts, Payload::Bolts, Payload::Nodes})
-            if (!unpack(payload, known(statement.doubles(static_cast<int>(payload))), scene_, frame))
+            if (!unpack(payload, known(statement.doubles(static_cast<int>(payload))), scene_, names_.size(), frame))
                 cannotRead(path_, damaged);
         return frame;
     });

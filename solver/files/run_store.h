@@ -22,6 +22,7 @@ public:
 
     // Each throws CannotRead where the store turns out to be damaged.
     const Scene& scene() const override { return scene_; }
+    const std::vector<std::string>& blockNames() const override { return names_; }
     const HistoryColumns& columns() const override { return columns_; }
     std::vector<StageRecord> stages() const override;
     std::vector<Event> events() const override;
@@ -42,6 +43,7 @@ private:
     std::filesystem::path path_;
     sqlite::Database database_;
     Scene scene_;
+    std::vector<std::string> names_;
     HistoryColumns columns_;
     std::string sceneHash_;
     std::string programVersion_;

@@ -26,7 +26,8 @@ JsonNode childrenNode(const Field& field, const void* object, const void* refere
     if (children.isNull(object))
         return {};
     if (field.kind == FieldKind::Object)
-        return objectNode(structure, children.item(object, 0), children.item(reference, 0));
+        return objectNode(structure, children.item(object, 0),
+                          children.isNull(reference) ? structure.defaults : children.item(reference, 0));
     JsonList list;
     JsonObject map;
     for (std::size_t i = 0; i < children.count(object); ++i) {

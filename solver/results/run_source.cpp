@@ -4,9 +4,11 @@
 // The twin in memory of a run store.
 #include "solver/results/run_source.h"
 
+#include "solver/scene/solved_blocks.h"
+
 namespace keyblock {
 
-MemoryRun::MemoryRun(const Scene& scene, const Results& results) : scene_(scene), results_(results) {
+MemoryRun::MemoryRun(const Scene& scene, const Results& results) : scene_(scene), results_(results), names_(keyblock::blockNames(scene)) {
     for (const Frame& frame : results.frames)
         heads_.push_back({frame.stage, frame.time, frame.step, frame.energy});
 }

@@ -9,6 +9,7 @@
 #include "solver/results/results.h"
 #include "solver/scene/scene.h"
 
+#include <string>
 #include <vector>
 
 namespace keyblock {
@@ -32,6 +33,7 @@ public:
     virtual ~RunSource() = default;
 
     virtual const Scene& scene() const = 0;
+    virtual const std::vector<std::string>& blockNames() const = 0;  // rows of a frame's blocks
     virtual const HistoryColumns& columns() const = 0;
     virtual std::vector<StageRecord> stages() const = 0;
     virtual std::vector<Event> events() const = 0;  // in order of time
@@ -49,6 +51,7 @@ public:
     MemoryRun(const Scene& scene, const Results& results);
 
     const Scene& scene() const override { return scene_; }
+    const std::vector<std::string>& blockNames() const override { return names_; }
     const HistoryColumns& columns() const override { return results_.columns; }
     std::vector<StageRecord> stages() const override;
     std::vector<Event> events() const override { return results_.events; }
@@ -59,6 +62,7 @@ public:
 private:
     const Scene& scene_;
     const Results& results_;
+    std::vector<std::string> names_;
     std::vector<FrameHead> heads_;
 };
 

@@ -72,15 +72,16 @@ void writeHistory(const RunSource& run, const TableFilter& filter, CsvWriter& cs
     }
 }
 
-std::string eventBlocks(const Scene& scene, const Event& event) {
-    const std::string block = blockName(scene, event.block);
-    return event.otherBlock < 0 ? block : block + "|" + blockName(scene, event.otherBlock);
+std::string eventBlocks(const std::vector<std::string>& blocks, const Event& event) {
+    const std::string block = blockName(blocks, event.block);
+    return event.otherBlock < 0 ? block : block + "|" + blockName(blocks, event.otherBlock);
 }
 
-void writeEvent(const Scene& scene, const Event& event, CsvWriter& csv) {
+void writeEvent(const RunSource& run, const Event& event, CsvWriter& csv) {
+    const Scene& scene = run.scene();
     beginRow(csv, scene, {event.stage, event.time});
     csv.integer(event.step).text(wordOf(event.kind)).text(boltName(scene, event.bolt));
-    csv.index(event.node).index(event.element).text(eventBlocks(scene, event));
+    csv.index(event.node).index(event.element).text(eventBlocks(run.blockNames(), event));
     csv.number(event.position.x()).number(event.position.y());
     csv.number(event.axialForce).number(event.shearForce).number(event.anchorForce).number(event.slip).endRow();
 }
@@ -89,32 +90,33 @@ void writeEvents(const RunSource& run, const TableFilter& filter, CsvWriter& csv
     const std::vector<Event> events = run.events();
     for (const std::size_t i : selected(momentsOf(events), filter, When::All))
         if (!filter.bolt || events[i].bolt == *filter.bolt)
-            writeEvent(run.scene(), events[i], csv);
+            writeEvent(run, events[i], csv);
 }
 
-void writeBoltRows(const Scene& scene, const Frame& frame, int bolt, CsvWriter& csv) {
+void writeBoltRows(const RunSource& run, const Frame& frame, int bolt, CsvWriter& csv) {
+    const Scene& scene = run.scene();
     int index = 0;
     for (const BoltNodeFrame& node : frame.bolts[static_cast<std::size_t>(bolt)].nodes) {
         beginRow(csv, scene, {frame.stage, frame.time});
         csv.text(boltName(scene, bolt)).index(index++).number(node.s);
-        csv.number(node.position.x()).number(node.position.y()).text(blockName(scene, node.block));
+        csv.number(node.position.x()).number(node.position.y()).text(blockName(run.blockNames(), node.block));
         csv.text(anchorWord(node.real)).text(wordOf(node.state));
         csv.number(node.axialForce).number(node.shearForce).number(node.moment);
         csv.number(node.anchorForce).number(node.slip).endRow();
     }
 }
 
-void writeBolts(const Scene& scene, const Frame& frame, const TableFilter& filter, CsvWriter& csv) {
+void writeBolts(const RunSource& run, const Frame& frame, const TableFilter& filter, CsvWriter& csv) {
     for (int bolt = 0; bolt < static_cast<int>(frame.bolts.size()); ++bolt)
         if (!filter.bolt || bolt == *filter.bolt)
-            writeBoltRows(scene, frame, bolt, csv);
+            writeBoltRows(run, frame, bolt, csv);
 }
 
-void writeBlocks(const Scene& scene, const Frame& frame, const TableFilter&, CsvWriter& csv) {
+void writeBlocks(const RunSource& run, const Frame& frame, const TableFilter&, CsvWriter& csv) {
     for (int index = 0; index < static_cast<int>(frame.blocks.size()); ++index) {
         const BlockState& block = frame.blocks[static_cast<std::size_t>(index)];
-        beginRow(csv, scene, {frame.stage, frame.time});
-        csv.text(blockName(scene, index)).number(block.centroid.x()).number(block.centroid.y());
+        beginRow(csv, run.scene(), {frame.stage, frame.time});
+        csv.text(blockName(run.blockNames(), index)).number(block.centroid.x()).number(block.centroid.y());
         csv.number(block.displacement.x()).number(block.displacement.y()).number(block.rotation);
         csv.number(block.stress[0]).number(block.stress[1]).number(block.stress[2]);
         csv.number(block.velocity.x()).number(block.velocity.y()).number(block.area).number(block.weight).endRow();
@@ -125,11 +127,11 @@ std::string jointMaterialName(const Scene& scene, int index) {
     return index < 0 ? "" : scene.jointMaterials[static_cast<std::size_t>(index)].first;
 }
 
-void writeContacts(const Scene& scene, const Frame& frame, const TableFilter&, CsvWriter& csv) {
+void writeContacts(const RunSource& run, const Frame& frame, const TableFilter&, CsvWriter& csv) {
     for (const ContactFrame& contact : frame.contacts) {
-        beginRow(csv, scene, {frame.stage, frame.time});
-        csv.text(blockName(scene, contact.blockA)).text(blockName(scene, contact.blockB));
-        csv.text(jointMaterialName(scene, contact.jointMaterial));
+        beginRow(csv, run.scene(), {frame.stage, frame.time});
+        csv.text(blockName(run.blockNames(), contact.blockA)).text(blockName(run.blockNames(), contact.blockB));
+        csv.text(jointMaterialName(run.scene(), contact.jointMaterial));
         csv.number(contact.position.x()).number(contact.position.y()).text(wordOf(contact.state));
         csv.number(contact.normalForce).number(contact.shearForce).number(contact.penetration);
         csv.number(contact.slip).endRow();
@@ -144,7 +146,7 @@ void writeFrames(const RunSource& run, const TableFilter& filter, CsvWriter& csv
     if (filter.when.value_or(When::Last) != When::All && !indices.empty())
         indices = {indices.back()};
     for (const std::size_t index : indices)
-        writeFrame(run.scene(), run.frame(index), filter, csv);
+        writeFrame(run, run.frame(index), filter, csv);
 }
 
 void writeEnergy(const RunSource& run, const TableFilter& filter, CsvWriter& csv) {

@@ -45,8 +45,8 @@ std::string_view anchorWord(bool real) { return real ? "real" : "artificial"; }
 std::optional<EventKind> eventKindOf(std::string_view word) { return valueOf<EventKind>(eventKindWords, word); }
 std::optional<Outcome> outcomeOf(std::string_view word) { return valueOf<Outcome>(outcomeWords, word); }
 
-std::string blockName(const Scene& scene, int block) {
-    return holds(scene.blocks, block) ? displayName(scene, block) : "";
+std::string blockName(const std::vector<std::string>& names, int block) {
+    return holds(names, block) ? names[static_cast<std::size_t>(block)] : "";
 }
 
 std::string boltName(const Scene& scene, int bolt) { return holds(scene.bolts, bolt) ? scene.bolts[bolt].name : ""; }

@@ -27,8 +27,8 @@ std::optional<EventKind> eventKindOf(std::string_view word);
 /// The outcome of that word; nothing when there is none.
 std::optional<Outcome> outcomeOf(std::string_view word);
 
-/// The block's name, `b1, b2, …` by order where the scene gives none; empty for an index that is no block's.
-std::string blockName(const Scene& scene, int block);
+/// The name at a row of the solved blocks; empty for an index that is no block's.
+std::string blockName(const std::vector<std::string>& names, int block);
 
 /// The bolt's name; empty for an index that is no bolt's.
 std::string boltName(const Scene& scene, int bolt);

@@ -59,7 +59,9 @@ Observation::Observation(const Scene& scene, const Model& model, const State& st
         std::array<Fixed, 2> fixed;
         const auto fix = [&](std::size_t which, const Point& p) {
             const int block = blockWithPoint(scene, p);
-            fixed[which] = {block, materialPlace(start.blocks[static_cast<std::size_t>(block)], p - model.origin)};
+            const Point own = p - model.origin;
+            const int row = rowHolding(model, block, own);
+            fixed[which] = {row, materialPlace(start.blocks[static_cast<std::size_t>(row)], own)};
         };
         if (monitor.point) fix(0, *monitor.point);
         if (monitor.between) {

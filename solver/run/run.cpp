@@ -136,12 +136,23 @@ private:
     }
 
     void setVelocity(const InitialVelocity& initial) {
-        const int block = blockAt(scene_, initial.blockAt);
-        BlockMotion& motion = state_.blocks[static_cast<std::size_t>(block)];
-        motion.velocity.setZero();
-        motion.velocity[0] = initial.velocity.dot(motion.axis);
-        motion.velocity[1] = initial.velocity.dot(turnLeft(motion.axis));
-        motion.velocity[2] = initial.spin;
+        const auto rock = static_cast<std::size_t>(blockAt(scene_, initial.blockAt));
+        const int first = model_.firstOf[rock], end = model_.firstOf[rock + 1];
+        Point middle{0.0, 0.0};  // of mass, the block's own or that of its cells
+        double mass = 0.0;
+        for (int row = first; row < end; ++row) {
+            middle += model_.blocks[row].mass * state_.blocks[row].centroid;
+            mass += model_.blocks[row].mass;
+        }
+        for (int row = first; row < end; ++row) {
+            BlockMotion& motion = state_.blocks[row];
+            const Point away = end - first > 1 ? Point(motion.centroid - middle / mass) : Point(0.0, 0.0);
+            const Point velocity = initial.velocity + initial.spin * turnLeft(away);
+            motion.velocity.setZero();
+            motion.velocity[0] = velocity.dot(motion.axis);
+            motion.velocity[1] = velocity.dot(turnLeft(motion.axis));
+            motion.velocity[2] = initial.spin;
+        }
     }
 
     StageResult finish(const Stage& stage, const StepEnding& ending) {

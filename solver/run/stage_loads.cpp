@@ -36,23 +36,22 @@ bool changes(const Table& table) {
 
 int StageLoads::blockHolding(const State& state, const Point& place) const {
     const Point p = place - model_.origin;
-    for (std::size_t i = 0; i < state.blocks.size(); ++i)
+    const auto rocks = static_cast<std::size_t>(model_.firstOf.back());  // places are in rock, never in a plate
+    for (std::size_t i = 0; i < rocks; ++i)
         if (locate(state.blocks[i].corners, p, model_.tolerance) == Side::Inside) return static_cast<int>(i);
-    for (std::size_t i = 0; i < state.blocks.size(); ++i)
+    for (std::size_t i = 0; i < rocks; ++i)
         if (locate(state.blocks[i].corners, p, model_.tolerance) == Side::Boundary) return static_cast<int>(i);
     // the block has moved away from where the scene shows it: the place as it was at the start
-    for (std::size_t i = 0; i < state.blocks.size(); ++i) {
-        std::vector<Point> corners = model_.blocks[i].shape;
-        for (Point& corner : corners) corner += model_.blocks[i].centroid;
-        if (locate(corners, p, model_.tolerance) != Side::Outside) return static_cast<int>(i);
-    }
+    for (std::size_t i = 0; i < rocks; ++i)
+        if (locate(startCorners(model_.blocks[i]), p, model_.tolerance) != Side::Outside) return static_cast<int>(i);
     return -1;
 }
 
 void StageLoads::addPressure(const Load& load, const State& state) {
     const Point a = (*load.along)[0] - model_.origin, b = (*load.along)[1] - model_.origin;
-    for (std::size_t i = 0; i < state.blocks.size(); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(model_.firstOf.back()); ++i)
         for (int e = 0; e < static_cast<int>(state.blocks[i].corners.size()); ++e) {
+            if (!model_.blocks[i].inner.empty() && model_.blocks[i].inner[static_cast<std::size_t>(e)]) continue;
             const Edge edge = edgeOf(state.blocks[i].corners, e);
             const double near = 10.0 * model_.tolerance;
             if (std::abs(edge.outward.dot(a - edge.start)) > near || std::abs(edge.outward.dot(b - edge.start)) > near)
@@ -75,10 +74,32 @@ void StageLoads::addLoad(const Load& load, const State& state) {
     }
     const Point named = load.blockAt ? *load.blockAt : *load.point;
     const int block = blockHolding(state, named);
-    const BlockMotion& motion = state.blocks[static_cast<std::size_t>(block)];
-    const Point at = load.point ? *load.point - model_.origin
-                                : (load.at ? Point(*load.at - model_.origin) : motion.centroid);
-    loads_.forces.push_back({block, materialPlace(motion, at), load.force});
+    if (load.blockAt && !load.at) {
+        addSpread(load, block);
+        return;
+    }
+    const Point at = load.point ? *load.point : *load.at;
+    const int holding = load.at && model_.blocks[static_cast<std::size_t>(block)].cell ? blockHolding(state, at) : block;
+    const BlockMotion& motion = state.blocks[static_cast<std::size_t>(holding)];
+    addForce({holding, materialPlace(motion, at - model_.origin), load.force}, load);
+}
+
+/// At the block's centroid: at those of its cells by their mass.
+void StageLoads::addSpread(const Load& load, int block) {
+    const BlockModel& named = model_.blocks[static_cast<std::size_t>(block)];
+    if (!named.cell) {
+        addForce({block, {0.0, 0.0}, load.force}, load);
+        return;
+    }
+    const auto rock = static_cast<std::size_t>(named.rock);
+    double mass = 0.0;
+    for (int cell = model_.firstOf[rock]; cell < model_.firstOf[rock + 1]; ++cell) mass += model_.blocks[cell].mass;
+    for (int cell = model_.firstOf[rock]; cell < model_.firstOf[rock + 1]; ++cell)
+        addForce({cell, {0.0, 0.0}, model_.blocks[cell].mass / mass * load.force}, load);
+}
+
+void StageLoads::addForce(const PointForce& force, const Load& load) {
+    loads_.forces.push_back(force);
     forceTables_.push_back(tableOf(load.table));
     start_.forces.push_back(0.0);
 }

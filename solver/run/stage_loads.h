@@ -36,6 +36,8 @@ public:
 
 private:
     void addLoad(const Load& load, const State& state);
+    void addSpread(const Load& load, int block);
+    void addForce(const PointForce& force, const Load& load);
     void addPressure(const Load& load, const State& state);
     void addMotion(const Motion& motion, State& state);
     int blockHolding(const State& state, const Point& place) const;

@@ -8,7 +8,14 @@
 namespace keyblock {
 namespace {
 
-std::pair<int, int> pairOf(const Contact& c) { return std::minmax(c.blockA, c.blockB); }
+/// Cells of one block count as one: its first row stands for them.
+int wholeOf(const Model& model, int block) {
+    return model.blocks[block].cell ? model.firstOf[model.blocks[block].rock] : block;
+}
+
+std::pair<int, int> pairOf(const Model& model, const Contact& c) {
+    return std::minmax(wholeOf(model, c.blockA), wholeOf(model, c.blockB));
+}
 
 bool isClosed(const Model& model, const Contact& c) {
     return c.bonded || c.normalForce > 0.0 || c.gap - c.gapOffset <= 10.0 * model.tolerance;
@@ -26,14 +33,25 @@ Event jointEvent(EventKind kind, const Contact& c) {
     return event;
 }
 
-bool carried(const State& state, int block) {
+/// Some contact or bolt holds the block, or a cell of it.
+bool carried(const Model& model, const State& state, int block) {
     for (const Contact& c : state.contacts)
-        if ((c.blockA == block || c.blockB == block) && (c.bonded || c.normalForce > 0.0)) return true;
+        if ((wholeOf(model, c.blockA) == block || wholeOf(model, c.blockB) == block) && (c.bonded || c.normalForce > 0.0)) return true;
     for (const BoltMotion& bolt : state.bolts)
         for (const BoltNode& node : bolt.nodes)
-            if (!bolt.lost && node.slot >= 0 && bolt.slots[static_cast<std::size_t>(node.slot)].block == block)
+            if (!bolt.lost && node.slot >= 0 &&
+                wholeOf(model, bolt.slots[static_cast<std::size_t>(node.slot)].block) == block)
                 return true;
     return false;
+}
+
+/// √area of the block, with all its cells [m].
+double wholeSize(const Model& model, int first) {
+    if (!model.blocks[first].cell) return model.blocks[first].size;
+    const auto rock = static_cast<std::size_t>(model.blocks[first].rock);
+    double area = 0.0;
+    for (int cell = first; cell < model.firstOf[rock + 1]; ++cell) area += model.blocks[cell].area;
+    return std::sqrt(area);
 }
 
 }  // namespace
@@ -53,20 +71,20 @@ void Watch::beginStage(const State& state) {
     opened_.clear();
     closed_.clear();
     for (const Contact& c : state.contacts)
-        if (isClosed(model_, c)) closed_.insert(pairOf(c));
+        if (isClosed(model_, c)) closed_.insert(pairOf(model_, c));
 }
 
 void Watch::lookAtJoints(const State& state, std::vector<Event>& events) {
     std::set<Pair> now;
     for (const Contact& c : state.contacts) {
         if (!isClosed(model_, c)) continue;
-        now.insert(pairOf(c));
+        now.insert(pairOf(model_, c));
         const bool slides = !c.bonded && c.normalForce > 0.0 && std::abs(c.slip) > 10.0 * model_.tolerance &&
                             std::abs(c.shearForce) >= c.limit * (1.0 - 1e-9);
-        if (slides && slipped_.insert(pairOf(c)).second) events.push_back(jointEvent(EventKind::JointSlip, c));
+        if (slides && slipped_.insert(pairOf(model_, c)).second) events.push_back(jointEvent(EventKind::JointSlip, c));
     }
     for (const Contact& c : state.contacts)
-        if (closed_.contains(pairOf(c)) && !now.contains(pairOf(c)) && opened_.insert(pairOf(c)).second)
+        if (closed_.contains(pairOf(model_, c)) && !now.contains(pairOf(model_, c)) && opened_.insert(pairOf(model_, c)).second)
             events.push_back(jointEvent(EventKind::JointOpen, c));
     closed_ = std::move(now);
 }
@@ -74,8 +92,9 @@ void Watch::lookAtJoints(const State& state, std::vector<Event>& events) {
 void Watch::lookForFalls(State& state, std::vector<Event>& events) const {
     for (std::size_t i = 0; i < state.blocks.size(); ++i) {
         BlockMotion& block = state.blocks[i];
-        if (block.fallen || model_.blocks[i].fixed) continue;
-        if ((block.centroid - start_[i]).norm() < model_.blocks[i].size || carried(state, static_cast<int>(i))) continue;
+        const int whole = wholeOf(model_, static_cast<int>(i));
+        if (block.fallen || model_.blocks[i].fixed || whole != static_cast<int>(i)) continue;
+        if ((block.centroid - start_[i]).norm() < wholeSize(model_, whole) || carried(model_, state, whole)) continue;
         block.fallen = true;
         Event event;
         event.kind = EventKind::BlockFalls;
@@ -90,10 +109,16 @@ void Watch::lookForPulledOut(State& state, std::vector<Event>& events) const {
         BoltMotion& bolt = state.bolts[b];
         for (std::size_t s = 0; s < inhabited_[b].size(); ++s) {
             if (!inhabited_[b][s] || bolt.leftSlot[s] || bolt.lost) continue;
+            const auto isIn = [&](int slot, std::size_t of) {  // the slot, or one in another cell of the block
+                const int own = bolt.slots[static_cast<std::size_t>(slot)].block;
+                const bool sameBlock = model_.blocks[own].cell && sameRock(model_, own, bolt.slots[of].block);
+                return slot == static_cast<int>(of) || sameBlock;
+            };
             const bool held = std::any_of(bolt.nodes.begin(), bolt.nodes.end(),
-                                          [&](const BoltNode& n) { return n.slot == static_cast<int>(s); });
+                                          [&](const BoltNode& n) { return n.slot >= 0 && isIn(n.slot, s); });
             if (held) continue;
-            bolt.leftSlot[s] = 1;
+            for (std::size_t other = s; other < bolt.slots.size(); ++other)
+                if (isIn(static_cast<int>(other), s)) bolt.leftSlot[other] = 1;
             Event event;
             event.kind = EventKind::PulledOut;
             event.bolt = static_cast<int>(b);

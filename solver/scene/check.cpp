@@ -23,6 +23,7 @@ std::vector<Problem> checkScene(const Scene& scene) {
     checkRock(context);
     checkBoltTypes(context);
     checkBolts(context);
+    checkBodies(context);
     checkStages(context);
     checkWatch(context);
     return std::move(report.problems);

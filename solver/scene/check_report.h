@@ -16,6 +16,9 @@
 
 namespace keyblock {
 
+/// A block is cut into at most so many cells.
+inline constexpr double mostCells = 1e6;
+
 /// Collects problems.
 struct CheckReport {
     std::vector<Problem> problems;
@@ -43,6 +46,7 @@ void checkFields(const Structure& structure, const void* object, const std::stri
 void checkValue(const Field& field, const FieldValue& value, const std::string& pointer, CheckReport& report);
 
 void checkRock(CheckContext& context);  // blocks, materials, supports; fills `sound` and `fixed`
+void checkBodies(CheckContext& context);  // cells and plates that are blocks; after rock and bolts
 void checkBoltTypes(CheckContext& context);
 void checkBolts(CheckContext& context);
 void checkStages(CheckContext& context);

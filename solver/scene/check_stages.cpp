@@ -5,6 +5,7 @@
 // its block, no block is told two things, and time runs forward.
 #include "geometry/polygon.h"
 #include "geometry/segment.h"
+#include "geometry/sub_blocks.h"
 #include "solver/scene/check_report.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/number_text.h"
@@ -20,7 +21,7 @@ namespace keyblock {
 namespace {
 
 /// Which block was taken first by which entry of a list.
-using Taken = std::map<int, std::size_t>;
+using Taken = std::map<std::pair<int, int>, std::size_t>;  // by block and cell
 
 void checkTable(const Table& table, StageKind kind, const std::string& pointer, CheckReport& report) {
     if (!isFinite(table))
@@ -44,11 +45,21 @@ void checkNotFixed(int block, const std::string& pointer, std::string_view what,
                              "Leave out the one or the other");
 }
 
-void checkTakenOnce(int block, std::size_t entry, const std::string& pointer, std::string_view what, Taken& taken,
-                    CheckContext& context) {
+/// Cell of a cut block that a motion moves, 0 of one that is not cut.
+int cellAt(int block, const Point& place, const CheckContext& context) {
+    const Block& own = context.scene.blocks[static_cast<std::size_t>(block)];
+    if (!own.subBlocks || !(own.subBlocks->size > 0.0) || gridCells(own.points, own.subBlocks->size) > mostCells)
+        return 0;
+    const SubBlocks cut = cutIntoCells(own.points, own.subBlocks->size, context.tolerance);
+    const auto holds = [&](const auto& cell) { return locate(cell, place, context.tolerance) != Side::Outside; };
+    return static_cast<int>(std::find_if(cut.cells.begin(), cut.cells.end(), holds) - cut.cells.begin());
+}
+
+void checkTakenOnce(int block, const Point& place, std::size_t entry, const std::string& pointer, std::string_view what,
+                    Taken& taken, CheckContext& context) {
     if (block < 0)
         return;
-    const auto [first, isNew] = taken.try_emplace(block, entry);
+    const auto [first, isNew] = taken.try_emplace({block, cellAt(block, place, context)}, entry);
     if (!isNew)
         context.report.error(pointer,
                              "the block " + inQuotes(displayName(context.scene, block)) + " already has a " +
@@ -60,7 +71,7 @@ void checkMotion(const Motion& motion, std::size_t entry, StageKind kind, const 
                  CheckContext& context) {
     const int block = checkBlockAt(context, motion.blockAt, under(pointer, "block_at"));
     checkNotFixed(block, under(pointer, "block_at"), "the motion", context);
-    checkTakenOnce(block, entry, under(pointer, "block_at"), "motion", taken, context);
+    checkTakenOnce(block, motion.blockAt, entry, under(pointer, "block_at"), "motion", taken, context);
     checkAxis(motion.axis, under(pointer, "axis"), context.report);
     if (motion.table.empty())
         context.report.error(under(pointer, "table"), "the motion has no table",
@@ -140,7 +151,7 @@ void checkVelocity(const InitialVelocity& velocity, std::size_t entry, const std
                    CheckContext& context) {
     const int block = checkBlockAt(context, velocity.blockAt, under(pointer, "block_at"));
     checkNotFixed(block, under(pointer, "block_at"), "the velocity", context);
-    checkTakenOnce(block, entry, under(pointer, "block_at"), "velocity", taken, context);
+    checkTakenOnce(block, velocity.blockAt, entry, under(pointer, "block_at"), "velocity", taken, context);
 }
 
 void checkTimes(const Stage& stage, const std::string& pointer, CheckReport& report) {

@@ -24,6 +24,7 @@ const Structure& structureOf(const Anchor*);
 const Structure& structureOf(const Block*);
 const Structure& structureOf(const Bolt*);
 const Structure& structureOf(const BoltType*);
+const Structure& structureOf(const CellSettings*);
 const Structure& structureOf(const Expected*);
 const Structure& structureOf(const InitialVelocity*);
 const Structure& structureOf(const JointMaterial*);
@@ -202,7 +203,7 @@ struct Reach {
 
     static std::size_t count(const void* owner) {
         if constexpr (Held::kind == FieldKind::Object)
-            return 1;
+            return isNull(owner) ? 0 : 1;
         else
             return isNull(owner) ? 0 : inner(owner).size();
     }
@@ -232,6 +233,8 @@ struct Reach {
         return type;
     }
     static void* append(void* owner, [[maybe_unused]] std::string_view itemName) {
+        if constexpr (Held::kind == FieldKind::Object && isOptional<member>)
+            valueOf(owner).emplace();
         if constexpr (Held::kind == FieldKind::Object)
             return &inner(owner);
         else if constexpr (std::is_same_v<Item, BoltType>)

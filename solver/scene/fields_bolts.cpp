@@ -145,7 +145,9 @@ const Structure& structureOf(const Bolt*) {
             row<&Bolt::head>("head", "End at the wall.", {.unit = "m", .required = true}),
             row<&Bolt::divisions>("divisions", "Elements along the bolt; null: chosen by the program.",
                                   {.range = within(1, 100000)}),
-            row<&Bolt::plate>("plate", "How the head is held.", {.laterWords = {"block"}}),
+            row<&Bolt::plate>("plate",
+                              "How the head is held: not at all, by springs to the rock, or by a plate that is a block "
+                              "of its own against the face."),
             row<&Bolt::spacingOutOfPlane>("spacing_out_of_plane",
                                           "Distance to the next bolt out of the plane; null: the thickness.",
                                           {.unit = "m", .range = above(0)}),

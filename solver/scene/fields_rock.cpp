@@ -43,10 +43,23 @@ const Structure& structureOf(const JointMaterial*) {
     return structure;
 }
 
+const Structure& structureOf(const CellSettings*) {
+    static const Structure structure{
+        "sub-blocks",
+        "Cuts a block into cells of about one size along its longest edge, joined by an elastic bond that never fails. "
+        "Each cell has its own stress and is named after the block: `beam:1`, `beam:2`, … column by column.",
+        defaultsOf<CellSettings>(),
+        {
+            row<&CellSettings::size>("size", "Size of a cell, about: the block's box is divided into whole cells.",
+                                     {.unit = "m", .range = above(0), .required = true}),
+        }};
+    return structure;
+}
+
 const Structure& structureOf(const Block*) {
     static const Structure structure{
         "block",
-        "A block of rock with constant stress.",
+        "A block of rock with constant stress, or cut into cells that each have their own.",
         defaultsOf<Block>(),
         {
             row<&Block::name>("name", "Its name; `b1`, `b2`, … by order when it has none."),
@@ -58,6 +71,7 @@ const Structure& structureOf(const Block*) {
                                        "`joint_materials`."),
             row<&Block::initialStress>("initial_stress", "Stress at the start, sxx, syy, sxy, tension positive.",
                                        {.unit = "Pa"}),
+            row<&Block::subBlocks>("sub_blocks", "Cells to cut the block into; null: none."),
         }};
     return structure;
 }

@@ -58,12 +58,20 @@ struct JointMaterial {
 /// Stress in the plane: sxx, syy, sxy [Pa], tension positive.
 using Stress = std::array<double, 3>;
 
+/// Cuts a block into cells joined by glue, so that its stress may vary within it.
+struct CellSettings {
+    double size = 0.0;  // of a cell, about [m]
+
+    bool operator==(const CellSettings&) const = default;
+};
+
 struct Block {
     std::string name;  // empty: b1, b2, … by order
     std::vector<Point> points;  // [m], either way round
     std::string material;
     std::optional<std::string> jointMaterial;
     Stress initialStress{0.0, 0.0, 0.0};  // [Pa]
+    std::optional<CellSettings> subBlocks;  // null: one block with one stress
 
     bool operator==(const Block&) const = default;
 };
@@ -221,7 +229,7 @@ struct BoltType {
     bool operator==(const BoltType&) const = default;
 };
 
-enum class PlateKind { None, Spring };
+enum class PlateKind { None, Spring, Block };
 
 struct Bolt {
     std::string name;

@@ -27,7 +27,7 @@ inline constexpr std::array<std::string_view, 2> perWords{"node", "length"};
 inline constexpr std::array<std::string_view, 4> anchorLawWords{"elastic", "peak-residual", "frictional", "curve"};
 inline constexpr std::array<std::string_view, 2> afterCurveWords{"last", "zero"};
 inline constexpr std::array<std::string_view, 2> onFailureWords{"none", "bolt-lost"};
-inline constexpr std::array<std::string_view, 2> plateKindWords{"none", "spring"};
+inline constexpr std::array<std::string_view, 3> plateKindWords{"none", "spring", "block"};
 
 constexpr Words wordsOf(Plane) { return planeWords; }
 constexpr Words wordsOf(Integration) { return integrationWords; }

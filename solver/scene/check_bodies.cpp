@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Blocks beyond the scene's list: cells must be of a sensible number, plates that
+// are blocks need a face to lie on, and no two blocks may share a name.
+#include "geometry/polygon.h"
+#include "solver/scene/check_report.h"
+#include "solver/scene/lookup.h"
+#include "solver/scene/number_text.h"
+#include "solver/scene/plate_place.h"
+#include "solver/scene/pointer.h"
+#include "solver/scene/solved_blocks.h"
+#include "solver/scene/suggest.h"
+
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double fewestCells = 1.5;
+
+// False when there would be too many to make.
+bool checkCells(const Block& block, const std::string& pointer, CheckReport& report) {
+    const double size = block.subBlocks->size;
+    if (!(size > 0.0) || !std::isfinite(size))
+        return false;  // the table of fields has said so
+    const double cells = gridCells(block.points, size);
+    if (cells > mostCells)
+        report.error(under(under(pointer, "sub_blocks"), "size"),
+                     "cells of " + shortest(size) + " m are about " + shortest(std::round(cells)) +
+                         " in this block, and more than 1000000 are not made",
+                     "Give a larger size");
+    else if (cells < fewestCells)
+        report.warning(under(under(pointer, "sub_blocks"), "size"), "the block is not larger than a cell, so it stays one",
+                       "Give a smaller size, or leave sub_blocks out");
+    return cells <= mostCells;
+}
+
+std::string fault(const PlatePlace& place) {
+    switch (place.fault) {
+        case PlateFault::NoFace:
+            return "the plate is a block and needs a face to lie on, but the head lies " + shortest(place.away) +
+                   " m from the nearest";
+        case PlateFault::Corner: return "the head lies on a corner, so the plate could lie on either face";
+        case PlateFault::InRock: return "the plate would overlap rock on every face at the head";
+        case PlateFault::Behind: return "the bolt does not come out of the face that its plate would lie on";
+        case PlateFault::None: break;
+    }
+    return "";
+}
+
+std::string remedy(PlateFault what) {
+    if (what == PlateFault::Behind)
+        return "Swap far_end and head, or move the head to the face where the bolt leaves the rock";
+    return "Put the head on a face, half a plate's width clear of corners, or write \"plate\": \"spring\"";
+}
+
+// Outline of the plate; empty where there is a problem.
+std::vector<Point> checkPlate(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
+    const PlatePlace place = placePlate(context.scene, bolt);
+    if (place.fault != PlateFault::None) {
+        context.report.error(under(pointer, "head"), fault(place), remedy(place.fault));
+        return {};
+    }
+    const double width = boltTypeOf(context.scene, bolt).plate.width;
+    if (place.overhang > 1e-6 * width)
+        context.report.warning(under(pointer, "head"),
+                               "no face backs " + shortest(place.overhang) + " m of the plate's width of " +
+                                   shortest(width) + " m",
+                               "Move the head away from the face's end");
+    return place.outline;
+}
+
+void checkPlates(CheckContext& context) {
+    std::vector<std::pair<std::size_t, std::vector<Point>>> plates;
+    for (std::size_t i = 0; i < context.scene.bolts.size(); ++i) {
+        const Bolt& bolt = context.scene.bolts[i];
+        if (bolt.plate != PlateKind::Block || !findBoltType(context.scene, bolt.type) || !bolt.head.allFinite() ||
+            !bolt.farEnd.allFinite() || lengthOf(bolt) <= context.tolerance)
+            continue;
+        const std::string pointer = under("/bolts", i);
+        std::vector<Point> outline = checkPlate(bolt, pointer, context);
+        if (outline.empty())
+            continue;
+        for (const auto& [other, taken] : plates)
+            if (overlap(taken, outline, context.tolerance))
+                context.report.error(under(pointer, "head"),
+                                     "its plate overlaps that of bolt " + inQuotes(context.scene.bolts[other].name),
+                                     "Move the heads apart, or write \"plate\": \"spring\"");
+        plates.emplace_back(i, std::move(outline));
+    }
+}
+
+bool hasBodies(const Scene& scene) {
+    for (const Block& block : scene.blocks)
+        if (block.subBlocks) return true;
+    for (const Bolt& bolt : scene.bolts)
+        if (bolt.plate == PlateKind::Block) return true;
+    return false;
+}
+
+}  // namespace
+
+void checkBodies(CheckContext& context) {
+    if (!hasBodies(context.scene) || !context.allSound())
+        return;
+    bool makes = true;
+    for (std::size_t i = 0; i < context.scene.blocks.size(); ++i)
+        if (context.scene.blocks[i].subBlocks)
+            makes = checkCells(context.scene.blocks[i], under("/blocks", i), context.report) && makes;
+    checkPlates(context);
+    for (const Problem& problem : context.report.problems)
+        makes = makes && problem.severity != Severity::Error;
+    if (!makes)
+        return;
+    const SolvedBlocks solved = solvedBlocks(context.scene);
+    const auto pointerOf = [&](std::size_t row) {
+        const SolvedBlock& block = solved.blocks[row];
+        return block.plateOf >= 0 ? under(under("/bolts", static_cast<std::size_t>(block.plateOf)), "name")
+                                  : under(under("/blocks", static_cast<std::size_t>(block.block)), "name");
+    };
+    checkNamesDiffer(
+        solved.blocks.size(), [&](std::size_t row) { return solved.blocks[row].name; }, pointerOf, "block",
+        context.report);
+}
+
+}  // namespace keyblock
