@@ -11,6 +11,8 @@
 namespace keyblock {
 
 std::vector<Case> blockCases();
+std::vector<Case> cellCases();
+std::vector<Case> plateCases();
 std::vector<Case> beamCases();
 std::vector<Case> bondCases();
 std::vector<Case> slidingBoltCases();

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Blocks cut into cells: a uniform stress must come out uniform, a beam must
+// bend as a beam does, and a bar must ring at its own frequency. What the glue
+// itself adds, one part in its multiple, is within every tolerance here.
+#include "solver/verify/checks.h"
+#include "solver/verify/groups.h"
+#include "solver/verify/readings.h"
+#include "solver/verify/scenes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double modulus = 10e9;  // [Pa]
+
+Block cutBlock(const std::string& name, const Point& low, const Point& high, double size) {
+    Block block = boxBlock(name, low, high);
+    block.subBlocks = CellSettings{size};
+    return block;
+}
+
+Monitor between(const std::string& name, const Point& a, const Point& b, const Point& axis) {
+    Monitor monitor;
+    monitor.name = name;
+    monitor.between = {a, b};
+    monitor.axis = axis;
+    return monitor;
+}
+
+Load forceAt(const Point& place, const Point& force) {
+    Load load;
+    load.point = place;
+    load.force = force;
+    return load;
+}
+
+Support heldAt(const Point& place, Fix fix) {
+    Support held;
+    held.point = place;
+    held.fix = fix;
+    return held;
+}
+
+Stage staticStage(std::vector<Load> loads) {
+    Stage stage;
+    stage.name = "load";
+    stage.loads = std::move(loads);
+    stage.until.unbalanced = 1e-10;
+    return stage;
+}
+
+/// Largest deviation of any cell's stress from `expected` [Pa]; NaN without a run.
+double stressDeviation(const Results& results, const std::array<double, 3>& expected) {
+    if (results.frames.empty()) return std::nan("");
+    double worst = 0.0;
+    for (const BlockState& block : results.frames.back().blocks)
+        for (std::size_t k = 0; k < 3; ++k) worst = std::max(worst, std::abs(block.stress[k] - expected[k]));
+    return worst;
+}
+
+/// A plate of 2 m × 1 m in cells of 0.25 m, held as little as statics need, pulled by 1 MPa at both ends: every cell carries 1 MPa, and it
+/// grows by σ·L/E.
+void pulledPlate(Checks& checks) {
+    const double stress = 1e3;  // strains whose squares are lost
+    Scene scene = emptyScene(modulus, 0.25, 30.0);
+    scene.blocks = {cutBlock("plate", {0, 0}, {2, 1}, 0.25)};
+    std::vector<Load> loads(2);
+    for (const std::size_t end : {0u, 1u}) {
+        loads[end].along = {Point(2.0 * static_cast<double>(end), 0.0), Point(2.0 * static_cast<double>(end), 1.0)};
+        loads[end].pressure = -stress;
+    }
+    scene.supports = {heldAt({0, 0.375}, Fix::XY), heldAt({2, 0.375}, Fix::Y)};
+    scene.stages = {staticStage(loads)};
+    scene.monitors = {between("growth", {0, 0.6}, {2, 0.6}, {1, 0}), between("squeeze", {0.9, 0}, {0.9, 1}, {0, 1})};
+    const Solved solved = solve(scene);
+    checks.absolute("pull: largest deviation of a cell's stress [Pa]", stressDeviation(solved.results, {stress, 0, 0}),
+                    0.0, 1e-6 * stress);
+    checks.relative("pull: growth [m]", reading(solved, "last growth"), 2.0 * stress / modulus, 2e-3);
+    checks.relative("pull: squeeze [m]", reading(solved, "last squeeze"), -0.25 * stress / modulus, 2e-3);
+}
+
+/// A square in cells of 0.25 m with tangential tractions τ all round: every cell is sheared by τ/G.
+void shearedPlate(Checks& checks) {
+    const double stress = 1e3, edge = 0.25;
+    Scene scene = emptyScene(modulus, 0.25, 30.0);
+    scene.blocks = {cutBlock("plate", {0, 0}, {1, 1}, edge)};
+    std::vector<Load> loads;
+    for (int i = 0; i < 4; ++i) {
+        const double s = edge * (i + 0.5), force = stress * edge;
+        loads.push_back(forceAt({0, s}, {0, -force}));
+        loads.push_back(forceAt({1, s}, {0, force}));
+        loads.push_back(forceAt({s, 0}, {-force, 0}));
+        loads.push_back(forceAt({s, 1}, {force, 0}));
+    }
+    scene.supports = {heldAt({0, 0.375}, Fix::XY), heldAt({1, 0.375}, Fix::Y)};
+    scene.stages = {staticStage(loads)};
+    const double diagonal = 1.0 / std::numbers::sqrt2;
+    scene.monitors = {between("long diagonal", {0, 0}, {1, 1}, {diagonal, diagonal})};
+    const Solved solved = solve(scene);
+    const double shear = stress / (0.5 * modulus / 1.25);
+    checks.absolute("shear: largest deviation of a cell's stress [Pa]", stressDeviation(solved.results, {0, 0, stress}),
+                    0.0, 1e-6 * stress);
+    checks.relative("shear: growth of a diagonal [m]", reading(solved, "last long diagonal"), diagonal * shear, 2e-3);
+}
+
+std::vector<CaseResult> patch() {
+    Checks checks("patch of cells");
+    pulledPlate(checks);
+    shearedPlate(checks);
+    return checks.take();
+}
+
+/// Deflection of the tip of a beam of 10 m × 1 m in `rows` rows of cells under a force at its end, over that of the
+/// beam with shear, P·L³/3EI + P·L/κGA, κ = 10(1+ν)/(12+11ν) (Cowper 1966).
+double cantilever(int rows) {
+    const double length = 10.0, depth = 1.0, force = 1e3, nu = 0.25;
+    Scene scene = emptyScene(modulus, nu, 30.0);
+    scene.analysis.penaltyRatio = 1e4;  // the points that hold the end are stiff beside the beam
+    scene.blocks = {cutBlock("beam", {0, 0}, {length, depth}, depth / rows)};
+    std::vector<Load> loads;
+    for (int i = 0; i < rows; ++i) {
+        const double y = depth * (i + 0.5) / rows;
+        scene.supports.push_back(heldAt({0.0, y}, Fix::XY));
+        loads.push_back(forceAt({length, y}, {0.0, -force / rows}));
+    }
+    scene.stages = {staticStage(loads)};
+    Monitor tip;
+    tip.name = "tip";
+    tip.point = Point(length, depth * (0.5 + 0.1 / rows));
+    scene.monitors = {tip};
+    const double bending = force * std::pow(length, 3) / (3.0 * modulus * std::pow(depth, 3) / 12.0);
+    const double kappa = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu);
+    const double shear = force * length / (kappa * 0.5 * modulus / (1.0 + nu) * depth);
+    return -reading(solve(scene), "last tip.uy") / (bending + shear);
+}
+
+std::vector<CaseResult> cantilevers() {
+    Checks checks("cantilever of sub-blocks");
+    checks.relative("tip deflection over the beam's, 2 × 20 cells", cantilever(2), 1.0, 0.05);
+    checks.relative("tip deflection over the beam's, 4 × 40 cells", cantilever(4), 1.0, 0.02);
+    checks.relative("tip deflection over the beam's, 8 × 80 cells", cantilever(8), 1.0, 0.01);
+    return checks.take();
+}
+
+/// Seconds between the first and the last time that `values` pass `level` upwards, over the number of cycles between.
+double periodOf(const Solved& solved, const std::vector<double>& values, double level) {
+    std::vector<double> passed;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        const HistoryRow &before = solved.results.history[i - 1], &now = solved.results.history[i];
+        if (values[i - 1] >= level || values[i] < level) continue;
+        const double share = (level - values[i - 1]) / (values[i] - values[i - 1]);
+        passed.push_back(before.time + share * (now.time - before.time));
+    }
+    return passed.size() < 2 ? std::nan("") : (passed.back() - passed.front()) / static_cast<double>(passed.size() - 1);
+}
+
+/// A free bar of 10 m in cells of 0.25 m that starts with a stress which nothing balances: its length swings about what
+/// that stress takes from it, with the period 2L/c, c = √(E/ρ).
+std::vector<CaseResult> ringingBar() {
+    Checks checks("bar of cells");
+    const double length = 10.0, stress = 1e6;
+    Scene scene = emptyScene(modulus, 0.0, 30.0);
+    scene.blocks = {cutBlock("bar", {0, 0}, {length, 0.25}, 0.25)};
+    scene.blocks[0].initialStress = {stress, 0.0, 0.0};
+    const double period = 2.0 * length * std::sqrt(2700.0 / modulus);
+    Stage stage;
+    stage.name = "ring";
+    stage.kind = StageKind::Dynamic;
+    stage.duration = 6.2 * period;
+    stage.timeStep = period / 400.0;
+    scene.stages = {stage};
+    scene.output.every = period / 400.0;
+    scene.monitors = {between("length", {0, 0.1}, {length, 0.1}, {1, 0})};
+    const Solved solved = solve(scene);
+    checks.relative("period of the free bar [s]",
+                    periodOf(solved, series(solved, "length"), -stress * length / modulus), period, 5e-3);
+    return checks.take();
+}
+
+}  // namespace
+
+std::vector<Case> cellCases() {
+    return {
+        {"patch of cells", "A block in cells under uniform tension and shear.", patch},
+        {"cantilever of sub-blocks", "A beam of span 10 × depth in cells bends as a beam with shear.", cantilevers},
+        {"bar of cells", "A free bar in cells rings at the frequency of its length.", ringingBar},
+    };
+}
+
+}  // namespace keyblock
