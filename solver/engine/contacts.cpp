@@ -25,13 +25,16 @@ auto sortKey(const Contact& c) {
 }
 
 /// The neighbours of a corner that stands before an edge lie on the outer side of the edge.
-bool facesEdge(const std::vector<Point>& corners, int corner, const Edge& edge) {
-    const int n = static_cast<int>(corners.size());
+/// Where an edge of the corner is glued to the next cell, the face goes straight on there.
+bool facesEdge(const std::vector<Point>& corners, const std::vector<char>& inner, int corner, const Edge& edge) {
+    const int n = static_cast<int>(corners.size()), before = (corner + n - 1) % n;
     const Point& p = corners[corner];
-    for (int neighbour : {(corner + n - 1) % n, (corner + 1) % n}) {
-        const Point away = corners[neighbour] - p;
+    Point back = corners[before] - p, on = corners[(corner + 1) % n] - p;
+    if (!inner.empty() && inner[before] && inner[corner]) return false;
+    if (!inner.empty() && inner[before]) back = -on;
+    else if (!inner.empty() && inner[corner]) on = -back;
+    for (const Point& away : {back, on})
         if (edge.outward.dot(away) < -angleSlack * away.norm()) return false;
-    }
     return true;
 }
 
@@ -66,7 +69,7 @@ struct PairSearch {
             const Point from = own[corner] - edge.start;
             const double gap = edge.outward.dot(from), along = edge.along.dot(from);
             if (gap > margin || gap < -deepest * model.blocks[b].size) continue;
-            if (along < -over || along > edge.length + over || !facesEdge(own, corner, edge)) continue;
+            if (along < -over || along > edge.length + over || !facesEdge(own, model.blocks[a].inner, corner, edge)) continue;
             // A top corner of a brick on a wide slab faces the slab's bottom edge too, from above the slab.
             if (gap < -over && locate(other, own[corner], over) == Side::Outside) continue;
             Contact& contact = faced.emplace_back();

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace keyblock {
 namespace {
@@ -131,6 +132,26 @@ TEST(CellRuns, WeightPassesThroughCellsIntoTheBlockBelow) {
         EXPECT_NEAR(last.blocks[row].stress[1] / (-2700.0 * gravity * depth), 1.0, 1e-3);
     }
     EXPECT_LT(std::abs(solved.results.stages.back().health.balanceError), 1e-3);
+}
+
+/// v²/2μg on a base cut into cells: their inner edges and corners are no obstacles.
+TEST(CellRuns, ABlockSlidesOverCellsAsOverOneFace) {
+    const double speed = 3.0, friction = std::tan(20.0 * std::numbers::pi / 180.0);
+    Scene scene = emptyScene(60e9, 0.25, 20.0);
+    scene.analysis.gravity = {0.0, -gravity};
+    scene.blocks = {cut(boxBlock("base", {0, -1}, {4, 0}), 0.25), boxBlock("slider", {0.6, 0}, {1.1, 0.25})};
+    Support support;
+    support.blockAt = Point(2.1, -0.4);
+    scene.supports = {support};
+    scene.stages = {dynamicStage(1.0, 1e-3)};
+    InitialVelocity initial;
+    initial.blockAt = {0.8, 0.1};
+    initial.velocity = {speed, 0.0};
+    scene.stages[0].initialVelocities = {initial};
+    const Solved solved = solve(scene);
+    const BlockState& slider = solved.results.frames.back().blocks.back();
+    EXPECT_NEAR(slider.displacement.x() / (speed * speed / (2.0 * friction * gravity)), 1.0, 5e-3);
+    EXPECT_NEAR(slider.rotation, 0.0, 1e-6);
 }
 
 /// A force at the block's centroid is spread by mass: no cell is strained by it.
