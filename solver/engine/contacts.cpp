@@ -69,7 +69,8 @@ struct PairSearch {
             const Point from = own[corner] - edge.start;
             const double gap = edge.outward.dot(from), along = edge.along.dot(from);
             if (gap > margin || gap < -deepest * model.blocks[b].size) continue;
-            if (along < -over || along > edge.length + over || !facesEdge(own, model.blocks[a].inner, corner, edge)) continue;
+            if (along < -over || along > edge.length + over) continue;
+            if (!facesEdge(own, model.blocks[a].inner, corner, edge)) continue;
             // A top corner of a brick on a wide slab faces the slab's bottom edge too, from above the slab.
             if (gap < -over && locate(other, own[corner], over) == Side::Outside) continue;
             Contact& contact = faced.emplace_back();
@@ -159,7 +160,8 @@ void giveHistory(const PairSearch& search, const std::vector<Contact>& before, b
     if (!first || std::abs(contact.gap) > 10.0 * search.model.tolerance) return;
     contact.gapOffset = contact.gap;
     const JointModel& joint = search.model.joints[contact.joint];
-    const bool plate = search.model.blocks[contact.blockA].plateOf >= 0 || search.model.blocks[contact.blockB].plateOf >= 0;
+    const auto isPlate = [&](int block) { return search.model.blocks[block].plateOf >= 0; };
+    const bool plate = isPlate(contact.blockA) || isPlate(contact.blockB);
     contact.bonded = !plate && contact.length > 0.0 && (joint.cohesion > 0.0 || joint.tensileStrength > 0.0);
 }
 

@@ -32,8 +32,8 @@ bool checkCells(const Block& block, const std::string& pointer, CheckReport& rep
                          " in this block, and more than 1000000 are not made",
                      "Give a larger size");
     else if (cells < fewestCells)
-        report.warning(under(under(pointer, "sub_blocks"), "size"), "the block is not larger than a cell, so it stays one",
-                       "Give a smaller size, or leave sub_blocks out");
+        report.warning(under(under(pointer, "sub_blocks"), "size"),
+                       "the block is not larger than a cell, so it stays one", "Give a smaller size, or leave sub_blocks out");
     return cells <= mostCells;
 }
 

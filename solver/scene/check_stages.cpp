@@ -47,6 +47,8 @@ void checkNotFixed(int block, const std::string& pointer, std::string_view what,
 
 /// Cell of a cut block that a motion moves, 0 of one that is not cut.
 int cellAt(int block, const Point& place, const CheckContext& context) {
+    if (block < 0 || !context.sound[static_cast<std::size_t>(block)])
+        return 0;
     const Block& own = context.scene.blocks[static_cast<std::size_t>(block)];
     if (!own.subBlocks || !(own.subBlocks->size > 0.0) || gridCells(own.points, own.subBlocks->size) > mostCells)
         return 0;
@@ -55,11 +57,11 @@ int cellAt(int block, const Point& place, const CheckContext& context) {
     return static_cast<int>(std::find_if(cut.cells.begin(), cut.cells.end(), holds) - cut.cells.begin());
 }
 
-void checkTakenOnce(int block, const Point& place, std::size_t entry, const std::string& pointer, std::string_view what,
+void checkTakenOnce(int block, int cell, std::size_t entry, const std::string& pointer, std::string_view what,
                     Taken& taken, CheckContext& context) {
     if (block < 0)
         return;
-    const auto [first, isNew] = taken.try_emplace({block, cellAt(block, place, context)}, entry);
+    const auto [first, isNew] = taken.try_emplace({block, cell}, entry);
     if (!isNew)
         context.report.error(pointer,
                              "the block " + inQuotes(displayName(context.scene, block)) + " already has a " +
@@ -71,7 +73,8 @@ void checkMotion(const Motion& motion, std::size_t entry, StageKind kind, const 
                  CheckContext& context) {
     const int block = checkBlockAt(context, motion.blockAt, under(pointer, "block_at"));
     checkNotFixed(block, under(pointer, "block_at"), "the motion", context);
-    checkTakenOnce(block, motion.blockAt, entry, under(pointer, "block_at"), "motion", taken, context);
+    const int cell = cellAt(block, motion.blockAt, context);
+    checkTakenOnce(block, cell, entry, under(pointer, "block_at"), "motion", taken, context);
     checkAxis(motion.axis, under(pointer, "axis"), context.report);
     if (motion.table.empty())
         context.report.error(under(pointer, "table"), "the motion has no table",
@@ -151,7 +154,7 @@ void checkVelocity(const InitialVelocity& velocity, std::size_t entry, const std
                    CheckContext& context) {
     const int block = checkBlockAt(context, velocity.blockAt, under(pointer, "block_at"));
     checkNotFixed(block, under(pointer, "block_at"), "the velocity", context);
-    checkTakenOnce(block, velocity.blockAt, entry, under(pointer, "block_at"), "velocity", taken, context);
+    checkTakenOnce(block, 0, entry, under(pointer, "block_at"), "velocity", taken, context);
 }
 
 void checkTimes(const Stage& stage, const std::string& pointer, CheckReport& report) {

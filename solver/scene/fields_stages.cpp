@@ -20,7 +20,8 @@ const Structure& structureOf(const Motion*) {
         "free.",
         defaultsOf<Motion>(),
         {
-            row<&Motion::blockAt>("block_at", "A point inside the block.", {.unit = "m", .required = true}),
+            row<&Motion::blockAt>("block_at", "A point inside the block; of one in cells, the cell there moves.",
+                                  {.unit = "m", .required = true}),
             row<&Motion::axis>("axis", "Direction of the displacement.", {.required = true, .isAxis = true}),
             row<&Motion::table>("table",
                                 "Time and displacement; the time is 0 … 1 in a static stage, seconds in a dynamic "
@@ -38,7 +39,8 @@ const Structure& structureOf(const Load*) {
         "on edges (`along`).",
         defaultsOf<Load>(),
         {
-            row<&Load::blockAt>("block_at", "A point inside the loaded block.", {.unit = "m"}),
+            row<&Load::blockAt>("block_at", "A point inside the loaded block; cells share the force by mass.",
+                                {.unit = "m"}),
             row<&Load::at>("at", "Where the force acts on the block, in place of its centroid.",
                            {.unit = "m", .only = {.key = "block_at"}}),
             row<&Load::point>("point", "Where the force acts, on the block that holds the point.", {.unit = "m"}),

@@ -61,7 +61,8 @@ double backedWidth(const Scene& scene, const PlatePlace& place, double width, do
     const Point along = turnLeft(place.outward);  // as the rock's faces run
     double backed = 0.0;
     forEachFace(scene, [&](const Face& face) {
-        if (!sameWay(face.outward(), place.outward) || std::abs(place.outward.dot(face.from - place.foot)) > near) return;
+        const double off = place.outward.dot(face.from - place.foot);
+        if (!sameWay(face.outward(), place.outward) || std::abs(off) > near) return;
         const double s = along.dot(face.from - place.foot);
         backed += std::max(0.0, std::min(0.5 * width, s + face.length) - std::max(-0.5 * width, s));
     });

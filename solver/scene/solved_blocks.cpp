@@ -17,7 +17,8 @@ std::vector<Point> relative(const std::vector<Point>& points, const Point& origi
 }
 
 /// Marks the edge that a glued piece lies on with its length.
-void addGlued(const SharedEdge& shared, const std::vector<Point>& points, double tolerance, std::vector<double>& lengths) {
+void addGlued(const SharedEdge& shared, const std::vector<Point>& points, double tolerance,
+              std::vector<double>& lengths) {
     const Point middle = 0.5 * (shared.from + shared.to);
     for (std::size_t e = 0; e < points.size(); ++e)
         if (distanceToSegment(points[e], points[(e + 1) % points.size()], middle) <= tolerance) {
