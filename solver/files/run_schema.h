@@ -38,6 +38,6 @@ inline constexpr const char* layout =
     "place of those that are cut, then plates that are blocks. Stages, blocks, bolts, nodes, "
     "elements and rows of history count from 0; -1 marks an index that does not apply. events.history_row names the "
     "row just before an event. A stage without an outcome never ended. SI units; times are within the stage. Row key "
-    "scene of table about is the scene as JSON, scene_hash its SHA-256.";
+    "scene of table about is the scene as JSON with its records inside, scene_hash its SHA-256.";
 
 }  // namespace keyblock::run_schema

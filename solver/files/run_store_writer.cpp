@@ -84,7 +84,7 @@ void writeColumns(const sqlite::Database& database, const HistoryColumns& histor
 }
 
 void writeAbout(const sqlite::Database& database, const Scene& scene, const HistoryColumns& history) {
-    const std::string text = sceneText(scene);
+    const std::string text = wholeSceneText(scene);
     sqlite::Statement insert(database, "INSERT INTO about VALUES (?,?)");
     const auto put = [&](std::string_view key, std::string_view value) { insert.bind(key).bind(value).run(); };
     put("format", "keyblock-run");

@@ -13,6 +13,7 @@
 #include "solver/files/json_tree.h"
 #include "solver/files/object_reader.h"
 #include "solver/files/overrides.h"
+#include "solver/files/record_file.h"
 #include "solver/files/scene_version.h"
 #include "solver/engine/mesh_check.h"
 #include "solver/scene/check.h"
@@ -61,6 +62,30 @@ Scene readScene(const JsonNode& root, Problems& problems) {
     checkBoltTypeNames(scene, root, problems);
     addUsedBuiltInBoltTypes(scene);
     return scene;
+}
+
+void readRecord(Acceleration& acceleration, const std::string& pointer, const JsonNode& root,
+                const std::filesystem::path& folder, Problems& problems) {
+    if (acceleration.file.empty() || !acceleration.record.empty())
+        return;
+    RecordReading reading = readRecordFile(folder / acceleration.file);
+    acceleration.record = std::move(reading.record);
+    const std::string place = under(pointer, "file");
+    for (RecordReading::Fault& fault : reading.faults)
+        addProblem(problems, {Severity::Error, "", lineAt(root, place), place,
+                              acceleration.file + ": " + fault.message, std::move(fault.remedy)});
+}
+
+// What the scene names by a file becomes values of the scene, so that nothing after this knows the file.
+void readRecords(Scene& scene, const JsonNode& root, const std::filesystem::path& folder, Problems& problems) {
+    for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+        Stage& stage = scene.stages[i];
+        const std::string pointer = under("/stages", i);
+        if (stage.baseAcceleration)
+            readRecord(*stage.baseAcceleration, under(pointer, "base_acceleration"), root, folder, problems);
+        if (stage.bodyAcceleration)
+            readRecord(*stage.bodyAcceleration, under(pointer, "body_acceleration"), root, folder, problems);
+    }
 }
 
 // True when an error is told of the same place, of something inside it, or of what it lies in.
@@ -126,7 +151,8 @@ SceneReading unreadable(const std::string& name, std::string message, std::strin
 
 }  // namespace
 
-SceneReading readSceneText(std::string_view text, const std::string& name, std::span<const std::string> overrides) {
+SceneReading readSceneText(std::string_view text, const std::string& name, std::span<const std::string> overrides,
+                           const std::filesystem::path& folder) {
     JsonReading json = readJson(text);
     Problems problems = std::move(json.problems);
     if (!json.root)
@@ -136,6 +162,7 @@ SceneReading readSceneText(std::string_view text, const std::string& name, std::
         return finished({}, std::move(problems), name, overrides);
     Problems ofFields;
     Scene scene = readScene(*json.root, ofFields);
+    readRecords(scene, *json.root, folder, ofFields);
     for (const Problem& problem : ofFields)
         addProblem(problems, problem);
     if (!isFull(problems))
@@ -153,7 +180,7 @@ SceneReading readSceneFile(const std::filesystem::path& path, std::span<const st
     if (!file)
         return unreadable(name, "the file cannot be opened: " + std::string(std::strerror(errno)),
                           "Check the name and the right to read it");
-    return readSceneText(wholeText(file), name, overrides);
+    return readSceneText(wholeText(file), name, overrides, path.parent_path());
 }
 
 }  // namespace keyblock

@@ -27,13 +27,20 @@ struct SceneReading {
 /// the value JSON or a bare text. They are set before anything is read, so every check sees them.
 SceneReading readSceneFile(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
-/// The same from a text; `name` stands where the file's name would.
+/// The same from a text; `name` stands where the file's name would, records are looked for from `folder` (empty: the
+/// current one).
 SceneReading readSceneText(std::string_view text, const std::string& name,
-                           std::span<const std::string> overrides = {});
+                           std::span<const std::string> overrides = {}, const std::filesystem::path& folder = {});
 
 /// The scene as a JSON text: required keys and those that differ from their default, in the order of the format,
-/// numbers as short as they can be read back exactly. Built-in bolt types are left out.
+/// numbers as short as they can be read back exactly. Built-in bolt types are left out, and records that have a file.
 std::string sceneText(const Scene& scene);
+
+/// The same with all records inside: it is read back to the same scene wherever it is.
+std::string wholeSceneText(const Scene& scene);
+
+/// SHA-256 of `wholeSceneText`, in hexadecimal digits: two scenes with the same hash say the same, records included.
+std::string sceneHash(const Scene& scene);
 
 /// Writes `sceneText` whole or not at all. \throws CannotWrite
 void writeSceneFile(const std::filesystem::path& path, const Scene& scene);

@@ -8,6 +8,7 @@
 #include "solver/files/field_json.h"
 #include "solver/files/json_text.h"
 #include "solver/files/scene_file.h"
+#include "solver/files/sha256.h"
 #include "solver/files/whole_file.h"
 #include "solver/scene/field.h"
 #include "solver/scene/lookup.h"
@@ -97,9 +98,22 @@ JsonNode sceneNode(const Scene& scene) {
     return {std::move(members)};
 }
 
+// Records that stand in a file are read from there again.
+Scene withoutFiledRecords(Scene scene) {
+    for (Stage& stage : scene.stages)
+        for (auto* acceleration : {&stage.baseAcceleration, &stage.bodyAcceleration})
+            if (*acceleration && !(*acceleration)->file.empty())
+                (*acceleration)->record.clear();
+    return scene;
+}
+
 }  // namespace
 
-std::string sceneText(const Scene& scene) { return jsonText(sceneNode(scene)); }
+std::string sceneText(const Scene& scene) { return jsonText(sceneNode(withoutFiledRecords(scene))); }
+
+std::string wholeSceneText(const Scene& scene) { return jsonText(sceneNode(scene)); }
+
+std::string sceneHash(const Scene& scene) { return sha256(wholeSceneText(scene)); }
 
 void writeSceneFile(const std::filesystem::path& path, const Scene& scene) {
     writeWholeFile(path, [&](std::ostream& out) { out << sceneText(scene); });

@@ -43,7 +43,8 @@ void checkBelongs(const Structure& structure, const Field& field, const void* ob
                   CheckReport& report) {
     if (field.only.key.empty() || applies(structure, field, object))
         return;
-    const bool says = hasChildren(field) ? field.kind == FieldKind::List && field.children.count(object) > 0
+    const bool mayBeAbsent = field.kind == FieldKind::List || field.nullable;
+    const bool says = hasChildren(field) ? mayBeAbsent && field.children.count(object) > 0
                                          : field.get(object) != defaultOf(structure, field);
     if (says)
         report.error(pointer, misplaced(field), "Leave it out");

@@ -50,6 +50,9 @@ void checkBodies(CheckContext& context);  // cells and plates that are blocks; a
 void checkBoltTypes(CheckContext& context);
 void checkBolts(CheckContext& context);
 void checkStages(CheckContext& context);
+void checkAccelerations(const Stage& stage, const std::string& pointer, CheckContext& context);
+void checkLengthOfRecords(CheckContext& context);
+void checkStrengthChanges(const Stage& stage, const std::string& pointer, CheckContext& context);
 void checkWatch(CheckContext& context);  // monitors, quantities, expected numbers
 
 /// Anchors of a type or a bolt, without their place on a bolt.

@@ -169,6 +169,8 @@ void checkTimes(const Stage& stage, const std::string& pointer, CheckReport& rep
 
 void checkStage(const Stage& stage, const std::string& pointer, CheckContext& context) {
     checkTimes(stage, pointer, context.report);
+    checkStrengthChanges(stage, pointer, context);
+    checkAccelerations(stage, pointer, context);
     Taken moved;
     for (std::size_t i = 0; i < stage.motions.size(); ++i)
         checkMotion(stage.motions[i], i, stage.kind, under(under(pointer, "motions"), i), moved, context);
@@ -194,6 +196,7 @@ void checkStages(CheckContext& context) {
         [](std::size_t i) { return under(under("/stages", i), "name"); }, "stage", context.report);
     for (std::size_t i = 0; i < stages.size(); ++i)
         checkStage(stages[i], under("/stages", i), context);
+    checkLengthOfRecords(context);
 }
 
 }  // namespace keyblock

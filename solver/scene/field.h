@@ -65,7 +65,7 @@ struct Structure;
 
 /// How the objects inside an Object, List or Map are reached; `owner` is the struct that has the member.
 struct Children {
-    std::size_t (*count)(const void* owner) = nullptr;  // 0 when null
+    std::size_t (*count)(const void* owner) = nullptr;  // 0 when null; 1 of an Object
     const void* (*item)(const void* owner, std::size_t index) = nullptr;
     std::string_view (*name)(const void* owner, std::size_t index) = nullptr;  // of a Map, else empty
     bool (*isNull)(const void* owner) = nullptr;

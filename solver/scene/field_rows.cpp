@@ -39,6 +39,7 @@ const Structure& sceneStructure() {
                                     "BOLT.QUANTITY`, `first KIND MONITOR[.ux|.uy]` (just before the first such "
                                     "event)."),
             row<&Scene::output>("output", "What a run keeps."),
+            row<&Scene::limits>("limits", "Where a run ends even if its stages do not."),
         }};
     return structure;
 }

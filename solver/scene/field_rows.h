@@ -19,6 +19,7 @@ namespace keyblock {
 
 // The table of each struct that stands inside another, found by the type.
 const Structure& structureOf(const About*);
+const Structure& structureOf(const Acceleration*);
 const Structure& structureOf(const Analysis*);
 const Structure& structureOf(const Anchor*);
 const Structure& structureOf(const Block*);
@@ -34,7 +35,10 @@ const Structure& structureOf(const Monitor*);
 const Structure& structureOf(const Motion*);
 const Structure& structureOf(const Output*);
 const Structure& structureOf(const Plate*);
+const Structure& structureOf(const RunLimits*);
+const Structure& structureOf(const Sine*);
 const Structure& structureOf(const Stage*);
+const Structure& structureOf(const StrengthChange*);
 const Structure& structureOf(const Support*);
 const Structure& structureOf(const Until*);
 

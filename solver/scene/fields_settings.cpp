@@ -103,4 +103,18 @@ const Structure& structureOf(const Output*) {
     return structure;
 }
 
+const Structure& structureOf(const RunLimits*) {
+    static const Structure structure{
+        "limits",
+        "Where a run ends even if its stages do not; what it has found by then is kept.",
+        defaultsOf<RunLimits>(),
+        {
+            row<&RunLimits::wallTime>("wall_time", "Time by the clock on the wall; null: no limit.",
+                                      {.unit = "s", .range = above(0)}),
+            row<&RunLimits::steps>("steps", "Accepted steps and equilibria over all stages; null: no limit.",
+                                   {.range = within(1, 2e9)}),
+        }};
+    return structure;
+}
+
 }  // namespace keyblock

@@ -17,15 +17,16 @@ const Structure& structureOf(const Motion*) {
     static const Structure structure{
         "motion",
         "Prescribes the displacement of a block's centroid along an axis; the other direction and the strains stay "
-        "free.",
+        "free. It holds in later stages, until one of them gives the block another motion.",
         defaultsOf<Motion>(),
         {
             row<&Motion::blockAt>("block_at", "A point inside the block; of one in cells, the cell there moves.",
                                   {.unit = "m", .required = true}),
             row<&Motion::axis>("axis", "Direction of the displacement.", {.required = true, .isAxis = true}),
             row<&Motion::table>("table",
-                                "Time and displacement; the time is 0 … 1 in a static stage, seconds in a dynamic "
-                                "one. The last value holds afterwards.",
+                                "Time and displacement since the start of the run or the last `zero_displacements`; "
+                                "the time is 0 … 1 in a static stage, seconds in a dynamic one. The last value holds "
+                                "afterwards.",
                                 {.unit = "s, m", .required = true}),
             row<&Motion::rotation>("rotation", "Whether the block's rotation is held."),
         }};
@@ -36,7 +37,8 @@ const Structure& structureOf(const Load*) {
     static const Structure structure{
         "load",
         "A force at a block's centroid (`block_at`), at a point of it (`block_at` and `at`, or `point`), or a pressure "
-        "on edges (`along`).",
+        "on edges (`along`). It stays with its last value in later stages; a load of a later stage at the same place "
+        "(the same block, or the same `at`, `point` or `along`) takes its place.",
         defaultsOf<Load>(),
         {
             row<&Load::blockAt>("block_at", "A point inside the loaded block; cells share the force by mass.",
@@ -77,10 +79,73 @@ const Structure& structureOf(const Until*) {
         "When a static stage is at equilibrium, and when it gives up looking for it.",
         defaultsOf<Until>(),
         {
-            row<&Until::unbalanced>("unbalanced", "Unbalanced force over reference force at equilibrium.",
+            row<&Until::unbalanced>("unbalanced",
+                                    "Unbalanced force over reference force at equilibrium; null: 1e-4, or `tolerance` "
+                                    "of the analysis where that is less.",
                                     {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
-            row<&Until::maxSteps>("max_steps", "Pseudo-steps per equilibrium; null: chosen by the program.",
+            row<&Until::maxSteps>("max_steps",
+                                  "Pseudo-steps after which an equilibrium is given up, the increment halved and, at "
+                                  "its finest, the stage ended as a collapse; null: 400.",
                                   {.range = within(1, 1e9)}),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const Sine*) {
+    static const Structure structure{
+        "sine",
+        "amplitude · sin(2π · frequency · time + phase).",
+        defaultsOf<Sine>(),
+        {
+            row<&Sine::amplitude>("amplitude", "Largest value, before the factor.", {.unit = "m/s²", .required = true}),
+            row<&Sine::frequency>("frequency", "Cycles a second.",
+                                  {.unit = "Hz", .range = above(0), .required = true}),
+            row<&Sine::phase>("phase", "Phase at time 0.", {.unit = "rad"}),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const Acceleration*) {
+    static const Structure structure{
+        "acceleration",
+        "An acceleration over the seconds of a dynamic stage: a record (`file`, or `record` in the scene itself) or a "
+        "`sine`.",
+        defaultsOf<Acceleration>(),
+        {
+            row<&Acceleration::file>("file",
+                                     "CSV file with the header `time_s,a` and rows of time and value, beside the scene "
+                                     "or by a path relative to it.",
+                                     {.emptyIsNull = true}),
+            row<&Acceleration::record>("record",
+                                       "The rows themselves: straight lines between them, nothing before the first "
+                                       "and after the last. Where it is given, `file` only says where it came from; a "
+                                       "run store keeps the record so.",
+                                       {.unit = "s, –", .emptyIsNull = true}),
+            row<&Acceleration::sine>("sine", "A harmonic acceleration instead of a record."),
+            row<&Acceleration::axis>("axis", "Direction of a positive acceleration.",
+                                     {.required = true, .isAxis = true}),
+            row<&Acceleration::factor>("factor", "Multiplies the record or the sine; 9.81 for a record in g.",
+                                       {.unit = "m/s² per unit"}),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const StrengthChange*) {
+    static const Structure structure{
+        "strength change",
+        "New strength of a joint material from the start of a stage on; what is null stays as it is.",
+        defaultsOf<StrengthChange>(),
+        {
+            row<&StrengthChange::jointMaterial>("joint_material", "Which of the `joint_materials`.",
+                                                {.required = true}),
+            row<&StrengthChange::frictionAngle>(
+                "friction_angle", "Friction angle.",
+                {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}}),
+            row<&StrengthChange::cohesion>("cohesion", "Cohesion of contacts that have not lost it.",
+                                           {.unit = "Pa", .range = atLeast(0)}),
+            row<&StrengthChange::tensileStrength>("tensile_strength",
+                                                  "Tensile strength of contacts that have not lost it.",
+                                                  {.unit = "Pa", .range = atLeast(0)}),
         }};
     return structure;
 }
@@ -95,7 +160,10 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::kind>("kind", "Static or dynamic."),
             row<&Stage::motions>("motions", "Prescribed displacements."),
             row<&Stage::loads>("loads", "Forces and pressures."),
-            row<&Stage::zeroDisplacements>("zero_displacements", "Counts displacements from the start of this stage."),
+            row<&Stage::set>("set", "Strengths of joints that change at the start of this stage."),
+            row<&Stage::zeroDisplacements>("zero_displacements",
+                                           "Counts displacements of blocks, monitors and motions from the start of "
+                                           "this stage."),
             row<&Stage::continueAfterCollapse>("continue", "Whether the next stage runs after a collapse of this one."),
             row<&Stage::until>("until", "When equilibrium is found.", {.only = staticOnly}),
             row<&Stage::increments>("increments", "Parts of pseudo-time 0 … 1; null: chosen by the program.",
@@ -108,6 +176,14 @@ const Structure& structureOf(const Stage*) {
                                      {.only = dynamicOnly, .laterWords = {"newmark", "generalized-alpha"}}),
             row<&Stage::initialVelocities>("initial_velocities", "Velocities of blocks at the start of the stage.",
                                            {.only = dynamicOnly}),
+            row<&Stage::baseAcceleration>("base_acceleration",
+                                          "Acceleration of the ground, which all that is held follows. Displacements "
+                                          "and velocities are told relative to the ground.",
+                                          {.only = dynamicOnly}),
+            row<&Stage::bodyAcceleration>("body_acceleration",
+                                          "Force per mass on everything, beside gravity; a ground that accelerates one "
+                                          "way acts as a body acceleration the other way.",
+                                          {.only = dynamicOnly}),
         }};
     return structure;
 }

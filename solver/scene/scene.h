@@ -92,7 +92,8 @@ using Table = std::vector<std::pair<double, double>>;
 
 enum class Rotation { Held, Free };
 
-/// Prescribes the displacement of a block's centroid along `axis`, counted from the start of the run [m].
+/// Prescribes the displacement of a block's centroid along `axis`, counted from the start of the run or the last
+/// `zero_displacements` [m].
 struct Motion {
     Point blockAt{0.0, 0.0};  // [m]
     Point axis{1.0, 0.0};  // any length but zero
@@ -123,9 +124,39 @@ struct InitialVelocity {
     bool operator==(const InitialVelocity&) const = default;
 };
 
+/// amplitude · sin(2π·frequency·t + phase)
+struct Sine {
+    double amplitude = 0.0;  // of what `Acceleration::factor` multiplies
+    double frequency = 1.0;  // [Hz]
+    double phase = 0.0;  // [rad]
+
+    bool operator==(const Sine&) const = default;
+};
+
+/// An acceleration along `axis` over the seconds of a dynamic stage: a record or a sine, times `factor`.
+struct Acceleration {
+    std::string file;  // where the record was read from, as the scene names it; empty: it stands in the scene
+    Table record;  // (time [s], value); nothing before its first and after its last row, straight lines between
+    std::optional<Sine> sine;
+    Point axis{1.0, 0.0};  // any length but zero
+    double factor = 1.0;  // [m/s²] per unit of the record or the sine
+
+    bool operator==(const Acceleration&) const = default;
+};
+
+/// New strength of a joint material; what is null stays as it is.
+struct StrengthChange {
+    std::string jointMaterial;
+    std::optional<double> frictionAngle;  // [°]
+    std::optional<double> cohesion;  // [Pa]
+    std::optional<double> tensileStrength;  // [Pa]
+
+    bool operator==(const StrengthChange&) const = default;
+};
+
 /// When a static stage is at equilibrium, and when it gives up looking for it.
 struct Until {
-    double unbalanced = 1e-4;  // unbalanced force over reference force; never above the pass tolerance
+    std::optional<double> unbalanced;  // unbalanced force over reference force; null: 1e-4, or the pass tolerance if less
     std::optional<int> maxSteps;  // pseudo-steps per equilibrium; null: chosen by the program
 
     bool operator==(const Until&) const = default;
@@ -138,6 +169,7 @@ struct Stage {
     StageKind kind = StageKind::Static;
     std::vector<Motion> motions;
     std::vector<Load> loads;
+    std::vector<StrengthChange> set;  // at the start of the stage, for this and all later ones
     bool zeroDisplacements = false;
     bool continueAfterCollapse = true;  // "continue"
     // static
@@ -148,6 +180,8 @@ struct Stage {
     std::optional<double> timeStep;  // [s]; null: chosen by the program
     std::optional<Integration> integration;  // null: that of the analysis
     std::vector<InitialVelocity> initialVelocities;
+    std::optional<Acceleration> baseAcceleration;  // of the ground, which everything that is held follows
+    std::optional<Acceleration> bodyAcceleration;  // force per mass, beside gravity
 
     bool operator==(const Stage&) const = default;
 };
@@ -268,6 +302,14 @@ struct Output {
     bool operator==(const Output&) const = default;
 };
 
+/// Where a run ends even if its stages do not.
+struct RunLimits {
+    std::optional<double> wallTime;  // [s] by the clock on the wall
+    std::optional<int> steps;  // accepted ones, over all stages
+
+    bool operator==(const RunLimits&) const = default;
+};
+
 struct Expected {
     std::string quantity;  // as in `quantities`
     double value = 0.0;  // SI
@@ -301,6 +343,7 @@ struct Scene {
     std::vector<Monitor> monitors;
     std::vector<std::string> quantities;
     Output output;
+    RunLimits limits;
 
     bool operator==(const Scene&) const = default;
 };

@@ -56,11 +56,45 @@ TEST(SceneFile, EverySceneIsReadBackAsItWasWritten) {
     for (const fs::path& file : scenes) {
         const Scene scene = readGood(file);
         const std::string text = sceneText(scene);
-        const SceneReading again = readSceneText(text, "again");
+        const SceneReading again = readSceneText(text, "again", {}, file.parent_path());
         ASSERT_TRUE(again.scene) << file << "\n" << listing(again.problems);
         EXPECT_TRUE(*again.scene == scene) << file << "\n" << text;
         EXPECT_EQ(sceneText(*again.scene), text) << file;
     }
+}
+
+/// What a run store keeps needs no other file, and says the same.
+TEST(SceneFile, AWholeTextHoldsItsRecords) {
+    const Scene scene = readGood(goodFolder / "every-field.json");
+    EXPECT_EQ(sceneText(scene).find("[0.25, 0.5]"), std::string::npos);
+    const SceneReading again = readSceneText(wholeSceneText(scene), "again", {}, "no/such/folder");
+    ASSERT_TRUE(again.scene) << listing(again.problems);
+    EXPECT_TRUE(*again.scene == scene);
+    EXPECT_EQ(sceneHash(*again.scene), sceneHash(scene));
+    Scene other = scene;
+    other.stages.at(1).baseAcceleration->record.at(1).second = 0.6;
+    EXPECT_NE(sceneHash(other), sceneHash(scene));
+    EXPECT_EQ(sceneText(other), sceneText(scene));
+}
+
+TEST(SceneFile, RecordsLieBesideTheScene) {
+    const test::ScratchFolder folder;
+    fs::create_directory(folder.path() / "sub");
+    test::putContent(folder.path() / "sub/motion.csv", "time_s,a\n0,0\n0.5,1\n1,0\n");
+    test::putContent(folder.path() / "sub/scene.json", R"({"format": "keyblock-scene", "version": 1,
+        "materials": {"rock": {"density": 1, "youngs_modulus": 1, "poissons_ratio": 0}},
+        "blocks": [{"points": [[0, 0], [1, 0], [0, 1]], "material": "rock"}],
+        "supports": [{"block_at": [0.2, 0.2]}],
+        "stages": [{"name": "a", "kind": "dynamic", "duration": 1,
+                    "base_acceleration": {"file": "motion.csv", "axis": "x", "factor": 2}}]})");
+    const SceneReading reading = readSceneFile(folder.path() / "sub/scene.json");
+    ASSERT_TRUE(reading.scene) << listing(reading.problems);
+    EXPECT_EQ(reading.scene->stages[0].baseAcceleration->record.size(), 3u);
+    const Problem* baseline = problemAt(reading.problems, "/stages/0/base_acceleration/file");
+    ASSERT_NE(baseline, nullptr);
+    EXPECT_EQ(baseline->severity, Severity::Warning);
+    EXPECT_NE(baseline->message.find("velocity of 1 m/s"), std::string::npos) << baseline->message;
+    EXPECT_NE(baseline->message.find("displacement of 0.5 m"), std::string::npos) << baseline->message;
 }
 
 TEST(SceneFile, ReadsWhatTheFileSays) {
@@ -76,6 +110,13 @@ TEST(SceneFile, ReadsWhatTheFileSays) {
     EXPECT_FALSE(scene.stages.at(0).continueAfterCollapse);
     EXPECT_EQ(scene.stages.at(0).until.maxSteps, 500);
     EXPECT_EQ(scene.stages.at(1).integration, Integration::Shi);
+    EXPECT_EQ(scene.stages.at(0).set.at(0).cohesion, 5e4);
+    EXPECT_FALSE(scene.stages.at(0).set.at(0).tensileStrength);
+    EXPECT_EQ(scene.stages.at(1).baseAcceleration->record, (Table{{0.0, 0.0}, {0.25, 0.5}, {0.5, -0.1}}));
+    EXPECT_EQ(scene.stages.at(1).bodyAcceleration->sine->phase, 0.1);
+    EXPECT_EQ(scene.stages.at(2).baseAcceleration->record.size(), 3u);
+    EXPECT_FALSE(scene.stages.at(2).bodyAcceleration);
+    EXPECT_EQ(scene.limits.steps, 100000);
     EXPECT_EQ(scene.monitors.at(1).axis, Point(0, 1));
     EXPECT_EQ(scene.monitors.at(3).quantity, BoltQuantity::Slip);
     EXPECT_EQ(scene.output.every, 0.05);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -52,8 +53,20 @@ std::string listing(const std::vector<Problem>& problems) {
     return text;
 }
 
-void expectProblem(const std::function<void(Scene&)>& breakIt, const std::string& pointer, Severity severity) {
+/// Shaken by a period of a cosine, which leaves the ground where it was.
+Scene shakenScene() {
     Scene scene = soundScene();
+    Stage& stage = scene.stages[0];
+    stage.kind = StageKind::Dynamic;
+    stage.duration = 1.0;
+    stage.motions[0].table = {{0, 0}, {1, 0.001}};
+    stage.baseAcceleration.emplace();
+    for (int i = 0; i <= 100; ++i) stage.baseAcceleration->record.emplace_back(0.01 * i, std::cos(0.062831853 * i));
+    return scene;
+}
+
+void expectProblem(const std::function<void(Scene&)>& breakIt, const std::string& pointer, Severity severity,
+                   Scene scene = soundScene()) {
     breakIt(scene);
     const std::vector<Problem> problems = checkScene(scene);
     EXPECT_TRUE(std::any_of(problems.begin(), problems.end(),
@@ -103,6 +116,55 @@ TEST(CheckScene, WarnsOfWhatIsProbablyAMistake) {
             s.monitors[0].between = {Point(0.2, 0.5), Point(0.3, 0.5)};
         },
         "/monitors/0/between", warning);
+}
+
+TEST(CheckScene, TellsWhatARecordLeavesBehind) {
+    const std::string place = "/stages/0/base_acceleration/record";
+    expectProblem([](Scene&) {}, place, Severity::Note, shakenScene());
+    const auto drift = [](Scene& s) {
+        for (auto& row : s.stages[0].baseAcceleration->record) row.second += 0.1;
+    };
+    expectProblem(drift, place, Severity::Warning, shakenScene());
+}
+
+TEST(CheckScene, WarnsOfShakingThatIsProbablyAMistake) {
+    const auto warning = Severity::Warning;
+    const std::string base = "/stages/0/base_acceleration";
+    expectProblem([](Scene& s) { s.supports.clear(); }, base, warning, shakenScene());
+    expectProblem([](Scene& s) { s.stages[0].baseAcceleration->factor = 0.0; }, base + "/factor", warning,
+                  shakenScene());
+    expectProblem([](Scene& s) { s.stages[0].timeStep = 0.02; }, "/stages/0/time_step", warning, shakenScene());
+    expectProblem([](Scene& s) { s.stages[0].duration = 0.5; }, base + "/record", warning, shakenScene());
+    const auto late = [](Scene& s) {
+        for (auto& row : s.stages[0].baseAcceleration->record) row.first += 2.0;
+    };
+    expectProblem(late, base + "/record", warning, shakenScene());
+}
+
+TEST(CheckScene, BearsAccelerationsThatAreNotFinite) {
+    const std::string base = "/stages/0/base_acceleration";
+    for (const double bad : {nan, infinity}) {
+        expectProblem([&](Scene& s) { s.stages[0].baseAcceleration->record[3].first = bad; }, base + "/record",
+                      Severity::Error, shakenScene());
+        expectProblem([&](Scene& s) { s.stages[0].baseAcceleration->factor = bad; }, base + "/factor", Severity::Error,
+                      shakenScene());
+        expectProblem([&](Scene& s) { s.stages[0].baseAcceleration->axis.x() = bad; }, base + "/axis", Severity::Error,
+                      shakenScene());
+        const auto sine = [&](Scene& s) {
+            s.stages[0].baseAcceleration->record.clear();
+            s.stages[0].baseAcceleration->sine = Sine{1.0, bad, 0.0};
+            s.stages[0].timeStep = 0.1;
+        };
+        expectProblem(sine, base + "/sine/frequency", Severity::Error, shakenScene());
+    }
+}
+
+TEST(CheckScene, RefusesRecordsTooLongForAStore) {
+    const auto longer = [](Scene& s) {
+        s.stages[0].duration = 1e7;
+        for (int i = 101; i <= 300'001; ++i) s.stages[0].baseAcceleration->record.emplace_back(0.01 * i, 0.0);
+    };
+    expectProblem(longer, "/stages", Severity::Error, shakenScene());
 }
 
 TEST(CheckScene, NotesLawsThatHaveNoEffectYet) {

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A record is made by others and read by a machine: what would shake the rock
+// otherwise than its maker meant, or than the stage can follow, is told here.
+#include "solver/scene/acceleration.h"
+#include "solver/scene/check_report.h"
+#include "solver/scene/number_text.h"
+#include "solver/scene/pointer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr std::size_t mostRows = 300'000;  // of all records of a scene, which a run store keeps inside the scene
+constexpr double quietEnd = 0.02;  // of the largest on the way: less left at the end of a record is no drift
+
+std::string placeOfRecord(const Acceleration& acceleration, const std::string& pointer) {
+    return under(pointer, acceleration.file.empty() ? "record" : "file");
+}
+
+/// True when the rows can be integrated.
+bool checkRows(const Acceleration& acceleration, const std::string& place, CheckReport& report) {
+    const Table& record = acceleration.record;
+    const std::string pointer = under(place, "record");
+    if (!isFinite(record))
+        return false;  // the table of fields has said so
+    if (record.size() < 2) {
+        report.error(placeOfRecord(acceleration, place), "the record has " + std::to_string(record.size()) + " rows",
+                     "Give at least two, each with time and value");
+        return false;
+    }
+    bool rises = true;
+    for (std::size_t i = 1; i < record.size() && rises; ++i)
+        if (!(record[i].first > record[i - 1].first)) {
+            rises = false;
+            report.error(under(pointer, i), "the time " + shortest(record[i].first) + " does not rise",
+                         "Sort the rows by time and give each time once");
+        }
+    if (record.front().first < 0.0)
+        report.error(under(pointer, 0), "the time is negative", "Count from the start of the stage");
+    return rises;
+}
+
+/// A ground that stops where the record does would stop with a jerk: the record's own error, which no analysis mends.
+void tellBaseline(const Acceleration& acceleration, const std::string& pointer, CheckReport& report) {
+    const Baseline b = baselineOf(acceleration.record, acceleration.factor);
+    const bool drifts = std::abs(b.velocity) > quietEnd * b.peakVelocity ||
+                        std::abs(b.displacement) > quietEnd * b.peakDisplacement;
+    const std::string message = "integrated from rest, the record ends with a velocity of " + shortest(b.velocity) +
+                                " m/s (largest " + shortest(b.peakVelocity) + ") and a displacement of " +
+                                shortest(b.displacement) + " m (largest " + shortest(b.peakDisplacement) + ")";
+    if (drifts)
+        report.warning(pointer, message,
+                       "Correct the record's baseline if the ground came to rest where it had been");
+    else
+        report.note(pointer, message, "Nothing to do");
+}
+
+void checkAgainstStage(const Acceleration& acceleration, const Stage& stage, const std::string& pointer,
+                       CheckReport& report) {
+    const std::string place = placeOfRecord(acceleration, pointer);
+    if (acceleration.record.front().first >= stage.duration && stage.duration > 0.0)
+        report.warning(place, "the record begins after the stage's end", "Give times within the stage's seconds");
+    else if (acceleration.record.back().first > stage.duration && stage.duration > 0.0)
+        report.warning(place, "the stage ends at " + shortest(stage.duration) + " s, before the record does at " +
+                                  shortest(acceleration.record.back().first) + " s",
+                       "Give a longer duration, or accept that the rest is left out");
+}
+
+void checkRecord(const Acceleration& acceleration, const Stage& stage, const std::string& pointer,
+                 CheckReport& report) {
+    if (!checkRows(acceleration, pointer, report))
+        return;
+    checkAgainstStage(acceleration, stage, pointer, report);
+    if (std::isfinite(acceleration.factor))
+        tellBaseline(acceleration, placeOfRecord(acceleration, pointer), report);
+}
+
+void checkAcceleration(const Acceleration& acceleration, const Stage& stage, const std::string& pointer,
+                       CheckReport& report) {
+    const bool hasRecord = !acceleration.file.empty() || !acceleration.record.empty();
+    if (hasRecord == acceleration.sine.has_value())
+        report.error(pointer, "an acceleration needs either a record ('file' or 'record') or a 'sine'",
+                     hasRecord ? "Leave one of them out" : "Give one of them");
+    checkAxis(acceleration.axis, under(pointer, "axis"), report);
+    if (acceleration.factor == 0.0)
+        report.warning(under(pointer, "factor"), "the factor is 0, so nothing accelerates",
+                       "Give a factor [m/s² per unit], or leave the acceleration out");
+    if (acceleration.sine && acceleration.sine->amplitude == 0.0)
+        report.warning(under(under(pointer, "sine"), "amplitude"), "the amplitude is 0, so nothing accelerates",
+                       "Give an amplitude, or leave the acceleration out");
+    if (hasRecord && !acceleration.sine)
+        checkRecord(acceleration, stage, pointer, report);
+}
+
+void checkStep(const Stage& stage, const std::string& pointer, CheckReport& report) {
+    const double longest = longestStepFor(stage);
+    if (stage.timeStep && longest > 0.0 && *stage.timeStep > longest)
+        report.warning(under(pointer, "time_step"),
+                       "the time step is too long to follow the acceleration: " + shortest(longest) +
+                           " s would just do",
+                       "Give a shorter one, or leave it to the program");
+}
+
+}  // namespace
+
+void checkAccelerations(const Stage& stage, const std::string& pointer, CheckContext& context) {
+    if (stage.kind != StageKind::Dynamic)
+        return;  // the table of fields has said so
+    if (stage.baseAcceleration)
+        checkAcceleration(*stage.baseAcceleration, stage, under(pointer, "base_acceleration"), context.report);
+    if (stage.bodyAcceleration)
+        checkAcceleration(*stage.bodyAcceleration, stage, under(pointer, "body_acceleration"), context.report);
+    if (stage.baseAcceleration && context.scene.supports.empty())
+        context.report.warning(under(pointer, "base_acceleration"), "nothing is held, so nothing follows the ground",
+                               "Hold a block or a point with 'supports'");
+    checkStep(stage, pointer, context.report);
+}
+
+void checkLengthOfRecords(CheckContext& context) {
+    std::size_t rows = 0;
+    for (const Stage& stage : context.scene.stages)
+        for (const auto& acceleration : {&stage.baseAcceleration, &stage.bodyAcceleration})
+            if (*acceleration)
+                rows += (*acceleration)->record.size();
+    if (rows > mostRows)
+        context.report.error("/stages",
+                             "the records have " + std::to_string(rows) + " rows together, more than " +
+                                 std::to_string(mostRows),
+                             "Resample them, or split the scene");
+}
+
+}  // namespace keyblock
