@@ -122,12 +122,6 @@ double jointLength(const std::vector<Point>& own, int corner, const Edge& edge) 
     return length;
 }
 
-int governingJoint(const Model& model, int a, int b) {
-    const int x = model.blocks[a].jointMaterial, y = model.blocks[b].jointMaterial;
-    const auto weaker = [&](int i) { return std::pair(model.joints[i].tanPhi, model.joints[i].cohesion); };
-    return weaker(y) < weaker(x) ? y : x;
-}
-
 const Contact* historyOf(const std::vector<Contact>& before, const Contact& contact) {
     const auto found = std::lower_bound(before.begin(), before.end(), contact,
                                         [](const Contact& x, const Contact& y) { return sortKey(x) < sortKey(y); });
@@ -173,6 +167,12 @@ Edge edgeOf(const std::vector<Point>& corners, int index) {
     const double length = chord.norm();
     const Point along = chord / length;
     return {a, along, -turnLeft(along), length};
+}
+
+int governingJoint(const Model& model, int a, int b) {
+    const int x = model.blocks[a].jointMaterial, y = model.blocks[b].jointMaterial;
+    const auto weaker = [&](int i) { return std::pair(model.joints[i].tanPhi, model.joints[i].cohesion); };
+    return weaker(y) < weaker(x) ? y : x;
 }
 
 double contactStiffness(const Model& model, int a, int b) {

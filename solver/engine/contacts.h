@@ -26,6 +26,10 @@ struct Edge {
 };
 Edge edgeOf(const std::vector<Point>& corners, int index);
 
+/// Of the joint materials of two blocks the weaker: less friction, and of equal friction less cohesion.
+/// \return a row of Model::joints
+int governingJoint(const Model& model, int blockA, int blockB);
+
 /// Contact stiffness of a pair: penalty ratio · E · thickness, E the smaller of the two [N/m].
 double contactStiffness(const Model& model, int blockA, int blockB);
 

@@ -74,6 +74,7 @@ double tensionRatio(const Model& model, const Contact& c) {
     const JointModel& joint = model.joints[c.joint];
     const double face = c.length * model.thickness;
     const double strength = std::max(joint.tensileStrength, leastTension * joint.cohesion) * face;
+    if (strength <= 0.0) return c.normalForce < 0.0 ? 1.0 / leastTension : 0.0;  // taken away by a stage
     return std::max(0.0, -c.normalForce) / strength;
 }
 

@@ -55,6 +55,8 @@ LoadPoint between(const LoadPoint& a, const LoadPoint& b, double share) {
     LoadPoint point;
     point.time = share >= 1.0 ? b.time : a.time + share * (b.time - a.time);
     point.gravity = share >= 1.0 ? b.gravity : a.gravity + share * (b.gravity - a.gravity);
+    point.acceleration = b.acceleration;
+    if (share < 1.0) point.acceleration = a.acceleration + share * (b.acceleration - a.acceleration);
     point.forces = mix(a.forces, b.forces, share);
     point.pressures = mix(a.pressures, b.pressures, share);
     point.motions = mix(a.motions, b.motions, share);
@@ -64,7 +66,7 @@ LoadPoint between(const LoadPoint& a, const LoadPoint& b, double share) {
 Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                               double& total) {
     ForceSum sum(model, state);
-    addGravity(model, state, at.gravity * model.gravity, sum);
+    addGravity(model, state, at.gravity * model.gravity + at.acceleration, sum);
     for (std::size_t i = 0; i < loads.forces.size(); ++i) {
         const PointForce& f = loads.forces[i];
         sum.onBlock(f.block, materialPoint(state.blocks[f.block], f.place), at.forces[i] * f.force);

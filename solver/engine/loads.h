@@ -43,6 +43,7 @@ struct Loads {
 struct LoadPoint {
     double time = 0.0;
     double gravity = 0.0;  // factor
+    Point acceleration{0.0, 0.0};  // force per mass beside gravity [m/s²]
     std::vector<double> forces, pressures, motions;  // rows of Loads
 };
 

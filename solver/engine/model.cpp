@@ -93,10 +93,6 @@ BlockModel blockModel(const Scene& scene, const SolvedBlock& solved) {
     return model;
 }
 
-JointModel jointModel(const JointMaterial& material) {
-    return {std::tan(material.frictionAngle * std::numbers::pi / 180.0), material.cohesion, material.tensileStrength};
-}
-
 void holdSupports(const Scene& scene, Model& model) {
     for (const Support& support : scene.supports) {
         if (support.blockAt) {
@@ -366,6 +362,10 @@ int rowHolding(const Model& model, int block, const Point& place) {
         if (side == Side::Boundary) beside = row;
     }
     return beside;
+}
+
+JointModel jointModel(const JointMaterial& material) {
+    return {std::tan(material.frictionAngle * std::numbers::pi / 180.0), material.cohesion, material.tensileStrength};
 }
 
 Model makeModel(const Scene& scene) {

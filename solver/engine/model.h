@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What never changes while a scene is run: masses, stiffnesses, borehole slots
-// and meshes of bolts, made once from the document. Coordinates are relative to
+// What never changes while a scene is run but for the strengths of joints that a
+// stage sets: masses, stiffnesses, borehole slots and meshes of bolts, made once
+// from the document. Coordinates are relative to
 // `origin`, so that a scene far from (0, 0) loses no digits.
 #pragma once
 
@@ -150,6 +151,8 @@ bool sameRock(const Model& model, int a, int b);
 
 /// The row of a block of the scene, or of its first cell, that holds `place` at the start. \pre one does.
 int rowHolding(const Model& model, int block, const Point& place);
+
+JointModel jointModel(const JointMaterial& material);
 
 /// \pre the scene was checked without errors.
 Model makeModel(const Scene& scene);

@@ -137,7 +137,7 @@ private:
         correctFrictionLimits(problem, still);
         const Eigen::VectorXd net = netForce(problem, still);
         const double before = std::exchange(residual_, residualNorm(problem, net) / referenceForce(problem, still, net));
-        if (residual_ > tolerance_) return step > 0 && dt_ >= longest_ && lastMove_ <= roundOff();
+        if (residual_ > settings_.unbalanced) return step > 0 && dt_ >= longest_ && lastMove_ <= roundOff();
         return residual_ <= wellBalanced || residual_ > stillFalling * before;  // no longer worth a pseudo-step
     }
 

@@ -8,11 +8,14 @@
 #include "solver/engine/bolt_topology.h"
 #include "solver/engine/contacts.h"
 #include "solver/engine/dynamics.h"
+#include "solver/engine/joint_change.h"
 #include "solver/engine/statics.h"
 #include "solver/results/history.h"
 #include "solver/run/observation.h"
+#include "solver/run/run_limit.h"
 #include "solver/run/stage_loads.h"
 #include "solver/run/watch.h"
+#include "solver/scene/acceleration.h"
 #include "solver/scene/lookup.h"
 
 #include <tbb/global_control.h>
@@ -32,8 +35,8 @@ constexpr double fewestSteps = 200.0;  // of a dynamic stage that gives no time 
 class Runner : StepObserver {
 public:
     Runner(const Scene& scene, Sink& sink, Control& control)
-        : scene_(scene), sink_(sink), control_(control), model_(makeModel(scene)), state_(makeState(model_)),
-          engine_(model_), loads_(model_, scene), observation_(scene, model_, (place(), state_)),
+        : scene_(scene), sink_(sink), control_(control), limit_(scene.limits), model_(makeModel(scene)),
+          state_(makeState(model_)), engine_(model_), loads_(model_, scene), observation_(scene, model_, (place(), state_)),
           watch_(model_, state_) {
         engine_.stopAsked = [this] { return stopAsked(); };
         engine_.passed = [this] { report(); };
@@ -46,7 +49,7 @@ public:
             results.push_back(runStage(scene_.stages[static_cast<std::size_t>(stage_)]));
             sink_.stageEnds(results.back());
             const Outcome outcome = results.back().outcome;
-            if (outcome == Outcome::Stopped || outcome == Outcome::Failed) break;
+            if (outcome == Outcome::Stopped || outcome == Outcome::Failed || outcome == Outcome::Limit) break;
             if (outcome == Outcome::Collapse && !scene_.stages[static_cast<std::size_t>(stage_)].continueAfterCollapse)
                 break;
         }
@@ -65,7 +68,8 @@ private:
         engine_.health = {};
         time_ = 0.0;
         firstStep_ = state_.step;
-        loads_.begin(stage, state_);
+        loads_.begin(stage_, state_);
+        if (!stage.set.empty()) changeJoints(model_, state_, jointModels(scene_, stage_));
         if (stage.zeroDisplacements) observation_.zero(state_);
         watch_.beginStage(state_);
         nextFrame_ = 0.0;
@@ -80,12 +84,13 @@ private:
         for (BoltMotion& bolt : state_.bolts)
             for (BoltNode& node : bolt.nodes) node.velocity.setZero();
         StaticSettings settings;
-        settings.unbalanced = stage.until.unbalanced;
+        settings.unbalanced = stage.until.unbalanced.value_or(std::min(settings.unbalanced, scene_.analysis.tolerance));
         settings.maxSteps = stage.until.maxSteps.value_or(settings.maxSteps);
         keepFrame(1.0, false);
         LoadPoint before = loads_.start();
         loadsReached_ = before;
         for (double time : timesOf(stage)) {
+            if (stopAsked()) return {Ending::Stopped, "", {}};
             const LoadPoint next = loads_.at(time);
             const StepEnding ending =
                 advanceStatic(engine_, state_, loads_.loads(), before, next, settings, *this, loadsReached_);
@@ -94,7 +99,6 @@ private:
             lookAround();
             keepFrame(1.0, false);
             before = next;
-            if (stopAsked()) return {Ending::Stopped, "", {}};
         }
         time_ = 1.0;
         return {};
@@ -120,16 +124,20 @@ private:
         const Integration integration = stage.integration.value_or(scene_.analysis.integration);
         DynamicSettings settings;
         settings.scheme = integration == Integration::Shi ? Inertia::Shi : Inertia::BackwardEuler;
-        settings.timeStep = stage.timeStep.value_or(std::min(longestTimeStep, stage.duration / fewestSteps));
+        const double usual = std::min({longestTimeStep, stage.duration / fewestSteps, longestStepFor(stage)});
+        settings.timeStep = stage.timeStep.value_or(usual);
         DynamicStage dynamic(engine_, loads_.loads(), [this](double t) { return loads_.at(t); }, settings);
         StepEnding ending = dynamic.preload(state_);
         state_.startEnergy += bookedEnergy(model_, state_) - before;  // velocities and preload were given
         keepFrame(stage.duration, false);
         while (ending.ending == Ending::Done && time_ < stage.duration) {
+            if (stopAsked()) {
+                ending = {Ending::Stopped, "", {}};
+                break;
+            }
             ending = dynamic.step(state_, time_, stage.duration, *this);
             lookAround();
             keepFrame(stage.duration, false);
-            if (stopAsked()) ending = {Ending::Stopped, "", {}};
         }
         loadsReached_ = loads_.at(time_);
         return ending;
@@ -167,13 +175,18 @@ private:
                 result.outcome = stage.kind == StageKind::Static ? Outcome::Equilibrium : Outcome::Duration;
                 break;
             case Ending::NoEquilibrium: collapse(result); break;
-            case Ending::Stopped: result.outcome = Outcome::Stopped; break;
+            case Ending::Stopped: stopped(result); break;
             case Ending::Failed: result.outcome = Outcome::Failed; break;
         }
         keepFrame(1.0, true);
         result.health = engine_.health;
         result.health.balanceError = energyOf(model_, state_).balanceError;
         return result;
+    }
+
+    void stopped(StageResult& result) const {
+        result.outcome = control_.stop ? Outcome::Stopped : Outcome::Limit;
+        if (!control_.stop) result.message = limit_.message(state_.step);
     }
 
     void collapse(StageResult& result) {
@@ -225,8 +238,12 @@ private:
     }
 
     bool stopAsked() {
-        while (control_.pause && !control_.stop) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        return control_.stop;
+        if (control_.pause && !control_.stop) {
+            const auto paused = std::chrono::steady_clock::now();
+            while (control_.pause && !control_.stop) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            limit_.addPause(std::chrono::steady_clock::now() - paused);
+        }
+        return control_.stop || limit_.reached(state_.step);
     }
 
     void report() {
@@ -247,6 +264,7 @@ private:
     const Scene& scene_;
     Sink& sink_;
     Control& control_;
+    RunLimit limit_;
     Model model_;
     State state_;
     Engine engine_;

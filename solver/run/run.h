@@ -37,7 +37,7 @@ struct RunSettings {
 /// Runs every stage of a checked scene.
 /// \pre `checkScene(scene)` found no error.
 /// \return one result per stage begun. A collapse is a result; the outcome `Failed`
-///         (numerical failure) or `Stopped` ends the run.
+///         (numerical failure), `Stopped` or `Limit` ends the run.
 std::vector<StageResult> run(const Scene& scene, Sink& sink, Control& control, const RunSettings& settings = {});
 
 /// The same into memory, for tests and verification.

@@ -4,6 +4,7 @@
 
 #include "geometry/polygon.h"
 #include "solver/engine/contacts.h"
+#include "solver/scene/acceleration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,12 +25,19 @@ double valueAt(const Table& table, double time) {
     return table.back().second;
 }
 
-const Table* tableOf(const Table& table) { return table.empty() ? &always : &table; }
+const Table& tableOf(const Table& table) { return table.empty() ? always : table; }
 
 bool changes(const Table& table) {
     return std::any_of(table.begin(), table.end(), [&](const auto& entry) {
         return entry.first > 0.0 && entry.second != valueAt(table, 0.0);
     });
+}
+
+/// Places as the scene writes them, so that they stay the same where the rock has moved.
+bool samePlace(const Load& before, const Load& now, bool sameBlock) {
+    if (now.along) return before.along == now.along;
+    if (now.point) return before.point == now.point;
+    return before.blockAt && sameBlock && before.at == now.at;
 }
 
 }  // namespace
@@ -47,12 +55,19 @@ int StageLoads::blockHolding(const State& state, const Point& place) const {
     return -1;
 }
 
-void StageLoads::addPressure(const Load& load, const State& state) {
+const Load& StageLoads::loadOf(const LoadSource& source) const {
+    return scene_.stages[static_cast<std::size_t>(source.stage)].loads[static_cast<std::size_t>(source.row)];
+}
+
+/// The line is that of the scene, so the edges are looked for where the scene has them, wherever they are now.
+void StageLoads::addPressure(int row) {
+    const Load& load = stage().loads[static_cast<std::size_t>(row)];
     const Point a = (*load.along)[0] - model_.origin, b = (*load.along)[1] - model_.origin;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(model_.firstOf.back()); ++i)
-        for (int e = 0; e < static_cast<int>(state.blocks[i].corners.size()); ++e) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(model_.firstOf.back()); ++i) {
+        const std::vector<Point> corners = startCorners(model_.blocks[i]);
+        for (int e = 0; e < static_cast<int>(corners.size()); ++e) {
             if (!model_.blocks[i].inner.empty() && model_.blocks[i].inner[static_cast<std::size_t>(e)]) continue;
-            const Edge edge = edgeOf(state.blocks[i].corners, e);
+            const Edge edge = edgeOf(corners, e);
             const double near = 10.0 * model_.tolerance;
             if (std::abs(edge.outward.dot(a - edge.start)) > near || std::abs(edge.outward.dot(b - edge.start)) > near)
                 continue;
@@ -62,102 +77,142 @@ void StageLoads::addPressure(const Load& load, const State& state) {
             to = std::min(to, edge.length);
             if (to - from <= near) continue;
             loads_.pressures.push_back({static_cast<int>(i), e, from / edge.length, to / edge.length, load.pressure});
-            pressureTables_.push_back(tableOf(load.table));
+            pressureSources_.push_back({stage_, row});
             start_.pressures.push_back(0.0);
         }
+    }
 }
 
-void StageLoads::addLoad(const Load& load, const State& state) {
+void StageLoads::addLoad(int row, const State& state) {
+    const Load& load = stage().loads[static_cast<std::size_t>(row)];
     if (load.along) {
-        addPressure(load, state);
+        replace(load, -1);
+        addPressure(row);
         return;
     }
     const Point named = load.blockAt ? *load.blockAt : *load.point;
     const int block = blockHolding(state, named);
+    replace(load, block);
     if (load.blockAt && !load.at) {
-        addSpread(load, block);
+        addSpread(row, block);
         return;
     }
     const Point at = load.point ? *load.point : *load.at;
     const int holding = load.at && model_.blocks[static_cast<std::size_t>(block)].cell ? blockHolding(state, at) : block;
     const BlockMotion& motion = state.blocks[static_cast<std::size_t>(holding)];
-    addForce({holding, materialPlace(motion, at - model_.origin), load.force}, load);
+    addForce({holding, materialPlace(motion, at - model_.origin), load.force}, row);
 }
 
 /// At the block's centroid: at those of its cells by their mass.
-void StageLoads::addSpread(const Load& load, int block) {
+void StageLoads::addSpread(int row, int block) {
+    const Point& force = stage().loads[static_cast<std::size_t>(row)].force;
     const BlockModel& named = model_.blocks[static_cast<std::size_t>(block)];
     if (!named.cell) {
-        addForce({block, {0.0, 0.0}, load.force}, load);
+        addForce({block, {0.0, 0.0}, force}, row);
         return;
     }
     const auto rock = static_cast<std::size_t>(named.rock);
     double mass = 0.0;
     for (int cell = model_.firstOf[rock]; cell < model_.firstOf[rock + 1]; ++cell) mass += model_.blocks[cell].mass;
     for (int cell = model_.firstOf[rock]; cell < model_.firstOf[rock + 1]; ++cell)
-        addForce({cell, {0.0, 0.0}, model_.blocks[cell].mass / mass * load.force}, load);
+        addForce({cell, {0.0, 0.0}, model_.blocks[cell].mass / mass * force}, row);
 }
 
-void StageLoads::addForce(const PointForce& force, const Load& load) {
+void StageLoads::addForce(const PointForce& force, int row) {
     loads_.forces.push_back(force);
-    forceTables_.push_back(tableOf(load.table));
+    forceSources_.push_back({stage_, row});
     start_.forces.push_back(0.0);
 }
 
-void StageLoads::addMotion(const Motion& motion, State& state) {
+/// What is replaced stays in the list: in the stage's first increment it fades out as the other comes in.
+void StageLoads::replace(const Load& load, int block) {
+    for (std::size_t i = 0; i < forceSources_.size(); ++i) {
+        LoadSource& source = forceSources_[i];
+        const bool sameBlock = block >= 0 && sameRock(model_, loads_.forces[i].block, block);
+        if (source.stage < stage_ && samePlace(loadOf(source), load, sameBlock)) source.replaced = true;
+    }
+    for (LoadSource& source : pressureSources_)
+        if (source.stage < stage_ && samePlace(loadOf(source), load, false)) source.replaced = true;
+}
+
+void StageLoads::addMotion(int row, State& state) {
+    const Motion& motion = stage().motions[static_cast<std::size_t>(row)];
     const int block = blockHolding(state, motion.blockAt);
     for (std::size_t i = 0; i < loads_.motions.size(); ++i) {
         if (loads_.motions[i].block != block) continue;
         const auto at = static_cast<std::ptrdiff_t>(i);
         loads_.motions.erase(loads_.motions.begin() + at);
-        motionTables_.erase(motionTables_.begin() + at);
+        motionSources_.erase(motionSources_.begin() + at);
         start_.motions.erase(start_.motions.begin() + at);
         break;
     }
     const PrescribedMotion prescribed{block, motion.axis.normalized(), motion.rotation == Rotation::Held};
     turnUnknowns(state.blocks[static_cast<std::size_t>(block)], prescribed.axis);
     loads_.motions.push_back(prescribed);
-    motionTables_.push_back(tableOf(motion.table));
+    motionSources_.push_back({stage_, row});
     start_.motions.push_back(displacementAlong(model_, state, prescribed));
 }
 
-void StageLoads::begin(const Stage& stage, State& state) {
-    forceTables_.assign(loads_.forces.size(), nullptr);
-    pressureTables_.assign(loads_.pressures.size(), nullptr);
-    motionTables_.assign(loads_.motions.size(), nullptr);
-    for (const Load& load : stage.loads) addLoad(load, state);
-    for (const Motion& motion : stage.motions) addMotion(motion, state);
+void StageLoads::begin(int stage, State& state) {
+    stage_ = stage;
+    if (this->stage().zeroDisplacements) {
+        zero_.clear();
+        for (const BlockMotion& block : state.blocks) zero_.push_back(block.centroid);
+    }
+    for (int row = 0; row < static_cast<int>(this->stage().loads.size()); ++row) addLoad(row, state);
+    for (int row = 0; row < static_cast<int>(this->stage().motions.size()); ++row) addMotion(row, state);
     start_.time = 0.0;
+    start_.acceleration = {0.0, 0.0};  // ends with the stage that has it
+}
+
+/// How far the block was along the motion's axis where displacements begin to count.
+double StageLoads::zeroOf(const PrescribedMotion& motion) const {
+    const auto block = static_cast<std::size_t>(motion.block);
+    return zero_.empty() ? 0.0 : motion.axis.dot(zero_[block] - model_.blocks[block].centroid);
 }
 
 LoadPoint StageLoads::at(double time) const {
     LoadPoint point = start_;
     point.time = time;
     point.gravity = 1.0;
-    const auto fill = [&](std::vector<double>& values, const std::vector<const Table*>& tables) {
-        for (std::size_t i = 0; i < tables.size(); ++i)
-            if (tables[i]) values[i] = valueAt(*tables[i], time);
+    point.acceleration = bodyForceAt(stage(), time);
+    const auto fill = [&](std::vector<double>& values, const std::vector<LoadSource>& sources) {
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            if (sources[i].replaced) values[i] = 0.0;
+            else if (sources[i].stage == stage_) values[i] = valueAt(tableOf(loadOf(sources[i]).table), time);
     };
-    fill(point.forces, forceTables_);
-    fill(point.pressures, pressureTables_);
-    fill(point.motions, motionTables_);
+    fill(point.forces, forceSources_);
+    fill(point.pressures, pressureSources_);
+    for (std::size_t i = 0; i < motionSources_.size(); ++i) {
+        if (motionSources_[i].stage != stage_) continue;
+        const Table& table = stage().motions[static_cast<std::size_t>(motionSources_[i].row)].table;
+        point.motions[i] = zeroOf(loads_.motions[i]) + valueAt(table, time);
+    }
     return point;
+}
+
+/// Those of this stage, of what really acts.
+std::vector<const Table*> StageLoads::tables() const {
+    std::vector<const Table*> found;
+    for (const auto* sources : {&forceSources_, &pressureSources_})
+        for (const LoadSource& source : *sources)
+            if (source.stage == stage_) found.push_back(&tableOf(loadOf(source).table));
+    for (const LoadSource& source : motionSources_)
+        if (source.stage == stage_) found.push_back(&stage().motions[static_cast<std::size_t>(source.row)].table);
+    return found;
 }
 
 std::vector<double> StageLoads::turns() const {
     std::vector<double> times;
-    for (const auto* tables : {&forceTables_, &pressureTables_, &motionTables_})
-        for (const Table* table : *tables)
-            for (const auto& [time, value] : table ? *table : always)
-                if (time > 0.0 && time < 1.0) times.push_back(time);
+    for (const Table* table : tables())
+        for (const auto& [time, value] : *table)
+            if (time > 0.0 && time < 1.0) times.push_back(time);
     return times;
 }
 
 bool StageLoads::varies() const {
-    for (const auto* tables : {&forceTables_, &pressureTables_, &motionTables_})
-        for (const Table* table : *tables)
-            if (table && changes(*table)) return true;
-    return false;
+    const std::vector<const Table*> all = tables();
+    return std::any_of(all.begin(), all.end(), [](const Table* table) { return changes(*table); });
 }
 
 }  // namespace keyblock

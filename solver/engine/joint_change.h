@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Joints that are given another strength while the rock stands: weathering, water,
+// grout. The forces of that moment stay; what is too weak for them lets go
+// afterwards, through the same limits as everything else.
+#pragma once
+
+#include "solver/engine/state.h"
+
+#include <vector>
+
+namespace keyblock {
+
+/// Strengths of the scene's joint materials as its stages up to and with `stage` set them (−1: as they are given), then
+/// the built-in one.
+std::vector<JointModel> jointModels(const Scene& scene, int stage);
+
+/// Puts `joints` in place of the model's and tells every contact which of them governs it now (theory, "Changed
+/// joints"). No force and no energy changes.
+void changeJoints(Model& model, State& state, std::vector<JointModel> joints);
+
+}  // namespace keyblock

@@ -1,0 +1,347 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What one stage leaves to the next, what a stage changes, and where a run ends.
+#include "solver/run/run.h"
+
+#include "solver/verify/readings.h"
+#include "solver/verify/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace keyblock {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+Stage stageNamed(const std::string& name, StageKind kind, double duration = 0.0) {
+    Stage stage;
+    stage.name = name;
+    stage.kind = kind;
+    stage.duration = duration;
+    if (kind == StageKind::Dynamic) stage.timeStep = 1e-3;
+    return stage;
+}
+
+StrengthChange changed(std::optional<double> frictionAngle, std::optional<double> cohesion,
+                       std::optional<double> tensileStrength = std::nullopt) {
+    return {"joint", frictionAngle, cohesion, tensileStrength};
+}
+
+/// A block on a slope that settles under its weight and then goes through the given stages.
+Solved onSlope(double slope, const JointMaterial& joint, std::vector<Stage> stages) {
+    Scene scene = inclineScene(slope, joint.frictionAngle, 1.0);
+    scene.jointMaterials[0].second = joint;
+    stages.insert(stages.begin(), stageNamed("settle", StageKind::Static));
+    scene.stages = std::move(stages);
+    return solve(scene);
+}
+
+double slideOf(double slope, double friction, double time) {
+    const double a = slope * degree;
+    return 0.5 * gravity * (std::sin(a) - std::cos(a) * std::tan(friction * degree)) * time * time;
+}
+
+const Frame& lastOf(const Solved& solved, int stage) {
+    const auto found = std::find_if(solved.results.frames.rbegin(), solved.results.frames.rend(),
+                                    [&](const Frame& frame) { return frame.stage == stage; });
+    return found == solved.results.frames.rend() ? solved.results.frames.front() : *found;
+}
+
+TEST(Set, WeakenedFrictionLetsABlockSlide) {
+    Stage weaken = stageNamed("weaken", StageKind::Dynamic, 1.0);
+    weaken.set = {changed(20.0, std::nullopt)};
+    weaken.zeroDisplacements = true;
+    const Solved solved = onSlope(30.0, {35.0, 0.0, 0.0}, {weaken});
+    EXPECT_EQ(solved.results.stages[0].outcome, Outcome::Equilibrium);
+    const double expected = slideOf(30.0, 20.0, 1.0);
+    EXPECT_NEAR(slidDown(solved, 30.0), expected, 1e-3 * expected);
+    EXPECT_EQ(countOf(solved, EventKind::JointSlip), 1);
+    EXPECT_LT(std::abs(solved.results.stages[1].health.balanceError), 1e-3);
+}
+
+/// The slope that stood at 30° of 35° stands at 31°, and nothing at all moves.
+TEST(Set, StrengthThatIsNotNeededMovesNothing) {
+    Stage weaken = stageNamed("weaken", StageKind::Static);
+    weaken.set = {changed(31.0, 0.0, 0.0)};
+    for (const JointMaterial& joint : {JointMaterial{35.0, 0.0, 0.0}, JointMaterial{35.0, 1e5, 1e4}}) {
+        const Solved solved = onSlope(30.0, joint, {weaken});
+        EXPECT_TRUE(solved.results.events.empty());
+        const BlockState &before = lastOf(solved, 0).blocks[1], &after = lastOf(solved, 1).blocks[1];
+        EXPECT_LT((after.displacement - before.displacement).norm(), 1e-15);
+        EXPECT_NEAR(after.stress[1], before.stress[1], 1e-6 * std::abs(before.stress[1]));
+        for (const ContactFrame& contact : lastOf(solved, 1).contacts) EXPECT_EQ(contact.state, ContactState::Locked);
+    }
+}
+
+/// Cohesion that is taken away lets go corner by corner, each with its event and equilibrium between; what friction
+/// cannot hold then slides away.
+TEST(Set, TakenCohesionLetsGoAndCollapses) {
+    Stage weaken = stageNamed("weaken", StageKind::Static);
+    weaken.set = {changed(20.0, 0.0, 0.0)};
+    Stage after = stageNamed("after", StageKind::Static);
+    for (const bool goesOn : {true, false}) {
+        weaken.continueAfterCollapse = goesOn;
+        const Solved solved = onSlope(30.0, {20.0, 1e5, 1e4}, {weaken, after});
+        ASSERT_GE(solved.results.stages.size(), 2u);
+        EXPECT_EQ(solved.results.stages[0].outcome, Outcome::Equilibrium);
+        EXPECT_EQ(solved.results.stages[1].outcome, Outcome::Collapse);
+        EXPECT_EQ(solved.results.stages[1].blocks, std::vector<int>{1});
+        EXPECT_EQ(solved.results.stages.size(), goesOn ? 3u : 2u);
+        EXPECT_EQ(countOf(solved, EventKind::JointSlip), goesOn ? 3 : 2) << "both corners, and the next stage's pair";
+    }
+}
+
+/// Half of the strength that is needed: the block that hung by tension falls.
+TEST(Set, TakenTensionLetsAHangingBlockFall) {
+    Scene scene = emptyScene(60e9, 0.25, 30.0);
+    scene.analysis.gravity = {0.0, -gravity};
+    scene.jointMaterials[0].second = {30.0, 1e6, 1e6};
+    scene.blocks = {boxBlock("roof", {0, 1}, {1, 2}), boxBlock("hanging", {0, 0}, {1, 1})};
+    Support support;
+    support.blockAt = Point(0.5, 1.5);
+    scene.supports = {support};
+    const double needed = 2700.0 * gravity;  // [Pa] over 1 m × 1 m
+    Stage enough = stageNamed("enough", StageKind::Static), less = stageNamed("less", StageKind::Static);
+    enough.set = {changed(std::nullopt, std::nullopt, 1.01 * needed)};
+    less.set = {changed(std::nullopt, std::nullopt, 0.99 * needed)};
+    scene.stages = {stageNamed("hang", StageKind::Static), enough, less};
+    const Solved solved = solve(scene);
+    ASSERT_EQ(solved.results.stages.size(), 3u);
+    EXPECT_EQ(solved.results.stages[1].outcome, Outcome::Equilibrium);
+    EXPECT_EQ(solved.results.stages[2].outcome, Outcome::Collapse);
+    ASSERT_FALSE(solved.results.events.empty());
+    EXPECT_EQ(solved.results.events.front().stage, 2);
+    EXPECT_EQ(solved.results.events.front().kind, EventKind::JointOpen);
+    EXPECT_NEAR(solved.results.events.front().axialForce, 0.5 * needed, 1e-3 * needed);  // one of two corners
+}
+
+/// Grout: a joint without cohesion is given some while the block stands, then loses its friction.
+TEST(Set, GivenCohesionHolds) {
+    Stage grout = stageNamed("grout", StageKind::Static), weaken = stageNamed("weaken", StageKind::Static);
+    grout.set = {changed(std::nullopt, 1e5, 1e4)};
+    weaken.set = {changed(5.0, std::nullopt)};
+    const Solved held = onSlope(30.0, {35.0, 0.0, 0.0}, {grout, weaken});
+    for (const StageResult& stage : held.results.stages) EXPECT_EQ(stage.outcome, Outcome::Equilibrium);
+    EXPECT_LT((lastOf(held, 2).blocks[1].displacement - lastOf(held, 0).blocks[1].displacement).norm(), 1e-12);
+    const Solved slid = onSlope(30.0, {35.0, 0.0, 0.0}, {weaken});
+    EXPECT_EQ(slid.results.stages.back().outcome, Outcome::Collapse);
+}
+
+/// Cohesion once lost does not come back.
+TEST(Set, LostCohesionStaysLost) {
+    Stage weaken = stageNamed("weaken", StageKind::Dynamic, 0.2), stronger = stageNamed("stronger", StageKind::Dynamic, 0.2);
+    weaken.set = {changed(20.0, 0.0, 0.0)};
+    stronger.set = {changed(20.0, 1e9, 1e9)};
+    const Solved solved = onSlope(30.0, {20.0, 1e5, 1e4}, {weaken, stronger});
+    EXPECT_NEAR(slidDown(solved, 30.0), slideOf(30.0, 20.0, 0.4), 2e-3 * slideOf(30.0, 20.0, 0.4));
+}
+
+/// The weaker of two materials governs a joint, before and after a change.
+TEST(Set, TheWeakerMaterialGovernsAnew) {
+    Scene scene = inclineScene(30.0, 35.0, 1.0);
+    scene.jointMaterials.push_back({"other", {40.0, 0.0, 0.0}});
+    scene.blocks[1].jointMaterial = "other";
+    Stage weaken = stageNamed("weaken", StageKind::Dynamic, 1.0);
+    weaken.set = {{"other", 20.0, std::nullopt, std::nullopt}};
+    weaken.zeroDisplacements = true;
+    scene.stages = {stageNamed("settle", StageKind::Static), weaken};
+    const Solved solved = solve(scene);
+    EXPECT_NEAR(slidDown(solved, 30.0), slideOf(30.0, 20.0, 1.0), 1e-3 * slideOf(30.0, 20.0, 1.0));
+}
+
+/// A block on a floor without gravity: the floor bears what the loads of all stages so far press.
+struct Pressed {
+    Scene scene = emptyScene(60e9, 0.25, 30.0);
+
+    Pressed() {
+        scene.blocks = {boxBlock("floor", {0, 0}, {1, 1}), boxBlock("block", {0, 1}, {1, 2})};
+        Support support;
+        support.blockAt = Point(0.5, 0.5);
+        scene.supports = {support};
+    }
+    void stage(const std::string& name, const std::vector<Load>& loads) {
+        scene.stages.push_back(stageNamed(name, StageKind::Static));
+        scene.stages.back().loads = loads;
+    }
+    /// Summed contact force at the end of every stage [N].
+    std::vector<double> borne() const {
+        const Solved solved = solve(scene);
+        std::vector<double> sums;
+        for (int i = 0; i < static_cast<int>(solved.results.stages.size()); ++i) {
+            EXPECT_EQ(solved.results.stages[static_cast<std::size_t>(i)].outcome, Outcome::Equilibrium);
+            double sum = 0.0;
+            for (const ContactFrame& contact : lastOf(solved, i).contacts) sum += contact.normalForce;
+            sums.push_back(sum);
+        }
+        return sums;
+    }
+};
+
+Load down(double force) {
+    Load load;
+    load.blockAt = Point(0.4, 1.6);
+    load.force = {0.0, -force};
+    return load;
+}
+
+Load downAtPoint(double force) {
+    Load load;
+    load.point = Point(0.5, 2.0);
+    load.force = {0.0, -force};
+    return load;
+}
+
+Load pressing(double pressure) {
+    Load load;
+    load.along = {Point(0.0, 2.0), Point(1.0, 2.0)};
+    load.pressure = pressure;
+    return load;
+}
+
+void expectBorne(const Pressed& pressed, const std::vector<double>& expected) {
+    const std::vector<double> borne = pressed.borne();
+    ASSERT_EQ(borne.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(borne[i], expected[i], 1e-3) << i;
+}
+
+TEST(Loads, StayUntilALaterStagePutsAnotherInTheirPlace) {
+    Pressed pressed;
+    pressed.stage("first", {down(1e5), pressing(1e4)});
+    pressed.stage("nothing new", {});
+    Load elsewhereInTheBlock = down(3e5);
+    elsewhereInTheBlock.blockAt = Point(0.9, 1.1);
+    pressed.stage("more", {elsewhereInTheBlock});
+    pressed.stage("at a point", {downAtPoint(5e4), downAtPoint(5e4)});
+    pressed.stage("less pressure", {pressing(5e3)});
+    pressed.stage("less at the point", {downAtPoint(2e4)});
+    expectBorne(pressed, {1.1e5, 1.1e5, 3.1e5, 4.1e5, 4.05e5, 3.25e5});
+}
+
+/// The replaced load fades as the new one comes, so a cohesive joint that bears both never sees none.
+TEST(Loads, AreReplacedWithoutAGap) {
+    Pressed pressed;
+    pressed.scene.jointMaterials[0].second = {30.0, 2e5, 1e5};
+    pressed.stage("lift", {down(-8e4)});
+    pressed.stage("lift less", {down(-7e4)});
+    const Solved solved = solve(pressed.scene);
+    EXPECT_TRUE(solved.results.events.empty());
+    EXPECT_EQ(solved.results.stages[1].outcome, Outcome::Equilibrium);
+}
+
+/// Least opening in a stage; 0 where none is less.
+double leastOpening(const Solved& solved, int stage) {
+    double least = 0.0;
+    for (const HistoryRow& row : solved.results.history)
+        least = row.stage == stage ? std::min(least, row.values[0]) : least;
+    return least;
+}
+
+TEST(ZeroDisplacements, CountBlocksMonitorsAndMotionsAnew) {
+    Scene scene = twoBlocks(60e9, 1.0, 2.0);
+    scene.stages = {pullStage(scene, 1e-3, 10), pullStage(scene, 2e-3, 10), pullStage(scene, 0.5e-3, 10)};
+    scene.stages[1].name = "further";
+    scene.stages[2].name = "back";
+    scene.stages[1].zeroDisplacements = true;
+    const Solved solved = solve(scene);
+    const double start = 1.5;
+    EXPECT_NEAR(lastOf(solved, 0).blocks[1].displacement.x(), 1e-3, 1e-12);
+    EXPECT_NEAR(lastOf(solved, 1).blocks[1].displacement.x(), 2e-3, 1e-12);
+    EXPECT_NEAR(lastOf(solved, 1).blocks[1].centroid.x(), start + 3e-3, 1e-12);
+    EXPECT_NEAR(lastOf(solved, 2).blocks[1].centroid.x(), start + 1.5e-3, 1e-12);
+    EXPECT_NEAR(reading(solved, "last opening"), 0.5e-3, 1e-12);
+    const double least = leastOpening(solved, 1);
+    EXPECT_GE(least, -1e-12);  // nothing is pulled back to where it came from
+}
+
+Scene slidingScene() {
+    Scene scene = inclineScene(30.0, 20.0, 0.2);
+    scene.output.every = 0.01;
+    return scene;
+}
+
+/// A limit ends a run; it changes nothing of what came before.
+TEST(Limits, StepsEndARunAtOnce) {
+    const Results whole = runInMemory(slidingScene());
+    Scene scene = slidingScene();
+    scene.limits.steps = 73;
+    const Results cut = runInMemory(scene);
+    ASSERT_EQ(cut.stages.size(), 1u);
+    EXPECT_EQ(cut.stages[0].outcome, Outcome::Limit);
+    EXPECT_EQ(cut.stages[0].steps, 73);
+    EXPECT_NE(cut.stages[0].message.find("73 steps"), std::string::npos);
+    ASSERT_GE(cut.frames.size(), 8u);
+    for (std::size_t i = 0; i + 1 < cut.frames.size(); ++i) EXPECT_TRUE(cut.frames[i] == whole.frames[i]) << i;
+    EXPECT_EQ(cut.frames.back().step, 73);
+}
+
+TEST(Limits, CountStepsOverAllStages) {
+    Scene scene = slidingScene();
+    scene.stages.push_back(scene.stages[0]);
+    scene.stages[1].name = "on";
+    scene.limits.steps = 250;
+    const Results results = runInMemory(scene);
+    ASSERT_EQ(results.stages.size(), 2u);
+    EXPECT_EQ(results.stages[0].outcome, Outcome::Duration);
+    EXPECT_EQ(results.stages[1].outcome, Outcome::Limit);
+    EXPECT_EQ(results.stages[1].steps, 50);
+    scene.limits.steps = 400;  // just enough
+    EXPECT_EQ(runInMemory(scene).stages[1].outcome, Outcome::Duration);
+    scene.limits.steps = 200;  // the second stage is not even begun upon
+    EXPECT_EQ(runInMemory(scene).stages.back().outcome, Outcome::Limit);
+    EXPECT_EQ(runInMemory(scene).stages.back().steps, 0);
+}
+
+TEST(Limits, HoldInStaticStages) {
+    Scene scene = twoBlocks(60e9, 1.0, 2.0);
+    scene.stages = {pullStage(scene, 1e-3, 50)};
+    scene.limits.steps = 20;
+    const Results results = runInMemory(scene);
+    EXPECT_EQ(results.stages[0].outcome, Outcome::Limit);
+    EXPECT_EQ(results.stages[0].steps, 20);
+    EXPECT_GT(results.stages[0].time, 0.0);
+    EXPECT_LT(results.stages[0].time, 1.0);
+}
+
+TEST(Limits, TheClockEndsARunThatIsTooLong) {
+    const Results whole = runInMemory(slidingScene());
+    Scene scene = slidingScene();
+    scene.stages[0].duration = 1e4;
+    scene.limits.wallTime = 0.3;
+    const Results cut = runInMemory(scene);
+    EXPECT_EQ(cut.stages[0].outcome, Outcome::Limit);
+    EXPECT_NE(cut.stages[0].message.find("0.3 s"), std::string::npos);
+    ASSERT_GE(cut.frames.size(), 2u);
+    for (std::size_t i = 0; i + 1 < std::min(cut.frames.size(), whole.frames.size()); ++i)
+        EXPECT_TRUE(cut.frames[i] == whole.frames[i]) << i;
+}
+
+/// The lower the unbalanced force must be, the better the forces of a compressed column are; a stage that may take no
+/// pseudo-step finds nothing.
+TEST(Until, DecidesWhatCountsAsEquilibrium) {
+    Scene scene = emptyScene(60e9, 0.25, 30.0);
+    scene.analysis.tolerance = 1e-6;
+    scene.analysis.gravity = {0.0, -gravity};
+    scene.blocks = {boxBlock("floor", {0, 0}, {1, 1})};
+    for (int i = 1; i < 6; ++i)
+        scene.blocks.push_back(boxBlock("b" + std::to_string(i), {0.02 * i, i}, {1 + 0.02 * i, i + 1}));
+    Support support;
+    support.blockAt = Point(0.5, 0.5);
+    scene.supports = {support};
+    scene.stages = {stageNamed("stand", StageKind::Static)};
+    for (const double unbalanced : {1e-2, 1e-5, 1e-8}) {
+        scene.stages[0].until.unbalanced = unbalanced;
+        const Results results = runInMemory(scene);
+        EXPECT_EQ(results.stages[0].outcome, Outcome::Equilibrium);
+        EXPECT_LE(results.stages[0].health.maxResidual, unbalanced);
+    }
+    scene.stages[0].until.maxSteps = 1;
+    EXPECT_EQ(runInMemory(scene).stages[0].outcome, Outcome::Collapse);
+}
+
+}  // namespace
+}  // namespace keyblock
