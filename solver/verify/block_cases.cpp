@@ -81,30 +81,6 @@ std::vector<CaseResult> projectile(const std::string& name, const Point& velocit
     return checks.take();
 }
 
-/// A block of 1 m × 0.5 m on a fixed slope of `slope`°, let go at t = 0.
-Scene incline(double slope, double frictionAngle, double duration) {
-    Scene scene = emptyScene(hardRock, 0.25, frictionAngle);
-    scene.analysis.gravity = {0.0, -gravity};
-    const double c = std::cos(slope * degree), s = std::sin(slope * degree);
-    const auto turned = [&](const Point& p) { return Point(c * p.x() + s * p.y(), -s * p.x() + c * p.y()); };
-    Block base = boxBlock("slope", {0, -1}, {12, 0}), slider = boxBlock("slider", {1, 0}, {2, 0.5});
-    for (Block* block : {&base, &slider})
-        for (Point& p : block->points) p = turned(p);
-    scene.blocks = {base, slider};
-    Support support;
-    support.blockAt = turned({6, -0.5});
-    scene.supports = {support};
-    scene.monitors = {pointMonitor("slider", turned({1.5, 0.25}))};
-    scene.stages = {dynamicStage(duration, 1e-3)};
-    return scene;
-}
-
-/// Distance that the slider went down the slope [m].
-double slid(const Solved& solved, double slope) {
-    return std::cos(slope * degree) * reading(solved, "last slider.ux") -
-           std::sin(slope * degree) * reading(solved, "last slider.uy");
-}
-
 /// s = ½·g·(sin α − cos α·tan φ)·t².
 std::vector<CaseResult> slide() {
     Checks checks("incline");
@@ -113,9 +89,9 @@ std::vector<CaseResult> slide() {
         const double a = slope * degree;
         const double expected =
             0.5 * gravity * (std::sin(a) - std::cos(a) * std::tan(friction * degree)) * 2.0 * 2.0;
-        const Solved solved = solve(incline(slope, friction, 2.0));
+        const Solved solved = solve(inclineScene(slope, friction, 2.0));
         checks.relative(slope == 30.0 ? "slid in 2 s at 30°, φ 20° [m]" : "slid in 2 s at 45°, φ 30° [m]",
-                        slid(solved, slope), expected, 1e-3);
+                        slidDown(solved, slope), expected, 1e-3);
     }
     return checks.take();
 }
@@ -123,10 +99,10 @@ std::vector<CaseResult> slide() {
 std::vector<CaseResult> stick() {
     Checks checks("stick");
     for (const auto& [slope, friction, name] : {std::tuple{33.0, 35.0, "33°, φ 35°"}, {30.0, 30.1, "30°, φ 30.1°"}}) {
-        const Solved solved = solve(incline(slope, friction, 5.0));
+        const Solved solved = solve(inclineScene(slope, friction, 5.0));
         const double reached = solved.results.stages.empty() ? 0.0 : solved.results.stages.back().time;
         checks.relative(std::string("time reached at ") + name + " [s]", reached, 5.0, 1e-9);
-        checks.absolute(std::string("creep in 5 s at ") + name + " [m]", slid(solved, slope), 0.0, 1e-6);
+        checks.absolute(std::string("creep in 5 s at ") + name + " [m]", slidDown(solved, slope), 0.0, 1e-6);
     }
     return checks.take();
 }

@@ -13,6 +13,7 @@ namespace keyblock {
 std::vector<Case> blockCases();
 std::vector<Case> cellCases();
 std::vector<Case> plateCases();
+std::vector<Case> shakenCases();
 std::vector<Case> beamCases();
 std::vector<Case> bondCases();
 std::vector<Case> slidingBoltCases();

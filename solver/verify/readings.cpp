@@ -7,7 +7,9 @@
 #include "solver/run/run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace keyblock {
 
@@ -61,6 +63,11 @@ std::vector<double> series(const Solved& solved, const std::string& monitor, int
     std::vector<double> values;
     for (const HistoryRow& row : solved.results.history) values.push_back(row.values[column]);
     return values;
+}
+
+double slidDown(const Solved& solved, double slope) {
+    const double angle = slope * std::numbers::pi / 180.0;
+    return std::cos(angle) * reading(solved, "last slider.ux") - std::sin(angle) * reading(solved, "last slider.uy");
 }
 
 std::vector<std::pair<double, double>> loadPath(const Solved& solved) {

@@ -29,6 +29,9 @@ double reading(const Solved& solved, const std::string& quantity);
 /// Values of one monitor over the history. \param component 1 for uy of a point.
 std::vector<double> series(const Solved& solved, const std::string& monitor, int component = 0);
 
+/// Distance that the monitor `slider` went down a slope of `slope` [°] that falls towards +x [m].
+double slidDown(const Solved& solved, double slope);
+
 /// (opening [m], joint force [N]) over the history of a pulled bolt.
 std::vector<std::pair<double, double>> loadPath(const Solved& solved);
 

@@ -39,6 +39,31 @@ Block boxBlock(const std::string& name, const Point& low, const Point& high) {
     return block;
 }
 
+Scene inclineScene(double slope, double frictionAngle, double duration) {
+    Scene scene = emptyScene(60e9, 0.25, frictionAngle);
+    scene.analysis.gravity = {0.0, -gravity};
+    const double c = std::cos(slope * std::numbers::pi / 180.0), s = std::sin(slope * std::numbers::pi / 180.0);
+    const auto turned = [&](const Point& p) { return Point(c * p.x() + s * p.y(), -s * p.x() + c * p.y()); };
+    Block base = boxBlock("slope", {0, -1}, {12, 0}), slider = boxBlock("slider", {1, 0}, {2, 0.5});
+    for (Block* block : {&base, &slider})
+        for (Point& p : block->points) p = turned(p);
+    scene.blocks = {base, slider};
+    Support support;
+    support.blockAt = turned({6, -0.5});
+    scene.supports = {support};
+    Monitor monitor;
+    monitor.name = "slider";
+    monitor.point = turned({1.5, 0.25});
+    scene.monitors = {monitor};
+    Stage stage;
+    stage.name = "run";
+    stage.kind = StageKind::Dynamic;
+    stage.duration = duration;
+    stage.timeStep = 1e-3;
+    scene.stages = {stage};
+    return scene;
+}
+
 Scene twoBlocks(double youngsModulus, double joint, double length) {
     Scene scene = emptyScene(youngsModulus, 0.17, 0.0);
     scene.blocks = {boxBlock("left", {0, 0}, {joint, 1}), boxBlock("right", {joint, 0}, {length, 1})};

@@ -21,6 +21,10 @@ Scene emptyScene(double youngsModulus, double poissonsRatio, double frictionAngl
 /// Rectangle between two corners [m].
 Block boxBlock(const std::string& name, const Point& low, const Point& high);
 
+/// A block of 1 m × 0.5 m, the monitor `slider`, on a fixed slope of `slope` [°] falling towards +x, let go at t = 0 in a
+/// dynamic stage of 1 ms steps.
+Scene inclineScene(double slope, double frictionAngle, double duration);
+
 /// Two blocks that touch at x = `joint` [m], `length` [m] from end to end and 1 m high. The left one is fixed; the
 /// joint is smooth. One monitor, `opening`.
 Scene twoBlocks(double youngsModulus, double joint, double length);
