@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs that do not come to their end: each with its exit code, and with what it
+// had found.
+#include "tests/cli/command_line_fixture.h"
+
+#include <nlohmann/json.hpp>
+
+namespace keyblock::test {
+namespace {
+
+using nlohmann::json;
+
+class EarlyEnds : public CommandLine {
+protected:
+    json info(const std::string& run) const {
+        const Ended ended = keyblock({"info", run, "--json"});
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return json::parse(ended.out);
+    }
+};
+
+TEST_F(EarlyEnds, ALimitOfStepsIsExitCodeFive) {
+    putEndlessScene();
+    const Ended ended = keyblock({"run", "rest.json", "--set", "limits.steps=50"});
+    EXPECT_EQ(ended.code, 5) << ended.err;
+    EXPECT_NE(ended.err.find("a limit was reached; results so far are in rest.kbrun"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.out.find("the limit of 50 steps"), std::string::npos) << ended.out;
+    EXPECT_EQ(info("rest.kbrun").at("stages").at(0).at("outcome"), "limit");
+    EXPECT_EQ(info("rest.kbrun").at("stages").at(0).at("steps"), 50);
+    EXPECT_GT(lines(table("rest.kbrun", "history")).size(), 2U);
+}
+
+/// The clock decides when a run ends, and nothing else: its rows are the first of those of a longer run.
+TEST_F(EarlyEnds, ALimitOfTimeIsExitCodeFiveAndChangesNoByte) {
+    putEndlessScene();
+    ASSERT_EQ(keyblock({"run", "rest.json", "--set", "limits.wall_time=0.5", "--out", "short.kbrun"}).code, 5);
+    ASSERT_EQ(keyblock({"run", "rest.json", "--set", "limits.wall_time=1", "--out", "long.kbrun"}).code, 5);
+    const auto shorter = lines(table("short.kbrun", "history")), longer = lines(table("long.kbrun", "history"));
+    ASSERT_GT(shorter.size(), 3U);
+    for (std::size_t i = 0; i + 1 < std::min(shorter.size(), longer.size()); ++i) EXPECT_EQ(shorter[i], longer[i]) << i;
+}
+
+TEST_F(EarlyEnds, ANumericalFailureIsExitCodeFourAndKeepsItsResults) {
+    putEndlessScene();
+    const Ended ended = keyblock({"run", "rest.json", "--set", "analysis.max_passes=1", "analysis.tolerance=1e-15",
+                                  "stages[0].initial_velocities=[{\"block_at\": [1.5, 1.5], \"velocity\": [1, -1]}]"});
+    EXPECT_EQ(ended.code, 4) << ended.err << ended.out;
+    EXPECT_NE(ended.err.find("stage 'rest'"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("results so far are in rest.kbrun"), std::string::npos) << ended.err;
+    EXPECT_EQ(info("rest.kbrun").at("stages").at(0).at("outcome"), "failed");
+    EXPECT_GT(lines(table("rest.kbrun", "blocks")).size(), 1U);
+}
+
+/// A collapse is a result.
+TEST_F(EarlyEnds, ACollapseIsExitCodeZero) {
+    putEndlessScene();
+    const Ended ended = keyblock({"run", "rest.json", "--set", "supports=[]",
+                                  "stages=[{\"name\": \"fall\"}, {\"name\": \"on\"}]"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(info("rest.kbrun").at("stages").at(0).at("outcome"), "collapse");
+}
+
+class Records : public EarlyEnds {
+protected:
+    void putShakenScene(const std::string& record) const {
+        putEndlessScene();
+        put("motion.csv", record);
+    }
+    static std::vector<std::string> shaken(const std::string& verb, const std::vector<std::string>& more = {}) {
+        std::vector<std::string> words{verb, "rest.json", "--set", "stages[0].duration=0.1",
+                                       "stages[0].base_acceleration={\"file\": \"motion.csv\", \"axis\": \"x\"}"};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+};
+
+TEST_F(Records, StayInTheStoreWithTheirScene) {
+    putShakenScene("time_s,a\n0,0\n0.05,1\n0.1,0\n");
+    const Ended ended = keyblock(shaken("run"));
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.out.find("integrated from rest"), std::string::npos) << ended.out;
+    const std::string hash = info("rest.kbrun").at("scene_hash");
+    put("motion.csv", "time_s,a\n0,0\n0.05,2\n0.1,0\n");
+    EXPECT_EQ(info("rest.kbrun").at("scene_hash"), hash);
+    ASSERT_EQ(keyblock(shaken("run", {"--overwrite"})).code, 0);
+    EXPECT_NE(info("rest.kbrun").at("scene_hash"), hash);
+    std::filesystem::remove(folder() / "motion.csv");
+    EXPECT_GT(lines(table("rest.kbrun", "history")).size(), 2U);
+}
+
+TEST_F(Records, ThatAreWrongAreToldWithRowAndColumn) {
+    putShakenScene("time_s,a\n0,0\n0.05,x\n0.1,y\n");
+    const Ended ended = keyblock(shaken("check"));
+    EXPECT_EQ(ended.code, 3);
+    EXPECT_NE(ended.err.find("motion.csv: row 3, column 2: 'x' is no number"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("motion.csv: row 4, column 2: 'y' is no number"), std::string::npos) << ended.err;
+    EXPECT_EQ(keyblock(shaken("run")).code, 3);
+    EXPECT_FALSE(exists("rest.kbrun"));
+}
+
+}  // namespace
+}  // namespace keyblock::test
