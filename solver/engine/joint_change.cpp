@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace keyblock {
 namespace {
@@ -26,6 +25,16 @@ bool frictionBears(const JointModel& joint, const Contact& c) {
 
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
 
+/// Which rows of Model::joints had cohesion or tensile strength at some time before `stage`.
+std::vector<char> everBonded(const Scene& scene, int stage) {
+    std::vector<char> ever(scene.jointMaterials.size() + 1, 0);
+    for (int before = -1; before < stage; ++before) {
+        const std::vector<JointModel> joints = jointModels(scene, before);
+        for (std::size_t i = 0; i < joints.size(); ++i) ever[i] = ever[i] || bonds(joints[i]);
+    }
+    return ever;
+}
+
 }  // namespace
 
 std::vector<JointModel> jointModels(const Scene& scene, int stage) {
@@ -40,13 +49,14 @@ std::vector<JointModel> jointModels(const Scene& scene, int stage) {
     return models;
 }
 
-void changeJoints(Model& model, State& state, std::vector<JointModel> joints) {
-    const std::vector<JointModel> before = std::exchange(model.joints, std::move(joints));
+void changeJoints(const Scene& scene, int stage, Model& model, State& state) {
+    const std::vector<char> bonded = everBonded(scene, stage);
+    model.joints = jointModels(scene, stage);
     for (Contact& c : state.contacts) {
-        const bool couldBond = bonds(before[c.joint]);
+        const bool neverBonded = !bonded[static_cast<std::size_t>(c.joint)];
         c.joint = governingJoint(model, c.blockA, c.blockB);
         const JointModel& joint = model.joints[c.joint];
-        if (!couldBond && bonds(joint) && c.length > 0.0 && touches(model, c)) c.bonded = true;
+        if (neverBonded && bonds(joint) && c.length > 0.0 && touches(model, c)) c.bonded = true;
         if (c.bonded && !bonds(joint) && frictionBears(joint, c)) c.bonded = false;
         if (!c.bonded) c.limit = std::max(0.0, c.normalForce) * joint.tanPhi;
     }

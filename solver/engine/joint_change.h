@@ -16,8 +16,8 @@ namespace keyblock {
 /// the built-in one.
 std::vector<JointModel> jointModels(const Scene& scene, int stage);
 
-/// Puts `joints` in place of the model's and tells every contact which of them governs it now (theory, "Changed
-/// joints"). No force and no energy changes.
-void changeJoints(Model& model, State& state, std::vector<JointModel> joints);
+/// Gives the model the strengths of `stage` and tells every contact which of them governs it now (theory, "Changed
+/// joints"). No force and no energy changes. \pre the model has the strengths of the stage before.
+void changeJoints(const Scene& scene, int stage, Model& model, State& state);
 
 }  // namespace keyblock

@@ -69,7 +69,7 @@ private:
         time_ = 0.0;
         firstStep_ = state_.step;
         loads_.begin(stage_, state_);
-        if (!stage.set.empty()) changeJoints(model_, state_, jointModels(scene_, stage_));
+        if (!stage.set.empty()) changeJoints(scene_, stage_, model_, state_);
         if (stage.zeroDisplacements) observation_.zero(state_);
         watch_.beginStage(state_);
         nextFrame_ = 0.0;

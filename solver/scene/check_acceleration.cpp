@@ -8,8 +8,10 @@
 #include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
 
-#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <string>
 
 namespace keyblock {
 
@@ -17,6 +19,13 @@ namespace {
 
 constexpr std::size_t mostRows = 300'000;  // of all records of a scene, which a run store keeps inside the scene
 constexpr double quietEnd = 0.02;  // of the largest on the way: less left at the end of a record is no drift
+
+/// Four digits, for people.
+std::string rounded(double number) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 4);
+    return {text.data(), end.ptr};
+}
 
 std::string placeOfRecord(const Acceleration& acceleration, const std::string& pointer) {
     return under(pointer, acceleration.file.empty() ? "record" : "file");
@@ -50,9 +59,9 @@ void tellBaseline(const Acceleration& acceleration, const std::string& pointer, 
     const Baseline b = baselineOf(acceleration.record, acceleration.factor);
     const bool drifts = std::abs(b.velocity) > quietEnd * b.peakVelocity ||
                         std::abs(b.displacement) > quietEnd * b.peakDisplacement;
-    const std::string message = "integrated from rest, the record ends with a velocity of " + shortest(b.velocity) +
-                                " m/s (largest " + shortest(b.peakVelocity) + ") and a displacement of " +
-                                shortest(b.displacement) + " m (largest " + shortest(b.peakDisplacement) + ")";
+    const std::string message = "integrated from rest, the record ends with a velocity of " + rounded(b.velocity) +
+                                " m/s (largest " + rounded(b.peakVelocity) + ") and a displacement of " +
+                                rounded(b.displacement) + " m (largest " + rounded(b.peakDisplacement) + ")";
     if (drifts)
         report.warning(pointer, message,
                        "Correct the record's baseline if the ground came to rest where it had been");

