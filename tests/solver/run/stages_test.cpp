@@ -78,7 +78,7 @@ TEST(Set, StrengthThatIsNotNeededMovesNothing) {
         const Solved solved = onSlope(30.0, joint, {weaken});
         EXPECT_TRUE(solved.results.events.empty());
         const BlockState &before = lastOf(solved, 0).blocks[1], &after = lastOf(solved, 1).blocks[1];
-        EXPECT_LT((after.displacement - before.displacement).norm(), 1e-15);
+        EXPECT_LT((after.displacement - before.displacement).norm(), 1e-14);  // round-off
         EXPECT_NEAR(after.stress[1], before.stress[1], 1e-6 * std::abs(before.stress[1]));
         for (const ContactFrame& contact : lastOf(solved, 1).contacts) EXPECT_EQ(contact.state, ContactState::Locked);
     }
@@ -212,7 +212,7 @@ Load pressing(double pressure) {
 void expectBorne(const Pressed& pressed, const std::vector<double>& expected) {
     const std::vector<double> borne = pressed.borne();
     ASSERT_EQ(borne.size(), expected.size());
-    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(borne[i], expected[i], 1e-3) << i;
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(borne[i], expected[i], 1e-6 * expected[i]) << i;
 }
 
 TEST(Loads, StayUntilALaterStagePutsAnotherInTheirPlace) {
