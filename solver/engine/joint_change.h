@@ -16,8 +16,8 @@ namespace keyblock {
 /// the built-in one.
 std::vector<JointModel> jointModels(const Scene& scene, int stage);
 
-/// Gives the model the strengths of `stage` and tells every contact which of them governs it now (theory, "Changed
-/// joints"). No force and no energy changes. \pre the model has the strengths of the stage before.
+/// Gives the model the strengths of `stage` and tells every contact which of them governs it now; no force and no
+/// energy changes (theory, "Changed joints"). \pre the model has the strengths of the stage before.
 void changeJoints(const Scene& scene, int stage, Model& model, State& state);
 
 }  // namespace keyblock

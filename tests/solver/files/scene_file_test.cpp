@@ -229,9 +229,12 @@ TEST(SceneFile, WritesOnlyWhatDiffersFromTheDefaults) {
 TEST(SceneFile, WritesToADisk) {
     const test::ScratchFolder scratch;
     const Scene scene = readGood(goodFolder / "every-field.json");
-    writeSceneFile(scratch.path() / "copy.json", scene);
-    EXPECT_TRUE(readGood(scratch.path() / "copy.json") == scene);
-    EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator{}), 1);
+    const fs::path folder = scratch.path() / "copies";  // with the record where the scene says it is
+    fs::create_directories(folder);
+    fs::copy(goodFolder / "../records", scratch.path() / "records");
+    writeSceneFile(folder / "copy.json", scene);
+    EXPECT_TRUE(readGood(folder / "copy.json") == scene);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}), 1);
 }
 
 TEST(SceneFile, AnOwnTypeStandsBeforeABuiltInOfTheSameName) {
