@@ -38,7 +38,7 @@ std::string brokenModel(const Model& model) {
 std::string brokenSceneProperty(std::string_view bytes) {
     const SceneReading reading = readSceneText(bytes, "scene");
     if (std::string broken = brokenAnswer(reading); !broken.empty() || !reading.scene) return broken;
-    const std::string text = sceneText(*reading.scene);
+    const std::string text = wholeSceneText(*reading.scene);
     const SceneReading again = readSceneText(text, "written");
     if (!again.scene) return "not read back: " + (again.problems.empty() ? "" : oneLine(again.problems.front()));
     if (!(*again.scene == *reading.scene)) return "read back as another scene:\n" + text;
