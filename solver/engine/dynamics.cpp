@@ -3,11 +3,14 @@
 #include "solver/engine/dynamics.h"
 
 #include "solver/engine/bolt_topology.h"
+#include "solver/engine/books.h"
 #include "solver/engine/contacts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <Eigen/Cholesky>
 
 namespace keyblock {
 namespace {
@@ -18,64 +21,6 @@ constexpr double locateShare = 1e-4;
 constexpr double nearShare = 1e-3;  // of the smallest block: contacts are always sought this far
 constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
 constexpr int preloadRounds = 4;
-
-/// New velocity of every body, and the kinetic energy that backward Euler loses beyond its forces' work.
-void moveOn(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d, Inertia scheme,
-            double dt) {
-    const auto next = [&](auto& velocity, const auto& displacement, const auto& energyOf) {
-        const auto before = velocity;
-        if (scheme == Inertia::Shi) {
-            velocity = 2.0 / dt * displacement - before;
-        } else {
-            velocity = displacement / dt;
-            state.energy.damped += energyOf(velocity - before);
-        }
-    };
-    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-        const Vector6 own = d.segment<6>(6 * static_cast<Eigen::Index>(i));
-        next(state.blocks[i].velocity, own,
-             [&](const Vector6& dv) { return 0.5 * dv.dot(model.blocks[i].massMatrix * dv); });
-    }
-    const double factor = scheme == Inertia::Shi ? 0.5 * dt * dt : dt * dt;
-    int node = 0;
-    for (BoltMotion& bolt : state.bolts)
-        for (BoltNode& n : bolt.nodes) {
-            const Eigen::Vector3d own = d.segment<3>(problem.first(problem.blocks + node));
-            const Eigen::Vector3d mass = factor * problem.nodeStiffness[static_cast<std::size_t>(node)];
-            next(n.velocity, own,
-                 [&](const Eigen::Vector3d& dv) { return 0.5 * dv.dot(mass.cwiseProduct(dv)); });
-            ++node;
-        }
-}
-
-/// What one law lost to the scheme: work of its force at the end, less what it stored and used (theory, "Energies").
-double lawLoss(const Law& law, double before, double after) {
-    // a friction limit may have fallen since: before the step the law carried what its offset says
-    const double f0 = law.kind == LawKind::Capped ? law.stiffness * (before - law.offset) : respond(law, before).force;
-    const double f1 = respond(law, after).force;
-    double used = 0.0;
-    if (law.kind == LawKind::Capped && law.stiffness > 0.0)
-        used = f1 * ((after - f1 / law.stiffness) - (before - f0 / law.stiffness));
-    if (law.kind == LawKind::Curve) used = respond(*law.curve, law.state, after).plasticWork;
-    if (law.kind == LawKind::Constant) used = f1 * (after - before);
-    return law.share * (f1 * (after - before) - (storedEnergy(law, f1) - storedEnergy(law, f0)) - used);
-}
-
-void keepBooks(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
-               const Eigen::VectorXd& d) {
-    const Eigen::VectorXd net = netForce(problem, d);
-    state.energy.external += external.dot(d);
-    for (Eigen::Index i = 0; i < d.size(); ++i)
-        if (problem.known[static_cast<std::size_t>(i)]) state.energy.external -= net[i] * d[i];
-    std::vector<double> after;
-    linkStrains(problem, d, after);
-    for (std::size_t i = 0; i < after.size(); ++i)
-        state.energy.damped += lawLoss(problem.links[i].law, problem.links[i].strain, after[i]);
-    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-        const Eigen::Vector3d strain = d.segment<3>(6 * static_cast<Eigen::Index>(i) + 3);
-        state.energy.damped += 0.5 * model.blocks[i].area * model.thickness * strain.dot(model.blocks[i].elasticity * strain);
-    }
-}
 
 /// At its zero point, or past it and carrying.
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
@@ -93,6 +38,33 @@ void keepTouching(const Model& model, const State& state, StepProblem& problem) 
             link.law.limit = force;
         }
     }
+}
+
+/// M⁻¹·force of every body, prescribed unknowns left out.
+std::vector<double> accelerationsBy(const Model& model, const StepProblem& problem, const Eigen::VectorXd& force) {
+    std::vector<double> accelerations(problem.known.size(), 0.0);
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        if (model.blocks[i].mass <= 0.0) continue;
+        Matrix6 mass = model.blocks[i].massMatrix;
+        Vector6 own = force.segment<6>(6 * static_cast<Eigen::Index>(i));
+        for (int k = 0; k < 6; ++k) {
+            if (!problem.known[6 * i + static_cast<std::size_t>(k)]) continue;
+            mass.row(k).setZero();
+            mass.col(k).setZero();
+            mass(k, k) = 1.0;
+            own[k] = 0.0;
+        }
+        Eigen::Map<Vector6>(accelerations.data() + 6 * i) = mass.ldlt().solve(own);
+    }
+    std::size_t at = 6 * model.blocks.size();
+    for (const BoltModel& bolt : model.bolts)
+        for (std::size_t n = 0; n < bolt.s.size(); ++n) {
+            const Eigen::Vector3d mass = nodeMass(bolt, n);
+            for (int k = 0; k < 3; ++k, ++at)
+                if (!problem.known[at] && mass[k] > 0.0)
+                    accelerations[at] = force[static_cast<Eigen::Index>(at)] / mass[k];
+        }
+    return accelerations;
 }
 
 /// Moves the contacts' zero points and the blocks' stress so that they carry the forces found, with nothing moved.
@@ -144,6 +116,39 @@ StepEnding DynamicStage::preload(State& state) {
     return {};
 }
 
+/// What a motion prescribes moves at its first slope from the start, at the cost of what drives it.
+void DynamicStage::drive(State& state) const {
+    const LoadPoint first = loadsAt_(0.0), next = loadsAt_(settings_.timeStep);
+    const double before = kineticEnergy(engine_.model, state);
+    for (std::size_t i = 0; i < loads_.motions.size(); ++i) {
+        const PrescribedMotion& motion = loads_.motions[i];
+        Vector6& velocity = state.blocks[static_cast<std::size_t>(motion.block)].velocity;
+        velocity[0] = (next.motions[i] - first.motions[i]) / settings_.timeStep;
+        if (motion.holdsRotation) velocity[2] = 0.0;
+    }
+    state.energy.external += kineticEnergy(engine_.model, state) - before;
+}
+
+StepEnding DynamicStage::begin(State& state) {
+    const Model& model = engine_.model;
+    state.acceleration.clear();
+    const StepEnding ending = preload(state);
+    if (ending.ending != Ending::Done) return ending;
+    drive(state);
+    if (!carriesAccelerations(settings_.scheme)) return ending;
+    const StepProblem problem =
+        buildStep(model, state, loads_, loadsAt_(0.0), {Inertia::None, 1.0, false, 1.0, settings_.damping});
+    state.acceleration = accelerationsBy(model, problem, netForce(problem, Eigen::VectorXd::Zero(problem.unknowns())));
+    return ending;
+}
+
+/// Loads where the scheme takes them, motions where the step ends.
+LoadPoint DynamicStage::loadsOver(double time, double dt, double share) const {
+    LoadPoint at = loadsAt_(time + share * dt);
+    if (share < 1.0) at.motions = loadsAt_(time + dt).motions;
+    return at;
+}
+
 double DynamicStage::predictedMove(const State& state, double dt) const {
     const Model& model = engine_.model;
     double speed = 0.0;
@@ -155,13 +160,14 @@ double DynamicStage::predictedMove(const State& state, double dt) const {
 
 DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, double dt, Trial& trial) {
     const Model& model = engine_.model;
-    const LoadPoint at = loadsAt_(time + dt);
+    const StepOptions options{settings_.scheme, dt, false, settings_.rhoInf, settings_.damping};
+    const LoadPoint at = loadsOver(time, dt, factorsOf(options).loadTime);
     const double least = nearShare * smallestSize(model);
     double margin = std::max(least, 2.0 * predictedMove(state, dt));
     for (;;) {
         trial.state = state;
         trial.state.contacts = findContacts(model, state.blocks, state.contacts, 2.0 * margin, false);
-        StepProblem problem = buildStep(model, trial.state, loads_, at, {settings_.scheme, dt, false});
+        StepProblem problem = buildStep(model, trial.state, loads_, at, options);
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
         for (std::size_t i = 0; i < model.blocks.size(); ++i)
             d.segment<6>(6 * static_cast<Eigen::Index>(i)) = dt * state.blocks[i].velocity;
@@ -178,12 +184,20 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         lastMove_ = move;
         double total = 0.0;
         const Eigen::VectorXd external = externalForce(model, trial.state, loads_, at, total);
-        keepBooks(model, trial.state, problem, external, d);
+        bookStep(model, trial.state, problem, external, d, options);
+        moveOn(model, trial.state, problem, d, options);
         acceptStep(model, trial.state, problem, d);
-        moveOn(model, trial.state, problem, d, settings_.scheme, dt);
         trial.residual = report.residual;
         return Attempt::Settled;
     }
+}
+
+/// Sums steps with what rounding took from the sum before, so that a million of them lose nothing (Kahan 1965).
+double DynamicStage::later(double time, double dt) {
+    const double step = dt - roundedUp_;
+    const double sum = time + step;
+    roundedUp_ = (sum - time) - step;
+    return sum;
 }
 
 StepEnding DynamicStage::step(State& state, double& time, double end, StepObserver& observer) {
@@ -218,7 +232,7 @@ StepEnding DynamicStage::step(State& state, double& time, double end, StepObserv
         if (dt <= low) dt = 0.5 * (low + high);
     }
     state = std::move(trial.state);
-    time = dt == rest ? end : time + dt;
+    time = dt == rest ? end : later(time, dt);
     dt_ = std::min(2.0 * std::max(dt_, dt), settings_.timeStep);
     ++state.step;
     countAccepted(engine_, state, trial.residual);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Dynamic stages: steps of Shi's scheme or of backward Euler. A step that does
+// Dynamic stages: steps of one scheme of time integration. A step that does
 // not settle is cut and later grown again; one in which something reaches its
 // limit ends there, and that lets go before the next.
 #pragma once
@@ -13,15 +13,18 @@ namespace keyblock {
 struct DynamicSettings {
     Inertia scheme = Inertia::Shi;
     double timeStep = 1e-3;  // [s] the longest
+    double rhoInf = 0.8;  // generalized-alpha
+    Damping damping{};
 };
 
 class DynamicStage {
 public:
     DynamicStage(Engine& engine, const Loads& loads, std::function<LoadPoint(double)> loadsAt, DynamicSettings settings);
 
-    /// Finds contact forces and stresses consistent with the first accelerations and keeps them as
-    /// preload, where blocks touch without history; no time passes (theory, "The start of a motion").
-    StepEnding preload(State& state);
+    /// Makes the state ready for the first step; no time passes. Touching blocks without history get contact forces
+    /// and stresses that agree with the first accelerations, kept as preload (theory, "The start of a motion"); driven
+    /// blocks get the velocity of their motion, and the scheme its accelerations.
+    StepEnding begin(State& state);
 
     /// One accepted step from `time`, at most to `end`; `time` is moved on.
     StepEnding step(State& state, double& time, double end, StepObserver& observer);
@@ -33,6 +36,10 @@ private:
     };
     enum class Attempt { Settled, TooLong, Stopped };
     Attempt attempt(const State& state, double time, double dt, Trial& trial);
+    StepEnding preload(State& state);
+    void drive(State& state) const;
+    LoadPoint loadsOver(double time, double dt, double share) const;
+    double later(double time, double dt);
     double predictedMove(const State& state, double dt) const;
 
     Engine& engine_;
@@ -41,6 +48,7 @@ private:
     DynamicSettings settings_;
     double dt_;
     double lastMove_ = 0.0;
+    double roundedUp_ = 0.0;  // [s] what the stage's time has too much
     int worst_ = -1;
 };
 

@@ -108,6 +108,7 @@ struct State {
     std::vector<Contact> contacts;
     std::vector<GlueState> glue;  // a row per glued edge of the model
     std::vector<BoltMotion> bolts;
+    std::vector<double> acceleration;  // of every unknown, where the scheme carries them; else empty
     EnergyLedger energy;
     double startEnergy = 0.0;  // stored before anything moved [J]
     long step = 0;

@@ -9,6 +9,7 @@
 #include "solver/engine/statics.h"
 
 #include "solver/engine/bolt_topology.h"
+#include "solver/engine/books.h"
 #include "solver/engine/contacts.h"
 
 #include <algorithm>
@@ -49,9 +50,10 @@ public:
           moveLimit_(moveShare * smallestSize(engine.model)), longest_(longestPseudoStep(engine.model)), dt_(longest_) {}
 
     StepEnding find(State& state, const LoadPoint& before, const LoadPoint& at) {
-        const Books start = books(state, before);
+        const StaticBooks books(model_, state, loads_, before);
         const std::vector<BlockMotion> places = state.blocks;
-        Eigen::VectorXd moved = Eigen::VectorXd::Zero(start.net.size());
+        Eigen::VectorXd moved =
+            Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model_.blocks.size()) + 3 * model_.nodes);
         Ending ending = Ending::NoEquilibrium;
         std::string message;
         int worst = -1;
@@ -61,7 +63,7 @@ public:
             StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, lock});
             if (!lock && balanced(problem, step)) {
                 Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
-                keepBooks(state, start, at, moved, problem);
+                books.book(state, at, moved, problem);
                 acceptStep(model_, state, problem, still);
                 countAccepted(engine_, state, residual_);
                 return {};
@@ -94,36 +96,6 @@ public:
     }
 
 private:
-    /// Forces where a search starts or ends, for the work done between.
-    struct Books {
-        Eigen::VectorXd external, net;
-    };
-
-    Books books(const State& state, const LoadPoint& at) {
-        StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, longest_, false});
-        return booksOf(problem, state, at);
-    }
-
-    Books booksOf(StepProblem& problem, const State& state, const LoadPoint& at) {
-        const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
-        correctFrictionLimits(problem, still);
-        double total = 0.0;
-        return {externalForce(model_, state, loads_, at, total), netForce(problem, still)};
-    }
-
-    /// Work of loads and reactions, and what the unbalanced force of a release would have made move.
-    void keepBooks(State& state, const Books& start, const LoadPoint& at, const Eigen::VectorXd& moved,
-                   StepProblem& problem) {
-        const Books end = booksOf(problem, state, at);
-        for (Eigen::Index i = 0; i < moved.size(); ++i) {
-            state.energy.external += 0.5 * (start.external[i] + end.external[i]) * moved[i];
-            if (problem.known[static_cast<std::size_t>(i)])
-                state.energy.external -= 0.5 * (start.net[i] + end.net[i]) * moved[i];
-            else
-                state.energy.damped += 0.5 * (start.net[i] - end.net[i]) * moved[i];
-        }
-    }
-
     /// No joint has carried anything yet: friction without normal forces would let everything slide.
     static bool unloaded(const State& state) {
         return std::all_of(state.contacts.begin(), state.contacts.end(),

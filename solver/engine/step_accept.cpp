@@ -73,7 +73,8 @@ void relock(State& state, const StepProblem& problem, const std::vector<double>&
             offset = alongSlot(slotLine(state, motion.slots[node.slot]), node) - forces[i] / k;
             node.bond.offset = offset;
         }
-        state.energy.friction += link.law.share * forces[i] * (offset - link.law.offset);
+        const double slipForce = problem.slipForce.empty() ? forces[i] : problem.slipForce[i];
+        state.energy.friction += link.law.share * slipForce * (offset - link.law.offset);
     }
     for (Contact& c : state.contacts) {
         c.position = state.blocks[c.blockA].corners[c.corner];

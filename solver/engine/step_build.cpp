@@ -14,31 +14,16 @@ namespace {
 
 constexpr std::size_t linksANode = 7;  // four of its element, two to the rock, and room for the plate's
 
-struct InertiaFactors {
-    double stiffness = 0.0;  // times M into the matrix [1/s²]
-    double velocity = 0.0;  // times M·v into the load [1/s]
-};
-
-InertiaFactors factorsOf(const StepOptions& options) {
-    const double dt = options.dt;
-    switch (options.inertia) {
-        case Inertia::Static: return {2.0 / (dt * dt), 0.0};
-        case Inertia::Shi: return {2.0 / (dt * dt), 2.0 / dt};
-        case Inertia::BackwardEuler: return {1.0 / (dt * dt), 1.0 / dt};
-    }
-    return {};
-}
-
-void addBlocks(const Model& model, const State& state, const InertiaFactors& factors, StepProblem& problem) {
+void addBlocks(const Model& model, const State& state, const SchemeFactors& factors, StepProblem& problem) {
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const BlockModel& block = model.blocks[i];
         const BlockMotion& motion = state.blocks[i];
         const double volume = block.area * model.thickness;
-        Matrix6 stiffness = factors.stiffness * block.massMatrix;
-        stiffness.bottomRightCorner<3, 3>() += volume * block.elasticity;
+        Matrix6 stiffness = factors.inertia.d * block.massMatrix;
+        stiffness.bottomRightCorner<3, 3>() += factors.elastic * volume * block.elasticity;
         problem.blockStiffness.push_back(stiffness);
         const auto at = 6 * static_cast<Eigen::Index>(i);
-        const Vector6 momentum = factors.velocity * block.massMatrix * motion.velocity;
+        const Vector6 momentum = -factors.inertia.v * block.massMatrix * motion.velocity;
         problem.load.segment<6>(at) += momentum;
         problem.load.segment<3>(at + 3) -= volume * frameStress(block, motion);
         problem.weight.segment<4>(at + 2).setConstant(1.0 / block.size);
@@ -49,21 +34,15 @@ void addBlocks(const Model& model, const State& state, const InertiaFactors& fac
     }
 }
 
-void addNodes(const Model& model, const State& state, const InertiaFactors& factors, StepProblem& problem) {
+void addNodes(const Model& model, const State& state, const SchemeFactors& factors, StepProblem& problem) {
     for (std::size_t b = 0; b < model.bolts.size(); ++b) {
         const BoltModel& bolt = model.bolts[b];
         const BoltMotion& motion = state.bolts[b];
         for (std::size_t n = 0; n < bolt.s.size(); ++n) {
-            Eigen::Vector3d mass = Eigen::Vector3d::Zero();
-            for (std::size_t e : {n - 1, n}) {
-                if (e >= bolt.elements.size()) continue;
-                const double translation = lumpedMass(bolt.section, bolt.elements[e].length);
-                mass += bolt.share * Eigen::Vector3d(translation, translation,
-                                                     lumpedInertia(bolt.section, bolt.elements[e].length));
-            }
+            const Eigen::Vector3d mass = nodeMass(bolt, n);
             const Eigen::Index at = problem.first(problem.blocks + bolt.firstNode + static_cast<int>(n));
-            problem.nodeStiffness.push_back(factors.stiffness * mass);
-            const Eigen::Vector3d momentum = factors.velocity * mass.cwiseProduct(motion.nodes[n].velocity);
+            problem.nodeStiffness.push_back(factors.inertia.d * mass);
+            const Eigen::Vector3d momentum = -factors.inertia.v * mass.cwiseProduct(motion.nodes[n].velocity);
             problem.load.segment<3>(at) += momentum;
             problem.motionForce += momentum.head<2>().norm();
             problem.weight[at + 2] = 1.0 / bolt.elements[std::min(n, bolt.elements.size() - 1)].length;
@@ -117,15 +96,19 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
     problem.known.assign(n, 0);
     problem.value = Eigen::VectorXd::Zero(n);
     problem.weight = Eigen::VectorXd::Ones(n);
-    const InertiaFactors factors = factorsOf(options);
+    const SchemeFactors factors = factorsOf(options);
+    problem.rule = factors.rule;
     addBlocks(model, state, factors, problem);
     addNodes(model, state, factors, problem);
+    if (factors.inertia.a != 0.0) problem.load -= factors.inertia.a * timesMass(model, accelerationsOf(model, state));
     prescribe(model, state, loads, at, problem);
     problem.links.reserve(2 * (state.contacts.size() + model.held.size()) + 3 * model.glue.size() + linksANode * static_cast<std::size_t>(model.nodes));
     addContactLinks(model, state, options.frictionLocked, problem);
-    addGlueLinks(model, state, options.inertia == Inertia::Static ? 0.0 : 0.5 * options.dt, problem);
+    const bool moves = options.inertia != Inertia::Static && options.inertia != Inertia::None;
+    addGlueLinks(model, state, moves ? 0.5 * options.dt : 0.0, problem);
     addHeldPoints(model, state, problem);
     for (std::size_t b = 0; b < model.bolts.size(); ++b) addBoltLinks(model, state, static_cast<int>(b), problem);
+    if (options.damping != Damping{}) addDamping(model, state, options, problem);
     return problem;
 }
 

@@ -7,20 +7,9 @@
 
 #include "solver/engine/loads.h"
 #include "solver/engine/step_problem.h"
+#include "solver/engine/time_scheme.h"
 
 namespace keyblock {
-
-enum class Inertia {
-    Static,  // 2M/Δt² about rest: a regularisation
-    Shi,  // 2M/Δt², v⁺ = 2D/Δt − v
-    BackwardEuler  // M/Δt², v⁺ = D/Δt
-};
-
-struct StepOptions {
-    Inertia inertia = Inertia::Static;
-    double dt = 1.0;  // [s]
-    bool frictionLocked = false;
-};
 
 /// Everything of one step from where `state` is; its contacts were found for it.
 StepProblem buildStep(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
@@ -34,6 +23,12 @@ void addHeldPoints(const Model& model, const State& state, StepProblem& problem)
 
 /// Links of one bolt: shank, anchored points, plate.
 void addBoltLinks(const Model& model, const State& state, int bolt, StepProblem& problem);
+
+/// Damping of a dynamic step into its matrices, loads and links; every link is there already.
+void addDamping(const Model& model, const State& state, const StepOptions& options, StepProblem& problem);
+
+/// Work of the damping of bodies over the step `d` [J]; that of shanks is a law's.
+double dampedWork(const Model& model, const State& state, const StepOptions& options, const Eigen::VectorXd& d);
 
 /// Where a slot is now.
 struct SlotLine {

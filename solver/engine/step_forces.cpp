@@ -23,7 +23,7 @@ Eigen::VectorXd linkForces(const StepProblem& problem, const Eigen::VectorXd& d,
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(problem.unknowns());
     for (std::size_t i = 0; i < strains.size(); ++i) {
         const Link& link = problem.links[i];
-        forces[i] = link.law.share * respond(link.law, strains[i]).force;
+        forces[i] = link.law.share * respond(problem, link, strains[i]).force;
         const int wa = problem.width(link.a);
         sum.segment(problem.first(link.a), wa) += forces[i] * link.ga.head(wa);
         if (link.b < 0) continue;
@@ -79,7 +79,7 @@ double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, cons
         if (ofContact(kind)) contact += std::abs(forces[i]);
         else if (kind == LinkKind::Glue) continue;  // within a block, like its stress
         else if (kind == LinkKind::Support) reaction += std::abs(forces[i]);
-        else if (kind != LinkKind::Bend && kind != LinkKind::Shear) bolt += std::abs(forces[i]);
+        else if (kind != LinkKind::Bend && kind != LinkKind::Shear && kind != LinkKind::Drag) bolt += std::abs(forces[i]);
     }
     for (int i = 0; i < problem.unknowns(); ++i)
         if (problem.known[static_cast<std::size_t>(i)]) reaction += std::abs(net[i]) * problem.weight[i];

@@ -7,7 +7,7 @@
 // quadratic, so Newton with an exact line search settles it (theory, "The step").
 #pragma once
 
-#include "solver/engine/laws/law.h"
+#include "solver/engine/laws/step_law.h"
 #include "solver/engine/linear_system.h"
 #include "solver/engine/model.h"
 
@@ -18,7 +18,8 @@
 
 namespace keyblock {
 
-enum class LinkKind { Normal, Friction, Glue, Support, AnchorNormal, AnchorSlip, Axial, Bend, Shear, Chord, PlateNormal, PlateShear };
+enum class LinkKind { Normal, Friction, Glue, Support, AnchorNormal, AnchorSlip, Axial, Bend, Shear, Chord, PlateNormal, PlateShear,
+                      Drag };
 
 /// strain(D) = strain + ga·D[a] + gb·D[b]
 struct Link {
@@ -41,6 +42,8 @@ struct StepProblem {
     int blocks = 0, nodes = 0;
     std::vector<Link> links;
     std::vector<FrictionPair> frictions;
+    StepRule rule;  // which force of a law the scheme takes
+    std::vector<double> slipForce;  // per link: mean force while it slid; empty: the force at the end
     std::vector<Matrix6> blockStiffness;  // inertia and elasticity
     std::vector<Eigen::Vector3d> nodeStiffness;  // inertia, diagonal
     Eigen::VectorXd load;  // external force, inertia of the motion so far, less the stress there is
@@ -70,6 +73,11 @@ struct SolveReport {
     int worst = -1;  // body with the largest residual, or whose pivot vanished
     bool singular = false;
 };
+
+/// Force and tangent that a link at strain `e` gives to the step, before its law's share.
+inline LawResponse respond(const StepProblem& problem, const Link& link, double e) {
+    return respondOverStep(link.law, link.strain, e, problem.rule);
+}
 
 /// Strain of every link at displacement `d`.
 void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vector<double>& strains);

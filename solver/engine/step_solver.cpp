@@ -43,8 +43,9 @@ public:
     double at(double alpha) const {
         double slope = constant_ + alpha * rate_;
         for (std::size_t i = 0; i < strains_.size(); ++i) {
-            const Law& law = problem_.links[i].law;
-            if (rates_[i] != 0.0) slope += law.share * respond(law, strains_[i] + alpha * rates_[i]).force * rates_[i];
+            const Link& link = problem_.links[i];
+            if (rates_[i] != 0.0)
+                slope += link.law.share * respond(problem_, link, strains_[i] + alpha * rates_[i]).force * rates_[i];
         }
         return slope;
     }
@@ -92,8 +93,11 @@ void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d) {
     linkStrains(problem, d, strains);
     for (const FrictionPair& pair : problem.frictions) {
         const auto n = static_cast<std::size_t>(pair.normal);
-        const double push = std::max(0.0, -respond(problem.links[n].law, strains[n]).force);
-        problem.links[static_cast<std::size_t>(pair.friction)].law.limit = push * pair.tanPhi;
+        const Link& normal = problem.links[n];
+        // under a mean force friction obeys the mean push, so that a knock's impulses keep Coulomb's ratio
+        const double push = problem.rule.rule == ForceRule::Average ? -respond(problem, normal, strains[n]).force
+                                                                    : -respond(normal.law, strains[n]).force;
+        problem.links[static_cast<std::size_t>(pair.friction)].law.limit = std::max(0.0, push) * pair.tanPhi;
     }
 }
 
@@ -172,7 +176,7 @@ void StepSolver::assemble(const StepProblem& problem, const std::vector<double>&
             Eigen::Matrix3d(problem.nodeStiffness[static_cast<std::size_t>(i)].asDiagonal()));
     for (std::size_t i = 0; i < problem.links.size(); ++i) {
         const Link& link = problem.links[i];
-        const double k = link.law.share * respond(link.law, strains[i]).tangent;
+        const double k = link.law.share * respond(problem, link, strains[i]).tangent;
         if (k == 0.0) continue;
         const auto ga = link.ga.head(problem.width(link.a));
         add(link.a, link.a, (k * ga * ga.transpose()).eval());

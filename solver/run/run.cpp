@@ -32,6 +32,16 @@ constexpr int usualIncrements = 100;
 constexpr double longestTimeStep = 1e-3;  // [s], where a stage gives none
 constexpr double fewestSteps = 200.0;  // of a dynamic stage that gives no time step
 
+Inertia inertiaOf(Integration integration) {
+    switch (integration) {
+        case Integration::Shi: return Inertia::Shi;
+        case Integration::BackwardEuler: return Inertia::BackwardEuler;
+        case Integration::Newmark: return Inertia::Newmark;
+        case Integration::GeneralizedAlpha: return Inertia::GeneralizedAlpha;
+    }
+    return Inertia::Shi;
+}
+
 class Runner : StepObserver {
 public:
     Runner(const Scene& scene, Sink& sink, Control& control)
@@ -123,11 +133,13 @@ private:
         for (const InitialVelocity& initial : stage.initialVelocities) setVelocity(initial);
         const Integration integration = stage.integration.value_or(scene_.analysis.integration);
         DynamicSettings settings;
-        settings.scheme = integration == Integration::Shi ? Inertia::Shi : Inertia::BackwardEuler;
+        settings.scheme = inertiaOf(integration);
+        settings.rhoInf = stage.rhoInf.value_or(scene_.analysis.rhoInf);
+        settings.damping = scene_.analysis.damping;
         const double usual = std::min({longestTimeStep, stage.duration / fewestSteps, longestStepFor(stage)});
         settings.timeStep = stage.timeStep.value_or(usual);
         DynamicStage dynamic(engine_, loads_.loads(), [this](double t) { return loads_.at(t); }, settings);
-        StepEnding ending = dynamic.preload(state_);
+        StepEnding ending = dynamic.begin(state_);
         state_.startEnergy += bookedEnergy(model_, state_) - before;  // velocities and preload were given
         keepFrame(stage.duration, false);
         while (ending.ending == Ending::Done && time_ < stage.duration) {

@@ -167,10 +167,18 @@ void checkTimes(const Stage& stage, const std::string& pointer, CheckReport& rep
                        "Give a shorter one, or leave it to the program");
 }
 
+void checkScheme(const Stage& stage, const std::string& pointer, CheckContext& context) {
+    const Integration integration = stage.integration.value_or(context.scene.analysis.integration);
+    if (stage.rhoInf && integration != Integration::GeneralizedAlpha)
+        context.report.warning(under(pointer, "rho_inf"), "only the generalized-alpha scheme has a rho_inf",
+                               "Give \"integration\": \"generalized-alpha\", or leave it out");
+}
+
 void checkStage(const Stage& stage, const std::string& pointer, CheckContext& context) {
     checkTimes(stage, pointer, context.report);
     checkStrengthChanges(stage, pointer, context);
     checkAccelerations(stage, pointer, context);
+    checkScheme(stage, pointer, context);
     Taken moved;
     for (std::size_t i = 0; i < stage.motions.size(); ++i)
         checkMotion(stage.motions[i], i, stage.kind, under(under(pointer, "motions"), i), moved, context);

@@ -26,6 +26,7 @@ const Structure& structureOf(const Block*);
 const Structure& structureOf(const Bolt*);
 const Structure& structureOf(const BoltType*);
 const Structure& structureOf(const CellSettings*);
+const Structure& structureOf(const Damping*);
 const Structure& structureOf(const Expected*);
 const Structure& structureOf(const InitialVelocity*);
 const Structure& structureOf(const JointMaterial*);

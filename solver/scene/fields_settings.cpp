@@ -35,6 +35,23 @@ const Structure& structureOf(const About*) {
     return structure;
 }
 
+const Structure& structureOf(const Damping*) {
+    static const Structure structure{
+        "damping",
+        "Rayleigh damping of dynamic stages. A free vibration of frequency ω loses the share mass/2ω + stiffness·ω/2 "
+        "of critical damping.",
+        defaultsOf<Damping>(),
+        {
+            row<&Damping::mass>("mass", "Force on every body over its mass and velocity.",
+                                {.unit = "1/s", .range = atLeast(0)}),
+            row<&Damping::stiffness>("stiffness",
+                                     "Stress over elastic stiffness and rate of strain, in blocks and in bolts' "
+                                     "shanks; contacts, supports and anchors have none.",
+                                     {.unit = "s", .range = atLeast(0)}),
+        }};
+    return structure;
+}
+
 const Structure& structureOf(const Analysis*) {
     static const Structure structure{
         "analysis",
@@ -46,8 +63,12 @@ const Structure& structureOf(const Analysis*) {
                                       {.unit = "m", .range = above(0)}),
             row<&Analysis::gravity>("gravity", "Acceleration that acts on every block and bolt; [] is zero.",
                                     {.unit = "m/s²", .emptyIsZero = true}),
-            row<&Analysis::integration>("integration", "Time integration of dynamic stages that name none.",
-                                        {.laterWords = {"newmark", "generalized-alpha"}}),
+            row<&Analysis::integration>("integration", "Time integration of dynamic stages that name none."),
+            row<&Analysis::rhoInf>("rho_inf",
+                                   "Share of very stiff motion that a step of `generalized-alpha` keeps, in stages "
+                                   "that give none: 1 loses nothing, 0 all of it.",
+                                   {.range = within(0, 1)}),
+            row<&Analysis::damping>("damping", "Rayleigh damping of dynamic stages."),
             row<&Analysis::penaltyRatio>("penalty_ratio",
                                          "Stiffness of a contact spring over Young's modulus × thickness.",
                                          {.range = above(0)}),

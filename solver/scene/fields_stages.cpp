@@ -173,7 +173,10 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::timeStep>("time_step", "Longest step; null: chosen by the program.",
                                   {.unit = "s", .range = above(0), .only = dynamicOnly}),
             row<&Stage::integration>("integration", "Time integration; null: that of the analysis.",
-                                     {.only = dynamicOnly, .laterWords = {"newmark", "generalized-alpha"}}),
+                                     {.only = dynamicOnly}),
+            row<&Stage::rhoInf>("rho_inf", "Share of very stiff motion that a step of `generalized-alpha` keeps; "
+                                           "null: that of the analysis.",
+                                {.range = within(0, 1), .only = dynamicOnly}),
             row<&Stage::initialVelocities>("initial_velocities", "Velocities of blocks at the start of the stage.",
                                            {.only = dynamicOnly}),
             row<&Stage::baseAcceleration>("base_acceleration",

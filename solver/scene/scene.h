@@ -22,7 +22,15 @@
 namespace keyblock {
 
 enum class Plane { Stress, Strain };
-enum class Integration { Shi, BackwardEuler };
+enum class Integration { Shi, BackwardEuler, Newmark, GeneralizedAlpha };
+
+/// Rayleigh damping of dynamic stages: forces mass·M·v, and stiffness·K·(rate of strain) of blocks and bolts.
+struct Damping {
+    double mass = 0.0;  // [1/s]
+    double stiffness = 0.0;  // [s]
+
+    bool operator==(const Damping&) const = default;
+};
 
 /// Settings of the whole analysis.
 struct Analysis {
@@ -30,6 +38,8 @@ struct Analysis {
     double thickness = 1.0;  // [m]
     Point gravity{0.0, 0.0};  // [m/s²]
     Integration integration = Integration::Shi;  // dynamic stages that name none
+    double rhoInf = 0.8;  // generalized-alpha: share of very stiff motion that a step keeps; stages that give none
+    Damping damping;
     double penaltyRatio = 40.0;  // contact spring = ratio · E · thickness
     double shearRatio = 0.4;  // shear over normal contact stiffness
     double tolerance = 1e-4;  // pass tolerance: residual over reference force
@@ -179,6 +189,7 @@ struct Stage {
     double duration = 0.0;  // [s]
     std::optional<double> timeStep;  // [s]; null: chosen by the program
     std::optional<Integration> integration;  // null: that of the analysis
+    std::optional<double> rhoInf;  // null: that of the analysis
     std::vector<InitialVelocity> initialVelocities;
     std::optional<Acceleration> baseAcceleration;  // of the ground, which everything that is held follows
     std::optional<Acceleration> bodyAcceleration;  // force per mass, beside gravity

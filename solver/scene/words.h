@@ -17,7 +17,8 @@ namespace keyblock {
 using Words = std::span<const std::string_view>;
 
 inline constexpr std::array<std::string_view, 2> planeWords{"stress", "strain"};
-inline constexpr std::array<std::string_view, 2> integrationWords{"shi", "backward-euler"};
+inline constexpr std::array<std::string_view, 4> integrationWords{"shi", "backward-euler", "newmark",
+                                                                     "generalized-alpha"};
 inline constexpr std::array<std::string_view, 4> fixWords{"all", "x", "y", "xy"};
 inline constexpr std::array<std::string_view, 2> rotationWords{"held", "free"};
 inline constexpr std::array<std::string_view, 2> stageKindWords{"static", "dynamic"};

@@ -107,37 +107,6 @@ std::vector<CaseResult> stick() {
     return checks.take();
 }
 
-/// A single strain mode: ν = 0, initial stress along x that nothing balances. With the consistent mass
-/// ρ·w³·h/12 and the stiffness E·w·h, ω² = 12E/(ρw²). Under Shi's scheme the two eigenvalues of a step are complex
-/// below η = ω·Δt = 4 and their product is ρ² = 1/(1 + η²/2); of any three successive steps
-/// x(n+2) = a·x(n+1) − ρ²·x(n).
-double dampingPerStep(double eta) {
-    const double modulus = 60e6, density = 2700.0;
-    Scene scene = loneBlock(modulus, 0.0);
-    scene.blocks[0].initialStress = {100.0, 0.0, 0.0};
-    const double step = eta / std::sqrt(12.0 * modulus / density);
-    scene.stages = {dynamicStage(12.0 * step, step)};
-    scene.output.every = step;
-    const Results results = solve(scene).results;
-    std::vector<double> x;
-    for (const Frame& frame : results.frames)
-        if (x.empty() || frame.step > 0) x.push_back(frame.blocks[0].stress[0]);
-    if (x.size() < 8) return std::nan("");
-    const std::size_t n = 3;  // away from the start
-    const double determinant = x[n + 1] * x[n + 1] - x[n] * x[n + 2];
-    return std::sqrt((x[n + 2] * x[n + 2] - x[n + 1] * x[n + 3]) / determinant);
-}
-
-std::vector<CaseResult> schemesDamping() {
-    Checks checks("scheme's damping");
-    for (const double eta : {0.1, 0.5, 2.0}) {
-        const std::string at = eta == 0.1 ? "0.1" : eta == 0.5 ? "0.5" : "2";
-        checks.relative("amplitude kept per step at η " + at, dampingPerStep(eta),
-                        1.0 / std::sqrt(1.0 + 0.5 * eta * eta), 1e-3);
-    }
-    return checks.take();
-}
-
 /// Stress of a frame turned back by the block's rotation [Pa].
 std::array<double, 3> turnedBack(const BlockState& block) {
     const double c = std::cos(block.rotation), s = std::sin(block.rotation);
@@ -210,7 +179,6 @@ std::vector<Case> blockCases() {
         {"projectile", "The same with a velocity of (3, 4) m/s.", [] { return projectile("projectile", {3, 4}); }},
         {"incline", "A block slides down a slope steeper than its friction.", slide},
         {"stick", "A block on a slope flatter than its friction does not creep.", stick},
-        {"scheme's damping", "One strain mode of a free block under Shi's scheme.", schemesDamping},
         {"spin", "A block turning freely keeps its area, its spin and its stress.", spin},
     };
 }

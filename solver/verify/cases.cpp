@@ -8,8 +8,8 @@ namespace {
 
 std::vector<Case> allGroups() {
     std::vector<Case> all;
-    for (const auto& group : {blockCases(), shakenCases(), cellCases(), plateCases(), beamCases(), bondCases(),
-                              slidingBoltCases(), stepCases()})
+    for (const auto& group : {blockCases(), schemeCases(), shakenCases(), cellCases(), plateCases(), beamCases(),
+                              bondCases(), slidingBoltCases(), stepCases()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }

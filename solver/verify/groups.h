@@ -11,6 +11,7 @@
 namespace keyblock {
 
 std::vector<Case> blockCases();
+std::vector<Case> schemeCases();
 std::vector<Case> cellCases();
 std::vector<Case> plateCases();
 std::vector<Case> shakenCases();

@@ -123,10 +123,73 @@ std::vector<CaseResult> roofex() {
     return checks.take();
 }
 
+/// A block that falls at `speed` along +x is caught by a bar whose anchor in the fixed block gives way by `anchor`.
+Scene caught(double mass, double speed, const Anchor& anchor, double duration) {
+    Scene scene = emptyScene(rigidRock, 0.0, 0.0);
+    scene.materials[0].second.density = mass;
+    scene.blocks = {boxBlock("roof", {0, 0}, {1, 1}), boxBlock("load", {1.2, 0}, {2.2, 1})};
+    Support support;
+    support.blockAt = Point(0.5, 0.1);
+    scene.supports = {support};
+    scene.analysis.gravity = {gravity, 0.0};
+    BoltType type = linearType(232e-6, 200e9);
+    type.boltClass = BoltClass::DFC;
+    type.bending = Bending::None;
+    type.anchors = {anchor, anchorAt(1.2, AnchorLaw::Elastic, 1e12)};
+    addBolt(scene, type, 0.1, 1.3, 12, PlateKind::None);
+    scene.monitors.back().name = "slip";
+    scene.monitors.back().quantity = BoltQuantity::Slip;
+    scene.monitors.back().at = 0.0;
+    Stage stage;
+    stage.name = "catch";
+    stage.kind = StageKind::Dynamic;
+    stage.duration = duration;
+    stage.timeStep = 1e-4;
+    InitialVelocity initial;
+    initial.blockAt = {1.7, 0.1};
+    initial.velocity = {speed, 0.0};
+    stage.initialVelocities = {initial};
+    scene.stages = {stage};
+    return scene;
+}
+
+double mostSlip(const Solved& solved) {
+    double most = 0.0;
+    for (const double slip : series(solved, "slip")) most = std::max(most, std::abs(slip));
+    return solved.results.stages.empty() ? NAN : most;
+}
+
+/// ½·m·v² = (F − m·g)·slip: what falls and its further weight against a constant force.
+double slipOf(double mass, double speed, double force) { return 0.5 * mass * speed * speed / (force - mass * gravity); }
+
+std::vector<CaseResult> constantSlip() {
+    Checks checks("constant slip");
+    Anchor anchor = anchorRange(Per::Node, AnchorLaw::Frictional, 1e9, 54e3, 0.0);
+    anchor.at = BoltPlace{false, 0.0};
+    checks.relative("1000 kg at 3 m/s against 54 kN: slip of the anchor [m]",
+                    mostSlip(solve(caught(1000.0, 3.0, anchor, 0.12))), slipOf(1000.0, 3.0, 54e3), 2e-2);
+    return checks.take();
+}
+
+std::vector<CaseResult> coneBoltDrop() {
+    Checks checks("cone bolt");
+    const double mass = 1115.0, speed = std::sqrt(2.0 * gravity * 1.5);
+    for (const double force : {78.45e3, 88.26e3, 98.07e3}) {
+        Anchor cone = anchorAt(0.0, AnchorLaw::Curve, 0.0);
+        cone.curve = {{0.0, 0.0}, {force / 1e9, force}, {1.0, force}};
+        checks.relative("1115 kg from 1.5 m, plough " + std::to_string(static_cast<int>(force / 10.0 + 0.5) * 10) +
+                            " N: slip of the cone [m]",
+                        mostSlip(solve(caught(mass, speed, cone, 0.15))), slipOf(mass, speed, force), 2e-2);
+    }
+    return checks.take();
+}
+
 }  // namespace
 
 std::vector<Case> slidingBoltCases() {
     return {{"Split Set", "A friction tube with a strong plate, a weak plate and none.", splitSet},
+            {"constant slip", "A falling block is caught by an anchor of constant force.", constantSlip},
+            {"cone bolt", "A cone that ploughs stops what falls from 1.5 m.", coneBoltDrop},
             {"Roofex", "A bar that slips through its anchor and is stopped at 600 mm.", roofex}};
 }
 

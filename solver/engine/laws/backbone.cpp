@@ -85,4 +85,19 @@ BackboneResponse respond(const Backbone& b, const BackboneState& state, double s
     return r;
 }
 
+double averageForce(const Backbone& b, const BackboneState& state, double from, double to) {
+    const BackboneResponse end = respond(b, state, to);
+    const double start = b.modulus * (from - state.plastic);
+    if (end.state == state) return 0.5 * (start + end.force);
+    const double sign = end.force > 0.0 ? 1.0 : -1.0;
+    const double first = yieldForce(b, state.accumulated), last = std::abs(end.force);
+    const double carried = std::min(sign * start, first);
+    const double elastic = (first - carried) / b.modulus;  // stretch up to the yield force
+    const double stretch = elastic + (end.state.accumulated - state.accumulated) + (last - first) / b.modulus;
+    if (stretch <= 0.0) return end.force;
+    const double work = 0.5 * elastic * (carried + first) + end.plasticWork +
+                        0.5 * (last - first) * (last + first) / b.modulus;
+    return sign * work / stretch;
+}
+
 }  // namespace keyblock

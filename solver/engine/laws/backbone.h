@@ -46,6 +46,9 @@ struct BackboneResponse {
 /// Force at `strain` from a committed state.
 BackboneResponse respond(const Backbone& backbone, const BackboneState& state, double strain);
 
+/// Mean of the force along the strain from `from`, where the state was committed, to `to`.
+double averageForce(const Backbone& backbone, const BackboneState& state, double from, double to);
+
 /// Yield force at the state's accumulated plastic strain.
 double yieldForce(const Backbone& backbone, double accumulated);
 

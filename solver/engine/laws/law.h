@@ -17,7 +17,8 @@ enum class LawKind {
     Gap,  // the same where it pushes or just touches, nothing where it would pull
     Capped,  // the same up to ± limit: Coulomb friction with a given limit
     Constant,  // the force `limit`, whatever the strain
-    Curve  // backbone with a plastic state
+    Curve,  // backbone with a plastic state
+    Viscous  // k·(e − offset) at the step's end under every scheme, and nothing of it stored
 };
 
 struct Law {
@@ -39,7 +40,8 @@ struct LawResponse {
 inline LawResponse respond(const Law& law, double e) {
     const double trial = law.stiffness * (e - law.offset);
     switch (law.kind) {
-        case LawKind::Linear: return {trial, law.stiffness};
+        case LawKind::Linear:
+        case LawKind::Viscous: return {trial, law.stiffness};
         case LawKind::Gap: return trial <= 0.0 ? LawResponse{trial, law.stiffness} : LawResponse{};
         case LawKind::Capped:
             if (trial > law.limit) return {law.limit, 0.0};
@@ -56,7 +58,7 @@ inline LawResponse respond(const Law& law, double e) {
 
 /// Elastic energy that a force stands for: f²/2k, before `share`.
 inline double storedEnergy(const Law& law, double force) {
-    if (law.kind == LawKind::Constant) return 0.0;
+    if (law.kind == LawKind::Constant || law.kind == LawKind::Viscous) return 0.0;
     const double k = law.kind == LawKind::Curve ? law.curve->modulus : law.stiffness;
     return k > 0.0 ? 0.5 * force * force / k : 0.0;
 }

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What force a law gives to a whole step. A scheme may take the force at the
+// step's end, the mean along the strain that it passes (the discrete gradient,
+// which keeps energy), or a mix of the forces at both ends. All three rise with
+// the strain at the end, so the step stays convex (theory, "Time").
+#pragma once
+
+#include "solver/engine/laws/law.h"
+
+namespace keyblock {
+
+enum class ForceRule { End, Average, Blend };
+
+struct StepRule {
+    ForceRule rule = ForceRule::End;
+    double end = 1.0;  // Blend: weight of the force at the end, the rest is of the force carried at the start
+};
+
+/// Force that the law carried when the step began. A friction limit may have fallen since: the offset remembers.
+inline double carriedForce(const Law& law, double before) {
+    return law.kind == LawKind::Capped ? law.stiffness * (before - law.offset) : respond(law, before).force;
+}
+
+/// Mean of the force along the strain from `before` to `after`, and its tangent by `after`.
+LawResponse averageResponse(const Law& law, double before, double after);
+
+/// Force and tangent of a step that goes from strain `before` to `after`; shares are left to the caller.
+inline LawResponse respondOverStep(const Law& law, double before, double after, const StepRule& rule) {
+    if (rule.rule == ForceRule::End || law.kind == LawKind::Viscous) return respond(law, after);
+    if (rule.rule == ForceRule::Average) return averageResponse(law, before, after);
+    const LawResponse end = respond(law, after);
+    return {rule.end * end.force + (1.0 - rule.end) * carriedForce(law, before), rule.end * end.tangent};
+}
+
+/// What the law lost to the scheme [J]: work of the step's force, less what was stored and what friction or plastic
+/// flow used (theory, "Energies").
+double lawLoss(const Law& law, double before, double after, const StepRule& rule);
+
+/// A law between two equilibria, on a straight path of strain along which the friction limit goes evenly from
+/// `startLimit` to the law's own.
+struct PathWork {
+    double slipForce = 0.0;  // mean force while it slid; the force at the end where it did not
+    double surplus = 0.0;  // trapezium of the forces at both ends, less what was stored and used; times share [J]
+};
+PathWork pathWork(const Law& law, double before, double after, double startLimit);
+
+}  // namespace keyblock

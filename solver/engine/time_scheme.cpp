@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/time_scheme.h"
+
+#include "solver/engine/step_problem.h"
+
+namespace keyblock {
+namespace {
+
+/// Chung and Hulbert's parameters, all from the spectral radius at infinite stiffness.
+SchemeFactors generalizedAlpha(double rho, double dt) {
+    const double alphaM = (2.0 * rho - 1.0) / (rho + 1.0), alphaF = rho / (rho + 1.0);
+    const double gamma = 0.5 - alphaM + alphaF, beta = 1.0 / ((rho + 1.0) * (rho + 1.0));
+    const double end = 1.0 - alphaF;
+    SchemeFactors f;
+    f.inertia = {(1.0 - alphaM) / (beta * dt * dt), -(1.0 - alphaM) / (beta * dt), -0.5 * rho * (1.0 - rho)};
+    f.velocity = {gamma / (beta * dt), 1.0 - gamma / beta, dt * (1.0 - 0.5 * gamma / beta)};
+    f.acceleration = {1.0 / (beta * dt * dt), -1.0 / (beta * dt), 1.0 - 0.5 / beta};
+    f.rate = {end * f.velocity.d, end * f.velocity.v + alphaF, end * f.velocity.a};
+    f.rule = {ForceRule::Blend, end};
+    f.elastic = f.loadTime = end;
+    return f;
+}
+
+template <class Vector>
+Vector combine(const Combination& c, const Vector& d, const Vector& v, const Vector& a) {
+    return c.d * d + c.v * v + c.a * a;
+}
+
+void setVelocities(State& state, const Eigen::VectorXd& velocity) {
+    Eigen::Index at = 0;
+    for (BlockMotion& block : state.blocks) {
+        block.velocity = velocity.segment<6>(at);
+        at += 6;
+    }
+    for (BoltMotion& bolt : state.bolts)
+        for (BoltNode& node : bolt.nodes) {
+            node.velocity = velocity.segment<3>(at);
+            at += 3;
+        }
+}
+
+}  // namespace
+
+SchemeFactors factorsOf(const StepOptions& options) {
+    const double dt = options.dt;
+    SchemeFactors f;
+    f.rate = {1.0 / dt, 0.0, 0.0};
+    switch (options.inertia) {
+        case Inertia::None:
+            f.rate = {0.0, 1.0, 0.0};
+            break;
+        case Inertia::Static:
+            f.inertia = {2.0 / (dt * dt), 0.0, 0.0};
+            break;
+        case Inertia::BackwardEuler:
+            f.inertia = {1.0 / (dt * dt), -1.0 / dt, 0.0};
+            f.velocity = {1.0 / dt, 0.0, 0.0};
+            break;
+        case Inertia::Newmark:
+            f.rule.rule = ForceRule::Average;
+            f.elastic = f.loadTime = 0.5;
+            [[fallthrough]];
+        case Inertia::Shi:
+            f.inertia = {2.0 / (dt * dt), -2.0 / dt, 0.0};
+            f.velocity = {2.0 / dt, -1.0, 0.0};
+            break;
+        case Inertia::GeneralizedAlpha: return generalizedAlpha(options.rhoInf, dt);
+    }
+    return f;
+}
+
+bool losesMotion(Inertia inertia) { return inertia == Inertia::BackwardEuler || inertia == Inertia::GeneralizedAlpha; }
+
+bool carriesAccelerations(Inertia inertia) { return inertia == Inertia::GeneralizedAlpha; }
+
+Eigen::VectorXd velocitiesOf(const Model& model, const State& state) {
+    Eigen::VectorXd velocity(6 * static_cast<Eigen::Index>(model.blocks.size()) + 3 * model.nodes);
+    Eigen::Index at = 0;
+    for (const BlockMotion& block : state.blocks) {
+        velocity.segment<6>(at) = block.velocity;
+        at += 6;
+    }
+    for (const BoltMotion& bolt : state.bolts)
+        for (const BoltNode& node : bolt.nodes) {
+            velocity.segment<3>(at) = node.velocity;
+            at += 3;
+        }
+    return velocity;
+}
+
+Eigen::VectorXd accelerationsOf(const Model& model, const State& state) {
+    const auto n = 6 * static_cast<Eigen::Index>(model.blocks.size()) + 3 * model.nodes;
+    if (state.acceleration.empty()) return Eigen::VectorXd::Zero(n);
+    return Eigen::Map<const Eigen::VectorXd>(state.acceleration.data(), n);
+}
+
+Eigen::Vector3d nodeMass(const BoltModel& bolt, std::size_t node) {
+    Eigen::Vector3d mass = Eigen::Vector3d::Zero();
+    for (std::size_t e : {node - 1, node}) {
+        if (e >= bolt.elements.size()) continue;
+        const double translation = lumpedMass(bolt.section, bolt.elements[e].length);
+        mass += bolt.share *
+                Eigen::Vector3d(translation, translation, lumpedInertia(bolt.section, bolt.elements[e].length));
+    }
+    return mass;
+}
+
+Eigen::VectorXd timesMass(const Model& model, const Eigen::VectorXd& x) {
+    Eigen::VectorXd product(x.size());
+    Eigen::Index at = 0;
+    for (const BlockModel& block : model.blocks) {
+        product.segment<6>(at) = block.massMatrix * x.segment<6>(at);
+        at += 6;
+    }
+    for (const BoltModel& bolt : model.bolts)
+        for (std::size_t n = 0; n < bolt.s.size(); ++n) {
+            product.segment<3>(at) = nodeMass(bolt, n).cwiseProduct(x.segment<3>(at));
+            at += 3;
+        }
+    return product;
+}
+
+Eigen::VectorXd inertiaForce(const Model& model, const State& state, const SchemeFactors& factors,
+                             const Eigen::VectorXd& d) {
+    return timesMass(model, combine<Eigen::VectorXd>(factors.inertia, d, velocitiesOf(model, state),
+                                                     accelerationsOf(model, state)));
+}
+
+void moveOn(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d,
+            const StepOptions& options) {
+    const SchemeFactors factors = factorsOf(options);
+    const Eigen::VectorXd before = velocitiesOf(model, state), acceleration = accelerationsOf(model, state);
+    Eigen::VectorXd after = combine<Eigen::VectorXd>(factors.velocity, d, before, acceleration);
+    for (Eigen::Index i = 0; i < d.size(); ++i)
+        if (problem.known[static_cast<std::size_t>(i)]) after[i] = d[i] / options.dt;
+    // ½(v⁺ + v)·M·(v⁺ − v), row by row: what moves by itself and what is driven
+    const Eigen::VectorXd gained = 0.5 * (after + before).cwiseProduct(timesMass(model, after - before));
+    for (Eigen::Index i = 0; i < d.size(); ++i)
+        if (problem.known[static_cast<std::size_t>(i)]) state.energy.external += gained[i];
+    if (losesMotion(options.inertia)) {
+        const Eigen::VectorXd inertia = inertiaForce(model, state, factors, d);
+        for (Eigen::Index i = 0; i < d.size(); ++i)
+            if (!problem.known[static_cast<std::size_t>(i)]) state.energy.damped += d[i] * inertia[i] - gained[i];
+    }
+    if (carriesAccelerations(options.inertia)) {
+        const Eigen::VectorXd next = combine<Eigen::VectorXd>(factors.acceleration, d, before, acceleration);
+        state.acceleration.assign(next.data(), next.data() + next.size());
+        for (std::size_t i = 0; i < problem.known.size(); ++i)
+            if (problem.known[i]) state.acceleration[i] = 0.0;
+    }
+    setVelocities(state, after);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The books of energy, term by term: closed forms of single terms, the balance
+// of static increments however long they are, and the balance as a check that
+// sees a term that is wrong.
+#include "solver/engine/bolt_topology.h"
+#include "solver/engine/contacts.h"
+#include "solver/engine/dynamics.h"
+#include "solver/run/run.h"
+#include "solver/verify/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace keyblock {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double weight = 2700.0 * gravity;  // [N] of a cube
+
+Scene boxOnBase(double frictionAngle, double modulus) {
+    Scene scene = emptyScene(modulus, 0.2, frictionAngle);
+    scene.blocks = {boxBlock("base", {-1, -1}, {9, 0}), boxBlock("box", {0, 0}, {1, 1})};
+    Support support;
+    support.blockAt = Point(4.0, -0.5);
+    scene.supports = {support};
+    scene.analysis.gravity = {0.0, -gravity};
+    Stage stage;
+    stage.name = "settle";
+    scene.stages = {stage};
+    return scene;
+}
+
+Results ran(const Scene& scene, double error = 1e-3) {
+    Results results = runInMemory(scene);
+    for (const StageResult& stage : results.stages) {
+        EXPECT_EQ(stage.outcome, Outcome::Equilibrium) << stage.message;
+        EXPECT_LT(std::abs(stage.health.balanceError), error) << "stage " << stage.stage;
+    }
+    return results;
+}
+
+/// The weight at once squeezes a soft block, whose foot slides outwards on the way.
+TEST(Energies, GravityAtOnceWithSlidingCorners) {
+    for (const double frictionAngle : {0.0, 2.0, 5.0, 30.0}) {
+        const Results results = ran(boxOnBase(frictionAngle, 1e7));
+        const Energy& energy = results.frames.back().energy;
+        EXPECT_GT(energy.external, 0.0);
+        if (frictionAngle == 2.0) EXPECT_GT(energy.friction, 1e-3 * energy.external);
+        EXPECT_GE(energy.damped, -1e-9 * energy.external);
+    }
+}
+
+/// A block that drops in a static stage has lost its way's work to what is damped.
+TEST(Energies, AStaticDropIsDamped) {
+    Scene scene = boxOnBase(30.0, 10e9);
+    for (Point& p : scene.blocks[1].points) p.y() += 0.02;
+    const Energy energy = ran(scene).frames.back().energy;
+    EXPECT_NEAR(energy.damped, 0.5 * weight * 0.02, 1e-3 * weight * 0.02);
+    EXPECT_NEAR(energy.external, 0.5 * weight * 0.02, 1e-3 * weight * 0.02);
+}
+
+/// Dragged over its base: friction is the weight's share times the way, and the drive pays it.
+TEST(Energies, DraggedFrictionIsItsForceTimesTheWay) {
+    for (const int increments : {1, 5, 50}) {
+        Scene scene = boxOnBase(20.0, 10e9);
+        Stage drag;
+        drag.name = "drag";
+        drag.increments = increments;
+        Motion motion;
+        motion.blockAt = {0.5, 0.4};
+        motion.table = {{0.0, 0.0}, {1.0, 0.3}};
+        drag.motions = {motion};
+        scene.stages.push_back(drag);
+        const Energy energy = ran(scene).frames.back().energy;
+        const double expected = weight * std::tan(20.0 * degree) * 0.3;
+        EXPECT_NEAR(energy.friction, expected, 1e-3 * expected) << increments;
+        EXPECT_NEAR(energy.external, expected, 1e-3 * expected) << increments;
+    }
+}
+
+/// A bar whose bond slips to and fro, in long and in short increments.
+TEST(Energies, BondFrictionToAndFro) {
+    for (const int increments : {8, 40, 160}) {
+        Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
+        BoltType type = linearType(barArea(), 200e9);
+        type.anchors = {anchorRange(Per::Node, AnchorLaw::PeakResidual, 84.78e6, 24.56e3, 2.24e3)};
+        addBolt(scene, type, 0.05, 1.95, 19, PlateKind::None);
+        scene.stages = {pullStage(scene, 6e-3, increments)};
+        scene.stages[0].motions[0].table = {{0.0, 0.0}, {0.5, 6e-3}, {1.0, 0.0}};
+        ran(scene);
+    }
+}
+
+/// A bar with two yield points pulled far in one increment or in many: the same work.
+TEST(Energies, PlasticWorkDoesNotDependOnTheIncrements) {
+    double external[2], plastic[2];
+    for (const int which : {0, 1}) {
+        BoltType bar = steelType(barArea(), {{0.0, 0.0}, {0.002, 400e6}, {0.02, 440e6}, {0.2, 450e6}});
+        bar.anchors = {anchorAt(0.0, AnchorLaw::Elastic, 1e9), anchorAt(2.0, AnchorLaw::Elastic, 1e9)};
+        Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
+        addBolt(scene, bar, 0.0, 2.0, 20, PlateKind::None);
+        scene.stages = {pullStage(scene, 0.06, which == 0 ? 2 : 100)};
+        const Energy energy = ran(scene).frames.back().energy;
+        external[which] = energy.external;
+        plastic[which] = energy.plastic;
+    }
+    EXPECT_NEAR(external[0], external[1], 2e-3 * external[1]);
+    EXPECT_NEAR(plastic[0], plastic[1], 2e-3 * plastic[1]);
+}
+
+/// A tube that is drawn out of its hole gives back what the springs of the lost length held.
+TEST(Energies, ALengthThatLeavesTheRockIsReleased) {
+    Scene scene = twoBlocks(60e9, 0.3, 1.0);
+    BoltType tube = linearType(380e-6, 200e9);
+    tube.anchors = {anchorRange(Per::Length, AnchorLaw::Frictional, 5e8, 200e3, 0.0)};
+    addBolt(scene, tube, 0.0, 1.0, 40, PlateKind::Spring);
+    scene.stages = {pullStage(scene, 0.2, 60)};
+    const Energy energy = ran(scene).frames.back().energy;
+    EXPECT_GT(energy.released, 0.0);
+}
+
+/// A weight in motion on a bar that yields, slips and lets go: every term is there.
+struct Everything {
+    Scene scene = emptyScene(rigidRock, 0.2, 0.0);
+    Model model;
+    State state;
+
+    Everything() : model(makeModel(hang())), state(makeState(model)) {
+        placeBolts(model, state);
+        Engine engine(model);
+        const Loads loads;
+        LoadPoint at;
+        at.gravity = 1.0;
+        struct Deaf : StepObserver {
+            void beforeEvent(const State&, double) override {}
+            void event(Event, const State&, double) override {}
+            void afterEvent(const State&, double) override {}
+        } observer;
+        DynamicStage stage(engine, loads, [&](double) { return at; }, {Inertia::Shi, 1e-4});
+        EXPECT_EQ(stage.begin(state).ending, Ending::Done);
+        double time = 0.0;
+        for (int i = 0; i < 400 && time < 0.04; ++i) EXPECT_EQ(stage.step(state, time, 0.04, observer).ending, Ending::Done);
+    }
+
+    const Scene& hang() {
+        scene.blocks = {boxBlock("left", {0, 0}, {1, 1}), boxBlock("right", {1.1, 0}, {2.1, 1})};
+        Support support;
+        support.blockAt = Point(0.5, 0.1);
+        scene.supports = {support};
+        scene.analysis.gravity = {gravity, 0.0};
+        BoltType bar = steelType(1e-4, {{0.0, 0.0}, {0.0015, 300e6}, {0.1, 500e6}});
+        bar.bending = Bending::None;
+        Anchor weak = anchorRange(Per::Node, AnchorLaw::PeakResidual, 1e8, 35e3, 15e3);
+        weak.at = BoltPlace{false, 0.0};
+        bar.anchors = {weak, anchorAt(1.5, AnchorLaw::Elastic, 1e9)};
+        addBolt(scene, bar, 0.3, 1.8, 15, PlateKind::None);
+        return scene;
+    }
+
+    double error() const { return std::abs(energyOf(model, state).balanceError); }
+};
+
+TEST(Energies, TheBalanceSeesEveryTerm) {
+    Everything run;
+    EXPECT_LT(run.error(), 1e-3);
+    const Energy energy = energyOf(run.model, run.state);
+    for (double EnergyLedger::* term : {&EnergyLedger::friction, &EnergyLedger::plastic, &EnergyLedger::released,
+                                        &EnergyLedger::damped, &EnergyLedger::external}) {
+        State wrong = run.state;
+        const double value = wrong.energy.*term;
+        EXPECT_GT(value, 2e-3 * energy.external);
+        wrong.energy.*term = 0.0;
+        EXPECT_GT(std::abs(energyOf(run.model, wrong).balanceError), 0.9 * value / energy.external - 1e-3);
+    }
+    State slower = run.state;
+    slower.blocks[1].velocity *= 0.9;
+    EXPECT_GT(std::abs(energyOf(run.model, slower).balanceError), 0.15 * energy.kinetic / energy.external);
+    State slack = run.state;
+    slack.bolts[0].nodes[0].x.x() += 1e-3;
+    EXPECT_GT(std::abs(energyOf(run.model, slack).balanceError), 1e-3);
+}
+
+}  // namespace
+}  // namespace keyblock
