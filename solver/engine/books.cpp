@@ -26,14 +26,16 @@ void bookStep(const Model& model, State& state, const StepProblem& problem, cons
               const Eigen::VectorXd& d, const StepOptions& options) {
     const SchemeFactors factors = factorsOf(options);
     // what drives a prescribed unknown works against all forces; what it gives to motion is booked with the velocities
-    const Eigen::VectorXd driven = netForce(problem, d) + inertiaForce(model, state, factors, d);
+    Eigen::VectorXd driven = netForce(problem, d) + inertiaForce(model, state, factors, d);
+    if (problem.contactShare != 1.0) driven -= (problem.contactShare - 1.0) * contactForce(problem, d);
     state.energy.external += external.dot(d);
     for (Eigen::Index i = 0; i < d.size(); ++i)
         if (known(problem, i)) state.energy.external -= driven[i] * d[i];
     std::vector<double> after;
     linkStrains(problem, d, after);
     for (std::size_t i = 0; i < after.size(); ++i)
-        state.energy.damped += lawLoss(problem.links[i].law, problem.links[i].strain, after[i], problem.rule);
+        state.energy.damped +=
+            lawLoss(problem.links[i].law, problem.links[i].strain, after[i], ruleOf(problem, problem.links[i]));
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const Eigen::Vector3d strain = d.segment<3>(6 * static_cast<Eigen::Index>(i) + 3);
         state.energy.damped += (factors.elastic - 0.5) * model.blocks[i].area * model.thickness *
@@ -80,6 +82,7 @@ void StaticBooks::book(State& end, const LoadPoint& at, const Eigen::VectorXd& m
         if (link.kind == LinkKind::Chord) continue;
         while (!sameLink(start.links.at(s), link)) ++s;  // the same links but for chords, in the same order
         const PathWork path = pathWork(link.law, start.links[s].strain, link.strain, startLimits[s]);
+        ++s;
         problem.slipForce[i] = path.slipForce;
         // forces that rise late let the loads run on; forces that rise early ask more of them
         if (path.surplus > 0.0) end.energy.damped += path.surplus;

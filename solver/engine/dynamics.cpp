@@ -10,8 +10,6 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
-
 namespace keyblock {
 namespace {
 
@@ -38,33 +36,6 @@ void keepTouching(const Model& model, const State& state, StepProblem& problem) 
             link.law.limit = force;
         }
     }
-}
-
-/// M⁻¹·force of every body, prescribed unknowns left out.
-std::vector<double> accelerationsBy(const Model& model, const StepProblem& problem, const Eigen::VectorXd& force) {
-    std::vector<double> accelerations(problem.known.size(), 0.0);
-    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-        if (model.blocks[i].mass <= 0.0) continue;
-        Matrix6 mass = model.blocks[i].massMatrix;
-        Vector6 own = force.segment<6>(6 * static_cast<Eigen::Index>(i));
-        for (int k = 0; k < 6; ++k) {
-            if (!problem.known[6 * i + static_cast<std::size_t>(k)]) continue;
-            mass.row(k).setZero();
-            mass.col(k).setZero();
-            mass(k, k) = 1.0;
-            own[k] = 0.0;
-        }
-        Eigen::Map<Vector6>(accelerations.data() + 6 * i) = mass.ldlt().solve(own);
-    }
-    std::size_t at = 6 * model.blocks.size();
-    for (const BoltModel& bolt : model.bolts)
-        for (std::size_t n = 0; n < bolt.s.size(); ++n) {
-            const Eigen::Vector3d mass = nodeMass(bolt, n);
-            for (int k = 0; k < 3; ++k, ++at)
-                if (!problem.known[at] && mass[k] > 0.0)
-                    accelerations[at] = force[static_cast<Eigen::Index>(at)] / mass[k];
-        }
-    return accelerations;
 }
 
 /// Moves the contacts' zero points and the blocks' stress so that they carry the forces found, with nothing moved.
@@ -138,7 +109,9 @@ StepEnding DynamicStage::begin(State& state) {
     if (!carriesAccelerations(settings_.scheme)) return ending;
     const StepProblem problem =
         buildStep(model, state, loads_, loadsAt_(0.0), {Inertia::None, 1.0, false, 1.0, settings_.damping});
-    state.acceleration = accelerationsBy(model, problem, netForce(problem, Eigen::VectorXd::Zero(problem.unknowns())));
+    const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
+    const Eigen::VectorXd first = byMass(model, problem, netForce(problem, still) - contactForce(problem, still));
+    state.acceleration.assign(first.data(), first.data() + first.size());
     return ending;
 }
 

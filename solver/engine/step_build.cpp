@@ -98,6 +98,7 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
     problem.weight = Eigen::VectorXd::Ones(n);
     const SchemeFactors factors = factorsOf(options);
     problem.rule = factors.rule;
+    problem.contactShare = factors.contactShare;
     addBlocks(model, state, factors, problem);
     addNodes(model, state, factors, problem);
     if (factors.inertia.a != 0.0) problem.load -= factors.inertia.a * timesMass(model, accelerationsOf(model, state));

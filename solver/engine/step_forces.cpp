@@ -33,8 +33,6 @@ Eigen::VectorXd linkForces(const StepProblem& problem, const Eigen::VectorXd& d,
     return sum;
 }
 
-bool ofContact(LinkKind kind) { return kind == LinkKind::Normal || kind == LinkKind::Friction; }
-
 }  // namespace
 
 void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vector<double>& strains) {
@@ -68,6 +66,20 @@ Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d) {
         net.segment<3>(at) -= problem.nodeStiffness[static_cast<std::size_t>(i)].cwiseProduct(d.segment<3>(at));
     }
     return net;
+}
+
+Eigen::VectorXd contactForce(const StepProblem& problem, const Eigen::VectorXd& d) {
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(problem.unknowns());
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const Link& link = problem.links[i];
+        if (!ofContact(link.kind)) continue;
+        const double force = link.law.share * respond(problem, link, strains[i]).force / problem.contactShare;
+        sum.segment<6>(problem.first(link.a)) -= force * link.ga;
+        sum.segment<6>(problem.first(link.b)) -= force * link.gb;
+    }
+    return sum;
 }
 
 double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net) {

@@ -43,6 +43,7 @@ struct StepProblem {
     std::vector<Link> links;
     std::vector<FrictionPair> frictions;
     StepRule rule;  // which force of a law the scheme takes
+    double contactShare = 1.0;  // generalized-α: weight of contacts against the rest in the step's balance
     std::vector<double> slipForce;  // per link: mean force while it slid; empty: the force at the end
     std::vector<Matrix6> blockStiffness;  // inertia and elasticity
     std::vector<Eigen::Vector3d> nodeStiffness;  // inertia, diagonal
@@ -74,9 +75,19 @@ struct SolveReport {
     bool singular = false;
 };
 
-/// Force and tangent that a link at strain `e` gives to the step, before its law's share.
+inline bool ofContact(LinkKind kind) { return kind == LinkKind::Normal || kind == LinkKind::Friction; }
+
+/// The rule for a link: contacts keep energy where the rest follows generalized-α (theory, "Time").
+inline StepRule ruleOf(const StepProblem& problem, const Link& link) {
+    if (problem.rule.rule == ForceRule::Blend && ofContact(link.kind)) return {ForceRule::Average, 0.5};
+    return problem.rule;
+}
+
+/// Force and tangent that a link at strain `e` gives to the step's balance, before its law's share.
 inline LawResponse respond(const StepProblem& problem, const Link& link, double e) {
-    return respondOverStep(link.law, link.strain, e, problem.rule);
+    LawResponse r = respondOverStep(link.law, link.strain, e, ruleOf(problem, link));
+    if (problem.contactShare == 1.0 || !ofContact(link.kind)) return r;
+    return {problem.contactShare * r.force, problem.contactShare * r.tangent};
 }
 
 /// Strain of every link at displacement `d`.
@@ -84,6 +95,9 @@ void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vect
 
 /// Net force on every unknown at `d` (external less internal), prescribed ones included: there it is minus the reaction.
 Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d);
+
+/// Forces of the contacts over the step on every unknown, as they act on the bodies.
+Eigen::VectorXd contactForce(const StepProblem& problem, const Eigen::VectorXd& d);
 
 /// Largest of the summed forces by kind: what residuals are compared with [N].
 double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net);

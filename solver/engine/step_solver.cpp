@@ -95,8 +95,7 @@ void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d) {
         const auto n = static_cast<std::size_t>(pair.normal);
         const Link& normal = problem.links[n];
         // under a mean force friction obeys the mean push, so that a knock's impulses keep Coulomb's ratio
-        const double push = problem.rule.rule == ForceRule::Average ? -respond(problem, normal, strains[n]).force
-                                                                    : -respond(normal.law, strains[n]).force;
+        const double push = -respondOverStep(normal.law, normal.strain, strains[n], ruleOf(problem, normal)).force;
         problem.links[static_cast<std::size_t>(pair.friction)].law.limit = std::max(0.0, push) * pair.tanPhi;
     }
 }

@@ -4,6 +4,8 @@
 
 #include "solver/engine/step_problem.h"
 
+#include <Eigen/Cholesky>
+
 namespace keyblock {
 namespace {
 
@@ -19,6 +21,7 @@ SchemeFactors generalizedAlpha(double rho, double dt) {
     f.rate = {end * f.velocity.d, end * f.velocity.v + alphaF, end * f.velocity.a};
     f.rule = {ForceRule::Blend, end};
     f.elastic = f.loadTime = end;
+    f.contactShare = 0.5 * (1.0 - alphaM) / beta;
     return f;
 }
 
@@ -106,6 +109,32 @@ Eigen::Vector3d nodeMass(const BoltModel& bolt, std::size_t node) {
     return mass;
 }
 
+Eigen::VectorXd byMass(const Model& model, const StepProblem& problem, const Eigen::VectorXd& force) {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(force.size());
+    const auto known = [&](Eigen::Index i) { return problem.known[static_cast<std::size_t>(i)] != 0; };
+    Eigen::Index at = 0;
+    for (const BlockModel& block : model.blocks) {
+        Matrix6 mass = block.massMatrix;
+        Vector6 own = force.segment<6>(at);
+        for (int k = 0; k < 6; ++k) {
+            if (!known(at + k) && block.mass > 0.0) continue;
+            mass.row(k).setZero();
+            mass.col(k).setZero();
+            mass(k, k) = 1.0;
+            own[k] = 0.0;
+        }
+        result.segment<6>(at) = mass.ldlt().solve(own);
+        at += 6;
+    }
+    for (const BoltModel& bolt : model.bolts)
+        for (std::size_t n = 0; n < bolt.s.size(); ++n) {
+            const Eigen::Vector3d mass = nodeMass(bolt, n);
+            for (int k = 0; k < 3; ++k, ++at)
+                if (!known(at) && mass[k] > 0.0) result[at] = force[at] / mass[k];
+        }
+    return result;
+}
+
 Eigen::VectorXd timesMass(const Model& model, const Eigen::VectorXd& x) {
     Eigen::VectorXd product(x.size());
     Eigen::Index at = 0;
@@ -131,7 +160,14 @@ void moveOn(const Model& model, State& state, const StepProblem& problem, const 
             const StepOptions& options) {
     const SchemeFactors factors = factorsOf(options);
     const Eigen::VectorXd before = velocitiesOf(model, state), acceleration = accelerationsOf(model, state);
-    Eigen::VectorXd after = combine<Eigen::VectorXd>(factors.velocity, d, before, acceleration);
+    // under generalized-α contacts give a velocity of their own, as Newmark's; accelerations are those of the rest
+    Eigen::VectorXd push = Eigen::VectorXd::Zero(d.size()), kick = push;
+    if (carriesAccelerations(options.inertia)) {
+        push = contactForce(problem, d);
+        kick = options.dt * byMass(model, problem, push);
+    }
+    const Eigen::VectorXd smooth = d - 0.5 * options.dt * kick;
+    Eigen::VectorXd after = combine<Eigen::VectorXd>(factors.velocity, smooth, before, acceleration) + kick;
     for (Eigen::Index i = 0; i < d.size(); ++i)
         if (problem.known[static_cast<std::size_t>(i)]) after[i] = d[i] / options.dt;
     // ½(v⁺ + v)·M·(v⁺ − v), row by row: what moves by itself and what is driven
@@ -139,12 +175,12 @@ void moveOn(const Model& model, State& state, const StepProblem& problem, const 
     for (Eigen::Index i = 0; i < d.size(); ++i)
         if (problem.known[static_cast<std::size_t>(i)]) state.energy.external += gained[i];
     if (losesMotion(options.inertia)) {
-        const Eigen::VectorXd inertia = inertiaForce(model, state, factors, d);
+        const Eigen::VectorXd inertia = inertiaForce(model, state, factors, smooth) + push;
         for (Eigen::Index i = 0; i < d.size(); ++i)
             if (!problem.known[static_cast<std::size_t>(i)]) state.energy.damped += d[i] * inertia[i] - gained[i];
     }
     if (carriesAccelerations(options.inertia)) {
-        const Eigen::VectorXd next = combine<Eigen::VectorXd>(factors.acceleration, d, before, acceleration);
+        const Eigen::VectorXd next = combine<Eigen::VectorXd>(factors.acceleration, smooth, before, acceleration);
         state.acceleration.assign(next.data(), next.data() + next.size());
         for (std::size_t i = 0; i < problem.known.size(); ++i)
             if (problem.known[i]) state.acceleration[i] = 0.0;

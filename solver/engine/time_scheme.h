@@ -44,6 +44,7 @@ struct SchemeFactors {
     Combination acceleration;  // at the end; GeneralizedAlpha only
     Combination rate;  // the velocity that damping resists
     StepRule rule;  // of the links
+    double contactShare = 1.0;  // of contacts in the step's balance
     double elastic = 1.0;  // share of D at which the stress of blocks is taken
     double loadTime = 1.0;  // share of the step at which loads are taken
 };
@@ -70,6 +71,9 @@ void moveOn(const Model& model, State& state, const StepProblem& problem, const 
 
 /// Mass and rotational inertia of a node of a bolt, in the model's thickness [kg, kg, kg·m²].
 Eigen::Vector3d nodeMass(const BoltModel& bolt, std::size_t node);
+
+/// M⁻¹·force of every body, over the unknowns that `problem` leaves free; zero where there is no mass.
+Eigen::VectorXd byMass(const Model& model, const StepProblem& problem, const Eigen::VectorXd& force);
 
 /// M·x for every body.
 Eigen::VectorXd timesMass(const Model& model, const Eigen::VectorXd& x);

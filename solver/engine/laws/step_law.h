@@ -3,7 +3,7 @@
 //
 // What force a law gives to a whole step. A scheme may take the force at the
 // step's end, the mean along the strain that it passes (the discrete gradient,
-// which keeps energy), or a mix of the forces at both ends. All three rise with
+// which keeps energy), or a mix of the two. All three rise with
 // the strain at the end, so the step stays convex (theory, "Time").
 #pragma once
 
@@ -15,7 +15,7 @@ enum class ForceRule { End, Average, Blend };
 
 struct StepRule {
     ForceRule rule = ForceRule::End;
-    double end = 1.0;  // Blend: weight of the force at the end, the rest is of the force carried at the start
+    double end = 1.0;  // Blend: weight of the end against the start, from ½ to 1, as of a straight law
 };
 
 /// Force that the law carried when the step began. A friction limit may have fallen since: the offset remembers.
@@ -30,8 +30,9 @@ LawResponse averageResponse(const Law& law, double before, double after);
 inline LawResponse respondOverStep(const Law& law, double before, double after, const StepRule& rule) {
     if (rule.rule == ForceRule::End || law.kind == LawKind::Viscous) return respond(law, after);
     if (rule.rule == ForceRule::Average) return averageResponse(law, before, after);
-    const LawResponse end = respond(law, after);
-    return {rule.end * end.force + (1.0 - rule.end) * carriedForce(law, before), rule.end * end.tangent};
+    const LawResponse end = respond(law, after), mean = averageResponse(law, before, after);
+    const double late = 2.0 * rule.end - 1.0;  // a part that loses and a part that keeps energy, and none that gives it
+    return {late * end.force + (1.0 - late) * mean.force, late * end.tangent + (1.0 - late) * mean.tangent};
 }
 
 /// What the law lost to the scheme [J]: work of the step's force, less what was stored and what friction or plastic

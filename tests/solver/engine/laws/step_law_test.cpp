@@ -92,7 +92,8 @@ TEST(StepLaw, TheAverageLosesNothing) {
 TEST(StepLaw, TheForceAtTheEndNeverGives) {
     for (const LawKind kind : kinds)
         for (const double from : starts(kind))
-            for (double to = -3.0; to < 5.0; to += 0.1) EXPECT_GE(lawLoss(law(kind), from, to, end), -1e-12);
+            for (double to = -3.0; to < 5.0; to += 0.1)
+                for (const StepRule& rule : {end, blend}) EXPECT_GE(lawLoss(law(kind), from, to, rule), -1e-12);
     const Law spring = law(LawKind::Linear);
     EXPECT_NEAR(lawLoss(spring, 0.1, 0.7, end), 3.0 * 0.5 * 10.0 * 0.36, 1e-12);
     EXPECT_NEAR(lawLoss(spring, 0.1, 0.7, blend), 3.0 * 0.1 * 10.0 * 0.36, 1e-12);
@@ -103,7 +104,7 @@ TEST(StepLaw, AFallenLimitIsALoss) {
     Law friction = law(LawKind::Capped);
     const double before = friction.offset + 0.35;  // carries 3.5
     friction.limit = 1.0;
-    for (const StepRule& rule : {end, average})
+    for (const StepRule& rule : {end, average, blend})
         for (const double to : {before - 1.0, before, before + 1.0}) EXPECT_GE(lawLoss(friction, before, to, rule), 0.0);
     EXPECT_NEAR(lawLoss(friction, before, before, average), 3.0 * 0.5 * 2.5 * 2.5 / 10.0, 1e-12);
 }
