@@ -15,6 +15,7 @@ namespace keyblock {
 namespace {
 
 constexpr double cellSlack = 1e-3;  // of a cell: so far apart glue may hold two
+constexpr double bookedShare = 1e-10;  // of the bolt: embedded lengths that changed less change no energy
 
 /// Length of `pieces` that lies in `stretches` and between `from` and `to` [m].
 double overlapOf(const std::vector<Stretch>& pieces, const std::vector<Stretch>& stretches, double from, double to) {
@@ -27,21 +28,21 @@ double overlapOf(const std::vector<Stretch>& pieces, const std::vector<Stretch>&
 class BoltPlaces {
 public:
     BoltPlaces(const Model& model, State& state, int bolt)
-        : model_(model), state_(state), bolt_(model.bolts[bolt]), motion_(state.bolts[bolt]) {}
+        : model_(model), state_(state), bolt_(model.bolts[bolt]), motion_(state.bolts[bolt]), index_(bolt) {}
 
     void start() {
         for (int n = 0; n < nodes(); ++n) {
             const int block = bolt_.startBlock[n];
             if (block < 0) continue;
-            enter(n, block);
+            place(n, block);
             motion_.nodes[n].bond.bonded = bolt_.anchors[n].real;
         }
         share();
     }
 
     double follow() {
-        std::vector<std::pair<double, double>> before;
-        for (const BoltNode& node : motion_.nodes) before.emplace_back(node.bond.share, node.normalShare);
+        const std::vector<BoltNode> before = motion_.nodes;
+        std::vector<int> entered;
         for (int n = 0; n < nodes(); ++n) {
             const int was = blockOf(n);
             const int now = find(n, was);
@@ -51,13 +52,17 @@ public:
                 continue;
             }
             leave(n);
-            if (now >= 0) enter(n, now);
+            if (now < 0) continue;
+            place(n, now);
+            entered.push_back(n);
         }
+        for (int n : entered) rub(n, neighbourOf(n, entered));
         share();
         double change = 0.0;
         for (int n = 0; n < nodes(); ++n)
-            change = std::max({change, std::abs(motion_.nodes[n].bond.share - before[n].first),
-                               std::abs(motion_.nodes[n].normalShare - before[n].second)});
+            change = std::max({change, std::abs(motion_.nodes[n].bond.share - before[n].bond.share),
+                               std::abs(motion_.nodes[n].normalShare - before[n].normalShare)});
+        if (change > bookedShare * bolt_.s.back()) keepBooks(before);
         return change;
     }
 
@@ -138,14 +143,13 @@ private:
         return static_cast<int>(motion_.slots.size()) - 1;
     }
 
-    void enter(int n, int block) {
+    void place(int n, int block) {
         BoltNode& node = motion_.nodes[n];
         node.slot = slotIn(n, block);
         const SlotLine line = slotLine(state_, motion_.slots[node.slot]);
         node.bond.place = line.along.dot(node.x - line.p2) / line.length;
         node.bond.offset = 0.0;
         node.bond.curve = {};
-        node.bond.gone = node.bond.gone || (state_.step > 0 && bolt_.anchors[n].law == AnchorLaw::Elastic);
     }
 
     /// Into the next cell of the same block, with the force that the node has.
@@ -186,12 +190,52 @@ private:
         return insideIntervals(state_.blocks[block].corners, a, b, model_.tolerance);
     }
 
+    /// Of the nodes that were in the same block before, the nearest along the bolt; −1: none.
+    int neighbourOf(int n, const std::vector<int>& entered) const {
+        for (int away = 1; away < nodes(); ++away)
+            for (int m : {n - away, n + away})
+                if (m >= 0 && m < nodes() && wholeAt(m) == wholeAt(n) &&
+                    !std::binary_search(entered.begin(), entered.end(), m))
+                    return m;
+        return -1;
+    }
+
+    /// A node that comes into a block has no bond there. It rubs with the force of its neighbour, from which it takes
+    /// over its length, so that the force on the whole length does not depend on where the nodes are.
+    void rub(int n, int neighbour) {
+        const AnchorModel& anchor = bolt_.anchors[n];
+        NodeBond& bond = motion_.nodes[n].bond;
+        if (anchor.law == AnchorLaw::Elastic || anchor.curveEnds) bond.gone = true;
+        if (anchor.curve) bond.curve.accumulated = anchor.curve->plastic.back();
+        if (neighbour < 0 || anchor.per != Per::Length || bolt_.anchors[neighbour].entry != anchor.entry) return;
+        const NodeBond& beside = motion_.nodes[neighbour].bond;
+        if (beside.share <= 0.0) return;
+        const double most = anchor.curve ? yieldForce(*anchor.curve, bond.curve.accumulated) : anchor.residual;
+        const double force = std::clamp(-beside.force / beside.share, -most, most);
+        bond.keptForce = force;
+        if (anchor.curve) bond.curve.plastic = -force / anchor.curve->modulus;
+        else if (anchor.stiffness > 0.0) bond.offset = -force / anchor.stiffness;
+    }
+
+    /// The bond stays behind in the rock.
     void leave(int n) {
         BoltNode& node = motion_.nodes[n];
+        const double residual = bolt_.anchors[n].residual;
+        if (node.bond.bonded) node.bond.keptForce = node.bond.force < 0.0 ? residual : -residual;
         node.slot = -1;
         node.bond.bonded = false;
         node.bond.force = 0.0;
         node.bond.slip = 0.0;
+    }
+
+    /// Length that leaves the rock gives up what it stored; length that enters stores some of the work of friction.
+    void keepBooks(const std::vector<BoltNode>& before) {
+        const double now = boltEnergy(model_, state_, index_);
+        std::vector<BoltNode> nodes = before;
+        nodes.swap(motion_.nodes);
+        const double lost = boltEnergy(model_, state_, index_) - now;
+        nodes.swap(motion_.nodes);
+        (lost > 0.0 ? state_.energy.released : state_.energy.friction) += lost;
     }
 
     /// Stretches of the bolt in each block, its cells as one; an element within one block lies there wholly.
@@ -266,6 +310,7 @@ private:
     State& state_;
     const BoltModel& bolt_;
     BoltMotion& motion_;
+    int index_;
 };
 
 /// Springs of a length that left the rock give back what they held.

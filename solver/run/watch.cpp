@@ -104,11 +104,15 @@ void Watch::lookForFalls(State& state, std::vector<Event>& events) const {
     }
 }
 
-void Watch::lookForPulledOut(State& state, std::vector<Event>& events) const {
+void Watch::lookForPulledOut(State& state, std::vector<Event>& events) {
     for (std::size_t b = 0; b < state.bolts.size(); ++b) {
         BoltMotion& bolt = state.bolts[b];
-        for (std::size_t s = 0; s < inhabited_[b].size(); ++s) {
-            if (!inhabited_[b][s] || bolt.leftSlot[s] || bolt.lost) continue;
+        if (bolt.lost) continue;
+        inhabited_[b].resize(bolt.slots.size(), 0);  // of blocks entered since
+        for (const BoltNode& node : bolt.nodes)
+            if (node.slot >= 0) inhabited_[b][static_cast<std::size_t>(node.slot)] = 1;
+        for (std::size_t s = 0; s < bolt.slots.size(); ++s) {
+            if (!inhabited_[b][s] || bolt.leftSlot[s]) continue;
             const auto isIn = [&](int slot, std::size_t of) {  // the slot, or one in another cell of the block
                 const int own = bolt.slots[static_cast<std::size_t>(slot)].block;
                 const bool sameBlock = model_.blocks[own].cell && sameRock(model_, own, bolt.slots[of].block);

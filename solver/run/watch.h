@@ -27,7 +27,7 @@ private:
     using Pair = std::pair<int, int>;
     void lookAtJoints(const State& state, std::vector<Event>& events);
     void lookForFalls(State& state, std::vector<Event>& events) const;
-    void lookForPulledOut(State& state, std::vector<Event>& events) const;
+    void lookForPulledOut(State& state, std::vector<Event>& events);
 
     const Model& model_;
     std::vector<Point> start_;  // centroids when the run began

@@ -5,6 +5,7 @@
 // it is, and what holds it adds up to the length that is in the rock.
 #include "solver/engine/bolt_topology.h"
 
+#include "solver/engine/step_build.h"
 #include "solver/verify/scenes.h"
 
 #include <gtest/gtest.h>
@@ -155,6 +156,90 @@ TEST(BoltTopology, PerNodeSharesAreWholeOrNothing) {
         for (std::size_t n = 0; n <= 16; ++n)
             EXPECT_EQ(bolt.state.bolts[0].nodes[n].bond.share, bolt.blockOf(n) >= 0 ? 1.0 : 0.0);
         bolt.draw(0.083);
+    }
+}
+
+/// Draws the bolt into the right block with all its nodes sliding in the left one under `force` per metre, until the
+/// next node enters beside those that are there. \return that node.
+std::size_t enterSliding(Placed& bolt, double force) {
+    bolt.draw(0.33);
+    const double stiffness = bolt.model.bolts[0].anchors[0].stiffness;
+    for (BoltNode& node : bolt.state.bolts[0].nodes) {
+        if (node.slot < 0) continue;
+        const SlotLine line = slotLine(bolt.state, bolt.state.bolts[0].slots[static_cast<std::size_t>(node.slot)]);
+        node.bond.bonded = false;
+        node.bond.curve.plastic = alongSlot(line, node) - force / stiffness;
+        node.bond.offset = node.bond.curve.plastic;
+        node.bond.force = -force * node.bond.share;
+    }
+    std::size_t next = 16;
+    while (bolt.blockOf(next) == 1) --next;
+    bolt.draw(0.05);
+    EXPECT_EQ(bolt.blockOf(next), 1);
+    return next;
+}
+
+/// Force of the law per metre where the node is now.
+double lawForce(const Placed& bolt, std::size_t n) {
+    const BoltNode& node = bolt.state.bolts[0].nodes[n];
+    const SlotLine line = slotLine(bolt.state, bolt.state.bolts[0].slots[static_cast<std::size_t>(node.slot)]);
+    const AnchorModel& anchor = bolt.model.bolts[0].anchors[n];
+    return anchor.stiffness * (alongSlot(line, node) - (anchor.curve ? node.bond.curve.plastic : node.bond.offset));
+}
+
+TEST(BoltTopology, ANodeThatEntersRubsLikeItsNeighbour) {
+    Placed bolt(gapScene({alongAll()}));
+    const std::size_t entered = enterSliding(bolt, 7e3);
+    EXPECT_NEAR(lawForce(bolt, entered), 7e3, 1e-3);
+    EXPECT_FALSE(bolt.state.bolts[0].nodes[entered].bond.bonded);
+}
+
+/// There is no peak to be reached twice: the bond stayed in the rock that the node left.
+TEST(BoltTopology, ANodeThatEntersHasOnlyTheResidualStrength) {
+    Placed bolt(gapScene({anchorRange(Per::Length, AnchorLaw::PeakResidual, 1e9, 1e4, 2e3)}));
+    const std::size_t entered = enterSliding(bolt, 7e3);
+    EXPECT_NEAR(lawForce(bolt, entered), 2e3, 1e-3);
+    EXPECT_FALSE(bolt.state.bolts[0].nodes[entered].bond.bonded);
+}
+
+TEST(BoltTopology, AnElasticAnchorThatLeftItsBlockHoldsNothingInAnother) {
+    Placed bolt(gapScene({anchorRange(Per::Length, AnchorLaw::Elastic, 1e9, std::nullopt, 0.0)}));
+    EXPECT_TRUE(bolt.state.bolts[0].nodes[enterSliding(bolt, 7e3)].bond.gone);
+}
+
+TEST(BoltTopology, ACurveEndsWithItsBlock) {
+    for (const AfterCurve after : {AfterCurve::Last, AfterCurve::Zero}) {
+        Anchor anchor = anchorRange(Per::Length, AnchorLaw::Curve, 1e9, std::nullopt, 0.0);
+        anchor.curve = {{0.0, 0.0}, {7.5e-6, 7.5e3}, {0.1, 8e3}};
+        anchor.after = after;
+        Placed bolt(gapScene({anchor}));
+        const std::size_t entered = enterSliding(bolt, 7e3);
+        const NodeBond& bond = bolt.state.bolts[0].nodes[entered].bond;
+        EXPECT_EQ(bond.gone, after == AfterCurve::Zero);
+        EXPECT_NEAR(lawForce(bolt, entered), 7e3, 1e-3);
+        EXPECT_NEAR(yieldForce(*bolt.model.bolts[0].anchors[entered].curve, bond.curve.accumulated), 8e3, 1.0);
+    }
+}
+
+/// What the embedded length stores is neither made nor lost as nodes pass.
+TEST(BoltTopology, StoredEnergyThatLeavesIsReleased) {
+    Placed bolt(gapScene({alongAll()}));
+    enterSliding(bolt, 7e3);
+    bolt.state.energy = {};
+    for (int i = 0; i < 40; ++i) {
+        const double before = boltEnergy(bolt.model, bolt.state, 0);
+        const EnergyLedger books = bolt.state.energy;
+        for (BoltNode& node : bolt.state.bolts[0].nodes) {
+            node.x.x() += 0.0131;
+            node.bond.offset += 0.0131;  // slides on under the same force
+        }
+        ++bolt.state.step;
+        const double moved = boltEnergy(bolt.model, bolt.state, 0);
+        EXPECT_NEAR(moved, before, 1e-12 + 1e-6 * before);
+        followBolts(bolt.model, bolt.state);
+        const EnergyLedger& now = bolt.state.energy;
+        const double booked = now.released - books.released + now.friction - books.friction;
+        EXPECT_NEAR(moved - boltEnergy(bolt.model, bolt.state, 0), booked, 1e-12);
     }
 }
 
