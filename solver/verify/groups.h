@@ -18,6 +18,7 @@ std::vector<Case> shakenCases();
 std::vector<Case> beamCases();
 std::vector<Case> bondCases();
 std::vector<Case> slidingBoltCases();
+std::vector<Case> pullOutCases();
 std::vector<Case> stepCases();
 
 }  // namespace keyblock
