@@ -3,137 +3,53 @@
 #include "solver/engine/contacts.h"
 
 #include "geometry/grid.h"
-#include "geometry/polygon.h"
+#include "solver/engine/contact_candidates.h"
+#include "solver/engine/contact_history.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
+#include <numeric>
 
 namespace keyblock {
 namespace {
 
-constexpr double slackShare = 1e-5;  // of the smaller block: how far past an edge's end a corner still stands on it
-constexpr double deepest = 0.25;  // of the block's size: deeper is no contact with this edge
-constexpr double angleSlack = 0.0523;  // sine of 3°
 constexpr std::size_t pairsATask = 64;
 
-auto keyOf(const Contact& c) { return std::tuple(c.blockA, c.corner, c.blockB, c.edge); }
-auto sortKey(const Contact& c) {
-    return std::tuple(std::min(c.blockA, c.blockB), std::max(c.blockA, c.blockB), c.blockA, c.corner, c.edge);
+using BlockPairs = std::vector<std::pair<int, int>>;
+
+BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks, double margin) {
+    std::vector<Box> boxes;
+    boxes.reserve(blocks.size());
+    for (const BlockMotion& block : blocks) boxes.push_back(grown(boxOf(block.corners), 0.5 * margin + model.tolerance));
+    BlockPairs pairs = BoxGrid(std::move(boxes)).meetingPairs();
+    std::erase_if(pairs, [&](const auto& p) {
+        const bool still = model.blocks[p.first].fixed && model.blocks[p.second].fixed;
+        return still || sameRock(model, p.first, p.second);
+    });
+    return pairs;
 }
 
-/// The neighbours of a corner that stands before an edge lie on the outer side of the edge.
-/// Where an edge of the corner is glued to the next cell, the face goes straight on there.
-bool facesEdge(const std::vector<Point>& corners, const std::vector<char>& inner, int corner, const Edge& edge) {
-    const int n = static_cast<int>(corners.size()), before = (corner + n - 1) % n;
-    const Point& p = corners[corner];
-    Point back = corners[before] - p, on = corners[(corner + 1) % n] - p;
-    if (!inner.empty() && inner[before] && inner[corner]) return false;
-    if (!inner.empty() && inner[before]) back = -on;
-    else if (!inner.empty() && inner[corner]) on = -back;
-    for (const Point& away : {back, on})
-        if (edge.outward.dot(away) < -angleSlack * away.norm()) return false;
-    return true;
+std::vector<Contact> candidatesOf(const CandidateSearch& search, int a, int b) {
+    std::vector<Contact> found;
+    for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)})
+        for (int corner : search.model.blocks[first].turns) search.addCorner(first, corner, second, found);
+    return found;
 }
 
-/// The two edges lie on each other's outer side: sides of a notch.
-bool faceEachOther(const std::vector<Point>& corners, int e, int f) {
-    const Edge first = edgeOf(corners, e), second = edgeOf(corners, f);
-    const auto before = [](const Edge& edge, const Edge& other) {
-        return edge.outward.dot(other.start + 0.5 * other.length * other.along - edge.start) > 0.0;
-    };
-    return before(first, second) && before(second, first);
+/// Two corners at one place, each on an edge that ends at the other.
+bool sameCorners(const CandidateSearch& search, const Contact& x, const Contact& y) {
+    const Point &px = search.blocks[x.blockA].corners[x.corner], &py = search.blocks[y.blockA].corners[y.corner];
+    return x.blockA == y.blockB && (px - py).norm() <= 2.0 * search.slack(x.blockA, x.blockB);
 }
 
-struct PairSearch {
-    const Model& model;
-    const std::vector<BlockMotion>& blocks;
-    double margin;
-
-    double slack(int a, int b) const {
-        return slackShare * std::min(model.blocks[a].size, model.blocks[b].size) + model.tolerance;
-    }
-
-    /// The edges of B that corner `corner` of A stands before, near enough to enter by.
-    std::vector<Contact> facedEdges(int a, int corner, int b) const {
-        const std::vector<Point>& own = blocks[a].corners;
-        const std::vector<Point>& other = blocks[b].corners;
-        const double over = slack(a, b);
-        std::vector<Contact> faced;
-        const std::vector<char>& inner = model.blocks[b].inner;
-        for (int e = 0; e < static_cast<int>(other.size()); ++e) {
-            if (!inner.empty() && inner[static_cast<std::size_t>(e)]) continue;  // no face: glued to the next cell
-            const Edge edge = edgeOf(other, e);
-            const Point from = own[corner] - edge.start;
-            const double gap = edge.outward.dot(from), along = edge.along.dot(from);
-            if (gap > margin || gap < -deepest * model.blocks[b].size) continue;
-            if (along < -over || along > edge.length + over) continue;
-            if (!facesEdge(own, model.blocks[a].inner, corner, edge)) continue;
-            // A top corner of a brick on a wide slab faces the slab's bottom edge too, from above the slab.
-            if (gap < -over && locate(other, own[corner], over) == Side::Outside) continue;
-            Contact& contact = faced.emplace_back();
-            contact.blockA = a, contact.corner = corner, contact.blockB = b, contact.edge = e;
-            contact.gap = gap;
-            contact.lockPlace = along / edge.length;
-        }
-        return faced;
-    }
-
-    /// Where B bulges, a corner enters by the edge it is least behind; both sides of a notch can hold it.
-    void addCorner(int a, int corner, int b, std::vector<Contact>& found) const {
-        const std::vector<Contact> faced = facedEdges(a, corner, b);
-        for (std::size_t i = 0; i < faced.size(); ++i) {
-            bool enters = true;
-            for (std::size_t j = 0; j < faced.size() && enters; ++j) {
-                const bool nearer = faced[j].gap > faced[i].gap || (faced[j].gap == faced[i].gap && j < i);
-                enters = !nearer || faceEachOther(blocks[b].corners, faced[i].edge, faced[j].edge);
-            }
-            if (enters) found.push_back(faced[i]);
-        }
-    }
-
-    std::vector<Contact> both(int a, int b) const {
-        std::vector<Contact> found;
-        for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)})
-            for (int c = 0; c < static_cast<int>(blocks[first].corners.size()); ++c) addCorner(first, c, second, found);
-        return found;
-    }
-
-    const Point& cornerOf(const Contact& c) const { return blocks[c.blockA].corners[c.corner]; }
-
-    /// Two corners at one place, each on an edge that ends at the other.
-    bool sameCorners(const Contact& x, const Contact& y) const {
-        return x.blockA == y.blockB && (cornerOf(x) - cornerOf(y)).norm() <= 2.0 * slack(x.blockA, x.blockB);
-    }
-};
-
-/// Length of joint that the corner stands for: half of what its own edges share with the edge.
-double jointLength(const std::vector<Point>& own, int corner, const Edge& edge) {
-    const int n = static_cast<int>(own.size());
-    double length = 0.0;
-    for (int neighbour : {(corner + n - 1) % n, (corner + 1) % n}) {
-        const Point away = own[neighbour] - own[corner];
-        if (std::abs(edge.outward.dot(away)) > angleSlack * away.norm()) continue;
-        const double s0 = edge.along.dot(own[corner] - edge.start), s1 = edge.along.dot(own[neighbour] - edge.start);
-        length += 0.5 * std::max(0.0, std::min(std::max(s0, s1), edge.length) - std::max(std::min(s0, s1), 0.0));
-    }
-    return length;
-}
-
-const Contact* historyOf(const std::vector<Contact>& before, const Contact& contact) {
-    const auto found = std::lower_bound(before.begin(), before.end(), contact,
-                                        [](const Contact& x, const Contact& y) { return sortKey(x) < sortKey(y); });
-    return found != before.end() && keyOf(*found) == keyOf(contact) ? &*found : nullptr;
-}
-
-void dropDoubles(const PairSearch& search, const std::vector<Contact>& before, std::vector<Contact>& found) {
+void dropDoubles(const CandidateSearch& search, std::vector<Contact>& found) {
     std::vector<char> drop(found.size(), 0);
     for (std::size_t i = 0; i < found.size(); ++i)
         for (std::size_t j = i + 1; j < found.size(); ++j) {
-            if (drop[i] || drop[j] || !search.sameCorners(found[i], found[j])) continue;
-            const bool oldI = historyOf(before, found[i]) != nullptr, oldJ = historyOf(before, found[j]) != nullptr;
+            if (drop[i] || drop[j] || !sameCorners(search, found[i], found[j])) continue;
+            const bool oldI = sameContact(search.before, found[i]), oldJ = sameContact(search.before, found[j]);
+            if (oldI && oldJ) continue;  // both carry: each goes its way
             const bool keepI = oldI != oldJ ? oldI : found[i].gap <= found[j].gap + search.model.tolerance;
             drop[keepI ? j : i] = 1;
         }
@@ -143,23 +59,62 @@ void dropDoubles(const PairSearch& search, const std::vector<Contact>& before, s
     found.resize(kept);
 }
 
-void giveHistory(const PairSearch& search, const std::vector<Contact>& before, bool first, Contact& contact) {
-    if (const Contact* old = historyOf(before, contact)) {
-        contact = *old;
+template <typename One>
+void forEachPair(std::size_t count, const One& one) {
+    if (count < 2 * pairsATask) {
+        for (std::size_t i = 0; i < count; ++i) one(i);
         return;
     }
-    contact.joint = governingJoint(search.model, contact.blockA, contact.blockB);
-    const Edge edge = edgeOf(search.blocks[contact.blockB].corners, contact.edge);
-    contact.length = jointLength(search.blocks[contact.blockA].corners, contact.corner, edge);
-    if (!first || std::abs(contact.gap) > 10.0 * search.model.tolerance) return;
-    contact.gapOffset = contact.gap;
-    const JointModel& joint = search.model.joints[contact.joint];
-    const auto isPlate = [&](int block) { return search.model.blocks[block].plateOf >= 0; };
-    const bool plate = isPlate(contact.blockA) || isPlate(contact.blockB);
-    contact.bonded = !plate && contact.length > 0.0 && (joint.cohesion > 0.0 || joint.tensileStrength > 0.0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, pairsATask), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) one(i);
+    });
 }
 
 }  // namespace
+
+std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
+                                  const std::vector<Contact>& before, const ContactSearch& asked) {
+    const BlockPairs pairs = nearPairs(model, blocks, asked.margin);
+    const Standings standings(model, blocks, before);
+    const std::vector<Drift> drift = driftOf(blocks, asked.path);
+    const CandidateSearch search{model, blocks, before, drift, standings, asked.margin};
+    std::vector<std::vector<Contact>> perPair(pairs.size());
+    std::vector<double> lost(pairs.size(), 0.0);
+    forEachPair(pairs.size(), [&](std::size_t i) {
+        std::vector<Contact>& found = perPair[i];
+        found = candidatesOf(search, pairs[i].first, pairs[i].second);
+        dropDoubles(search, found);
+        for (Contact& contact : found) lost[i] += giveHistory(model, blocks, before, asked.first, contact);
+    });
+    std::vector<Contact> contacts;
+    for (const auto& found : perPair) contacts.insert(contacts.end(), found.begin(), found.end());
+    std::sort(contacts.begin(), contacts.end(), comesBefore);
+    const double ended = handOver(model, blocks, before, contacts);
+    if (asked.released) *asked.released += std::accumulate(lost.begin(), lost.end(), ended);
+    return contacts;
+}
+
+std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
+                                  const std::vector<Contact>& before, double margin, bool first) {
+    return findContacts(model, blocks, before, {margin, first, nullptr, nullptr});
+}
+
+bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
+                   double margin, const Eigen::VectorXd& path) {
+    const std::vector<Contact> now = findContacts(model, blocks, contacts, {margin, false, &path, nullptr});
+    const std::vector<Drift> drift = driftOf(blocks, &path);
+    const auto entersUnseen = [&](const Contact& c, const std::vector<Contact>& others) {
+        if (c.bonded || sameContact(others, c)) return false;
+        const Point& corner = blocks[c.blockA].corners[c.corner];
+        const auto moved = [&](int block) {
+            return Point(drift[block].shift + drift[block].turn * turnLeft(corner - blocks[block].centroid));
+        };
+        const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
+        return edge.outward.dot(corner - edge.start + moved(c.blockA) - moved(c.blockB)) < c.gapOffset - model.tolerance;
+    };
+    return std::none_of(now.begin(), now.end(), [&](const Contact& c) { return entersUnseen(c, contacts); }) &&
+           std::none_of(contacts.begin(), contacts.end(), [&](const Contact& c) { return entersUnseen(c, now); });
+}
 
 Edge edgeOf(const std::vector<Point>& corners, int index) {
     const Point& a = corners[index];
@@ -175,42 +130,14 @@ int governingJoint(const Model& model, int a, int b) {
     return weaker(y) < weaker(x) ? y : x;
 }
 
-double contactStiffness(const Model& model, int a, int b) {
-    return model.analysis.penaltyRatio * model.thickness *
-           std::min(model.blocks[a].youngsModulus, model.blocks[b].youngsModulus);
+double gapOf(const std::vector<BlockMotion>& blocks, const Contact& c) {
+    const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
+    return edge.outward.dot(blocks[c.blockA].corners[c.corner] - edge.start);
 }
 
-std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
-                                  const std::vector<Contact>& before, double margin, bool first) {
-    std::vector<Box> boxes;
-    boxes.reserve(blocks.size());
-    for (const BlockMotion& block : blocks) boxes.push_back(grown(boxOf(block.corners), 0.5 * margin + model.tolerance));
-    std::vector<std::pair<int, int>> pairs = BoxGrid(std::move(boxes)).meetingPairs();
-    std::erase_if(pairs, [&](const auto& p) {
-        const bool still = model.blocks[p.first].fixed && model.blocks[p.second].fixed;
-        return still || sameRock(model, p.first, p.second);
-    });
-
-    const PairSearch search{model, blocks, margin};
-    std::vector<std::vector<Contact>> perPair(pairs.size());
-    const auto one = [&](std::size_t i) {
-        std::vector<Contact>& found = perPair[i];
-        found = search.both(pairs[i].first, pairs[i].second);
-        dropDoubles(search, before, found);
-        for (Contact& contact : found) giveHistory(search, before, first, contact);
-    };
-    if (pairs.size() < 2 * pairsATask) {
-        for (std::size_t i = 0; i < pairs.size(); ++i) one(i);
-    } else {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), pairsATask), [&](const auto& range) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) one(i);
-        });
-    }
-    std::vector<Contact> contacts;
-    for (const auto& found : perPair) contacts.insert(contacts.end(), found.begin(), found.end());
-    std::sort(contacts.begin(), contacts.end(),
-              [](const Contact& x, const Contact& y) { return sortKey(x) < sortKey(y); });
-    return contacts;
+double slipOf(const std::vector<BlockMotion>& blocks, const Contact& c) {
+    const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
+    return edge.along.dot(blocks[c.blockA].corners[c.corner] - edge.start) - c.lockPlace * edge.length;
 }
 
 }  // namespace keyblock

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which corners stand before which edges. Candidates come from a grid over the
-// boxes of the blocks; history is found again by the pair of features.
+// boxes of the blocks; history is found again by the pair of features, or taken
+// over from a neighbour at the same place.
 #pragma once
 
 #include "solver/engine/state.h"
@@ -11,13 +12,27 @@
 
 namespace keyblock {
 
-/// Contacts closer than `margin` [m], sorted by block pair and corner, with the history of `before`.
+/// What a search goes by.
+struct ContactSearch {
+    double margin = 0.0;  // [m] how near a corner must be
+    bool first = false;  // the scene as it was given: faces that touch carry no force, joints may be bonded
+    const Eigen::VectorXd* path = nullptr;  // displacement of the step that begins; none: at rest
+    double* released = nullptr;  // takes the elastic energy of contacts that ended or changed [J]
+};
+
+/// Contacts closer than the margin, sorted by block pair and corner, with the history of `before`.
 /// One spring per corner pair: where a corner of each lies on an edge of the other at the same
 /// place, the one with history is kept, else the one further inside.
-/// \param first true for the scene as it was given: faces that touch carry no force there,
-///        and joints with cohesion or tension are bonded.
+std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
+                                  const std::vector<Contact>& before, const ContactSearch& search);
+
+/// The same from a margin and the question whether it is the scene as it was given.
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, double margin, bool first);
+
+/// False where a corner comes in by another edge than it was looked for, now that its path is known.
+bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
+                   double margin, const Eigen::VectorXd& path);
 
 /// An edge of a block as it is now: start, unit direction, outward normal, length [m].
 struct Edge {
@@ -30,7 +45,31 @@ Edge edgeOf(const std::vector<Point>& corners, int index);
 /// \return a row of Model::joints
 int governingJoint(const Model& model, int blockA, int blockB);
 
-/// Contact stiffness of a pair: penalty ratio · E · thickness, E the smaller of the two [N/m].
-double contactStiffness(const Model& model, int blockA, int blockB);
+/// Springs of one contact [N/m].
+struct ContactSprings {
+    double normal = 0.0, shear = 0.0;
+};
+
+/// Penalty ratio · E · thickness, E the smaller of the two blocks', and its shear share; or, where faces meet and their
+/// joint material has a stiffness of its own, that times the contact's length and the thickness.
+ContactSprings contactSprings(const Model& model, const Contact& contact);
+
+/// Tangent of the friction angle that acts: the residual one after the first slip.
+double frictionOf(const Model& model, const Contact& contact);
+
+/// Zero points or multipliers such that the contact carries a force where the blocks are.
+/// \param strain gap or slip of its link there [m]; \param force compression, or along the edge [N].
+void carryNormal(const Model& model, Contact& contact, double strain, double force);
+void carryShear(const Model& model, Contact& contact, double strain, double force);
+
+/// Makes the contact carry more where the blocks are [N].
+void addForces(const Model& model, Contact& contact, double normal, double shear);
+
+/// Elastic energy of the contact where the blocks are [J].
+double contactEnergy(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact);
+
+/// Gap and slip of a contact where the blocks are [m].
+double gapOf(const std::vector<BlockMotion>& blocks, const Contact& contact);
+double slipOf(const std::vector<BlockMotion>& blocks, const Contact& contact);
 
 }  // namespace keyblock

@@ -17,6 +17,8 @@ constexpr double shortestStep = 1e-6;  // over the given step: shorter is a fail
 constexpr double eventStep = 1e-3;  // over the given step: shorter steps take the event as it comes
 constexpr double locateShare = 1e-4;
 constexpr double nearShare = 1e-3;  // of the smallest block: contacts are always sought this far
+constexpr double pathShare = 1e-5;  // of the smallest block: a longer move may come in by another edge than it seemed
+constexpr int mostPaths = 2;  // times that a step is done again because it does
 constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
 constexpr int preloadRounds = 4;
 
@@ -45,11 +47,14 @@ void takePreload(const Model& model, State& state, const StepProblem& problem, c
     for (std::size_t i = 0; i < strains.size(); ++i) {
         const Link& link = problem.links[i];
         if (link.law.stiffness <= 0.0) continue;
-        const double offset = link.strain - respond(link.law, strains[i]).force / link.law.stiffness;
-        if (link.kind == LinkKind::Normal) state.contacts[static_cast<std::size_t>(link.owner)].gapOffset = offset;
-        if (link.kind == LinkKind::Friction) state.contacts[static_cast<std::size_t>(link.owner)].slipOffset = offset;
+        const double force = respond(link.law, strains[i]).force;
+        if (link.kind == LinkKind::Normal)
+            carryNormal(model, state.contacts[static_cast<std::size_t>(link.owner)], link.strain, -force);
+        if (link.kind == LinkKind::Friction)
+            carryShear(model, state.contacts[static_cast<std::size_t>(link.owner)], link.strain, force);
         if (link.kind == LinkKind::Glue)
-            state.glue[static_cast<std::size_t>(link.owner)].offset[static_cast<std::size_t>(link.part)] = offset;
+            state.glue[static_cast<std::size_t>(link.owner)].offset[static_cast<std::size_t>(link.part)] =
+                link.strain - force / link.law.stiffness;
     }
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         state.blocks[i].preStress +=
@@ -70,7 +75,7 @@ StepEnding DynamicStage::preload(State& state) {
     if (!fresh) return {};
     double mass = 0.0, stiffness = std::numeric_limits<double>::max();
     for (const BlockModel& block : model.blocks) mass = std::max(mass, block.mass);
-    for (const Contact& c : state.contacts) stiffness = std::min(stiffness, contactStiffness(model, c.blockA, c.blockB));
+    for (const Contact& c : state.contacts) stiffness = std::min(stiffness, contactSprings(model, c).normal);
     if (mass <= 0.0) return {};
     const double dt = std::sqrt(2.0 * mass / (preloadInertia * stiffness));
     State trial = state;
@@ -137,13 +142,16 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
     const LoadPoint at = loadsOver(time, dt, factorsOf(options).loadTime);
     const double least = nearShare * smallestSize(model);
     double margin = std::max(least, 2.0 * predictedMove(state, dt));
-    for (;;) {
+    Eigen::VectorXd guess = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model.blocks.size()) + 3 * model.nodes);
+    for (std::size_t i = 0; i < model.blocks.size(); ++i)
+        guess.segment<6>(6 * static_cast<Eigen::Index>(i)) = dt * state.blocks[i].velocity;
+    Eigen::VectorXd path = guess;
+    for (int paths = 0;;) {
         trial.state = state;
-        trial.state.contacts = findContacts(model, state.blocks, state.contacts, 2.0 * margin, false);
+        trial.state.contacts = findContacts(model, state.blocks, state.contacts,
+                                            {2.0 * margin, false, &path, &trial.state.energy.released});
         StepProblem problem = buildStep(model, trial.state, loads_, at, options);
-        Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
-        for (std::size_t i = 0; i < model.blocks.size(); ++i)
-            d.segment<6>(6 * static_cast<Eigen::Index>(i)) = dt * state.blocks[i].velocity;
+        Eigen::VectorXd d = guess;
         const SolveReport report = solveStep(engine_, problem, trial.state, d, model.analysis.tolerance);
         worst_ = report.worst;
         if (report.stopped) return Attempt::Stopped;
@@ -152,6 +160,12 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         if (move > margin) {  // something may have been met that was not looked for
             margin = 2.0 * move;
             if (margin > 0.25 * smallestSize(model) && !state.contacts.empty()) return Attempt::TooLong;
+            continue;
+        }
+        if (paths < mostPaths && move > pathShare * smallestSize(model) &&
+            !entrancesHold(model, state.blocks, trial.state.contacts, 2.0 * margin, d)) {
+            path = d;
+            ++paths;
             continue;
         }
         lastMove_ = move;

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/engine.h"
 
+#include "solver/engine/multipliers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace keyblock {
 
@@ -18,9 +21,39 @@ void releaseAndTell(const Model& model, State& state, const Limit& limit, double
     }
 }
 
+namespace {
+
+constexpr int mostUpdates = 40;  // of the multipliers of one step
+constexpr double slowUpdate = 0.1;  // of the error before: where more is left, the springs are made stiffer
+constexpr double stiffer = 10.0;
+constexpr double stiffest = 1e4;
+
+/// Solves again under multipliers until contacts neither penetrate nor slip elastically.
+void settleMultipliers(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d,
+                       const SolveSettings& settings, SolveReport& report) {
+    double error = multiplierError(engine.model, state, problem, d), before = error, raised = 1.0;
+    for (int update = 0; report.converged && error > 1.0; ++update) {
+        const bool raise = update > 0 && error > slowUpdate * before && raised < stiffest;
+        raised *= raise ? stiffer : 1.0;
+        takeMultipliers(state, problem, d, raise ? stiffer : 1.0);
+        const SolveReport next = engine.solver.solve(problem, d, settings, engine.stopAsked);
+        const int passes = report.passes + std::max(1, next.passes), factored = report.factorizations + next.factorizations;
+        report = next;
+        report.passes = passes;
+        report.factorizations = factored;
+        report.converged = report.converged && update < mostUpdates;
+        before = std::exchange(error, multiplierError(engine.model, state, problem, d));
+    }
+    if (report.converged) keepMultipliers(engine.model, state, problem, d);
+}
+
+}  // namespace
+
 SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, double tolerance) {
-    const SolveSettings settings{tolerance, engine.model.analysis.maxPasses};
-    const SolveReport report = engine.solver.solve(problem, d, settings, engine.stopAsked);
+    const Analysis& analysis = engine.model.analysis;
+    const SolveSettings settings{tolerance, analysis.maxPasses, analysis.iteration == Iteration::OpenClose};
+    SolveReport report = engine.solver.solve(problem, d, settings, engine.stopAsked);
+    if (usesMultipliers(engine.model)) settleMultipliers(engine, problem, state, d, settings, report);
     ++engine.health.steps;
     engine.health.passes += std::max(1, report.passes);
     engine.health.factorizations += report.factorizations;

@@ -20,7 +20,7 @@ bool bonds(const JointModel& joint) { return joint.cohesion > 0.0 || joint.tensi
 
 /// Friction alone bears what the contact carries.
 bool frictionBears(const JointModel& joint, const Contact& c) {
-    return c.normalForce >= 0.0 && std::abs(c.shearForce) <= c.normalForce * joint.tanPhi;
+    return c.normalForce >= 0.0 && std::abs(c.shearForce) <= c.normalForce * (c.slipped ? joint.tanResidual : joint.tanPhi);
 }
 
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
@@ -58,7 +58,7 @@ void changeJoints(const Scene& scene, int stage, Model& model, State& state) {
         const JointModel& joint = model.joints[c.joint];
         if (neverBonded && bonds(joint) && c.length > 0.0 && touches(model, c)) c.bonded = true;
         if (c.bonded && !bonds(joint) && frictionBears(joint, c)) c.bonded = false;
-        if (!c.bonded) c.limit = std::max(0.0, c.normalForce) * joint.tanPhi;
+        if (!c.bonded) c.limit = std::max(0.0, c.normalForce) * frictionOf(model, c);
     }
 }
 

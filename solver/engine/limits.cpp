@@ -12,9 +12,8 @@ namespace keyblock {
 namespace {
 
 constexpr double leastShare = 1e-12;  // [m] embedded: less holds nothing
+constexpr double leastFriction = 1e-12;  // of E · size · thickness: less is round-off
 constexpr double leastTension = 1e-6;  // of the cohesive strength, for joints without tensile strength
-
-double half(double force, double stiffness) { return stiffness > 0.0 ? 0.5 * force * force / stiffness : 0.0; }
 
 class BoltLimits {
 public:
@@ -83,6 +82,21 @@ double shearRatio(const Model& model, const Contact& c) {
     const double strength =
         joint.cohesion * c.length * model.thickness + std::max(0.0, c.normalForce) * joint.tanPhi;
     return strength > 0.0 ? std::abs(c.shearForce) / strength : (c.shearForce == 0.0 ? 0.0 : 1.0 / leastTension);
+}
+
+/// Friction that has a residual angle to fall to, under a force that is more than round-off.
+bool holdsPeak(const Model& model, const Contact& c) {
+    const JointModel& joint = model.joints[c.joint];
+    if (c.bonded || c.slipped || joint.tanResidual >= joint.tanPhi) return false;
+    const double modulus = std::min(model.blocks[c.blockA].youngsModulus, model.blocks[c.blockB].youngsModulus);
+    const double size = std::min(model.blocks[c.blockA].size, model.blocks[c.blockB].size);
+    return c.normalForce * joint.tanPhi > leastFriction * modulus * size * model.thickness;
+}
+
+/// What the contact would carry had it not slid in its last step, over the peak: 1 where sliding begins.
+double peakRatio(const Model& model, const Contact& c) {
+    return (std::abs(c.shearForce) + contactSprings(model, c).shear * std::abs(c.slid)) /
+           (c.normalForce * model.joints[c.joint].tanPhi);
 }
 
 /// Of the two elements beside a node, the larger |N| with its sign.
@@ -174,7 +188,8 @@ std::vector<Event> releaseBolt(const Model& model, State& state, const Limit& li
             motion.plateHolds = false;
             motion.plateNormal = motion.plateShear = 0.0;
             break;
-        case LimitKind::JointBond: break;
+        case LimitKind::JointBond:
+        case LimitKind::PeakFriction: break;
     }
     const bool anchorFails = limit.kind == LimitKind::Bond || limit.kind == LimitKind::CurveEnd;
     if (anchorFails && bolt.anchors[limit.part].boltLost) {
@@ -188,22 +203,30 @@ std::vector<Event> releaseBolt(const Model& model, State& state, const Limit& li
     return events;
 }
 
+/// Friction falls to what is left of it; the joint carries that where the blocks are.
+void dropFriction(const Model& model, State& state, Contact& c) {
+    c.limit = std::max(0.0, c.normalForce) * frictionOf(model, c);
+    const double kept = std::clamp(c.shearForce, -c.limit, c.limit);
+    carryShear(model, c, slipOf(state.blocks, c), kept);
+    c.shearForce = kept;
+}
+
 Event releaseJoint(const Model& model, State& state, const Limit& limit) {
     Contact& c = state.contacts[limit.owner];
-    const double kn = contactStiffness(model, c.blockA, c.blockB);
     Event event;
-    event.kind = tensionRatio(model, c) >= shearRatio(model, c) ? EventKind::JointOpen : EventKind::JointSlip;
+    const bool opens = c.bonded && tensionRatio(model, c) >= shearRatio(model, c);
+    event.kind = opens ? EventKind::JointOpen : EventKind::JointSlip;
     event.block = c.blockA;
     event.otherBlock = c.blockB;
     event.position = c.position;
     event.axialForce = -c.normalForce;
     event.shearForce = c.shearForce;
+    event.slip = c.slip;
+    state.energy.released += contactEnergy(model, state.blocks, c);
     c.bonded = false;
-    c.limit = std::max(0.0, c.normalForce) * model.joints[c.joint].tanPhi;
-    const double ks = model.analysis.shearRatio * kn;
-    const double kept = std::clamp(c.shearForce, -c.limit, c.limit);
-    if (ks > 0.0) c.slipOffset += (c.shearForce - kept) / ks;  // carries what friction keeps where the blocks are now
-    state.energy.released += half(std::min(0.0, c.normalForce), kn) + half(c.shearForce, ks) - half(kept, ks);
+    c.slipped = c.slipped || !opens;
+    dropFriction(model, state, c);
+    state.energy.released -= contactEnergy(model, state.blocks, c);
     return event;
 }
 
@@ -216,6 +239,7 @@ EventKind eventOf(LimitKind kind) {
         case LimitKind::ShearRupture: return EventKind::ShearRupture;
         case LimitKind::Plate: return EventKind::PlateLoss;
         case LimitKind::JointBond: return EventKind::JointOpen;
+        case LimitKind::PeakFriction: return EventKind::JointSlip;
     }
     return EventKind::Debonding;
 }
@@ -228,6 +252,8 @@ std::vector<Limit> heldLimits(const Model& model, const State& state) {
         if (!state.bolts[b].lost) BoltLimits(model, state, static_cast<int>(b), limits).add();
     for (std::size_t i = 0; i < state.contacts.size(); ++i) {
         const Contact& c = state.contacts[i];
+        if (holdsPeak(model, c))
+            limits.push_back({LimitKind::PeakFriction, static_cast<int>(i), 0, peakRatio(model, c)});
         if (!c.bonded) continue;
         limits.push_back({LimitKind::JointBond, static_cast<int>(i), 0, std::max(tensionRatio(model, c),
                                                                                  shearRatio(model, c))});
@@ -253,7 +279,8 @@ bool changesForces(const Model& model, const Limit& limit) {
 }
 
 std::vector<Event> releaseLimit(const Model& model, State& state, const Limit& limit) {
-    if (limit.kind == LimitKind::JointBond) return {releaseJoint(model, state, limit)};
+    if (limit.kind == LimitKind::JointBond || limit.kind == LimitKind::PeakFriction)
+        return {releaseJoint(model, state, limit)};
     return releaseBolt(model, state, limit, eventOf(limit.kind));
 }
 

@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-enum class LimitKind { Bond, CurveEnd, Yield, TensileRupture, ShearRupture, Plate, JointBond };
+enum class LimitKind { Bond, CurveEnd, Yield, TensileRupture, ShearRupture, Plate, JointBond, PeakFriction };
 
 struct Limit {
     LimitKind kind = LimitKind::Bond;

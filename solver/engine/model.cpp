@@ -66,6 +66,19 @@ std::vector<Point> relative(const std::vector<Point>& points, const Point& origi
 
 Material plateMaterial(const Plate& plate) { return {plate.density, plate.youngsModulus, plate.poissonsRatio}; }
 
+/// Corners at which an outline turns by more than round-off, or its edges cease to be glued.
+std::vector<int> turnsOf(const std::vector<Point>& shape, const std::vector<char>& inner) {
+    constexpr double straight = 1e-9;  // sine of the angle
+    std::vector<int> turns;
+    const int n = static_cast<int>(shape.size());
+    for (int i = 0; i < n; ++i) {
+        const Point in = shape[i] - shape[(i + n - 1) % n], out = shape[(i + 1) % n] - shape[i];
+        const bool bends = std::abs(cross(in, out)) > straight * in.norm() * out.norm();
+        if (bends || (!inner.empty() && inner[i] != inner[(i + n - 1) % n])) turns.push_back(i);
+    }
+    return turns;
+}
+
 BlockModel blockModel(const Scene& scene, const SolvedBlock& solved) {
     const Block& block = scene.blocks[static_cast<std::size_t>(solved.block)];
     const bool plate = solved.plateOf >= 0;
@@ -80,6 +93,7 @@ BlockModel blockModel(const Scene& scene, const SolvedBlock& solved) {
     model.plateOf = solved.plateOf;
     model.inner = solved.inner;
     model.shape = relative(corners, m.centroid);
+    model.turns = turnsOf(model.shape, model.inner);
     model.centroid = m.centroid;
     model.area = m.area;
     model.size = std::sqrt(m.area);
@@ -287,8 +301,12 @@ BoltModel boltModel(const Scene& scene, int index, const Model& model) {
 
 double stiffestOf(const Model& model) {
     double stiffest = 0.0;
-    for (const BlockModel& block : model.blocks)
+    for (const BlockModel& block : model.blocks) {
         stiffest = std::max(stiffest, model.analysis.penaltyRatio * block.youngsModulus * model.thickness);
+        const JointModel& joint = model.joints[block.jointMaterial];
+        for (const auto& stiffness : {joint.normalStiffness, joint.shearStiffness})
+            stiffest = std::max(stiffest, stiffness.value_or(0.0) * block.size * model.thickness);
+    }
     for (const BoltModel& bolt : model.bolts)
         for (const BoltElement& element : bolt.elements)
             stiffest = std::max(stiffest,
@@ -365,7 +383,15 @@ int rowHolding(const Model& model, int block, const Point& place) {
 }
 
 JointModel jointModel(const JointMaterial& material) {
-    return {std::tan(material.frictionAngle * std::numbers::pi / 180.0), material.cohesion, material.tensileStrength};
+    const auto tangent = [](double angle) { return std::tan(angle * std::numbers::pi / 180.0); };
+    JointModel joint;
+    joint.tanPhi = tangent(material.frictionAngle);
+    joint.cohesion = material.cohesion;
+    joint.tensileStrength = material.tensileStrength;
+    joint.tanResidual = std::min(joint.tanPhi, tangent(material.residualFrictionAngle.value_or(material.frictionAngle)));
+    joint.normalStiffness = material.normalStiffness;
+    joint.shearStiffness = material.shearStiffness;
+    return joint;
 }
 
 Model makeModel(const Scene& scene) {

@@ -40,12 +40,15 @@ struct BlockModel {
     bool cell = false;
     int plateOf = -1;  // bolt whose plate it is
     std::vector<char> inner;  // a row per edge: glued to other cells from end to end; empty: none
+    std::vector<int> turns;  // corners at which the outline turns: straight ones are no corners to a contact
     bool fixed = false;
 };
 
 struct JointModel {
     double tanPhi = 0.0;
     double cohesion = 0.0, tensileStrength = 0.0;  // [Pa]
+    double tanResidual = 0.0;  // after the first slip; tanPhi where nothing is lost
+    std::optional<double> normalStiffness, shearStiffness;  // [Pa/m]
 };
 
 /// Elastic bond along an edge that two cells share (theory, "Sub-blocks").

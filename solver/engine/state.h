@@ -39,6 +39,9 @@ struct Contact {
     double limit = 0.0;  // friction limit last used [N]
     double length = 0.0;  // of the joint that this corner stands for [m]
     bool bonded = false;  // cohesion and tension not lost yet
+    bool slipped = false;  // friction has fallen to its residual angle
+    double slid = 0.0;  // in the last accepted step [m]
+    double normalMultiplier = 0.0, shearMultiplier = 0.0;  // forces without strain, augmented Lagrangian [N]
     double normalForce = 0.0, shearForce = 0.0;  // last accepted [N], compression positive
     double gap = 0.0;  // last accepted [m]
     Point position{0.0, 0.0};  // [m]

@@ -11,6 +11,7 @@
 #include "solver/engine/bolt_topology.h"
 #include "solver/engine/books.h"
 #include "solver/engine/contacts.h"
+#include "solver/engine/multipliers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,8 @@ constexpr double finestIncrement = 1e-3;  // of the given increment, before a co
 constexpr double followShare = 1e-7;  // of the scene: embedded lengths that changed less need no new equilibrium
 constexpr double wellBalanced = 1e-9;  // residual over the reference force that needs no better
 constexpr double stillFalling = 0.1;  // of the residual before: so quick a fall is followed under the tolerance, too
+constexpr double pathShare = 1e-4;  // of the longest move: a longer one may come in by another edge than it seemed
+constexpr int mostPaths = 2;  // times that a pseudo-step is done again because it does
 constexpr int mostRounds = 4;
 constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, when joints take up the run's first forces
 constexpr int mostTries = 60;  // to locate an event
@@ -57,11 +60,14 @@ public:
         Ending ending = Ending::NoEquilibrium;
         std::string message;
         int worst = -1;
+        Eigen::VectorXd path;
+        int paths = 0;
         for (int step = 0; step < settings_.maxSteps; ++step) {
-            state.contacts = findContacts(model_, state.blocks, state.contacts, 2.0 * moveLimit_, false);
+            state.contacts = findContacts(model_, state.blocks, state.contacts,
+                                          {2.0 * moveLimit_, false, paths > 0 ? &path : nullptr, &state.energy.released});
             const bool lock = step < lockedSteps && state.step == 0 && unloaded(state);
             StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, lock});
-            if (!lock && balanced(problem, step)) {
+            if (!lock && balanced(state, problem, step)) {
                 Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
                 books.book(state, at, moved, problem);
                 acceptStep(model_, state, problem, still);
@@ -82,6 +88,13 @@ public:
                                           : "no step settles near " + nameOfBody(model_, worst);
                 break;
             }
+            if (paths < mostPaths && move > pathShare * moveLimit_ &&
+                !entrancesHold(model_, state.blocks, state.contacts, 2.0 * moveLimit_, d)) {
+                path = d;
+                ++paths;
+                continue;
+            }
+            paths = 0;
             moveBodies(model_, state, d);
             moved += d;
             if (!lock) lastMove_ = move;
@@ -102,13 +115,14 @@ private:
                            [](const Contact& c) { return c.normalForce == 0.0 && !c.bonded; });
     }
 
-    bool balanced(StepProblem& problem, int step) {
+    bool balanced(const State& state, StepProblem& problem, int step) {
         for (int i = 0; i < problem.unknowns(); ++i)
             if (problem.known[static_cast<std::size_t>(i)] && std::abs(problem.value[i]) > roundOff()) return false;
         const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
         correctFrictionLimits(problem, still);
         const Eigen::VectorXd net = netForce(problem, still);
         const double before = std::exchange(residual_, residualNorm(problem, net) / referenceForce(problem, still, net));
+        if (usesMultipliers(model_) && multiplierError(model_, state, problem, still) > 1.0) return false;
         if (residual_ > settings_.unbalanced) return step > 0 && dt_ >= longest_ && lastMove_ <= roundOff();
         return residual_ <= wellBalanced || residual_ > stillFalling * before;  // no longer worth a pseudo-step
     }

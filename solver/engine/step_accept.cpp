@@ -12,6 +12,8 @@
 namespace keyblock {
 namespace {
 
+constexpr double stuckShare = 1e-12;  // of the limit: friction under it has not slid
+
 void acceptContact(const Link& link, double force, Contact& c) {
     if (link.kind == LinkKind::Normal) {
         c.normalForce = -force;
@@ -53,20 +55,27 @@ void acceptBoltLink(const Link& link, double strain, double force, const Backbon
     }
 }
 
+/// A contact that slid is locked where it is now, under the force it carries; one that stuck stays locked where it was.
+/// \return how far it slid [m].
+double relockContact(const Model& model, const State& state, const Link& link, double force, Contact& c) {
+    c.slid = 0.0;
+    if (std::abs(force) < link.law.limit * (1.0 - stuckShare)) return 0.0;
+    const double before = link.law.rigid ? c.slipOffset : link.law.offset;
+    carryShear(model, c, slipOf(state.blocks, c), force);
+    c.slid = c.slipOffset - before;
+    if (c.normalForce > 0.0) c.slip += c.slid;
+    return c.slid;
+}
+
 /// Moves the offset of every sliding law so that it carries the accepted force where the bodies are now.
-void relock(State& state, const StepProblem& problem, const std::vector<double>& forces) {
+void relock(const Model& model, State& state, const StepProblem& problem, const std::vector<double>& forces) {
     for (std::size_t i = 0; i < problem.links.size(); ++i) {
         const Link& link = problem.links[i];
         const double k = link.law.stiffness;
         if (link.law.kind != LawKind::Capped || k <= 0.0) continue;
-        double offset = 0.0;
+        double offset = link.law.offset;
         if (link.kind == LinkKind::Friction) {
-            Contact& c = state.contacts[link.owner];
-            const Edge edge = edgeOf(state.blocks[c.blockB].corners, c.edge);
-            const Point from = state.blocks[c.blockA].corners[c.corner] - edge.start;
-            offset = edge.along.dot(from) - c.lockPlace * edge.length - forces[i] / k;
-            c.slip += offset - c.slipOffset;
-            c.slipOffset = offset;
+            offset += relockContact(model, state, link, forces[i], state.contacts[link.owner]);
         } else if (link.kind == LinkKind::AnchorSlip) {
             BoltMotion& motion = state.bolts[link.owner];
             BoltNode& node = motion.nodes[link.part];
@@ -78,8 +87,8 @@ void relock(State& state, const StepProblem& problem, const std::vector<double>&
     }
     for (Contact& c : state.contacts) {
         c.position = state.blocks[c.blockA].corners[c.corner];
-        const Edge edge = edgeOf(state.blocks[c.blockB].corners, c.edge);
-        c.gap = edge.outward.dot(c.position - edge.start);
+        c.gap = gapOf(state.blocks, c);
+        if (c.normalForce <= 0.0 && !c.bonded) c.normalMultiplier = 0.0;  // open: it starts anew when it closes
     }
 }
 
@@ -124,7 +133,7 @@ void acceptStep(const Model& model, State& state, const StepProblem& problem, co
             acceptBoltLink(link, strains[i], forces[i], curve, model.bolts[link.owner], state.bolts[link.owner]);
     }
     moveBodies(model, state, d);
-    relock(state, problem, forces);
+    relock(model, state, problem, forces);
 }
 
 }  // namespace keyblock

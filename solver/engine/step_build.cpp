@@ -14,6 +14,20 @@ namespace {
 
 constexpr std::size_t linksANode = 7;  // four of its element, two to the rock, and room for the plate's
 
+/// How far ahead contacts are set up: to the middle of a step whose displacement is that at its middle speed, so that
+/// two bodies in flight keep their angular momentum (theory, "Contacts") [s].
+double lookAhead(const StepOptions& options) {
+    switch (options.inertia) {
+        case Inertia::Shi:
+        case Inertia::Newmark:
+        case Inertia::GeneralizedAlpha: return 0.5 * options.dt;
+        case Inertia::None:
+        case Inertia::Static:
+        case Inertia::BackwardEuler: return 0.0;
+    }
+    return 0.0;
+}
+
 void addBlocks(const Model& model, const State& state, const SchemeFactors& factors, StepProblem& problem) {
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const BlockModel& block = model.blocks[i];
@@ -103,8 +117,9 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
     addNodes(model, state, factors, problem);
     if (factors.inertia.a != 0.0) problem.load -= factors.inertia.a * timesMass(model, accelerationsOf(model, state));
     prescribe(model, state, loads, at, problem);
-    problem.links.reserve(2 * (state.contacts.size() + model.held.size()) + 3 * model.glue.size() + linksANode * static_cast<std::size_t>(model.nodes));
-    addContactLinks(model, state, options.frictionLocked, problem);
+    problem.links.reserve(2 * (state.contacts.size() + model.held.size()) + 3 * model.glue.size() +
+                          linksANode * static_cast<std::size_t>(model.nodes));
+    addContactLinks(model, state, options.frictionLocked, problem, lookAhead(options));
     const bool moves = options.inertia != Inertia::Static && options.inertia != Inertia::None;
     addGlueLinks(model, state, moves ? 0.5 * options.dt : 0.0, problem);
     addHeldPoints(model, state, problem);

@@ -15,8 +15,10 @@ namespace keyblock {
 StepProblem buildStep(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                       const StepOptions& options);
 
-/// Links of the contacts, in the order of the state's contacts: normal, then friction.
-void addContactLinks(const Model& model, const State& state, bool frictionLocked, StepProblem& problem);
+/// Links of the contacts, in the order of the state's contacts: normal, then friction. Their directions and lever arms
+/// are those where the blocks will be `ahead` [s] at the speed they have.
+void addContactLinks(const Model& model, const State& state, bool frictionLocked, StepProblem& problem,
+                     double ahead = 0.0);
 
 /// Links of the points held by supports.
 void addHeldPoints(const Model& model, const State& state, StepProblem& problem);

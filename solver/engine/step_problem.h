@@ -63,6 +63,7 @@ struct StepProblem {
 struct SolveSettings {
     double tolerance = 1e-4;
     int maxPasses = 40;
+    bool openClose = false;  // by the classical iteration
 };
 
 struct SolveReport {
@@ -79,6 +80,7 @@ inline bool ofContact(LinkKind kind) { return kind == LinkKind::Normal || kind =
 
 /// The rule for a link: contacts keep energy where the rest follows generalized-α (theory, "Time").
 inline StepRule ruleOf(const StepProblem& problem, const Link& link) {
+    if (link.law.rigid) return {};  // found anew for the end of the step, whatever it was at its start
     if (problem.rule.rule == ForceRule::Blend && ofContact(link.kind)) return {ForceRule::Average, 0.5};
     return problem.rule;
 }
@@ -120,6 +122,13 @@ public:
                       const std::function<bool()>& stopAsked);
 
 private:
+    SolveReport minimise(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
+                         const std::function<bool()>& stopAsked);
+    SolveReport openClose(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
+                          const std::function<bool()>& stopAsked);
+    /// Newton's direction from `d`, where the net force is `net`. \return false where the matrix is singular.
+    bool direction(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net,
+                   SolveReport& report, Eigen::VectorXd& towards);
     void fixPattern(const StepProblem& problem);
     void assemble(const StepProblem& problem, const std::vector<double>& strains);
     int equationOf(int unknown) const { return equations_[static_cast<std::size_t>(unknown)]; }

@@ -187,13 +187,40 @@ void StepSolver::assemble(const StepProblem& problem, const std::vector<double>&
     }
 }
 
+bool StepSolver::direction(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net,
+                           SolveReport& report, Eigen::VectorXd& towards) {
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    assemble(problem, strains);
+    ++report.factorizations;
+    if (const int loose = system_.factor(); loose >= 0) {
+        report.singular = true;
+        const int unknown = unknownOf_[static_cast<std::size_t>(loose)];
+        report.worst = unknown < 6 * problem.blocks ? unknown / 6
+                                                    : problem.blocks + (unknown - 6 * problem.blocks) / 3;
+        return false;
+    }
+    Eigen::VectorXd right(static_cast<Eigen::Index>(unknownOf_.size())), step(right.size());
+    for (Eigen::Index i = 0; i < right.size(); ++i) right[i] = net[unknownOf_[static_cast<std::size_t>(i)]];
+    system_.solve({right.data(), static_cast<std::size_t>(right.size())},
+                  {step.data(), static_cast<std::size_t>(step.size())});
+    towards = Eigen::VectorXd::Zero(problem.unknowns());
+    for (Eigen::Index i = 0; i < step.size(); ++i) towards[unknownOf_[static_cast<std::size_t>(i)]] = step[i];
+    return true;
+}
+
 SolveReport StepSolver::solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                               const std::function<bool()>& stopAsked) {
-    SolveReport report;
     for (int i = 0; i < problem.unknowns(); ++i)
         if (problem.known[static_cast<std::size_t>(i)]) d[i] = problem.value[i];
     fixPattern(problem);
-    std::vector<double> strains;
+    return settings.openClose ? openClose(problem, d, settings, stopAsked) : minimise(problem, d, settings, stopAsked);
+}
+
+SolveReport StepSolver::minimise(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
+                                 const std::function<bool()>& stopAsked) {
+    SolveReport report;
+    Eigen::VectorXd towards;
     for (; report.passes <= settings.maxPasses; ++report.passes) {
         if (stopAsked && stopAsked()) {
             report.stopped = true;
@@ -215,24 +242,8 @@ SolveReport StepSolver::solve(StepProblem& problem, Eigen::VectorXd& d, const So
                 return report;
             }
         }
-        linkStrains(problem, d, strains);
-        assemble(problem, strains);
-        ++report.factorizations;
-        const int loose = system_.factor();
-        if (loose >= 0) {
-            report.singular = true;
-            const int unknown = unknownOf_[static_cast<std::size_t>(loose)];
-            report.worst = unknown < 6 * problem.blocks ? unknown / 6
-                                                        : problem.blocks + (unknown - 6 * problem.blocks) / 3;
-            return report;
-        }
-        Eigen::VectorXd right(static_cast<Eigen::Index>(unknownOf_.size())), step(right.size());
-        for (Eigen::Index i = 0; i < right.size(); ++i) right[i] = net[unknownOf_[static_cast<std::size_t>(i)]];
-        system_.solve({right.data(), static_cast<std::size_t>(right.size())},
-                      {step.data(), static_cast<std::size_t>(step.size())});
-        Eigen::VectorXd direction = Eigen::VectorXd::Zero(problem.unknowns());
-        for (Eigen::Index i = 0; i < step.size(); ++i) direction[unknownOf_[static_cast<std::size_t>(i)]] = step[i];
-        d += lineSearch(LineSlope(problem, d, direction)) * direction;
+        if (!direction(problem, d, net, report, towards)) return report;
+        d += lineSearch(LineSlope(problem, d, towards)) * towards;
     }
     return report;
 }

@@ -232,6 +232,7 @@ private:
         event.time = time;
         event.step = state.step;
         event.position += model_.origin;
+        watch_.told(event);
         sink_.event(event);
         ++events_;
     }

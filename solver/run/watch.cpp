@@ -71,21 +71,32 @@ void Watch::beginStage(const State& state) {
     opened_.clear();
     closed_.clear();
     for (const Contact& c : state.contacts)
-        if (isClosed(model_, c)) closed_.insert(pairOf(model_, c));
+        if (isClosed(model_, c)) closed_.try_emplace(pairOf(model_, c), c);
+}
+
+void Watch::told(const Event& event) {
+    if (event.otherBlock < 0) return;
+    const Pair pair = std::minmax(wholeOf(model_, event.block), wholeOf(model_, event.otherBlock));
+    if (event.kind == EventKind::JointSlip) slipped_.insert(pair);
+    if (event.kind == EventKind::JointOpen) opened_.insert(pair);
 }
 
 void Watch::lookAtJoints(const State& state, std::vector<Event>& events) {
-    std::set<Pair> now;
+    std::map<Pair, Contact> now;
     for (const Contact& c : state.contacts) {
         if (!isClosed(model_, c)) continue;
-        now.insert(pairOf(model_, c));
+        now.try_emplace(pairOf(model_, c), c);
         const bool slides = !c.bonded && c.normalForce > 0.0 && std::abs(c.slip) > 10.0 * model_.tolerance &&
                             std::abs(c.shearForce) >= c.limit * (1.0 - 1e-9);
         if (slides && slipped_.insert(pairOf(model_, c)).second) events.push_back(jointEvent(EventKind::JointSlip, c));
     }
-    for (const Contact& c : state.contacts)
-        if (closed_.contains(pairOf(model_, c)) && !now.contains(pairOf(model_, c)) && opened_.insert(pairOf(model_, c)).second)
-            events.push_back(jointEvent(EventKind::JointOpen, c));
+    for (const auto& [pair, contact] : closed_) {
+        if (now.contains(pair) || !opened_.insert(pair).second) continue;
+        const auto still = std::find_if(state.contacts.begin(), state.contacts.end(),
+                                        [&](const Contact& c) { return pairOf(model_, c) == pair; });
+        // a contact that left the search's margin at once is told of by where it was
+        events.push_back(jointEvent(EventKind::JointOpen, still != state.contacts.end() ? *still : contact));
+    }
     closed_ = std::move(now);
 }
 

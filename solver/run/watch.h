@@ -8,6 +8,7 @@
 
 #include "solver/engine/state.h"
 
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -23,6 +24,9 @@ public:
 
     std::vector<Event> look(State& state);
 
+    /// A joint event that another has told of.
+    void told(const Event& event);
+
 private:
     using Pair = std::pair<int, int>;
     void lookAtJoints(const State& state, std::vector<Event>& events);
@@ -31,7 +35,8 @@ private:
 
     const Model& model_;
     std::vector<Point> start_;  // centroids when the run began
-    std::set<Pair> closed_, slipped_, opened_;
+    std::map<Pair, Contact> closed_;  // with the first contact of the pair as it was last
+    std::set<Pair> slipped_, opened_;
     std::vector<std::vector<char>> inhabited_;  // per bolt and slot: held a node at the start
 };
 

@@ -132,6 +132,14 @@ void checkBlock(const Block& block, std::size_t index, CheckContext& context) {
     context.sound[index] = checkOutline(block, index, context);
 }
 
+void checkJointMaterial(const JointMaterial& joint, const std::string& pointer, CheckReport& report) {
+    if (joint.residualFrictionAngle && *joint.residualFrictionAngle > joint.frictionAngle)
+        report.error(under(pointer, "residual_friction_angle"),
+                     "friction cannot grow from " + shortest(joint.frictionAngle) + "° to " +
+                         shortest(*joint.residualFrictionAngle) + "° by slip",
+                     "Give at most the friction angle, or leave it out");
+}
+
 void checkBlockSupport(const Support& support, const std::string& pointer, CheckContext& context) {
     if (support.fix != Fix::All)
         context.report.error(under(pointer, "fix"), "a whole block is held in all its unknowns",
@@ -172,6 +180,8 @@ void checkRock(CheckContext& context) {
     const Scene& scene = context.scene;
     checkKeysDiffer(scene.materials, "/materials", "material", context.report);
     checkKeysDiffer(scene.jointMaterials, "/joint_materials", "joint material", context.report);
+    for (const auto& [name, joint] : scene.jointMaterials)
+        checkJointMaterial(joint, under("/joint_materials", name), context.report);
     checkNamesDiffer(
         scene.blocks.size(), [&](std::size_t i) { return displayName(scene, static_cast<int>(i)); },
         [](std::size_t i) { return under(blockPointer(i), "name"); }, "block", context.report);

@@ -172,6 +172,11 @@ void checkScheme(const Stage& stage, const std::string& pointer, CheckContext& c
     if (stage.rhoInf && integration != Integration::GeneralizedAlpha)
         context.report.warning(under(pointer, "rho_inf"), "only the generalized-alpha scheme has a rho_inf",
                                "Give \"integration\": \"generalized-alpha\", or leave it out");
+    const bool endForces = integration == Integration::Shi || integration == Integration::BackwardEuler;
+    if (context.scene.analysis.iteration == Iteration::OpenClose && !endForces)
+        context.report.error(under(pointer, stage.integration ? "integration" : "kind"),
+                             "the open–close iteration knows only forces at the end of a step",
+                             "Integrate by \"shi\" or \"backward-euler\", or take the iteration \"convex\"");
 }
 
 void checkStage(const Stage& stage, const std::string& pointer, CheckContext& context) {

@@ -35,9 +35,16 @@ const Structure& structureOf(const JointMaterial*) {
                                           {.unit = "Pa", .range = atLeast(0)}),
             row<&JointMaterial::tensileStrength>("tensile_strength", "Tensile strength on the contact length.",
                                                  {.unit = "Pa", .range = atLeast(0)}),
-            fixedRow("residual_friction_angle", "After slip the friction angle stays as it is.", {FieldValue{}}),
-            fixedRow("normal_stiffness", "Contacts take their stiffness from `penalty_ratio`.", {FieldValue{}}),
-            fixedRow("shear_stiffness", "Contacts take their stiffness from `shear_ratio`.", {FieldValue{}}),
+            row<&JointMaterial::residualFrictionAngle>(
+                "residual_friction_angle",
+                "Friction angle of a contact after its first slip; null: as before. At most `friction_angle`.",
+                {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}}),
+            row<&JointMaterial::normalStiffness>(
+                "normal_stiffness", "Stiffness of the joint itself where faces meet; null: from `penalty_ratio`.",
+                {.unit = "Pa/m", .range = above(0)}),
+            row<&JointMaterial::shearStiffness>(
+                "shear_stiffness", "The same in shear; null: `shear_ratio` times the normal stiffness.",
+                {.unit = "Pa/m", .range = above(0)}),
             fixedRow("crushing_strength", "Rock under a dowel has no limit.", {FieldValue{}}),
         }};
     return structure;

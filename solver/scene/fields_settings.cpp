@@ -78,8 +78,12 @@ const Structure& structureOf(const Analysis*) {
                                       {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
             row<&Analysis::maxPasses>("max_passes", "Passes of one step before it is cut.",
                                       {.range = within(1, 100000)}),
-            fixedRow("iteration", "How contact states are found: a convex step per pass.", {std::string("convex")}),
-            fixedRow("contact", "How contacts are kept closed: by penalty springs.", {std::string("penalty")}),
+            row<&Analysis::iteration>("iteration",
+                                      "How the states of contacts are found: by minimising the step's convex energy, or "
+                                      "by the classical open–close iteration, for small reference scenes."),
+            row<&Analysis::contact>("contact",
+                                    "How contacts are kept closed: by penalty springs, or by forces sought in each "
+                                    "step until nothing penetrates."),
             fixedRow("model_everything", "Whether parts that change nothing are modelled too.", {false}),
         }};
     return structure;

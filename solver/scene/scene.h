@@ -23,6 +23,8 @@ namespace keyblock {
 
 enum class Plane { Stress, Strain };
 enum class Integration { Shi, BackwardEuler, Newmark, GeneralizedAlpha };
+enum class Iteration { Convex, OpenClose };
+enum class ContactMethod { Penalty, AugmentedLagrangian };
 
 /// Rayleigh damping of dynamic stages: forces mass·M·v, and stiffness·K·(rate of strain) of blocks and bolts.
 struct Damping {
@@ -40,6 +42,8 @@ struct Analysis {
     Integration integration = Integration::Shi;  // dynamic stages that name none
     double rhoInf = 0.8;  // generalized-alpha: share of very stiff motion that a step keeps; stages that give none
     Damping damping;
+    Iteration iteration = Iteration::Convex;  // how the states of contacts are found
+    ContactMethod contact = ContactMethod::Penalty;  // how contacts are kept closed
     double penaltyRatio = 40.0;  // contact spring = ratio · E · thickness
     double shearRatio = 0.4;  // shear over normal contact stiffness
     double tolerance = 1e-4;  // pass tolerance: residual over reference force
@@ -61,6 +65,8 @@ struct JointMaterial {
     double frictionAngle = 30.0;  // [°]
     double cohesion = 0.0;  // [Pa]
     double tensileStrength = 0.0;  // [Pa]
+    std::optional<double> residualFrictionAngle{};  // after the first slip [°]; none: as before
+    std::optional<double> normalStiffness{}, shearStiffness{};  // [Pa/m]; none: from the analysis
 
     bool operator==(const JointMaterial&) const = default;
 };

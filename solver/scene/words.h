@@ -19,6 +19,8 @@ using Words = std::span<const std::string_view>;
 inline constexpr std::array<std::string_view, 2> planeWords{"stress", "strain"};
 inline constexpr std::array<std::string_view, 4> integrationWords{"shi", "backward-euler", "newmark",
                                                                      "generalized-alpha"};
+inline constexpr std::array<std::string_view, 2> iterationWords{"convex", "open-close"};
+inline constexpr std::array<std::string_view, 2> contactMethodWords{"penalty", "augmented-lagrangian"};
 inline constexpr std::array<std::string_view, 4> fixWords{"all", "x", "y", "xy"};
 inline constexpr std::array<std::string_view, 2> rotationWords{"held", "free"};
 inline constexpr std::array<std::string_view, 2> stageKindWords{"static", "dynamic"};
@@ -32,6 +34,8 @@ inline constexpr std::array<std::string_view, 3> plateKindWords{"none", "spring"
 
 constexpr Words wordsOf(Plane) { return planeWords; }
 constexpr Words wordsOf(Integration) { return integrationWords; }
+constexpr Words wordsOf(Iteration) { return iterationWords; }
+constexpr Words wordsOf(ContactMethod) { return contactMethodWords; }
 constexpr Words wordsOf(Fix) { return fixWords; }
 constexpr Words wordsOf(Rotation) { return rotationWords; }
 constexpr Words wordsOf(StageKind) { return stageKindWords; }

@@ -29,6 +29,7 @@ struct Law {
     const Backbone* curve = nullptr;
     BackboneState state;
     double share = 1.0;  // multiplies force, tangent and energy of the whole law in the model
+    bool rigid = false;  // the stiffness only finds the force: nothing is stored
 };
 
 struct LawResponse {
@@ -58,7 +59,7 @@ inline LawResponse respond(const Law& law, double e) {
 
 /// Elastic energy that a force stands for: f²/2k, before `share`.
 inline double storedEnergy(const Law& law, double force) {
-    if (law.kind == LawKind::Constant || law.kind == LawKind::Viscous) return 0.0;
+    if (law.kind == LawKind::Constant || law.kind == LawKind::Viscous || law.rigid) return 0.0;
     const double k = law.kind == LawKind::Curve ? law.curve->modulus : law.stiffness;
     return k > 0.0 ? 0.5 * force * force / k : 0.0;
 }

@@ -34,6 +34,7 @@ double usedWork(const Law& law, double carried, double force, double before, dou
     switch (law.kind) {
         case LawKind::Capped:
             if (law.stiffness <= 0.0) return 0.0;
+            if (law.rigid) return std::abs(force) >= law.limit ? force * (after - before) : 0.0;
             return force * ((after - force / law.stiffness) - (before - carried / law.stiffness));
         case LawKind::Curve: return respond(*law.curve, law.state, after).plasticWork;
         case LawKind::Constant: return force * (after - before);
@@ -79,7 +80,7 @@ PathWork pathWork(const Law& law, double before, double after, double startLimit
         if (trial > law.limit) path.slipForce = sign * (law.limit + 0.5 * (1.0 - onset) * (startLimit - law.limit));
     }
     const double k = law.stiffness;
-    const double used = law.kind == LawKind::Capped && k > 0.0
+    const double used = law.kind == LawKind::Capped && k > 0.0 && !law.rigid
                             ? path.slipForce * ((after - end / k) - (before - carried / k))
                             : usedWork(law, carried, end, before, after);
     const double stored = storedEnergy(law, end) - storedEnergy(law, carried);

@@ -149,5 +149,81 @@ TEST(Contacts, CornerInsideAConvexCornerTakesTheNearerFace) {
     }
 }
 
+/// Displacement of the second of two blocks.
+Eigen::VectorXd pathOf(const Point& by) {
+    Eigen::VectorXd path = Eigen::VectorXd::Zero(12);
+    path.segment<2>(6) = by;
+    return path;
+}
+
+/// Outward normal of the one edge of block 0 that corner 0 of block 1 comes in by; zero where it is not one.
+Point entranceOf(const Found& found, const std::vector<Contact>& contacts) {
+    Point normal(0.0, 0.0);
+    for (const Contact& c : contacts) {
+        if (c.blockA != 1 || c.corner != 0) continue;
+        if (normal.norm() > 0.0) return {0.0, 0.0};
+        normal = edgeOf(found.state.blocks[0].corners, c.edge).outward;
+    }
+    return normal;
+}
+
+/// Beside a corner the path says which face is met first; the nearer one now would be the wrong one.
+TEST(Contacts, ACornerComesInWhereItsPathCrossesTheOutline) {
+    const Found found(boxes({{{0, 0}, {1, 1}}, {{1.1, 1.05}, {2.1, 2.05}}}));
+    const Eigen::VectorXd over = pathOf({-0.3, -0.1}), beside = pathOf({-0.15, -0.3});
+    for (const auto& [path, normal] : {std::pair(&over, Point(0, 1)), std::pair(&beside, Point(1, 0))}) {
+        const std::vector<Contact> contacts = findContacts(found.model, found.state.blocks, {}, {0.5, false, path, nullptr});
+        EXPECT_LT((entranceOf(found, contacts) - normal).norm(), 1e-12);
+        EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, *path));
+        const Eigen::VectorXd& other = path == &over ? beside : over;
+        EXPECT_FALSE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, other));
+    }
+}
+
+/// Both lines ahead, and the one that is crossed last is not the one that it is least behind in the end.
+TEST(Contacts, TheLastLineCrossedIsTheOutline) {
+    const Found found(boxes({{{0, 0}, {1, 1}}, {{1.01, 1.1}, {2.01, 2.1}}}));
+    const Eigen::VectorXd path = pathOf({-0.06, -0.2});  // over the right side's line at y 1.067, down by the top
+    const std::vector<Contact> contacts = findContacts(found.model, found.state.blocks, {}, {0.5, false, &path, nullptr});
+    EXPECT_LT((entranceOf(found, contacts) - Point(0, 1)).norm(), 1e-12);
+}
+
+TEST(Contacts, CornersInAStraightLineAreNone) {
+    Scene scene = boxes({{{0, 0}, {3, 1}}, {{0.5, 1}, {1.5, 2}}});
+    scene.blocks[0].points = {{0, 0}, {3, 0}, {3, 1}, {1.2, 1}, {1, 1}, {0, 1}};
+    scene.blocks[1].points.insert(scene.blocks[1].points.begin() + 1, Point(0.8, 1.0));
+    scene.jointMaterials[0].second.cohesion = 1e6;
+    const Found found(scene);
+    ASSERT_EQ(found.contacts.size(), 2u);
+    for (const Contact& c : found.contacts) EXPECT_NEAR(c.length, 0.5, 1e-12);
+}
+
+/// A box slides over the end of its base: where its corner stood, the base's corner takes over, force for force.
+TEST(Contacts, RolesChangeAtTheEndOfAnEdge) {
+    Found found(boxes({{{0, 0}, {2, 1}}, {{0.9, 1}, {1.9, 2}}}));
+    for (Contact& c : found.contacts) {
+        if (c.corner != 1) continue;
+        addForces(found.model, c, 100.0, 20.0);
+        c.limit = 50.0;
+    }
+    found.shift(1, {0.1001, 0.0});
+    double lost = 0.0;
+    State state = found.state;
+    state.contacts = findContacts(found.model, state.blocks, found.contacts, {1e-3, false, nullptr, &lost});
+    const auto heir = std::find_if(state.contacts.begin(), state.contacts.end(),
+                                   [](const Contact& c) { return c.blockA == 0 && c.blockB == 1; });
+    ASSERT_NE(heir, state.contacts.end());
+    EXPECT_NEAR(heir->normalForce, 100.0, 1e-9);
+    EXPECT_NEAR(heir->shearForce, 20.0, 1e-9);
+    StepProblem problem;
+    problem.blocks = 2;
+    addContactLinks(found.model, state, false, problem);
+    Point onBox(0.0, 0.0);
+    for (const Link& link : problem.links)
+        onBox -= respond(link.law, link.strain).force * (link.a == 1 ? link.ga : link.gb).head<2>();
+    EXPECT_NEAR(onBox.x(), 20.0, 1e-3);
+    EXPECT_NEAR(onBox.y(), 100.0, 1e-3);
+}
+
 }  // namespace
 }  // namespace keyblock

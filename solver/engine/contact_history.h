@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What contacts remember. History follows the pair of features; where a corner
+// slides off the end of its edge, the contact that takes its place takes its
+// force over, so that a surface cut into pieces is felt as one.
+#pragma once
+
+#include "solver/engine/contacts.h"
+
+#include <vector>
+
+namespace keyblock {
+
+/// A contact's own history, or what a contact without any starts with. \return elastic energy that it lost [J].
+double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before,
+                   bool first, Contact& contact);
+
+/// Hands the forces of contacts that slid off their edges on to those found at the same place, and keeps bonded ones.
+/// \param found sorted; stays so. \return elastic energy that was lost [J].
+double handOver(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before,
+                std::vector<Contact>& found);
+
+}  // namespace keyblock

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The classical open–close iteration (Shi 1988): solve with the states of all
+// contacts held (open, sliding, locked), judge them again from the solution,
+// and repeat until none changes. It may go round for ever; then the step is
+// cut. Kept as a reference for the convex step, whose mechanics are the same.
+#include "solver/engine/step_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+/// Of a law: open or sliding forwards, held, sliding backwards.
+enum class LinkState : signed char { Backward = -1, Held = 0, Forward = 1, Open = 2 };
+
+LinkState stateOf(const Law& law, double strain) {
+    const double trial = law.stiffness * (strain - law.offset);
+    if (law.kind == LawKind::Gap) return trial <= 0.0 ? LinkState::Held : LinkState::Open;
+    if (law.kind != LawKind::Capped) return LinkState::Held;
+    return trial > law.limit ? LinkState::Forward : trial < -law.limit ? LinkState::Backward : LinkState::Held;
+}
+
+std::vector<LinkState> judge(const StepProblem& problem, const Eigen::VectorXd& d) {
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    std::vector<LinkState> states(strains.size());
+    for (std::size_t i = 0; i < strains.size(); ++i) states[i] = stateOf(problem.links[i].law, strains[i]);
+    return states;
+}
+
+/// Every contact keeps its state, whatever the displacement: the step becomes linear.
+StepProblem held(const StepProblem& problem, const std::vector<LinkState>& states) {
+    StepProblem frozen = problem;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        Law& law = frozen.links[i].law;
+        if (law.kind == LawKind::Gap) {
+            law.kind = LawKind::Linear;
+            if (states[i] == LinkState::Open) law.stiffness = 0.0;
+        } else if (law.kind == LawKind::Capped) {
+            law.kind = states[i] == LinkState::Held ? LawKind::Linear : LawKind::Constant;
+            if (states[i] != LinkState::Held) law.limit *= static_cast<double>(states[i]);
+        }
+    }
+    return frozen;
+}
+
+/// Largest force that a changed state makes differ [N].
+double largestChange(const StepProblem& problem, const StepProblem& frozen, const std::vector<LinkState>& before,
+                     const std::vector<LinkState>& after, const Eigen::VectorXd& d) {
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        if (before[i] == after[i]) continue;
+        const double true_ = respond(problem.links[i].law, strains[i]).force;
+        largest = std::max(largest, std::abs(true_ - respond(frozen.links[i].law, strains[i]).force));
+    }
+    return largest;
+}
+
+}  // namespace
+
+SolveReport StepSolver::openClose(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
+                                  const std::function<bool()>& stopAsked) {
+    SolveReport report;
+    correctFrictionLimits(problem, d);
+    std::vector<LinkState> states = judge(problem, d);
+    Eigen::VectorXd towards;
+    for (report.passes = 1; report.passes <= settings.maxPasses; ++report.passes) {
+        if (stopAsked && stopAsked()) {
+            report.stopped = true;
+            return report;
+        }
+        const StepProblem frozen = held(problem, states);
+        if (!direction(frozen, d, netForce(frozen, d), report, towards)) return report;
+        d += towards;
+        correctFrictionLimits(problem, d);
+        const Eigen::VectorXd net = netForce(problem, d);
+        const double reference = referenceForce(problem, d, net);
+        report.residual = residualNorm(problem, net, &report.worst) / reference;
+        if (!std::isfinite(report.residual)) return report;
+        const double enough = std::max(settings.tolerance, roundOffForce(problem, d) / reference);
+        std::vector<LinkState> next = judge(problem, d);
+        const double changed = largestChange(problem, frozen, states, next, d);
+        if (changed <= enough * reference && report.residual <= enough) {
+            report.converged = true;
+            return report;
+        }
+        states = std::move(next);
+    }
+    return report;
+}
+
+}  // namespace keyblock
