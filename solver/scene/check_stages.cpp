@@ -173,8 +173,9 @@ void checkScheme(const Stage& stage, const std::string& pointer, CheckContext& c
         context.report.warning(under(pointer, "rho_inf"), "only the generalized-alpha scheme has a rho_inf",
                                "Give \"integration\": \"generalized-alpha\", or leave it out");
     const bool endForces = integration == Integration::Shi || integration == Integration::BackwardEuler;
-    if (context.scene.analysis.iteration == Iteration::OpenClose && !endForces)
-        context.report.error(under(pointer, stage.integration ? "integration" : "kind"),
+    const bool classical = context.scene.analysis.iteration == Iteration::OpenClose;
+    if (stage.kind == StageKind::Dynamic && classical && !endForces)
+        context.report.error(stage.integration ? under(pointer, "integration") : "/analysis/integration",
                              "the open–close iteration knows only forces at the end of a step",
                              "Integrate by \"shi\" or \"backward-euler\", or take the iteration \"convex\"");
 }

@@ -8,7 +8,7 @@ namespace {
 
 std::vector<Case> allGroups() {
     std::vector<Case> all;
-    for (const auto& group : {blockCases(), schemeCases(), shakenCases(), cellCases(), plateCases(), beamCases(),
+    for (const auto& group : {blockCases(), contactCases(), schemeCases(), shakenCases(), cellCases(), plateCases(), beamCases(),
                               bondCases(), slidingBoltCases(), pullOutCases(), stepCases()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
