@@ -61,11 +61,19 @@ void takePreload(const Model& model, State& state, const StepProblem& problem, c
             model.blocks[i].elasticity * d.segment<3>(6 * static_cast<Eigen::Index>(i) + 3);
 }
 
+/// Sums steps with what rounding took from the sum before, so that a million of them lose nothing (Kahan 1965).
+double later(double time, double dt, double& roundedUp) {
+    const double step = dt - roundedUp;
+    const double sum = time + step;
+    roundedUp = (sum - time) - step;
+    return sum;
+}
+
 }  // namespace
 
 DynamicStage::DynamicStage(Engine& engine, const Loads& loads, std::function<LoadPoint(double)> loadsAt,
                            DynamicSettings settings)
-    : engine_(engine), loads_(loads), loadsAt_(std::move(loadsAt)), settings_(settings), dt_(settings.timeStep) {}
+    : engine_(engine), loads_(loads), loadsAt_(std::move(loadsAt)), settings_(settings) {}
 
 StepEnding DynamicStage::preload(State& state) {
     const Model& model = engine_.model;
@@ -127,21 +135,22 @@ LoadPoint DynamicStage::loadsOver(double time, double dt, double share) const {
     return at;
 }
 
-double DynamicStage::predictedMove(const State& state, double dt) const {
+double DynamicStage::predictedMove(const State& state, double dt, const DynamicPace& pace) const {
     const Model& model = engine_.model;
     double speed = 0.0;
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         speed = std::max(speed, state.blocks[i].velocity.head<2>().norm() +
                                     std::abs(state.blocks[i].velocity[2]) * 2.0 * model.blocks[i].size);
-    return std::max(lastMove_, speed * dt + 0.5 * model.gravity.norm() * dt * dt);
+    return std::max(pace.lastMove, speed * dt + 0.5 * model.gravity.norm() * dt * dt);
 }
 
-DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, double dt, Trial& trial) {
+DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, double dt, DynamicPace& pace,
+                                            Trial& trial) {
     const Model& model = engine_.model;
     const StepOptions options{settings_.scheme, dt, false, settings_.rhoInf, settings_.damping};
     const LoadPoint at = loadsOver(time, dt, factorsOf(options).loadTime);
     const double least = nearShare * smallestSize(model);
-    double margin = std::max(least, 2.0 * predictedMove(state, dt));
+    double margin = std::max(least, 2.0 * predictedMove(state, dt, pace));
     Eigen::VectorXd guess = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model.blocks.size()) + 3 * model.nodes);
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         guess.segment<6>(6 * static_cast<Eigen::Index>(i)) = dt * state.blocks[i].velocity;
@@ -168,7 +177,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
             ++paths;
             continue;
         }
-        lastMove_ = move;
+        pace.lastMove = move;
         double total = 0.0;
         const Eigen::VectorXd external = externalForce(model, trial.state, loads_, at, total);
         bookStep(model, trial.state, problem, external, d, options);
@@ -179,30 +188,23 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
     }
 }
 
-/// Sums steps with what rounding took from the sum before, so that a million of them lose nothing (Kahan 1965).
-double DynamicStage::later(double time, double dt) {
-    const double step = dt - roundedUp_;
-    const double sum = time + step;
-    roundedUp_ = (sum - time) - step;
-    return sum;
-}
-
-StepEnding DynamicStage::step(State& state, double& time, double end, StepObserver& observer) {
+StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer) {
     const Model& model = engine_.model;
     const double rest = end - time;
-    double dt = dt_ >= rest * (1.0 - 1e-9) ? rest : dt_;
+    if (pace.dt == 0.0) pace.dt = settings_.timeStep;
+    double dt = pace.dt >= rest * (1.0 - 1e-9) ? rest : pace.dt;
     const std::vector<Limit> before = heldLimits(model, state);
     const auto start = worstLimit(before, 0.0);
     const double startRatio = start ? std::min(start->ratio, 1.0) : 0.0;
     Trial trial;
     double low = 0.0, high = 0.0;  // bracket of the first limit, once it is known to be passed
     for (int tries = 0;; ++tries) {
-        const Attempt attempted = attempt(state, time, dt, trial);
+        const Attempt attempted = attempt(state, time, dt, pace, trial);
         if (attempted == Attempt::Stopped) return {Ending::Stopped, "", {}};
         if (attempted == Attempt::TooLong) {
             ++engine_.health.stepCuts;
             dt *= 0.3;
-            dt_ = dt;
+            pace.dt = dt;
             if (dt >= shortestStep * settings_.timeStep) continue;
             StepEnding failed{Ending::Failed, "no time step settles near " + nameOfBody(model, worst_), {}};
             if (blockOfBody(model, worst_) >= 0) failed.blocks.push_back(worst_);
@@ -219,8 +221,8 @@ StepEnding DynamicStage::step(State& state, double& time, double end, StepObserv
         if (dt <= low) dt = 0.5 * (low + high);
     }
     state = std::move(trial.state);
-    time = dt == rest ? end : later(time, dt);
-    dt_ = std::min(2.0 * std::max(dt_, dt), settings_.timeStep);
+    time = dt == rest ? end : later(time, dt, pace.roundedUp);
+    pace.dt = std::min(2.0 * std::max(pace.dt, dt), settings_.timeStep);
     ++state.step;
     countAccepted(engine_, state, trial.residual);
     double least = high > 0.0 ? 1.0 - locateShare : 1.0 + reachedShare;

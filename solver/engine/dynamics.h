@@ -17,6 +17,14 @@ struct DynamicSettings {
     Damping damping{};
 };
 
+/// What the next step takes over from the last ones.
+struct DynamicPace {
+    double dt = 0.0;  // to be tried next [s]; 0: the longest
+    double lastMove = 0.0;  // of the last step [m]
+    double roundedUp = 0.0;  // what the stage's time has too much [s]
+};
+
+/// Keeps nothing from step to step but its settings.
 class DynamicStage {
 public:
     DynamicStage(Engine& engine, const Loads& loads, std::function<LoadPoint(double)> loadsAt, DynamicSettings settings);
@@ -27,7 +35,7 @@ public:
     StepEnding begin(State& state);
 
     /// One accepted step from `time`, at most to `end`; `time` is moved on.
-    StepEnding step(State& state, double& time, double end, StepObserver& observer);
+    StepEnding step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
 
 private:
     struct Trial {
@@ -35,20 +43,16 @@ private:
         double residual = 0.0;
     };
     enum class Attempt { Settled, TooLong, Stopped };
-    Attempt attempt(const State& state, double time, double dt, Trial& trial);
+    Attempt attempt(const State& state, double time, double dt, DynamicPace& pace, Trial& trial);
     StepEnding preload(State& state);
     void drive(State& state) const;
     LoadPoint loadsOver(double time, double dt, double share) const;
-    double later(double time, double dt);
-    double predictedMove(const State& state, double dt) const;
+    double predictedMove(const State& state, double dt, const DynamicPace& pace) const;
 
     Engine& engine_;
     const Loads& loads_;
     std::function<LoadPoint(double)> loadsAt_;
     DynamicSettings settings_;
-    double dt_;
-    double lastMove_ = 0.0;
-    double roundedUp_ = 0.0;  // [s] what the stage's time has too much
     int worst_ = -1;
 };
 

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace keyblock {
@@ -165,20 +166,39 @@ private:
     double residual_ = std::numeric_limits<double>::max();  // over the reference force, when last judged
 };
 
-class Increment {
+/// One move within an increment.
+class Move {
 public:
-    Increment(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
-              const StaticSettings& settings, StepObserver& observer)
-        : engine_(engine), state_(state), loads_(loads), a_(a), b_(b), settings_(settings), observer_(observer) {}
+    Move(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
+         const StaticSettings& settings, StepObserver& observer, IncrementProgress& progress)
+        : engine_(engine), state_(state), loads_(loads), a_(a), b_(b), settings_(settings), observer_(observer),
+          progress_(progress) {}
 
-    StepEnding advance() {
-        double step = 1.0 / piecesOfMotion();
-        const double finest = finestIncrement * step;
-        while (done_ < 1.0) {
-            const double to = done_ + step >= 1.0 - 1e-12 ? 1.0 : done_ + step;
+    StepEnding make() {
+        StepEnding ending = progress_.releasing ? releaseOne() : loadOn();
+        if (ending.ending == Ending::Done) progress_.releasing = limit().has_value();
+        return ending;
+    }
+
+private:
+    StepEnding equilibrium(State& state, double to) {
+        return Equilibrium(engine_, loads_, settings_).find(state, reached(), between(a_, b_, to));
+    }
+
+    LoadPoint reached() const { return between(a_, b_, progress_.done); }
+
+    std::optional<Limit> limit() const { return worstLimit(heldLimits(engine_.model, state_), progress_.least); }
+
+    /// On by the step, or by less where no equilibrium is found so far away, and at most to the first limit.
+    StepEnding loadOn() {
+        const double whole = 1.0 / piecesOfMotion();
+        double& step = progress_.step;
+        if (step == 0.0) step = whole;
+        for (;;) {
+            const double to = progress_.done + step >= 1.0 - 1e-12 ? 1.0 : progress_.done + step;
             State trial = state_;
             StepEnding ending = equilibrium(trial, to);
-            if (ending.ending == Ending::NoEquilibrium && step > finest) {
+            if (ending.ending == Ending::NoEquilibrium && step > finestIncrement * whole) {
                 step *= 0.5;
                 continue;
             }
@@ -186,25 +206,15 @@ public:
                 if (ending.ending == Ending::NoEquilibrium) state_ = std::move(trial);
                 return ending;
             }
-            double least = 1.0 + reachedShare;
-            if (!worstLimit(heldLimits(engine_.model, trial), least)) {
+            progress_.least = 1.0 + reachedShare;
+            if (!worstLimit(heldLimits(engine_.model, trial), progress_.least)) {
                 accept(std::move(trial), to);
             } else {
                 ending = toFirstLimit(std::move(trial), to);
-                least = 1.0 - locateShare;  // the one that was located
+                progress_.least = 1.0 - locateShare;  // the one that was located
             }
-            if (ending.ending == Ending::Done) ending = follow();
-            if (ending.ending == Ending::Done) ending = releaseAll(least);
-            if (ending.ending != Ending::Done) return ending;
+            return ending.ending == Ending::Done ? follow() : ending;
         }
-        return {};
-    }
-
-    LoadPoint reached() const { return between(a_, b_, done_); }
-
-private:
-    StepEnding equilibrium(State& state, double to) {
-        return Equilibrium(engine_, loads_, settings_).find(state, reached(), between(a_, b_, to));
     }
 
     /// Prescribed moves longer than a pseudo-step may be are taken in pieces.
@@ -218,7 +228,7 @@ private:
     void accept(State trial, double to) {
         state_ = std::move(trial);
         ++state_.step;
-        done_ = to;
+        progress_.done = to;
     }
 
     /// Gives nodes the blocks and shares they have now, and finds the equilibrium that goes with them.
@@ -226,7 +236,7 @@ private:
         const double small = followShare * engine_.model.size;
         for (int round = 0; round < mostRounds && followBolts(engine_.model, state_) > small; ++round) {
             State trial = state_;
-            const StepEnding ending = equilibrium(trial, done_);
+            const StepEnding ending = equilibrium(trial, progress_.done);
             state_ = std::move(trial);
             if (ending.ending != Ending::Done) return ending;
         }
@@ -235,7 +245,7 @@ private:
 
     /// Cuts the increment where the first limit is reached: `over` is the state at `to`, past it.
     StepEnding toFirstLimit(State over, double to) {
-        double low = done_, high = to;
+        double low = progress_.done, high = to;
         std::vector<Limit> atLow = heldLimits(engine_.model, state_);
         for (int tries = 0;; ++tries) {
             const double share = firstCrossing(atLow, heldLimits(engine_.model, over));
@@ -279,22 +289,21 @@ private:
         return first;
     }
 
-    /// One at a time, the largest overload first, with equilibrium between, until nothing is over its limit.
-    StepEnding releaseAll(double least) {
-        while (const auto limit = worstLimit(heldLimits(engine_.model, state_), least)) {
-            least = 1.0 - reachedShare;
-            const double time = reached().time;
-            releaseAndTell(engine_.model, state_, *limit, time, observer_);
-            if (changesForces(engine_.model, *limit)) {
-                State trial = state_;
-                const StepEnding ending = equilibrium(trial, done_);
-                state_ = std::move(trial);
-                if (ending.ending != Ending::Done) return ending;
-                ++state_.step;
-                if (const StepEnding followed = follow(); followed.ending != Ending::Done) return followed;
-            }
-            observer_.afterEvent(state_, time);
+    /// The largest overload lets go, alone; the next is judged at the equilibrium without it.
+    StepEnding releaseOne() {
+        const Limit released = limit().value();
+        progress_.least = 1.0 - reachedShare;
+        const double time = reached().time;
+        releaseAndTell(engine_.model, state_, released, time, observer_);
+        if (changesForces(engine_.model, released)) {
+            State trial = state_;
+            const StepEnding ending = equilibrium(trial, progress_.done);
+            state_ = std::move(trial);
+            if (ending.ending != Ending::Done) return ending;
+            ++state_.step;
+            if (const StepEnding followed = follow(); followed.ending != Ending::Done) return followed;
         }
+        observer_.afterEvent(state_, time);
         return {};
     }
 
@@ -305,17 +314,14 @@ private:
     const LoadPoint& b_;
     const StaticSettings& settings_;
     StepObserver& observer_;
-    double done_ = 0.0;
+    IncrementProgress& progress_;
 };
 
 }  // namespace
 
-StepEnding advanceStatic(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
-                         const StaticSettings& settings, StepObserver& observer, LoadPoint& reached) {
-    Increment increment(engine, state, loads, a, b, settings, observer);
-    const StepEnding ending = increment.advance();
-    reached = increment.reached();
-    return ending;
+StepEnding moveStatic(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
+                      const StaticSettings& settings, StepObserver& observer, IncrementProgress& progress) {
+    return Move(engine, state, loads, a, b, settings, observer, progress).make();
 }
 
 }  // namespace keyblock

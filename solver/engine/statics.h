@@ -14,9 +14,20 @@ struct StaticSettings {
     int maxSteps = 400;  // pseudo-steps of one search for equilibrium
 };
 
-/// Takes `state` along the load path from `a` to `b`. On any ending the state is the last equilibrium found,
-/// or, for `NoEquilibrium`, where the moving blocks had got to.
-StepEnding advanceStatic(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
-                         const StaticSettings& settings, StepObserver& observer, LoadPoint& reached);
+/// How far an increment of load is; with the state it is all that the next move depends on.
+struct IncrementProgress {
+    double done = 0.0;  // share of the increment
+    double step = 0.0;  // share that is tried next; 0: not begun
+    bool releasing = false;  // something at its limit lets go before the load goes on
+    double least = 0.0;  // of a limit, to be released
+
+    bool over() const { return done >= 1.0 && !releasing; }
+};
+
+/// One move along the load path from `a` to `b`: the load goes on, as far as the first limit at most, or one thing
+/// lets go; equilibrium is found after either. On any ending the state is the last equilibrium found, or, for
+/// `NoEquilibrium`, where the moving blocks had got to.
+StepEnding moveStatic(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
+                      const StaticSettings& settings, StepObserver& observer, IncrementProgress& progress);
 
 }  // namespace keyblock

@@ -54,7 +54,8 @@ double areaOf(const std::vector<Point>& corners) {
 
 }  // namespace
 
-Observation::Observation(const Scene& scene, const Model& model, const State& start) : scene_(scene), model_(model) {
+Observation::Observation(const Scene& scene, const Model& model, const State& start, Reference& reference)
+    : scene_(scene), model_(model), reference_(reference) {
     for (const Monitor& monitor : scene.monitors) {
         std::array<Fixed, 2> fixed;
         const auto fix = [&](std::size_t which, const Point& p) {

@@ -20,7 +20,8 @@ struct Reference {
 
 class Observation {
 public:
-    Observation(const Scene& scene, const Model& model, const State& start);
+    /// \param reference filled here and kept by the caller, who may put back what it was.
+    Observation(const Scene& scene, const Model& model, const State& start, Reference& reference);
 
     /// Counts displacements from here on.
     void zero(const State& state);
@@ -41,7 +42,7 @@ private:
     const Scene& scene_;
     const Model& model_;
     std::vector<std::array<Fixed, 2>> fixed_;  // a row per monitor
-    Reference reference_;
+    Reference& reference_;
 };
 
 }  // namespace keyblock

@@ -2,19 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The run: stage after stage, each increment or step handed to the engine, what
-// it finds to the sink.
+// it finds to the sink. All that a step depends on lies in one checkpoint, on which
+// the loop works. At fixed amounts of work what was derived from it is dropped and
+// the checkpoint handed out, so that a run taken up there cannot differ from this one.
 #include "solver/run/run.h"
 
 #include "solver/engine/bolt_topology.h"
 #include "solver/engine/contacts.h"
-#include "solver/engine/dynamics.h"
 #include "solver/engine/joint_change.h"
-#include "solver/engine/statics.h"
 #include "solver/results/history.h"
-#include "solver/run/observation.h"
+#include "solver/run/checkpoint.h"
 #include "solver/run/run_limit.h"
-#include "solver/run/stage_loads.h"
-#include "solver/run/watch.h"
 #include "solver/scene/acceleration.h"
 #include "solver/scene/lookup.h"
 
@@ -32,6 +30,9 @@ constexpr int usualIncrements = 100;
 constexpr double longestTimeStep = 1e-3;  // [s], where a stage gives none
 constexpr double fewestSteps = 200.0;  // of a dynamic stage that gives no time step
 
+constexpr long fewestPasses = 200;  // between checkpoints: a new pattern and a written state cost two or three
+constexpr long workBetween = 2000;  // passes times bodies between the checkpoints of the smallest models
+
 Inertia inertiaOf(Integration integration) {
     switch (integration) {
         case Integration::Shi: return Inertia::Shi;
@@ -42,76 +43,142 @@ Inertia inertiaOf(Integration integration) {
     return Inertia::Shi;
 }
 
+/// Blocks and bolts where the scene has them.
+Checkpoint startOf(const Model& model) {
+    Checkpoint start;
+    start.state = makeState(model);
+    start.state.contacts = findContacts(model, start.state.blocks, {}, model.size * 1e-3, true);
+    placeBolts(model, start.state);
+    start.state.startEnergy = bookedEnergy(model, start.state);
+    return start;
+}
+
 class Runner : StepObserver {
 public:
     Runner(const Scene& scene, Sink& sink, Control& control)
         : scene_(scene), sink_(sink), control_(control), limit_(scene.limits), model_(makeModel(scene)),
-          state_(makeState(model_)), engine_(model_), loads_(model_, scene), observation_(scene, model_, (place(), state_)),
-          watch_(model_, state_) {
+          now_(startOf(model_)), engine_(model_), loads_(model_, scene, now_.loads),
+          observation_(scene, model_, now_.state, now_.reference), watch_(model_, now_.state, now_.watch) {
         engine_.stopAsked = [this] { return stopAsked(); };
         engine_.passed = [this] { report(); };
     }
 
-    std::vector<StageResult> run() {
-        sink_.begin(scene_, historyColumns(scene_));
-        std::vector<StageResult> results;
-        for (stage_ = 0; stage_ < static_cast<int>(scene_.stages.size()); ++stage_) {
-            results.push_back(runStage(scene_.stages[static_cast<std::size_t>(stage_)]));
-            sink_.stageEnds(results.back());
-            const Outcome outcome = results.back().outcome;
-            if (outcome == Outcome::Stopped || outcome == Outcome::Failed || outcome == Outcome::Limit) break;
-            if (outcome == Outcome::Collapse && !scene_.stages[static_cast<std::size_t>(stage_)].continueAfterCollapse)
-                break;
+    std::vector<StageResult> run(const Checkpoint* from) {
+        if (from) goOn(*from);
+        else sink_.begin(scene_, historyColumns(scene_));
+        bool on = true;
+        while (on && now_.stage < static_cast<int>(scene_.stages.size())) {
+            stepping_ = false;
+            if (!now_.begun || checkpointDue()) keepCheckpoint();
+            StepEnding ending;
+            if (stopAsked()) ending.ending = Ending::Stopped;
+            else ending = now_.begun ? advance() : beginStage();
+            if (ending.ending != Ending::Done || stageOver()) on = endStage(ending);
         }
-        return results;
+        return now_.results;
     }
 
 private:
-    void place() {
-        state_.contacts = findContacts(model_, state_.blocks, {}, model_.size * 1e-3, true);
-        placeBolts(model_, state_);
-        state_.startEnergy = bookedEnergy(model_, state_);
+    const Stage& stage() const { return scene_.stages[static_cast<std::size_t>(now_.stage)]; }
+    bool isStatic() const { return stage().kind == StageKind::Static; }
+    double duration() const { return isStatic() ? 1.0 : stage().duration; }
+
+    void goOn(const Checkpoint& from) {
+        now_ = from;
+        engine_.health = now_.health;
+        model_.joints = jointModels(scene_, now_.begun ? now_.stage : now_.stage - 1);
+        sink_.resume(scene_, historyColumns(scene_), from);
+        if (now_.begun) enterStage();
     }
 
-    StageResult runStage(const Stage& stage) {
-        sink_.stageBegins(stage_);
+    bool checkpointDue() const {
+        const long bodies = static_cast<long>(model_.blocks.size()) + model_.nodes;
+        return engine_.health.passes - now_.passes >= std::max(fewestPasses, workBetween / std::max(1L, bodies));
+    }
+
+    void keepCheckpoint() {
+        now_.health = engine_.health;
+        now_.passes = engine_.health.passes;
+        engine_.solver = {};
+        sink_.checkpoint(now_);
+    }
+
+    /// What of a stage follows from the scene and the checkpoint.
+    void enterStage() {
+        times_ = isStatic() ? timesOf(stage()) : std::vector<double>{};
+    }
+
+    StepEnding beginStage() {
+        sink_.stageBegins(now_.stage);
+        now_.begun = true;
+        now_.time = now_.frames.next = 0.0;
+        now_.increment = 0;
+        now_.within = {};
+        now_.pace = {};
+        now_.firstStep = now_.state.step;
+        now_.passes = 0;
         engine_.health = {};
-        time_ = 0.0;
-        firstStep_ = state_.step;
-        loads_.begin(stage_, state_);
-        if (!stage.set.empty()) changeJoints(scene_, stage_, model_, state_);
-        if (stage.zeroDisplacements) observation_.zero(state_);
-        watch_.beginStage(state_);
-        nextFrame_ = 0.0;
-        const StepEnding ending = stage.kind == StageKind::Static ? runStatic(stage) : runDynamic(stage);
-        loads_.end(loadsReached_);
-        return finish(stage, ending);
+        loads_.begin(now_.stage, now_.state);
+        if (!stage().set.empty()) changeJoints(scene_, now_.stage, model_, now_.state);
+        if (stage().zeroDisplacements) observation_.zero(now_.state);
+        watch_.beginStage(now_.state);
+        enterStage();
+        const StepEnding ending = isStatic() ? standStill() : setMoving();
+        keepFrame(false);
+        return ending;
     }
 
-    StepEnding runStatic(const Stage& stage) {
-        state_.energy.damped += kineticEnergy(model_, state_);
-        for (BlockMotion& block : state_.blocks) block.velocity.setZero();
-        for (BoltMotion& bolt : state_.bolts)
+    StepEnding standStill() {
+        now_.state.energy.damped += kineticEnergy(model_, now_.state);
+        for (BlockMotion& block : now_.state.blocks) block.velocity.setZero();
+        for (BoltMotion& bolt : now_.state.bolts)
             for (BoltNode& node : bolt.nodes) node.velocity.setZero();
-        StaticSettings settings;
-        settings.unbalanced = stage.until.unbalanced.value_or(std::min(settings.unbalanced, scene_.analysis.tolerance));
-        settings.maxSteps = stage.until.maxSteps.value_or(settings.maxSteps);
-        keepFrame(1.0, false);
-        LoadPoint before = loads_.start();
-        loadsReached_ = before;
-        for (double time : timesOf(stage)) {
-            if (stopAsked()) return {Ending::Stopped, "", {}};
-            const LoadPoint next = loads_.at(time);
-            const StepEnding ending =
-                advanceStatic(engine_, state_, loads_.loads(), before, next, settings, *this, loadsReached_);
-            time_ = loadsReached_.time;
-            if (ending.ending != Ending::Done) return ending;
-            lookAround();
-            keepFrame(1.0, false);
-            before = next;
-        }
-        time_ = 1.0;
         return {};
+    }
+
+    StepEnding setMoving() {
+        const double before = bookedEnergy(model_, now_.state);
+        for (const InitialVelocity& initial : stage().initialVelocities) setVelocity(initial);
+        const StepEnding ending = dynamics().begin(now_.state);
+        now_.state.startEnergy += bookedEnergy(model_, now_.state) - before;  // velocities and preload were given
+        return ending;
+    }
+
+    /// One accepted step, or one move within an increment.
+    StepEnding advance() {
+        if (!isStatic()) {
+            const StepEnding ending = dynamics().step(now_.state, now_.time, stage().duration, now_.pace, *this);
+            lookAround();
+            keepFrame(false);
+            return ending;
+        }
+        StaticSettings settings;
+        settings.unbalanced = stage().until.unbalanced.value_or(std::min(settings.unbalanced, scene_.analysis.tolerance));
+        settings.maxSteps = stage().until.maxSteps.value_or(settings.maxSteps);
+        const StepEnding ending = moveStatic(engine_, now_.state, loads_.loads(), loadsBefore(), loadsAfter(), settings,
+                                             *this, now_.within);
+        now_.time = loadsReached().time;
+        if (ending.ending != Ending::Done || !now_.within.over()) return ending;
+        ++now_.increment;
+        now_.within = {};
+        lookAround();
+        keepFrame(false);
+        return ending;
+    }
+
+    bool stageOver() const {
+        return isStatic() ? now_.increment == static_cast<int>(times_.size()) : now_.time >= stage().duration;
+    }
+
+    /// Of the increment.
+    LoadPoint loadsBefore() const { return now_.increment == 0 ? loads_.start() : loads_.at(times_[increment() - 1]); }
+    LoadPoint loadsAfter() const { return loads_.at(times_[increment()]); }
+    std::size_t increment() const { return static_cast<std::size_t>(now_.increment); }
+
+    LoadPoint loadsReached() const {
+        if (!isStatic()) return loads_.at(now_.time);
+        if (increment() == times_.size()) return loads_.at(times_.back());
+        return between(loadsBefore(), loadsAfter(), now_.within.done);
     }
 
     /// 0 for what the stage puts on at once, then the increments, with every turn of a table among them.
@@ -128,31 +195,15 @@ private:
         return times;
     }
 
-    StepEnding runDynamic(const Stage& stage) {
-        const double before = bookedEnergy(model_, state_);
-        for (const InitialVelocity& initial : stage.initialVelocities) setVelocity(initial);
-        const Integration integration = stage.integration.value_or(scene_.analysis.integration);
+    DynamicStage dynamics() {
+        const Integration integration = stage().integration.value_or(scene_.analysis.integration);
         DynamicSettings settings;
         settings.scheme = inertiaOf(integration);
-        settings.rhoInf = stage.rhoInf.value_or(scene_.analysis.rhoInf);
+        settings.rhoInf = stage().rhoInf.value_or(scene_.analysis.rhoInf);
         settings.damping = scene_.analysis.damping;
-        const double usual = std::min({longestTimeStep, stage.duration / fewestSteps, longestStepFor(stage)});
-        settings.timeStep = stage.timeStep.value_or(usual);
-        DynamicStage dynamic(engine_, loads_.loads(), [this](double t) { return loads_.at(t); }, settings);
-        StepEnding ending = dynamic.begin(state_);
-        state_.startEnergy += bookedEnergy(model_, state_) - before;  // velocities and preload were given
-        keepFrame(stage.duration, false);
-        while (ending.ending == Ending::Done && time_ < stage.duration) {
-            if (stopAsked()) {
-                ending = {Ending::Stopped, "", {}};
-                break;
-            }
-            ending = dynamic.step(state_, time_, stage.duration, *this);
-            lookAround();
-            keepFrame(stage.duration, false);
-        }
-        loadsReached_ = loads_.at(time_);
-        return ending;
+        const double usual = std::min({longestTimeStep, stage().duration / fewestSteps, longestStepFor(stage())});
+        settings.timeStep = stage().timeStep.value_or(usual);
+        return {engine_, loads_.loads(), [this](double t) { return loads_.at(t); }, settings};
     }
 
     void setVelocity(const InitialVelocity& initial) {
@@ -161,11 +212,11 @@ private:
         Point middle{0.0, 0.0};  // of mass, the block's own or that of its cells
         double mass = 0.0;
         for (int row = first; row < end; ++row) {
-            middle += model_.blocks[row].mass * state_.blocks[row].centroid;
+            middle += model_.blocks[row].mass * now_.state.blocks[row].centroid;
             mass += model_.blocks[row].mass;
         }
         for (int row = first; row < end; ++row) {
-            BlockMotion& motion = state_.blocks[row];
+            BlockMotion& motion = now_.state.blocks[row];
             const Point away = end - first > 1 ? Point(motion.centroid - middle / mass) : Point(0.0, 0.0);
             const Point velocity = initial.velocity + initial.spin * turnLeft(away);
             motion.velocity.setZero();
@@ -175,30 +226,50 @@ private:
         }
     }
 
-    StageResult finish(const Stage& stage, const StepEnding& ending) {
+    /// \return true where the run goes on with the next stage.
+    bool endStage(const StepEnding& ending) {
+        if (!now_.begun) {  // stopped before it began
+            sink_.stageBegins(now_.stage);
+            now_.firstStep = now_.state.step;
+            now_.time = 0.0;
+            engine_.health = {};
+        } else {
+            loads_.end(loadsReached());
+        }
+        if (ending.ending == Ending::Done && isStatic()) now_.time = 1.0;
+        const StageResult result = resultOf(ending);
+        const bool continues = stage().continueAfterCollapse;
+        now_.results.push_back(result);
+        sink_.stageEnds(result);
+        ++now_.stage;
+        now_.begun = false;
+        if (result.outcome == Outcome::Stopped || result.outcome == Outcome::Failed || result.outcome == Outcome::Limit)
+            return false;
+        return result.outcome != Outcome::Collapse || continues;
+    }
+
+    StageResult resultOf(const StepEnding& ending) {
         StageResult result;
-        result.stage = stage_;
-        result.time = time_;
-        result.steps = state_.step - firstStep_;
+        result.stage = now_.stage;
+        result.time = now_.time;
+        result.steps = now_.state.step - now_.firstStep;
         result.blocks = ending.blocks;
         result.message = ending.message;
         switch (ending.ending) {
-            case Ending::Done:
-                result.outcome = stage.kind == StageKind::Static ? Outcome::Equilibrium : Outcome::Duration;
-                break;
+            case Ending::Done: result.outcome = isStatic() ? Outcome::Equilibrium : Outcome::Duration; break;
             case Ending::NoEquilibrium: collapse(result); break;
             case Ending::Stopped: stopped(result); break;
             case Ending::Failed: result.outcome = Outcome::Failed; break;
         }
-        keepFrame(1.0, true);
+        keepFrame(true);
         result.health = engine_.health;
-        result.health.balanceError = energyOf(model_, state_).balanceError;
+        result.health.balanceError = energyOf(model_, now_.state).balanceError;
         return result;
     }
 
     void stopped(StageResult& result) const {
         result.outcome = control_.stop ? Outcome::Stopped : Outcome::Limit;
-        if (!control_.stop) result.message = limit_.message(state_.step);
+        if (!control_.stop) result.message = limit_.message(now_.state.step);
     }
 
     void collapse(StageResult& result) {
@@ -209,67 +280,82 @@ private:
         event.kind = EventKind::Collapse;
         if (!result.blocks.empty()) {
             event.block = result.blocks.front();
-            event.position = state_.blocks[static_cast<std::size_t>(event.block)].centroid;
+            event.position = now_.state.blocks[static_cast<std::size_t>(event.block)].centroid;
         }
-        beforeEvent(state_, time_);
-        this->event(event, state_, time_);
-        afterEvent(state_, time_);
+        beforeEvent(now_.state, now_.time);
+        this->event(event, now_.state, now_.time);
+        afterEvent(now_.state, now_.time);
     }
 
     /// Events that need no release, with a history row either side.
     void lookAround() {
-        for (Event& event : watch_.look(state_)) {
-            beforeEvent(state_, time_);
-            this->event(event, state_, time_);
-            afterEvent(state_, time_);
+        for (Event& event : watch_.look(now_.state)) {
+            beforeEvent(now_.state, now_.time);
+            this->event(event, now_.state, now_.time);
+            afterEvent(now_.state, now_.time);
         }
     }
 
-    void beforeEvent(const State& state, double time) override { sink_.history(observation_.history(state, stage_, time)); }
-    void afterEvent(const State& state, double time) override { sink_.history(observation_.history(state, stage_, time)); }
+    void beforeEvent(const State& state, double time) override { keepRow(state, time); }
+    void afterEvent(const State& state, double time) override { keepRow(state, time); }
     void event(Event event, const State& state, double time) override {
-        event.stage = stage_;
+        event.stage = now_.stage;
         event.time = time;
         event.step = state.step;
         event.position += model_.origin;
         watch_.told(event);
         sink_.event(event);
-        ++events_;
+        ++now_.written.events;
+    }
+
+    void keepRow(const State& state, double time) {
+        sink_.history(observation_.history(state, now_.stage, time));
+        ++now_.written.historyRows;
     }
 
     /// A frame when one is due; always the stage's last, but never the same twice.
-    void keepFrame(double duration, bool last) {
-        const bool due = last ? keptStep_ != state_.step || keptStage_ != stage_ : time_ >= nextFrame_ * (1.0 - 1e-12);
+    void keepFrame(bool last) {
+        FrameClock& clock = now_.frames;
+        const bool due = last ? clock.keptStep != now_.state.step || clock.keptStage != now_.stage
+                              : now_.time >= clock.next * (1.0 - 1e-12);
         if (!due) return;
-        const double every = scene_.output.every.value_or(duration * static_cast<double>(scene_.stages.size()) /
+        const double every = scene_.output.every.value_or(duration() * static_cast<double>(scene_.stages.size()) /
                                                           std::max(1, scene_.output.frames));
-        nextFrame_ = (std::floor(time_ * (1.0 + 1e-12) / every) + 1.0) * every;
-        keptStep_ = state_.step;
-        keptStage_ = stage_;
-        sink_.history(observation_.history(state_, stage_, time_));
-        sink_.frame(observation_.frame(state_, stage_, time_));
+        clock.next = (std::floor(now_.time * (1.0 + 1e-12) / every) + 1.0) * every;
+        clock.keptStep = now_.state.step;
+        clock.keptStage = now_.stage;
+        keepRow(now_.state, now_.time);
+        sink_.frame(observation_.frame(now_.state, now_.stage, now_.time));
+        ++now_.written.frames;
     }
 
+    /// Waits while the run is paused, but for one step at a time that is asked for.
     bool stopAsked() {
-        if (control_.pause && !control_.stop) {
+        if (control_.pause && !control_.stop && !stepping_) {
             const auto paused = std::chrono::steady_clock::now();
-            while (control_.pause && !control_.stop) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            waitForStep();
             limit_.addPause(std::chrono::steady_clock::now() - paused);
         }
-        return control_.stop || limit_.reached(state_.step);
+        return control_.stop || limit_.reached(now_.state.step);
+    }
+
+    void waitForStep() {
+        while (control_.pause && !control_.stop && !stepping_) {
+            int left = control_.steps;
+            stepping_ = left > 0 && control_.steps.compare_exchange_strong(left, left - 1);
+            if (!stepping_) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
     }
 
     void report() {
         if (!control_.progress) return;
-        const Stage& stage = scene_.stages[static_cast<std::size_t>(stage_)];
-        const double share = stage.kind == StageKind::Static ? time_ : time_ / stage.duration;
         Progress progress;
-        progress.stage = stage_;
-        progress.time = time_;
-        progress.fraction = (stage_ + share) / static_cast<double>(scene_.stages.size());
-        progress.steps = state_.step;
+        progress.stage = now_.stage;
+        progress.time = now_.time;
+        progress.fraction = (now_.stage + now_.time / duration()) / static_cast<double>(scene_.stages.size());
+        progress.steps = now_.state.step;
         progress.passes = engine_.health.passes;
-        progress.events = events_;
+        progress.events = now_.written.events;
         progress.residual = engine_.health.maxResidual;
         control_.progress(progress);
     }
@@ -278,27 +364,24 @@ private:
     Sink& sink_;
     Control& control_;
     RunLimit limit_;
-    Model model_;
-    State state_;
+    Model model_;  // never changes but for the joints' strengths that a stage sets
+    Checkpoint now_;
     Engine engine_;
     StageLoads loads_;
     Observation observation_;
     Watch watch_;
-    LoadPoint loadsReached_;
-    int stage_ = 0;
-    double time_ = 0.0;
-    double nextFrame_ = 0.0;
-    long firstStep_ = 0, keptStep_ = -1, events_ = 0;
-    int keptStage_ = -1;
+    std::vector<double> times_;  // of a static stage's increments
+    bool stepping_ = false;  // while paused
 };
 
 }  // namespace
 
-std::vector<StageResult> run(const Scene& scene, Sink& sink, Control& control, const RunSettings& settings) {
+std::vector<StageResult> run(const Scene& scene, Sink& sink, Control& control, const RunSettings& settings,
+                             const Checkpoint* from) {
     const std::size_t threads = settings.threads > 0 ? static_cast<std::size_t>(settings.threads)
                                                      : std::max(1u, std::thread::hardware_concurrency());
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return Runner(scene, sink, control).run();
+    return Runner(scene, sink, control).run(from);
 }
 
 Results runInMemory(const Scene& scene, const RunSettings& settings) {

@@ -27,6 +27,7 @@ struct Progress {
 struct Control {
     std::atomic<bool> stop{false};
     std::atomic<bool> pause{false};
+    std::atomic<int> steps{0};  // still to be taken while paused
     std::function<void(const Progress&)> progress;  // may be empty
 };
 
@@ -34,11 +35,13 @@ struct RunSettings {
     int threads = 0;  // 0: as many as the machine has; never changes a result
 };
 
-/// Runs every stage of a checked scene.
+/// Runs every stage of a checked scene, or goes on with a run that was cut short.
+/// \param from handed to a sink by a run of the same scene and build; null: from the beginning.
 /// \pre `checkScene(scene)` found no error.
 /// \return one result per stage begun. A collapse is a result; the outcome `Failed`
 ///         (numerical failure), `Stopped` or `Limit` ends the run.
-std::vector<StageResult> run(const Scene& scene, Sink& sink, Control& control, const RunSettings& settings = {});
+std::vector<StageResult> run(const Scene& scene, Sink& sink, Control& control, const RunSettings& settings = {},
+                             const Checkpoint* from = nullptr);
 
 /// The same into memory, for tests and verification.
 Results runInMemory(const Scene& scene, const RunSettings& settings = {});

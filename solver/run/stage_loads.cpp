@@ -76,9 +76,9 @@ void StageLoads::addPressure(int row) {
             from = std::max(from, 0.0);
             to = std::min(to, edge.length);
             if (to - from <= near) continue;
-            loads_.pressures.push_back({static_cast<int>(i), e, from / edge.length, to / edge.length, load.pressure});
-            pressureSources_.push_back({stage_, row});
-            start_.pressures.push_back(0.0);
+            memory_.loads.pressures.push_back({static_cast<int>(i), e, from / edge.length, to / edge.length, load.pressure});
+            memory_.pressureSources.push_back({memory_.stage, row});
+            memory_.start.pressures.push_back(0.0);
         }
     }
 }
@@ -119,74 +119,74 @@ void StageLoads::addSpread(int row, int block) {
 }
 
 void StageLoads::addForce(const PointForce& force, int row) {
-    loads_.forces.push_back(force);
-    forceSources_.push_back({stage_, row});
-    start_.forces.push_back(0.0);
+    memory_.loads.forces.push_back(force);
+    memory_.forceSources.push_back({memory_.stage, row});
+    memory_.start.forces.push_back(0.0);
 }
 
 /// What is replaced stays in the list: in the stage's first increment it fades out as the other comes in.
 void StageLoads::replace(const Load& load, int block) {
-    for (std::size_t i = 0; i < forceSources_.size(); ++i) {
-        LoadSource& source = forceSources_[i];
-        const bool sameBlock = block >= 0 && sameRock(model_, loads_.forces[i].block, block);
-        if (source.stage < stage_ && samePlace(loadOf(source), load, sameBlock)) source.replaced = true;
+    for (std::size_t i = 0; i < memory_.forceSources.size(); ++i) {
+        LoadSource& source = memory_.forceSources[i];
+        const bool sameBlock = block >= 0 && sameRock(model_, memory_.loads.forces[i].block, block);
+        if (source.stage < memory_.stage && samePlace(loadOf(source), load, sameBlock)) source.replaced = true;
     }
-    for (LoadSource& source : pressureSources_)
-        if (source.stage < stage_ && samePlace(loadOf(source), load, false)) source.replaced = true;
+    for (LoadSource& source : memory_.pressureSources)
+        if (source.stage < memory_.stage && samePlace(loadOf(source), load, false)) source.replaced = true;
 }
 
 void StageLoads::addMotion(int row, State& state) {
     const Motion& motion = stage().motions[static_cast<std::size_t>(row)];
     const int block = blockHolding(state, motion.blockAt);
-    for (std::size_t i = 0; i < loads_.motions.size(); ++i) {
-        if (loads_.motions[i].block != block) continue;
+    for (std::size_t i = 0; i < memory_.loads.motions.size(); ++i) {
+        if (memory_.loads.motions[i].block != block) continue;
         const auto at = static_cast<std::ptrdiff_t>(i);
-        loads_.motions.erase(loads_.motions.begin() + at);
-        motionSources_.erase(motionSources_.begin() + at);
-        start_.motions.erase(start_.motions.begin() + at);
+        memory_.loads.motions.erase(memory_.loads.motions.begin() + at);
+        memory_.motionSources.erase(memory_.motionSources.begin() + at);
+        memory_.start.motions.erase(memory_.start.motions.begin() + at);
         break;
     }
     const PrescribedMotion prescribed{block, motion.axis.normalized(), motion.rotation == Rotation::Held};
     turnUnknowns(state.blocks[static_cast<std::size_t>(block)], prescribed.axis);
-    loads_.motions.push_back(prescribed);
-    motionSources_.push_back({stage_, row});
-    start_.motions.push_back(displacementAlong(model_, state, prescribed));
+    memory_.loads.motions.push_back(prescribed);
+    memory_.motionSources.push_back({memory_.stage, row});
+    memory_.start.motions.push_back(displacementAlong(model_, state, prescribed));
 }
 
 void StageLoads::begin(int stage, State& state) {
-    stage_ = stage;
+    memory_.stage = stage;
     if (this->stage().zeroDisplacements) {
-        zero_.clear();
-        for (const BlockMotion& block : state.blocks) zero_.push_back(block.centroid);
+        memory_.zero.clear();
+        for (const BlockMotion& block : state.blocks) memory_.zero.push_back(block.centroid);
     }
     for (int row = 0; row < static_cast<int>(this->stage().loads.size()); ++row) addLoad(row, state);
     for (int row = 0; row < static_cast<int>(this->stage().motions.size()); ++row) addMotion(row, state);
-    start_.time = 0.0;
-    start_.acceleration = {0.0, 0.0};  // ends with the stage that has it
+    memory_.start.time = 0.0;
+    memory_.start.acceleration = {0.0, 0.0};  // ends with the stage that has it
 }
 
 /// How far the block was along the motion's axis where displacements begin to count.
 double StageLoads::zeroOf(const PrescribedMotion& motion) const {
     const auto block = static_cast<std::size_t>(motion.block);
-    return zero_.empty() ? 0.0 : motion.axis.dot(zero_[block] - model_.blocks[block].centroid);
+    return memory_.zero.empty() ? 0.0 : motion.axis.dot(memory_.zero[block] - model_.blocks[block].centroid);
 }
 
 LoadPoint StageLoads::at(double time) const {
-    LoadPoint point = start_;
+    LoadPoint point = memory_.start;
     point.time = time;
     point.gravity = 1.0;
     point.acceleration = bodyForceAt(stage(), time);
     const auto fill = [&](std::vector<double>& values, const std::vector<LoadSource>& sources) {
         for (std::size_t i = 0; i < sources.size(); ++i)
             if (sources[i].replaced) values[i] = 0.0;
-            else if (sources[i].stage == stage_) values[i] = valueAt(tableOf(loadOf(sources[i]).table), time);
+            else if (sources[i].stage == memory_.stage) values[i] = valueAt(tableOf(loadOf(sources[i]).table), time);
     };
-    fill(point.forces, forceSources_);
-    fill(point.pressures, pressureSources_);
-    for (std::size_t i = 0; i < motionSources_.size(); ++i) {
-        if (motionSources_[i].stage != stage_) continue;
-        const Table& table = stage().motions[static_cast<std::size_t>(motionSources_[i].row)].table;
-        point.motions[i] = zeroOf(loads_.motions[i]) + valueAt(table, time);
+    fill(point.forces, memory_.forceSources);
+    fill(point.pressures, memory_.pressureSources);
+    for (std::size_t i = 0; i < memory_.motionSources.size(); ++i) {
+        if (memory_.motionSources[i].stage != memory_.stage) continue;
+        const Table& table = stage().motions[static_cast<std::size_t>(memory_.motionSources[i].row)].table;
+        point.motions[i] = zeroOf(memory_.loads.motions[i]) + valueAt(table, time);
     }
     return point;
 }
@@ -194,11 +194,11 @@ LoadPoint StageLoads::at(double time) const {
 /// Those of this stage, of what really acts.
 std::vector<const Table*> StageLoads::tables() const {
     std::vector<const Table*> found;
-    for (const auto* sources : {&forceSources_, &pressureSources_})
+    for (const auto* sources : {&memory_.forceSources, &memory_.pressureSources})
         for (const LoadSource& source : *sources)
-            if (source.stage == stage_) found.push_back(&tableOf(loadOf(source).table));
-    for (const LoadSource& source : motionSources_)
-        if (source.stage == stage_) found.push_back(&stage().motions[static_cast<std::size_t>(source.row)].table);
+            if (source.stage == memory_.stage) found.push_back(&tableOf(loadOf(source).table));
+    for (const LoadSource& source : memory_.motionSources)
+        if (source.stage == memory_.stage) found.push_back(&stage().motions[static_cast<std::size_t>(source.row)].table);
     return found;
 }
 

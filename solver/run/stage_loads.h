@@ -17,18 +17,29 @@ struct LoadSource {
     bool replaced = false;  // by a later stage: nothing acts any more
 };
 
+/// What acts, with what the stages before have left.
+struct LoadMemory {
+    int stage = -1;
+    Loads loads;
+    LoadPoint start;  // what acted when the stage began
+    std::vector<LoadSource> forceSources, pressureSources, motionSources;  // rows of Loads
+    std::vector<Point> zero;  // centroids at the last `zero_displacements`; empty: those of the start
+};
+
 class StageLoads {
 public:
-    StageLoads(const Model& model, const Scene& scene) : model_(model), scene_(scene) {}
+    /// \param memory kept by the caller, who may put back what it was.
+    StageLoads(const Model& model, const Scene& scene, LoadMemory& memory)
+        : model_(model), scene_(scene), memory_(memory) {}
 
     /// Adds the loads and motions of a stage. A motion takes the place of an earlier one on its block, a load that of
     /// one of an earlier stage at the same place.
     void begin(int stage, State& state);
 
-    const Loads& loads() const { return loads_; }
+    const Loads& loads() const { return memory_.loads; }
 
     /// What acted when the stage began.
-    const LoadPoint& start() const { return start_; }
+    const LoadPoint& start() const { return memory_.start; }
 
     /// What acts at `time` of the stage.
     LoadPoint at(double time) const;
@@ -40,10 +51,10 @@ public:
     bool varies() const;
 
     /// Keeps what acts at the stage's end for the next.
-    void end(const LoadPoint& reached) { start_ = reached; }
+    void end(const LoadPoint& reached) { memory_.start = reached; }
 
 private:
-    const Stage& stage() const { return scene_.stages[static_cast<std::size_t>(stage_)]; }
+    const Stage& stage() const { return scene_.stages[static_cast<std::size_t>(memory_.stage)]; }
     const Load& loadOf(const LoadSource& source) const;
     void addLoad(int row, const State& state);
     void addSpread(int row, int block);
@@ -57,11 +68,7 @@ private:
 
     const Model& model_;
     const Scene& scene_;
-    int stage_ = -1;
-    Loads loads_;
-    LoadPoint start_;
-    std::vector<LoadSource> forceSources_, pressureSources_, motionSources_;
-    std::vector<Point> zero_;  // centroids at the last `zero_displacements`; empty: those of the start
+    LoadMemory& memory_;
 };
 
 }  // namespace keyblock

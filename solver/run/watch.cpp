@@ -8,6 +8,8 @@
 namespace keyblock {
 namespace {
 
+using Pair = WatchMemory::Pair;
+
 /// Cells of one block count as one: its first row stands for them.
 int wholeOf(const Model& model, int block) {
     return model.blocks[block].cell ? model.firstOf[model.blocks[block].rock] : block;
@@ -56,48 +58,49 @@ double wholeSize(const Model& model, int first) {
 
 }  // namespace
 
-Watch::Watch(const Model& model, const State& start) : model_(model) {
+Watch::Watch(const Model& model, const State& start, WatchMemory& memory) : model_(model), memory_(memory) {
     for (const BlockMotion& block : start.blocks) start_.push_back(block.centroid);
     for (const BoltMotion& bolt : start.bolts) {
         std::vector<char> held(bolt.slots.size(), 0);
         for (const BoltNode& node : bolt.nodes)
             if (node.slot >= 0) held[static_cast<std::size_t>(node.slot)] = 1;
-        inhabited_.push_back(std::move(held));
+        memory_.inhabited.push_back(std::move(held));
     }
 }
 
-void Watch::beginStage(const State& state) {
-    slipped_.clear();
-    opened_.clear();
-    closed_.clear();
+void Watch::beginStage(const State& state) const {
+    memory_.slipped.clear();
+    memory_.opened.clear();
+    memory_.closed.clear();
     for (const Contact& c : state.contacts)
-        if (isClosed(model_, c)) closed_.try_emplace(pairOf(model_, c), c);
+        if (isClosed(model_, c)) memory_.closed.try_emplace(pairOf(model_, c), c);
 }
 
-void Watch::told(const Event& event) {
+void Watch::told(const Event& event) const {
     if (event.otherBlock < 0) return;
     const Pair pair = std::minmax(wholeOf(model_, event.block), wholeOf(model_, event.otherBlock));
-    if (event.kind == EventKind::JointSlip) slipped_.insert(pair);
-    if (event.kind == EventKind::JointOpen) opened_.insert(pair);
+    if (event.kind == EventKind::JointSlip) memory_.slipped.insert(pair);
+    if (event.kind == EventKind::JointOpen) memory_.opened.insert(pair);
 }
 
-void Watch::lookAtJoints(const State& state, std::vector<Event>& events) {
+void Watch::lookAtJoints(const State& state, std::vector<Event>& events) const {
     std::map<Pair, Contact> now;
     for (const Contact& c : state.contacts) {
         if (!isClosed(model_, c)) continue;
         now.try_emplace(pairOf(model_, c), c);
         const bool slides = !c.bonded && c.normalForce > 0.0 && std::abs(c.slip) > 10.0 * model_.tolerance &&
                             std::abs(c.shearForce) >= c.limit * (1.0 - 1e-9);
-        if (slides && slipped_.insert(pairOf(model_, c)).second) events.push_back(jointEvent(EventKind::JointSlip, c));
+        if (slides && memory_.slipped.insert(pairOf(model_, c)).second)
+            events.push_back(jointEvent(EventKind::JointSlip, c));
     }
-    for (const auto& [pair, contact] : closed_) {
-        if (now.contains(pair) || !opened_.insert(pair).second) continue;
+    for (const auto& [pair, contact] : memory_.closed) {
+        if (now.contains(pair) || !memory_.opened.insert(pair).second) continue;
         const auto still = std::find_if(state.contacts.begin(), state.contacts.end(),
                                         [&](const Contact& c) { return pairOf(model_, c) == pair; });
         // a contact that left the search's margin at once is told of by where it was
         events.push_back(jointEvent(EventKind::JointOpen, still != state.contacts.end() ? *still : contact));
     }
-    closed_ = std::move(now);
+    memory_.closed = std::move(now);
 }
 
 void Watch::lookForFalls(State& state, std::vector<Event>& events) const {
@@ -115,15 +118,15 @@ void Watch::lookForFalls(State& state, std::vector<Event>& events) const {
     }
 }
 
-void Watch::lookForPulledOut(State& state, std::vector<Event>& events) {
+void Watch::lookForPulledOut(State& state, std::vector<Event>& events) const {
     for (std::size_t b = 0; b < state.bolts.size(); ++b) {
         BoltMotion& bolt = state.bolts[b];
         if (bolt.lost) continue;
-        inhabited_[b].resize(bolt.slots.size(), 0);  // of blocks entered since
+        memory_.inhabited[b].resize(bolt.slots.size(), 0);  // of blocks entered since
         for (const BoltNode& node : bolt.nodes)
-            if (node.slot >= 0) inhabited_[b][static_cast<std::size_t>(node.slot)] = 1;
+            if (node.slot >= 0) memory_.inhabited[b][static_cast<std::size_t>(node.slot)] = 1;
         for (std::size_t s = 0; s < bolt.slots.size(); ++s) {
-            if (!inhabited_[b][s] || bolt.leftSlot[s]) continue;
+            if (!memory_.inhabited[b][s] || bolt.leftSlot[s]) continue;
             const auto isIn = [&](int slot, std::size_t of) {  // the slot, or one in another cell of the block
                 const int own = bolt.slots[static_cast<std::size_t>(slot)].block;
                 const bool sameBlock = model_.blocks[own].cell && sameRock(model_, own, bolt.slots[of].block);
@@ -145,7 +148,7 @@ void Watch::lookForPulledOut(State& state, std::vector<Event>& events) {
     }
 }
 
-std::vector<Event> Watch::look(State& state) {
+std::vector<Event> Watch::look(State& state) const {
     std::vector<Event> events;
     lookAtJoints(state, events);
     lookForFalls(state, events);

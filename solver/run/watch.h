@@ -15,29 +15,35 @@
 
 namespace keyblock {
 
+/// What was seen before; joints as pairs of blocks.
+struct WatchMemory {
+    using Pair = std::pair<int, int>;
+    std::map<Pair, Contact> closed;  // when last looked at, with the first contact of the pair as it was
+    std::set<Pair> slipped, opened;  // told in this stage
+    std::vector<std::vector<char>> inhabited;  // per bolt and slot: held a node at some time
+};
+
 class Watch {
 public:
-    Watch(const Model& model, const State& start);
+    /// \param memory filled here and kept by the caller, who may put back what it was.
+    Watch(const Model& model, const State& start, WatchMemory& memory);
 
     /// Joint events are told once per pair of blocks and stage.
-    void beginStage(const State& state);
+    void beginStage(const State& state) const;
 
-    std::vector<Event> look(State& state);
+    std::vector<Event> look(State& state) const;
 
     /// A joint event that another has told of.
-    void told(const Event& event);
+    void told(const Event& event) const;
 
 private:
-    using Pair = std::pair<int, int>;
-    void lookAtJoints(const State& state, std::vector<Event>& events);
+    void lookAtJoints(const State& state, std::vector<Event>& events) const;
     void lookForFalls(State& state, std::vector<Event>& events) const;
-    void lookForPulledOut(State& state, std::vector<Event>& events);
+    void lookForPulledOut(State& state, std::vector<Event>& events) const;
 
     const Model& model_;
     std::vector<Point> start_;  // centroids when the run began
-    std::map<Pair, Contact> closed_;  // with the first contact of the pair as it was last
-    std::set<Pair> slipped_, opened_;
-    std::vector<std::vector<char>> inhabited_;  // per bolt and slot: held a node at the start
+    WatchMemory& memory_;
 };
 
 }  // namespace keyblock

@@ -130,8 +130,9 @@ TEST(Glue, KeepsTheAngularMomentumOfASpinningBlock) {
     const double start = angularMomentum(model, state);
     double time = 0.0, worst = 0.0;
     Silent silent;
+    DynamicPace pace;
     for (int step = 0; step < 1000; ++step) {
-        ASSERT_EQ(stage.step(state, time, 10.0, silent).ending, Ending::Done);
+        ASSERT_EQ(stage.step(state, time, 10.0, pace, silent).ending, Ending::Done);
         worst = std::max(worst, std::abs(angularMomentum(model, state) / start - 1.0));
     }
     EXPECT_LT(worst, 1e-9);

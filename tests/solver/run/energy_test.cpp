@@ -143,10 +143,11 @@ struct Everything {
             void afterEvent(const State&, double) override {}
         } observer;
         DynamicStage stage(engine, loads, [&](double) { return at; }, {Inertia::Shi, 1e-4});
+        DynamicPace pace;
         EXPECT_EQ(stage.begin(state).ending, Ending::Done);
         double time = 0.0;
         for (int i = 0; i < 600 && time < 0.04; ++i)
-            EXPECT_EQ(stage.step(state, time, 0.04, observer).ending, Ending::Done);
+            EXPECT_EQ(stage.step(state, time, 0.04, pace, observer).ending, Ending::Done);
     }
 
     const Scene& hang() {

@@ -201,6 +201,7 @@ TEST(Schemes, TimeDoesNotDrift) {
     Engine engine(model);
     const Loads loads;
     DynamicStage stage(engine, loads, [](double) { return LoadPoint{}; }, {Inertia::Shi, 1e-6});
+    DynamicPace pace;
     struct Deaf : StepObserver {
         void beforeEvent(const State&, double) override {}
         void event(Event, const State&, double) override {}
@@ -208,7 +209,7 @@ TEST(Schemes, TimeDoesNotDrift) {
     } observer;
     double time = 0.0;
     for (int i = 1; i <= 10000; ++i) {
-        ASSERT_EQ(stage.step(state, time, 1.0, observer).ending, Ending::Done);
+        ASSERT_EQ(stage.step(state, time, 1.0, pace, observer).ending, Ending::Done);
         ASSERT_NEAR(time, i * 1e-6, 2.3e-16 * time);
     }
 }

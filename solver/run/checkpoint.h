@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where a run stands between two steps, as one plain value: the run's loop works on
+// it and keeps nothing else that its next step depends on. Whoever keeps a copy can
+// go on from there, in another process too, and get the same bytes.
+#pragma once
+
+#include "solver/engine/dynamics.h"
+#include "solver/engine/statics.h"
+#include "solver/run/observation.h"
+#include "solver/run/stage_loads.h"
+#include "solver/run/watch.h"
+
+#include <vector>
+
+namespace keyblock {
+
+/// How much the sink was given so far.
+struct Written {
+    long events = 0, historyRows = 0, frames = 0;
+};
+
+/// When the last frame was kept, and when the next is due.
+struct FrameClock {
+    double next = 0.0;  // time within the stage
+    long keptStep = -1;
+    int keptStage = -1;
+};
+
+/// Every member is a plain value or a container of such: they are written and read without being listed again.
+struct Checkpoint {
+    State state;
+    int stage = 0;
+    bool begun = false;  // the stage
+    double time = 0.0;  // within the stage: [s], or pseudo-time 0 … 1
+    int increment = 0;  // of a static stage
+    IncrementProgress within;  // that increment
+    DynamicPace pace;  // of a dynamic stage
+    LoadMemory loads;
+    Reference reference;
+    WatchMemory watch;
+    Health health;  // of the stage
+    long firstStep = 0;  // when the stage began
+    long passes = 0;  // of the stage, when the last checkpoint was kept
+    FrameClock frames;
+    Written written;
+    std::vector<StageResult> results;  // of the stages that ended
+};
+
+}  // namespace keyblock
