@@ -59,7 +59,9 @@ void addRun(CLI::App& app, RunOptions& options) {
             "How to tell progress on standard error; json: one object a line; default: bar on a terminal, else none")
         ->type_name("bar|json|none")
         ->check(progressProblem);
-    verb->add_flag("--overwrite", options.overwrite, "Replace a run store that is there");
+    CLI::Option* resume = verb->add_flag("--resume", options.resume,
+                                         "Go on with a run that was interrupted; without one, start at the beginning");
+    verb->add_flag("--overwrite", options.overwrite, "Replace a run store that is there")->excludes(resume);
 }
 
 void addCheck(CLI::App& app, CheckOptions& options) {

@@ -23,6 +23,7 @@ struct RunOptions {
     std::vector<std::string> overrides;  // path=value
     int threads = 0;  // 0: as many as the machine has
     ProgressKind progress = ProgressKind::Automatic;  // a bar on a terminal, else none
+    bool resume = false;  // go on in a run store that is there
     bool overwrite = false;
 };
 

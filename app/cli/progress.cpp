@@ -22,10 +22,10 @@ constexpr const char* clearLine = "\r\033[K";
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-std::optional<double> secondsLeft(double elapsed, double fraction) {
-    if (fraction < leastFraction)
+std::optional<double> secondsLeft(double elapsed, double start, double fraction) {
+    if (fraction - start < leastFraction)
         return std::nullopt;
-    const double seconds = elapsed * (1.0 - std::min(fraction, 1.0)) / fraction;
+    const double seconds = elapsed * (1.0 - std::min(fraction, 1.0)) / (fraction - start);
     return std::round(1000.0 * seconds) / 1000.0;
 }
 
@@ -69,7 +69,14 @@ ProgressSink::ProgressSink(const Scene& scene, Sink& next, ProgressKind kind)
 
 void ProgressSink::begin(const Scene& scene, const HistoryColumns& columns) {
     runStart_ = Clock::now();
+    startFraction_ = 0.0;
     next_.begin(scene, columns);
+}
+
+void ProgressSink::resume(const Scene& scene, const HistoryColumns& columns, const Checkpoint& from) {
+    stageStart_ = runStart_ = Clock::now();
+    startFraction_.reset();
+    next_.resume(scene, columns, from);
 }
 
 void ProgressSink::stageBegins(int stage) {
@@ -95,6 +102,8 @@ void ProgressSink::stageEnds(const StageResult& result) {
 
 void ProgressSink::update(const Progress& progress) {
     progress_ = progress;
+    if (!startFraction_)
+        startFraction_ = progress.fraction;
     untold_ = true;
     if (kind_ == ProgressKind::None || (lastTold_ && Clock::now() - *lastTold_ < shortestPause))
         return;
@@ -114,7 +123,7 @@ void ProgressSink::tell() {
     const ProgressLine line{stageName(scene_, progress_.stage),
                             progress_.time,
                             progress_.fraction,
-                            secondsLeft(secondsSince(runStart_), progress_.fraction),
+                            secondsLeft(secondsSince(runStart_), startFraction_.value_or(0.0), progress_.fraction),
                             progress_.passes,
                             progress_.events};
     printToError(kind_ == ProgressKind::Json ? progressJson(line) : clearLine + barText(line));

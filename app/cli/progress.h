@@ -30,11 +30,13 @@ public:
     ProgressSink& operator=(const ProgressSink&) = delete;
 
     void begin(const Scene& scene, const HistoryColumns& columns) override;
+    void resume(const Scene& scene, const HistoryColumns& columns, const Checkpoint& from) override;
     void stageBegins(int stage) override;
     void event(const Event& event) override;
     void history(const HistoryRow& row) override { next_.history(row); }
     void frame(const Frame& frame) override { next_.frame(frame); }
     void stageEnds(const StageResult& result) override;
+    void checkpoint(const Checkpoint& checkpoint) override { next_.checkpoint(checkpoint); }
 
     /// To be called after every step.
     void update(const Progress& progress);
@@ -50,6 +52,7 @@ private:
     Sink& next_;
     ProgressKind kind_;
     Progress progress_;
+    std::optional<double> startFraction_;  // done before this run began
     bool untold_ = false;
     std::optional<Event> lastEvent_;
     Clock::time_point runStart_;

@@ -8,6 +8,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/stop_signals.h"
+#include "solver/files/resumption.h"
 #include "solver/files/run_store.h"
 #include "solver/files/run_store_writer.h"
 #include "solver/files/scene_file.h"
@@ -61,7 +62,7 @@ ExitCode exitCodeOf(const std::vector<StageResult>& results) {
 void tellWhyItEnded(ExitCode code, const Scene& scene, const std::vector<StageResult>& results, const fs::path& out) {
     const std::string kept = "; results so far are in " + out.string();
     if (code == Interrupted)
-        printErrorLine("interrupted" + kept);
+        printErrorLine("interrupted" + kept + "; run again with --resume to go on");
     if (code == LimitReached)
         printErrorLine("a limit was reached" + kept);
     if (code != NumericalFailure)
@@ -71,14 +72,15 @@ void tellWhyItEnded(ExitCode code, const Scene& scene, const std::vector<StageRe
             printErrorLine("stage '" + stageName(scene, result.stage) + "': " + result.message + kept);
 }
 
-/// Runs the scene into its store; returns what each stage came to.
+/// Runs the scene into its store, from the checkpoint if there is one; returns what each stage came to.
 std::vector<StageResult> runInto(RunStoreWriter& store, const Scene& scene, const RunOptions& options,
-                                 std::map<int, double>& stageSeconds) {
+                                 const std::optional<Checkpoint>& from, std::map<int, double>& stageSeconds) {
     ProgressSink sink(scene, store, progressOf(options));
     Control control;
     control.progress = [&](const Progress& progress) { sink.update(progress); };
     const StopSignals signals(control.stop);
-    const std::vector<StageResult> results = keyblock::run(scene, sink, control, {options.threads});
+    const Checkpoint* start = from ? &*from : nullptr;
+    const std::vector<StageResult> results = keyblock::run(scene, sink, control, {options.threads}, start);
     store.close();
     stageSeconds = sink.stageSeconds();
     return results;
@@ -91,9 +93,13 @@ ExitCode perform(const RunOptions& options) {
     const std::optional<Scene> scene = runnableScene(options);
     if (!scene)
         return Invalid;
-    RunStoreWriter store(out, options.overwrite);
+    const Resumption resumption = options.resume ? resumptionOf(out, *scene) : Resumption{};
     std::map<int, double> stageSeconds;
-    const std::vector<StageResult> results = runInto(store, *scene, options, stageSeconds);
+    std::vector<StageResult> results;
+    if (!resumption.finished) {
+        RunStoreWriter store(out, options.overwrite || options.resume);
+        results = runInto(store, *scene, options, resumption.checkpoint, stageSeconds);
+    }
     print(summaryOf(RunStore(out), stageSeconds) + "\nresults in " + out.string() + "\n");
     const ExitCode code = exitCodeOf(results);
     tellWhyItEnded(code, *scene, results, out);

@@ -28,6 +28,8 @@ CREATE TABLE frames (frame INTEGER PRIMARY KEY, stage INTEGER, time REAL, step I
     kinetic REAL, strain REAL, contact REAL, bolt REAL, friction REAL, plastic REAL, released REAL, damped REAL,
     external REAL, balance_error REAL,
     blocks BLOB, corners BLOB, contacts BLOB, nodes BLOB, bolts BLOB);
+CREATE TABLE checkpoint (key INTEGER PRIMARY KEY CHECK (key = 1), build TEXT NOT NULL, hash TEXT NOT NULL,
+    state BLOB NOT NULL);
 )";
 
 /// Told to whoever opens the store with something else.
@@ -37,7 +39,8 @@ inline constexpr const char* layout =
     "stages.blocks. Row n of bolts is the scene's bolt n; row n of blocks the n-th that is solved: the scene's, cells in "
     "place of those that are cut, then plates that are blocks. Stages, blocks, bolts, nodes, "
     "elements and rows of history count from 0; -1 marks an index that does not apply. events.history_row names the "
-    "row just before an event. A stage without an outcome never ended. SI units; times are within the stage. Row key "
-    "scene of table about is the scene as JSON with its records inside, scene_hash its SHA-256.";
+    "row just before an event. A stage without an outcome never ended. Table checkpoint is the program's own: where a "
+    "run that did not finish can be taken up again, by the same build only. SI units; times are within the stage. "
+    "Row key scene of table about is the scene as JSON with its records inside, scene_hash its SHA-256.";
 
 }  // namespace keyblock::run_schema

@@ -291,6 +291,15 @@ Frame RunStore::frame(std::size_t index) const {
     });
 }
 
+std::optional<StoredCheckpoint> RunStore::checkpoint() const {
+    return guarded([&]() -> std::optional<StoredCheckpoint> {
+        sqlite::Statement statement(database_, "SELECT build, hash, state FROM checkpoint");
+        if (!statement.next())
+            return std::nullopt;
+        return StoredCheckpoint{statement.text(0), statement.text(1), statement.bytes(2)};
+    });
+}
+
 Results readResults(const RunStore& store) {
     Results results;
     results.columns = store.columns();

@@ -10,10 +10,18 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace keyblock {
+
+/// As it lies in the store, not looked into.
+struct StoredCheckpoint {
+    std::string build;  // of the program that wrote it
+    std::string hash;  // SHA-256 of the state
+    std::string state;
+};
 
 class RunStore : public RunSource {
 public:
@@ -29,6 +37,9 @@ public:
     std::vector<HistoryRow> history() const override;
     const std::vector<FrameHead>& frames() const override { return heads_; }
     Frame frame(std::size_t index) const override;
+
+    /// Null before the first and after the run's end.
+    std::optional<StoredCheckpoint> checkpoint() const;
 
     const std::string& sceneHash() const { return sceneHash_; }  // SHA-256 of the scene's text, 64 hexadecimal digits
     const std::string& programVersion() const { return programVersion_; }  // of the program that wrote it

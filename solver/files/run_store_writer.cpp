@@ -6,17 +6,22 @@
 // nobody ever sees a store without its scene.
 #include "solver/files/run_store_writer.h"
 
+#include "solver/files/checkpoint_bytes.h"
 #include "solver/files/frame_payload.h"
 #include "solver/files/program_version.h"
 #include "solver/files/run_schema.h"
 #include "solver/files/scene_file.h"
 #include "solver/files/sha256.h"
 #include "solver/files/sqlite.h"
+#include "solver/files/store_lock.h"
 #include "solver/files/whole_file.h"
+#include "solver/results/run_source.h"
 #include "solver/results/words.h"
 
 #include <sqlite3.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <fstream>
 #include <system_error>
 #include <utility>
@@ -29,6 +34,11 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void cannotWrite(const fs::path& path, const sqlite::Error& error) {
     throw CannotWrite(cannotWriteText(path, error.systemError, error.what()));
+}
+
+[[noreturn]] void refuseExisting(const fs::path& path) {
+    throw StoreExists(path.string() + " exists; add --resume to go on with it or --overwrite to replace it, or choose "
+                                      "another --out");
 }
 
 bool startsAsDatabase(const fs::path& path) {
@@ -95,6 +105,13 @@ void writeAbout(const sqlite::Database& database, const Scene& scene, const Hist
     put("monitor_values", std::to_string(history.monitorValues));
 }
 
+/// SQLite does not say what was wrong with a folder.
+void requireWritableFolder(const fs::path& path) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        throw CannotWrite(cannotWriteText(path, errno));
+}
+
 /// Makes a whole store without any result at `part`.
 void makeStore(const fs::path& part, const Scene& scene, const HistoryColumns& columns) {
     sqlite::Database database(part, sqlite::Access::Create);
@@ -112,7 +129,7 @@ void putInPlace(const fs::path& part, const fs::path& path, bool overwrite) {
     if (!overwrite) {
         fs::create_hard_link(part, path, error);
         if (error == std::errc::file_exists)
-            throw StoreExists(path.string() + " exists; add --overwrite, or choose another --out");
+            refuseExisting(path);
         if (!error)
             return;  // the part's own name goes with the part
     }
@@ -128,12 +145,27 @@ constexpr const char* endStage =
 constexpr const char* insertEvent = "INSERT INTO events VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
 constexpr const char* insertHistory = "INSERT INTO history VALUES (?,?,?,?,?)";
 constexpr const char* insertFrame = "INSERT INTO frames VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
+constexpr const char* putCheckpoint = "INSERT OR REPLACE INTO checkpoint VALUES (1,?,?,?)";
+
+/// Takes back what a run found after a checkpoint; frames and events count from 1, rows of history from 0.
+void forgetWhatFollows(sqlite::Database& database, const Checkpoint& from) {
+    const auto clear = [&](const char* sql, long kept) {
+        sqlite::Statement(database, sql).bind(std::int64_t{kept}).run();
+    };
+    clear("DELETE FROM events WHERE event>?", from.written.events);
+    clear("DELETE FROM history WHERE row>=?", from.written.historyRows);
+    clear("DELETE FROM frames WHERE frame>?", from.written.frames);
+    clear("DELETE FROM stages WHERE stage>=?", from.begun ? from.stage + 1 : from.stage);
+    clear("UPDATE stages SET outcome=NULL, time=NULL, steps=NULL, message=NULL, blocks=NULL, passes=NULL, "
+          "step_cuts=NULL, factorizations=NULL, max_penetration_ratio=NULL, max_residual=NULL, balance_error=NULL, "
+          "health_steps=NULL WHERE stage=?", from.stage);
+}
 
 }  // namespace
 
 /// The store while it is open. Statements go before the connection they belong to.
 struct RunStoreWriter::Open {
-    explicit Open(const fs::path& path) : database(path, sqlite::Access::Write) {
+    explicit Open(const fs::path& path) : lock(path), database(path, sqlite::Access::Write) {
         database.run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
     }
 
@@ -149,6 +181,7 @@ struct RunStoreWriter::Open {
         inTransaction = false;
     }
 
+    StoreLock lock;
     sqlite::Database database;
     bool inTransaction = false;
     std::int64_t historyRows = 0;
@@ -157,6 +190,7 @@ struct RunStoreWriter::Open {
     sqlite::Statement event{database, insertEvent};
     sqlite::Statement history{database, insertHistory};
     sqlite::Statement frame{database, insertFrame};
+    sqlite::Statement checkpoint{database, putCheckpoint};
 };
 
 void requireFreeStore(const fs::path& path, bool overwrite) {
@@ -165,7 +199,7 @@ void requireFreeStore(const fs::path& path, bool overwrite) {
     if (!fs::exists(status))
         return;
     if (!overwrite)
-        throw StoreExists(path.string() + " exists; add --overwrite, or choose another --out");
+        refuseExisting(path);
     const bool empty = fs::is_regular_file(status) && fs::file_size(path, error) == 0;
     if (!empty && (!fs::is_regular_file(status) || !isRunStore(path)))
         throw StoreExists(path.string() + " is no run store and is not overwritten; choose another --out");
@@ -200,6 +234,7 @@ void RunStoreWriter::write(Work work) {
 void RunStoreWriter::begin(const Scene& scene, const HistoryColumns& columns) {
     scene_ = scene;
     requireFreeStore(path_, overwrite_);
+    requireWritableFolder(path_);
     const fs::path part = partPath(path_);
     std::error_code ignored;
     fs::remove(part, ignored);
@@ -217,6 +252,20 @@ void RunStoreWriter::begin(const Scene& scene, const HistoryColumns& columns) {
         fs::remove(part, ignored);
         throw;
     }
+}
+
+void RunStoreWriter::resume(const Scene& scene, const HistoryColumns&, const Checkpoint& from) {
+    scene_ = scene;
+    try {
+        open_ = std::make_unique<Open>(path_);
+    } catch (const sqlite::Error& error) {
+        cannotWrite(path_, error);
+    }
+    write([&](Open& open) {
+        forgetWhatFollows(open.database, from);
+        open.historyRows = from.written.historyRows;
+        open.commit();
+    });
 }
 
 void RunStoreWriter::stageBegins(int stage) {
@@ -269,6 +318,16 @@ void RunStoreWriter::stageEnds(const StageResult& result) {
         open.stageEnd.bind(std::int64_t{health.factorizations}).bind(health.maxPenetrationRatio);
         open.stageEnd.bind(health.maxResidual).bind(health.balanceError).bind(std::int64_t{health.steps});
         open.stageEnd.bind(std::int64_t{result.stage}).run();
+        if (endsRun(scene_, result))
+            open.database.run("DELETE FROM checkpoint");
+        open.commit();
+    });
+}
+
+void RunStoreWriter::checkpoint(const Checkpoint& checkpoint) {
+    write([&](Open& open) {
+        const std::string bytes = bytesOf(checkpoint);
+        open.checkpoint.bind(buildName()).bind(sha256(bytes)).bindBytes(bytes).run();
         open.commit();
     });
 }

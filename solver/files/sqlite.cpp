@@ -129,6 +129,11 @@ Statement& Statement::bind(std::span<const double> values) {
     return *this;
 }
 
+Statement& Statement::bindBytes(std::string_view bytes) {
+    check(sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.data(), bytes.size(), SQLITE_TRANSIENT));
+    return *this;
+}
+
 void Statement::run() {
     next();
     sqlite3_reset(statement_.get());
@@ -152,6 +157,11 @@ double Statement::real(int column) const {
 
 std::string Statement::text(int column) const {
     const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
+    return bytes ? std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column))) : "";
+}
+
+std::string Statement::bytes(int column) const {
+    const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
     return bytes ? std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column))) : "";
 }
 

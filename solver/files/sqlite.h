@@ -58,6 +58,7 @@ public:
     Statement& bind(double value);  // NaN becomes NULL
     Statement& bind(std::string_view text);
     Statement& bind(std::span<const double> values);  // a BLOB of little-endian doubles
+    Statement& bindBytes(std::string_view bytes);  // a BLOB
     /// Runs a statement that gives no row, and makes it ready for the next binding.
     void run();
     /// Steps to the next row; false after the last.
@@ -66,6 +67,7 @@ public:
     std::int64_t integer(int column) const;
     double real(int column) const;  // NULL becomes NaN
     std::string text(int column) const;
+    std::string bytes(int column) const;
     bool isNull(int column) const;
     /// Null when the BLOB is no whole number of doubles.
     std::optional<std::vector<double>> doubles(int column) const;

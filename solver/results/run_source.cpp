@@ -1,14 +1,28 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The twin in memory of a run store.
+// The twin in memory of a run store, and what any run can be asked.
 #include "solver/results/run_source.h"
 
 #include "solver/scene/solved_blocks.h"
 
 namespace keyblock {
 
-MemoryRun::MemoryRun(const Scene& scene, const Results& results) : scene_(scene), results_(results), names_(keyblock::blockNames(scene)) {
+bool endsRun(const Scene& scene, const StageResult& result) {
+    const auto stage = static_cast<std::size_t>(result.stage);
+    const bool last = stage + 1 == scene.stages.size();
+    if (result.outcome == Outcome::Collapse)
+        return last || !scene.stages[stage].continueAfterCollapse;
+    return last && (result.outcome == Outcome::Equilibrium || result.outcome == Outcome::Duration);
+}
+
+bool isFinished(const RunSource& run) {
+    const std::vector<StageRecord> stages = run.stages();
+    return !stages.empty() && stages.back().ended && endsRun(run.scene(), stages.back().result);
+}
+
+MemoryRun::MemoryRun(const Scene& scene, const Results& results)
+    : scene_(scene), results_(results), names_(keyblock::blockNames(scene)) {
     for (const Frame& frame : results.frames)
         heads_.push_back({frame.stage, frame.time, frame.step, frame.energy});
 }

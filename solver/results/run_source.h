@@ -45,6 +45,13 @@ public:
     virtual Frame frame(std::size_t index) const = 0;
 };
 
+/// Whether a run that ends a stage like this is done: the scene's last stage, or a collapse after which it says to stop.
+/// A run that was stopped, failed or came to a limit is not.
+bool endsRun(const Scene& scene, const StageResult& result);
+
+/// Whether nothing is left to do of a run.
+bool isFinished(const RunSource& run);
+
 /// A run kept in memory. Scene and results must outlive it.
 class MemoryRun : public RunSource {
 public:

@@ -4,7 +4,9 @@
 // A store gives back what went in, survives its writer, and refuses what it is not.
 #include "solver/files/run_store.h"
 
+#include "solver/files/checkpoint_bytes.h"
 #include "solver/files/errors.h"
+#include "solver/files/resumption.h"
 #include "solver/files/run_store_writer.h"
 #include "solver/files/scene_file.h"
 #include "solver/files/sha256.h"
@@ -291,6 +293,79 @@ TEST_F(RunStoreTest, SaysWhenItCannotWrite) {
         EXPECT_NE(std::string(error.what()).find("No such file"), std::string::npos) << error.what();
     }
     EXPECT_EQ(filesInFolder(), 0U);
+}
+
+TEST_F(RunStoreTest, SaysWhenAFolderMayNotBeWritten) {
+    fs::permissions(folder_.path(), fs::perms(0555));
+    const int status = childStatus([&] {
+        if (::geteuid() == 0 && ::setuid(65534) != 0)
+            throw std::runtime_error("root may write everywhere");
+        RunStoreWriter writer(storePath(), false);
+        try {
+            writer.begin(test::sampleScene(), test::sampleResults().columns);
+        } catch (const CannotWrite& error) {
+            if (std::string(error.what()).find("Permission denied") != std::string::npos)
+                return;
+        }
+        throw std::logic_error("not told");
+    });
+    EXPECT_EQ(status, 0);
+    fs::permissions(folder_.path(), fs::perms(0700));
+}
+
+TEST_F(RunStoreTest, GoesOnAfterACheckpoint) {
+    const Results results = test::sampleResults();
+    Checkpoint from;  // after the first stage's first frame
+    {
+        RunStoreWriter writer(storePath(), false);
+        writer.begin(test::sampleScene(), results.columns);
+        writer.stageBegins(0);
+        writer.event(results.events[0]);
+        writer.history(results.history[0]);
+        writer.frame(results.frames[0]);
+        from.begun = true;
+        from.written = {1, 1, 1};
+        writer.checkpoint(from);
+        writer.event(results.events[1]);
+        writer.history(results.history[1]);
+        writer.frame(results.frames[1]);
+        StageResult stopped = results.stages[0];
+        stopped.outcome = Outcome::Stopped;
+        writer.stageEnds(stopped);
+    }
+    const Resumption resumption = resumptionOf(storePath(), test::sampleScene());
+    EXPECT_FALSE(resumption.finished);
+    ASSERT_TRUE(resumption.checkpoint);
+    EXPECT_EQ(bytesOf(*resumption.checkpoint), bytesOf(from));
+    Scene other = test::sampleScene();
+    other.title += " changed";
+    EXPECT_THROW(resumptionOf(storePath(), other), CannotRead);
+    {
+        RunStoreWriter writer(storePath(), true);
+        writer.resume(test::sampleScene(), results.columns, *resumption.checkpoint);
+        EXPECT_THROW(RunStoreWriter(storePath(), true).resume(test::sampleScene(), results.columns, from), CannotWrite);
+        const RunStore store(storePath());
+        EXPECT_EQ(store.events().size(), 1u);
+        EXPECT_EQ(store.history().size(), 1u);
+        EXPECT_EQ(store.frames().size(), 1u);
+        ASSERT_EQ(store.stages().size(), 1u);
+        EXPECT_FALSE(store.stages()[0].ended);
+    }
+}
+
+TEST_F(RunStoreTest, ADoneRunKeepsNoCheckpoint) {
+    RunStoreWriter writer(storePath(), false);
+    writer.begin(test::sampleScene(), test::sampleResults().columns);
+    writer.stageBegins(0);
+    writer.checkpoint({});
+    EXPECT_TRUE(RunStore(storePath()).checkpoint());
+    writer.stageEnds(test::sampleResults().stages[0]);
+    EXPECT_TRUE(RunStore(storePath()).checkpoint());
+    writer.stageBegins(1);
+    writer.stageEnds(test::sampleResults().stages[1]);
+    EXPECT_FALSE(RunStore(storePath()).checkpoint());
+    writer.close();
+    EXPECT_TRUE(resumptionOf(storePath(), test::sampleScene()).finished);
 }
 
 TEST_F(RunStoreTest, AFullDiskKeepsWhatWasCommitted) {

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/files/resumption.h"
+
+#include "solver/files/checkpoint_bytes.h"
+#include "solver/files/errors.h"
+#include "solver/files/run_store.h"
+#include "solver/files/scene_file.h"
+#include "solver/files/sha256.h"
+#include "solver/results/run_source.h"
+
+#include <system_error>
+
+namespace keyblock {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void cannotResume(const fs::path& path, const std::string& why) {
+    throw CannotRead("cannot resume " + path.string() + ": " + why +
+                     "; run the scene again with --overwrite, or choose another --out");
+}
+
+bool isEmptyOrMissing(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return !fs::exists(status) || (fs::is_regular_file(status) && fs::file_size(path, error) == 0);
+}
+
+}  // namespace
+
+Resumption resumptionOf(const fs::path& path, const Scene& scene) {
+    if (isEmptyOrMissing(path))
+        return {};
+    const RunStore store(path);
+    if (store.sceneHash() != sha256(wholeSceneText(scene)))
+        cannotResume(path, "it holds a run of another scene, or the scene was changed since");
+    Resumption resumption;
+    resumption.finished = isFinished(store);
+    const std::optional<StoredCheckpoint> stored = store.checkpoint();
+    if (resumption.finished || !stored)
+        return resumption;
+    if (stored->build != buildName())
+        cannotResume(path, "another build of the program wrote it (" + stored->build + "; this is " + buildName() +
+                               "), whose results need not be the same");
+    if (stored->hash != sha256(stored->state))
+        cannotResume(path, "its checkpoint is damaged");
+    resumption.checkpoint = checkpointOf(stored->state);
+    if (!resumption.checkpoint)
+        cannotResume(path, "its checkpoint is damaged");
+    return resumption;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// When a run may go on and when not, and that no way to end spoils a store: a
+// signal, a second one, a full disk, a second run.
+#include "solver/files/sqlite.h"
+#include "tests/cli/command_line_fixture.h"
+
+#include <nlohmann/json.hpp>
+
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace keyblock::test {
+namespace {
+
+using nlohmann::json;
+
+class Resume : public CommandLine {
+protected:
+    /// A run that was asked to stop half a second after it began: `rest.kbrun`.
+    void putStoppedRun() const {
+        putEndlessScene();
+        Program program({"run", "rest.json"}, folder());
+        while (!exists("rest.kbrun")) ::usleep(10000);
+        ::usleep(500000);
+        program.signal(SIGTERM);
+        const Ended ended = program.wait();
+        ASSERT_EQ(ended.code, 75) << ended.err;
+        EXPECT_NE(ended.err.find("--resume"), std::string::npos) << ended.err;
+    }
+
+    void runSql(const std::string& store, const std::string& sql) const {
+        sqlite::Database(folder() / store, sqlite::Access::Write).run(sql);
+    }
+
+    void expectRefused(const std::vector<std::string>& more, int code, const std::string& part) const {
+        std::vector<std::string> words{"run", "rest.json", "--resume"};
+        words.insert(words.end(), more.begin(), more.end());
+        const std::string before = content("rest.kbrun");
+        const Ended ended = keyblock(words);
+        EXPECT_EQ(ended.code, code) << ended.err;
+        EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+        EXPECT_EQ(content("rest.kbrun"), before);
+    }
+
+    std::size_t framesIn(const std::string& store) const {
+        const Ended info = keyblock({"info", store, "--json"});
+        EXPECT_EQ(info.code, 0) << info.err;
+        return json::parse(info.out).at("frames").get<std::size_t>();
+    }
+};
+
+TEST_F(Resume, WithoutAStoreItStartsAtTheBeginningAndAFinishedRunIsLeftAlone) {
+    putPullScene();
+    ASSERT_EQ(keyblock({"run", "pull.json", "--out", "whole.kbrun"}).code, 0);
+    ASSERT_EQ(keyblock({"run", "pull.json", "--resume"}).code, 0);
+    EXPECT_EQ(table("pull.kbrun", "bolts", {"--at", "all"}), table("whole.kbrun", "bolts", {"--at", "all"}));
+    const std::string before = content("pull.kbrun");
+    const Ended again = keyblock({"run", "pull.json", "--resume"});
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.out.find("equilibrium"), std::string::npos);
+    EXPECT_EQ(content("pull.kbrun"), before);
+    put("empty.kbrun", "");
+    EXPECT_EQ(keyblock({"run", "pull.json", "--resume", "--out", "empty.kbrun"}).code, 0);
+    EXPECT_EQ(table("empty.kbrun", "events"), table("whole.kbrun", "events"));
+}
+
+TEST_F(Resume, AnotherSceneIsRefused) {
+    putStoppedRun();
+    expectRefused({"--set", "stages[0].time_step=0.0005"}, 3, "another scene");
+    put("rest.json", std::string(content("rest.json")).replace(content("rest.json").find("1e9"), 3, "2e9"));
+    expectRefused({}, 3, "another scene");
+    expectRefused({"--overwrite"}, 2, "--overwrite");
+}
+
+TEST_F(Resume, AnotherBuildOrADamagedCheckpointIsRefused) {
+    putStoppedRun();
+    runSql("rest.kbrun", "UPDATE checkpoint SET build = '0.0.1 abc'");
+    expectRefused({}, 3, "another build");
+    ASSERT_TRUE(std::filesystem::remove(folder() / "rest.kbrun"));
+    putStoppedRun();
+    runSql("rest.kbrun", "UPDATE checkpoint SET state = zeroblob(length(state))");
+    expectRefused({}, 3, "damaged");
+}
+
+TEST_F(Resume, WhatIsNoRunStoreIsRefused) {
+    putEndlessScene();
+    put("rest.kbrun", "notes that somebody needs");
+    expectRefused({}, 3, "no run store");
+}
+
+TEST_F(Resume, WithoutACheckpointItStartsAtTheBeginning) {
+    putPullScene();
+    ASSERT_EQ(keyblock({"run", "pull.json"}).code, 0);
+    const std::string expected = table("pull.kbrun", "history");
+    runSql("pull.kbrun", "UPDATE stages SET outcome = NULL; DELETE FROM events");
+    ASSERT_EQ(keyblock({"run", "pull.json", "--resume"}).code, 0);
+    EXPECT_EQ(table("pull.kbrun", "history"), expected);
+    EXPECT_GT(lines(table("pull.kbrun", "events")).size(), 1u);
+}
+
+TEST_F(Resume, GoesOnPastWhereItStopped) {
+    putStoppedRun();
+    const std::size_t before = framesIn("rest.kbrun");
+    Program program({"run", "rest.json", "--resume", "--progress", "json"}, folder());
+    ::usleep(1000000);
+    EXPECT_GT(framesIn("rest.kbrun"), before);  // read while it is written
+    EXPECT_GT(lines(table("rest.kbrun", "blocks")).size(), 1u);
+    program.signal(SIGINT);
+    EXPECT_EQ(program.wait().code, 75);
+    EXPECT_GT(framesIn("rest.kbrun"), before);
+}
+
+TEST_F(Resume, ASecondRunOnTheSameStoreIsRefused) {
+    putStoppedRun();
+    Program program({"run", "rest.json", "--resume"}, folder());
+    ::usleep(500000);
+    for (const std::string word : {"--resume", "--overwrite"}) {
+        const Ended second = keyblock({"run", "rest.json", word});
+        EXPECT_EQ(second.code, 6) << second.err;
+        EXPECT_NE(second.err.find("another"), std::string::npos) << second.err;
+    }
+    program.signal(SIGTERM);
+    EXPECT_EQ(program.wait().code, 75);
+}
+
+TEST_F(Resume, ASecondSignalEndsAtOnce) {
+    putEndlessScene();
+    Program program({"run", "rest.json"}, folder());
+    while (!exists("rest.kbrun")) ::usleep(10000);
+    ::usleep(200000);
+    program.signal(SIGSTOP);  // so that both come at the same moment
+    program.signal(SIGTERM);
+    program.signal(SIGINT);
+    program.signal(SIGCONT);
+    EXPECT_EQ(program.wait().code, -1);
+    EXPECT_GT(framesIn("rest.kbrun"), 0u);
+}
+
+TEST_F(Resume, AFullDiskIsToldAndTheStoreStaysWhole) {
+    putEndlessScene();
+    rlimit usual{};
+    ::getrlimit(RLIMIT_FSIZE, &usual);
+    rlimit small = usual;
+    small.rlim_cur = 600000;  // stands in for the disk; the program inherits it
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    const Ended full = keyblock({"run", "rest.json"});
+    ::setrlimit(RLIMIT_FSIZE, &usual);
+    EXPECT_EQ(full.code, 6) << full.err;
+    EXPECT_EQ(full.err.rfind("error: cannot write rest.kbrun: ", 0), 0u) << full.err;
+    EXPECT_EQ(lines(full.err).size(), 1u) << full.err;
+    const std::size_t frames = framesIn("rest.kbrun");
+    EXPECT_GT(frames, 0u);
+    Program program({"run", "rest.json", "--resume"}, folder());  // there is space again
+    for (int i = 0; i < 100 && framesIn("rest.kbrun") <= frames; ++i) ::usleep(50000);
+    program.signal(SIGTERM);
+    EXPECT_EQ(program.wait().code, 75);
+    EXPECT_GT(framesIn("rest.kbrun"), frames);
+}
+
+}  // namespace
+}  // namespace keyblock::test

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A run taken up at any of its checkpoints, after a way through bytes, ends with the
+// same results to the last bit; and a run that is paused goes on one step at a time.
+#include "solver/run/checkpoint.h"
+
+#include "solver/files/checkpoint_bytes.h"
+#include "solver/run/run.h"
+#include "solver/verify/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace keyblock {
+namespace {
+
+/// Keeps every checkpoint as bytes.
+class KeepingSink : public MemorySink {
+public:
+    void checkpoint(const Checkpoint& checkpoint) override { kept.push_back(bytesOf(checkpoint)); }
+
+    std::vector<std::string> kept;
+};
+
+Stage dynamic(double duration, double timeStep) {
+    Stage stage;
+    stage.name = "motion";
+    stage.kind = StageKind::Dynamic;
+    stage.duration = duration;
+    stage.timeStep = timeStep;
+    return stage;
+}
+
+/// Brittle bond across a joint, that lets go node after node.
+Scene tearing() {
+    Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
+    BoltType type = linearType(barArea(), 200e9);
+    type.anchors = {anchorRange(Per::Node, AnchorLaw::PeakResidual, 84.78e6, 24.56e3, 2.24e3)};
+    addBolt(scene, type, 0.05, 1.95, 19, PlateKind::None);
+    scene.stages = {pullStage(scene, 4e-3, 150)};
+    return scene;
+}
+
+/// Three boxes on a base that slide, turn and meet.
+Scene sliding(double duration) {
+    Scene scene = emptyScene(1e9, 0.2, 20.0);
+    scene.blocks = {boxBlock("base", {-1, -1}, {9, 0}), boxBlock("a", {0, 0}, {1, 1}), boxBlock("b", {0, 1}, {1, 2}),
+                    boxBlock("c", {2, 0}, {3, 0.5})};
+    Support support;
+    support.blockAt = Point(4.0, -0.5);
+    scene.supports = {support};
+    scene.analysis.gravity = {5.0, -8.5};
+    scene.stages = {dynamic(duration, 1e-3)};
+    scene.output.frames = 20;
+    return scene;
+}
+
+/// Settles, is pulled, moves freely and settles again.
+Scene staged() {
+    Scene scene = tearing();
+    Stage settled;
+    settled.name = "settle";
+    Stage rest = settled;
+    rest.name = "rest";
+    rest.zeroDisplacements = true;
+    Stage shaken = dynamic(0.3, 1e-3);
+    scene.stages = {settled, scene.stages[0], shaken, rest};
+    scene.analysis.gravity = {0.0, -9.81};
+    return scene;
+}
+
+KeepingSink ran(const Scene& scene) {
+    KeepingSink sink;
+    Control control;
+    run(scene, sink, control);
+    return sink;
+}
+
+void expectTheSameFromEveryCheckpoint(const Scene& scene, std::size_t atLeast) {
+    const KeepingSink whole = ran(scene);
+    EXPECT_GE(whole.kept.size(), atLeast);
+    for (std::size_t i = 0; i < whole.kept.size(); ++i) {
+        const std::optional<Checkpoint> from = checkpointOf(whole.kept[i]);
+        ASSERT_TRUE(from);
+        KeepingSink sink;
+        sink.results = whole.results;  // the sink has everything, also what came later
+        Control control;
+        const std::vector<StageResult> stages = run(scene, sink, control, {}, &*from);
+        EXPECT_EQ(stages, whole.results.stages) << "checkpoint " << i;
+        EXPECT_TRUE(sink.results == whole.results) << "checkpoint " << i;
+        EXPECT_TRUE(std::equal(sink.kept.begin(), sink.kept.end(),
+                               whole.kept.end() - static_cast<std::ptrdiff_t>(sink.kept.size())))
+            << "checkpoint " << i;
+    }
+}
+
+TEST(Checkpoints, AStaticRunGoesOnBetweenItsReleases) { expectTheSameFromEveryCheckpoint(tearing(), 4); }
+
+TEST(Checkpoints, ADynamicRunGoesOn) { expectTheSameFromEveryCheckpoint(sliding(1.5), 4); }
+
+TEST(Checkpoints, ARunOfManyStagesGoesOn) { expectTheSameFromEveryCheckpoint(staged(), 6); }
+
+TEST(Checkpoints, OneIncrementOfManyReleasesHasSome) {
+    Scene scene = tearing();
+    scene.stages[0].increments = 1;
+    const KeepingSink whole = ran(scene);
+    std::size_t inside = 0;
+    for (const std::string& bytes : whole.kept) {
+        const Checkpoint checkpoint = checkpointOf(bytes).value();
+        inside += checkpoint.within.done > 0.0 || checkpoint.within.releasing ? 1u : 0u;
+    }
+    EXPECT_GE(inside, 1u) << whole.kept.size();
+    expectTheSameFromEveryCheckpoint(scene, 2);
+}
+
+/// Stops the run from its own thread after so many frames.
+class StoppingSink : public KeepingSink {
+public:
+    void frame(const Frame& frame) override {
+        MemorySink::frame(frame);
+        if (static_cast<int>(results.frames.size()) >= stopAfter && control) control->stop = true;
+    }
+
+    Control* control = nullptr;
+    int stopAfter = 0;
+};
+
+TEST(Checkpoints, AStoppedRunGoesOnAndEndsTheSame) {
+    for (const Scene& scene : {tearing(), sliding(0.4), staged()}) {
+        const KeepingSink whole = ran(scene);
+        for (int frames = 1; frames < static_cast<int>(whole.results.frames.size()); frames += 3) {
+            StoppingSink sink;
+            Control control;
+            sink.control = &control;
+            sink.stopAfter = frames;
+            const std::vector<StageResult> stopped = run(scene, sink, control);
+            if (stopped.back().outcome != Outcome::Stopped) continue;  // asked during the last step
+            sink.control = nullptr;
+            control.stop = false;
+            const Checkpoint from = checkpointOf(sink.kept.back()).value();
+            run(scene, sink, control, {}, &from);
+            EXPECT_TRUE(sink.results == whole.results) << "stopped after " << frames << " frames";
+        }
+    }
+}
+
+TEST(Checkpoints, APausedRunTakesOneStepForEachThatIsAsked) {
+    Scene scene = sliding(100.0);
+    MemorySink sink;
+    Control control;
+    std::atomic<long> steps{0};
+    control.progress = [&](const Progress& progress) { steps = progress.steps; };
+    control.pause = true;
+    std::thread worker([&] { run(scene, sink, control); });
+    const auto settledAt = [&](long expected) {
+        for (int i = 0; i < 500 && (steps != expected || control.steps != 0); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        return steps.load();
+    };
+    control.steps = 1;  // the stage begins
+    EXPECT_EQ(settledAt(0), 0);
+    control.steps = 5;  // progress tells of the step that is being solved
+    EXPECT_EQ(settledAt(4), 4);
+    control.steps = 2;
+    EXPECT_EQ(settledAt(6), 6);
+    control.pause = false;
+    while (steps < 20) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    control.pause = true;
+    control.stop = true;  // also while paused
+    worker.join();
+    EXPECT_EQ(sink.results.stages.back().outcome, Outcome::Stopped);
+}
+
+}  // namespace
+}  // namespace keyblock
