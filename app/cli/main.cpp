@@ -55,7 +55,7 @@ ExitCode obeyOrTellWhy(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
     using namespace keyblock::cli;
-    ignoreClosedPipes();
+    takeFailedWritesAsErrors();
     const ExitCode code = obeyOrTellWhy(argc, argv);
     if (const int failure = outputFailure(); failure != 0 && code == Done)
         return failed(NotWritten, "cannot write to standard output: " + std::string(std::strerror(failure)) +

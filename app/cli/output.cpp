@@ -21,7 +21,10 @@ int firstFailure = 0;
 
 }  // namespace
 
-void ignoreClosedPipes() { ::signal(SIGPIPE, SIG_IGN); }
+void takeFailedWritesAsErrors() {
+    for (const int signal : {SIGPIPE, SIGXFSZ})
+        ::signal(signal, SIG_IGN);
+}
 
 void print(std::string_view text) {
     if (firstFailure != 0)

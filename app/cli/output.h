@@ -15,8 +15,8 @@ struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Keeps a closed pipe from ending the program.
-void ignoreClosedPipes();
+/// Keeps a closed pipe, or a file that may grow no more, from ending the program.
+void takeFailedWritesAsErrors();
 
 /// Writes to standard output, at once.
 void print(std::string_view text);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A handler may touch nothing but a lock-free atomic.
+// A handler may touch nothing but a lock-free atomic, and call few functions; those
+// that end the program the usual way are among them.
 #include "app/cli/stop_signals.h"
 
 #include <signal.h>
@@ -15,9 +16,12 @@ static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);
 
 std::atomic<std::atomic<bool>*> stopFlag{nullptr};
 
-extern "C" void askToStop(int) {
-    if (std::atomic<bool>* flag = stopFlag.load())
-        flag->store(true);
+extern "C" void askToStop(int signal) {
+    std::atomic<bool>* flag = stopFlag.load();
+    if (flag && !flag->exchange(true))
+        return;
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
 }
 
 }  // namespace
@@ -26,7 +30,7 @@ StopSignals::StopSignals(std::atomic<bool>& stop) {
     stopFlag = &stop;
     struct sigaction action {};
     action.sa_handler = askToStop;
-    action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+    action.sa_flags = SA_RESTART;
     for (const int signal : {SIGINT, SIGTERM})
         ::sigaction(signal, &action, nullptr);
 }

@@ -111,6 +111,14 @@ TEST_F(Runs, ProgressComesAsJsonLines) {
     EXPECT_NEAR(json::parse(told.back()).at("fraction").get<double>(), 1.0, 1e-9);
 }
 
+TEST_F(Runs, TheBarShowsTheTimeLeft) {
+    putEndlessScene();
+    const Ended ended = keyblock({"run", "rest.json", "--progress", "bar", "--set", "stages[0].duration=3"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.err.find("rest ["), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find(" left  "), std::string::npos) << ended.err;
+}
+
 TEST_F(Runs, AnInterruptedRunKeepsWhatIsDone) {
     putEndlessScene();
     const std::string expectation = "about.expected=[{\"quantity\": \"last top.uy\", \"value\": 1}]";
