@@ -4,15 +4,16 @@
 # The commands a person types. Each does its own set-up: missing Debian packages
 # are installed first, and what is built already is not built again.
 .DEFAULT_GOAL := help
-.PHONY: help run test asan tsan bench fuzz clean packages
+.PHONY: help run test kills asan tsan bench fuzz clean packages
 
 SHOWN := build/release/rebar-stated.kbrun
 
 help:
 	@echo "make run    build Keyblock, run the paper's rebar bolt, compare with the paper and the reference"
 	@echo "make test   build and run all tests"
+	@echo "make kills  a hundred runs killed at random moments and fifty stopped; resumed, they end with the same bytes"
 	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
-	@echo "make tsan   the tests under the thread sanitizer"
+	@echo "make tsan   the tests with several threads under the thread sanitizer"
 	@echo "make bench  time and memory of typical work"
 	@echo "make fuzz   look for bytes that break the scene reader, MINUTES=60"
 	@echo "make clean  remove everything that was built"
@@ -34,6 +35,10 @@ run: packages
 test: packages
 	$(call build,dev)
 	@ctest --preset dev
+
+kills: packages
+	$(call build,dev)
+	KEYBLOCK_KILLS=100 KEYBLOCK_STOPS=50 build/dev/tests/cli_tests --gtest_filter='Kills.*'
 
 asan tsan: packages
 	$(call build,$@)

@@ -42,7 +42,6 @@ TEST_F(Usage, OnlyVerbsThatAreBuiltExist) {
 TEST_F(Usage, WrongOptionsAreTold) {
     expectUsageError({"run"}, "SCENE.json");
     expectUsageError({"run", "scene.json", "--preset", "draft"}, "--preset");
-    expectUsageError({"run", "scene.json", "--resume"}, "--resume");
     expectUsageError({"run", "scene.json", "--threads", "0"}, "--threads");
     expectUsageError({"run", "scene.json", "--threads", "many"}, "--threads");
     expectUsageError({"run", "scene.json", "--progress", "loud"}, "none of bar, json, none");
