@@ -5,8 +5,7 @@
 #include "geometry/grid.h"
 #include "solver/engine/contact_candidates.h"
 #include "solver/engine/contact_history.h"
-
-#include <tbb/parallel_for.h>
+#include "solver/engine/parallel.h"
 
 #include <algorithm>
 #include <numeric>
@@ -65,9 +64,7 @@ void forEachPair(std::size_t count, const One& one) {
         for (std::size_t i = 0; i < count; ++i) one(i);
         return;
     }
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, pairsATask), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) one(i);
-    });
+    inParallel(count, pairsATask, one);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 // number of threads never shows in a result.
 #include "solver/engine/step_problem.h"
 
-#include <tbb/parallel_for.h>
+#include "solver/engine/parallel.h"
 
 #include <array>
 #include <cmath>
@@ -51,9 +51,7 @@ void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vect
         for (std::size_t i = 0; i < strains.size(); ++i) one(i);
         return;
     }
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, strains.size(), linksATask), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) one(i);
-    });
+    inParallel(strains.size(), linksATask, one);
 }
 
 Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d) {
