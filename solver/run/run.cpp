@@ -13,8 +13,7 @@
 #include "solver/results/history.h"
 #include "solver/run/checkpoint.h"
 #include "solver/run/run_limit.h"
-#include "solver/scene/acceleration.h"
-#include "solver/scene/lookup.h"
+#include "solver/run/stage_settings.h"
 
 #include <tbb/global_control.h>
 
@@ -26,22 +25,8 @@
 namespace keyblock {
 namespace {
 
-constexpr int usualIncrements = 100;
-constexpr double longestTimeStep = 1e-3;  // [s], where a stage gives none
-constexpr double fewestSteps = 200.0;  // of a dynamic stage that gives no time step
-
 constexpr long fewestPasses = 200;  // between checkpoints: a new pattern and a written state cost two or three
 constexpr long workBetween = 2000;  // passes times bodies between the checkpoints of the smallest models
-
-Inertia inertiaOf(Integration integration) {
-    switch (integration) {
-        case Integration::Shi: return Inertia::Shi;
-        case Integration::BackwardEuler: return Inertia::BackwardEuler;
-        case Integration::Newmark: return Inertia::Newmark;
-        case Integration::GeneralizedAlpha: return Inertia::GeneralizedAlpha;
-    }
-    return Inertia::Shi;
-}
 
 /// Blocks and bolts where the scene has them.
 Checkpoint startOf(const Model& model) {
@@ -105,7 +90,7 @@ private:
 
     /// What of a stage follows from the scene and the checkpoint.
     void enterStage() {
-        times_ = isStatic() ? timesOf(stage()) : std::vector<double>{};
+        times_ = isStatic() ? incrementTimes(stage(), loads_) : std::vector<double>{};
     }
 
     StepEnding beginStage() {
@@ -138,7 +123,7 @@ private:
 
     StepEnding setMoving() {
         const double before = bookedEnergy(model_, now_.state);
-        for (const InitialVelocity& initial : stage().initialVelocities) setVelocity(initial);
+        for (const InitialVelocity& initial : stage().initialVelocities) setVelocity(scene_, model_, initial, now_.state);
         const StepEnding ending = dynamics().begin(now_.state);
         now_.state.startEnergy += bookedEnergy(model_, now_.state) - before;  // velocities and preload were given
         return ending;
@@ -152,11 +137,8 @@ private:
             keepFrame(false);
             return ending;
         }
-        StaticSettings settings;
-        settings.unbalanced = stage().until.unbalanced.value_or(std::min(settings.unbalanced, scene_.analysis.tolerance));
-        settings.maxSteps = stage().until.maxSteps.value_or(settings.maxSteps);
-        const StepEnding ending = moveStatic(engine_, now_.state, loads_.loads(), loadsBefore(), loadsAfter(), settings,
-                                             *this, now_.within);
+        const StepEnding ending = moveStatic(engine_, now_.state, loads_.loads(), loadsBefore(), loadsAfter(),
+                                             staticSettings(scene_, stage()), *this, now_.within);
         now_.time = loadsReached().time;
         if (ending.ending != Ending::Done || !now_.within.over()) return ending;
         ++now_.increment;
@@ -181,49 +163,9 @@ private:
         return between(loadsBefore(), loadsAfter(), now_.within.done);
     }
 
-    /// 0 for what the stage puts on at once, then the increments, with every turn of a table among them.
-    std::vector<double> timesOf(const Stage& stage) const {
-        std::vector<double> times{0.0};
-        if (!loads_.varies() && !stage.increments) return times;
-        const int count = stage.increments.value_or(usualIncrements);
-        for (int i = 1; i <= count; ++i) times.push_back(static_cast<double>(i) / count);
-        for (double turn : loads_.turns()) times.push_back(turn);
-        std::sort(times.begin(), times.end());
-        times.erase(std::unique(times.begin(), times.end(),
-                                [](double a, double b) { return b - a < 1e-12; }),
-                    times.end());
-        return times;
-    }
-
     DynamicStage dynamics() {
-        const Integration integration = stage().integration.value_or(scene_.analysis.integration);
-        DynamicSettings settings;
-        settings.scheme = inertiaOf(integration);
-        settings.rhoInf = stage().rhoInf.value_or(scene_.analysis.rhoInf);
-        settings.damping = scene_.analysis.damping;
-        const double usual = std::min({longestTimeStep, stage().duration / fewestSteps, longestStepFor(stage())});
-        settings.timeStep = stage().timeStep.value_or(usual);
-        return {engine_, loads_.loads(), [this](double t) { return loads_.at(t); }, settings};
-    }
-
-    void setVelocity(const InitialVelocity& initial) {
-        const auto rock = static_cast<std::size_t>(blockAt(scene_, initial.blockAt));
-        const int first = model_.firstOf[rock], end = model_.firstOf[rock + 1];
-        Point middle{0.0, 0.0};  // of mass, the block's own or that of its cells
-        double mass = 0.0;
-        for (int row = first; row < end; ++row) {
-            middle += model_.blocks[row].mass * now_.state.blocks[row].centroid;
-            mass += model_.blocks[row].mass;
-        }
-        for (int row = first; row < end; ++row) {
-            BlockMotion& motion = now_.state.blocks[row];
-            const Point away = end - first > 1 ? Point(motion.centroid - middle / mass) : Point(0.0, 0.0);
-            const Point velocity = initial.velocity + initial.spin * turnLeft(away);
-            motion.velocity.setZero();
-            motion.velocity[0] = velocity.dot(motion.axis);
-            motion.velocity[1] = velocity.dot(turnLeft(motion.axis));
-            motion.velocity[2] = initial.spin;
-        }
+        return {engine_, loads_.loads(), [this](double t) { return loads_.at(t); },
+                dynamicSettings(scene_, stage())};
     }
 
     /// \return true where the run goes on with the next stage.

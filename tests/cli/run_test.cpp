@@ -113,7 +113,8 @@ TEST_F(Runs, ProgressComesAsJsonLines) {
 
 TEST_F(Runs, TheBarShowsTheTimeLeft) {
     putEndlessScene();
-    const Ended ended = keyblock({"run", "rest.json", "--progress", "bar", "--set", "stages[0].duration=300", "output.every=1"});
+    const Ended ended = keyblock(
+        {"run", "rest.json", "--progress", "bar", "--set", "stages[0].duration=300", "output.every=1"});
     ASSERT_EQ(ended.code, 0) << ended.err;
     EXPECT_NE(ended.err.find("rest ["), std::string::npos) << ended.err;
     EXPECT_NE(ended.err.find(" left  "), std::string::npos) << ended.err;

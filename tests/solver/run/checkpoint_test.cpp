@@ -102,6 +102,21 @@ TEST(Checkpoints, ADynamicRunGoesOn) { expectTheSameFromEveryCheckpoint(sliding(
 
 TEST(Checkpoints, ARunOfManyStagesGoesOn) { expectTheSameFromEveryCheckpoint(staged(), 6); }
 
+/// What the stages set of the joints and what the schemes carry from step to step is there again.
+TEST(Checkpoints, ARunWhoseJointsAndSchemesChangeGoesOn) {
+    Scene scene = sliding(0.3);
+    for (const Integration integration : {Integration::GeneralizedAlpha, Integration::Newmark}) {
+        Stage next = scene.stages[0];
+        next.integration = integration;
+        StrengthChange weaker;
+        weaker.jointMaterial = scene.jointMaterials[0].first;
+        weaker.frictionAngle = integration == Integration::Newmark ? 3.0 : 12.0;
+        next.set = {weaker};
+        scene.stages.push_back(next);
+    }
+    expectTheSameFromEveryCheckpoint(scene, 5);
+}
+
 TEST(Checkpoints, OneIncrementOfManyReleasesHasSome) {
     Scene scene = tearing();
     scene.stages[0].increments = 1;

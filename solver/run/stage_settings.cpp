@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/run/stage_settings.h"
+
+#include "solver/scene/acceleration.h"
+#include "solver/scene/lookup.h"
+
+#include <algorithm>
+
+namespace keyblock {
+namespace {
+
+constexpr int usualIncrements = 100;
+constexpr double longestTimeStep = 1e-3;  // [s], where a stage gives none
+constexpr double fewestSteps = 200.0;  // of a dynamic stage that gives no time step
+
+Inertia inertiaOf(Integration integration) {
+    switch (integration) {
+        case Integration::Shi: return Inertia::Shi;
+        case Integration::BackwardEuler: return Inertia::BackwardEuler;
+        case Integration::Newmark: return Inertia::Newmark;
+        case Integration::GeneralizedAlpha: return Inertia::GeneralizedAlpha;
+    }
+    return Inertia::Shi;
+}
+
+}  // namespace
+
+StaticSettings staticSettings(const Scene& scene, const Stage& stage) {
+    StaticSettings settings;
+    settings.unbalanced = stage.until.unbalanced.value_or(std::min(settings.unbalanced, scene.analysis.tolerance));
+    settings.maxSteps = stage.until.maxSteps.value_or(settings.maxSteps);
+    return settings;
+}
+
+DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage) {
+    DynamicSettings settings;
+    settings.scheme = inertiaOf(stage.integration.value_or(scene.analysis.integration));
+    settings.rhoInf = stage.rhoInf.value_or(scene.analysis.rhoInf);
+    settings.damping = scene.analysis.damping;
+    const double usual = std::min({longestTimeStep, stage.duration / fewestSteps, longestStepFor(stage)});
+    settings.timeStep = stage.timeStep.value_or(usual);
+    return settings;
+}
+
+std::vector<double> incrementTimes(const Stage& stage, const StageLoads& loads) {
+    std::vector<double> times{0.0};
+    if (!loads.varies() && !stage.increments) return times;
+    const int count = stage.increments.value_or(usualIncrements);
+    for (int i = 1; i <= count; ++i) times.push_back(static_cast<double>(i) / count);
+    for (double turn : loads.turns()) times.push_back(turn);
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < 1e-12; }),
+                times.end());
+    return times;
+}
+
+void setVelocity(const Scene& scene, const Model& model, const InitialVelocity& initial, State& state) {
+    const auto rock = static_cast<std::size_t>(blockAt(scene, initial.blockAt));
+    const int first = model.firstOf[rock], end = model.firstOf[rock + 1];
+    Point middle{0.0, 0.0};  // of mass, the block's own or that of its cells
+    double mass = 0.0;
+    for (int row = first; row < end; ++row) {
+        middle += model.blocks[row].mass * state.blocks[row].centroid;
+        mass += model.blocks[row].mass;
+    }
+    for (int row = first; row < end; ++row) {
+        BlockMotion& motion = state.blocks[row];
+        const Point away = end - first > 1 ? Point(motion.centroid - middle / mass) : Point(0.0, 0.0);
+        const Point velocity = initial.velocity + initial.spin * turnLeft(away);
+        motion.velocity.setZero();
+        motion.velocity[0] = velocity.dot(motion.axis);
+        motion.velocity[1] = velocity.dot(turnLeft(motion.axis));
+        motion.velocity[2] = initial.spin;
+    }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How a stage is solved, from what the scene says of it and what is usual where it
+// says nothing.
+#pragma once
+
+#include "solver/engine/dynamics.h"
+#include "solver/engine/statics.h"
+#include "solver/run/stage_loads.h"
+
+#include <vector>
+
+namespace keyblock {
+
+StaticSettings staticSettings(const Scene& scene, const Stage& stage);
+DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
+
+/// Pseudo-times at which the increments of a static stage end: 0 for what it puts on at once, then the increments, with
+/// every turn of a table among them. \param loads begun for that stage.
+std::vector<double> incrementTimes(const Stage& stage, const StageLoads& loads);
+
+/// Gives a block, all cells of it, the velocity of one body.
+void setVelocity(const Scene& scene, const Model& model, const InitialVelocity& initial, State& state);
+
+}  // namespace keyblock
