@@ -67,7 +67,8 @@ std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, 
         if (!inner.empty() && inner[first]) continue;  // no face: glued to the next cell
         const Edge edge = runOf(search.model.blocks[b], other, turn);
         const Point from = p - edge.start;
-        const double gap = edge.outward.dot(from), along = edge.along.dot(from), alongEnd = along + edge.along.dot(moves);
+        const double gap = edge.outward.dot(from), along = edge.along.dot(from);
+        const double alongEnd = along + edge.along.dot(moves);
         if (gap > search.margin || gap < -deepest * search.model.blocks[b].size) continue;
         if (std::max(along, alongEnd) < -over || std::min(along, alongEnd) > edge.length + over) continue;
         if (!facesEdge(own, search.model.blocks[a].inner, corner, edge)) continue;
@@ -117,11 +118,14 @@ public:
         for (const auto& [at, neighbour] : {std::pair(f.along, (f.turn + count - 1) % count),
                                             std::pair(f.edge.length - f.along, (f.turn + 1) % count)}) {
             if (std::abs(at) > over_) continue;
-            Faced next{neighbour, 0.0, 0.0, 0.0, runOf(search_.model.blocks[b_], search_.blocks[b_].corners, neighbour)};
-            const Point from = search_.blocks[a_].corners[corner_] - next.edge.start;
+            Faced next;
+            next.turn = neighbour;
+            next.edge = runOf(search_.model.blocks[b_], search_.blocks[b_].corners, neighbour);
+            const std::vector<Point>& own = search_.blocks[a_].corners;
+            const Point from = own[corner_] - next.edge.start;
             next.gap = next.edge.outward.dot(from), next.along = next.edge.along.dot(from);
             const bool round = !faceEachOther(f.edge, next.edge) &&
-                               facesEdge(search_.blocks[a_].corners, search_.model.blocks[a_].inner, corner_, next.edge);
+                               facesEdge(own, search_.model.blocks[a_].inner, corner_, next.edge);
             if (round && goesOn(next) && !goesOn(f)) return true;
         }
         return false;

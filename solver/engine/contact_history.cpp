@@ -36,7 +36,8 @@ SharedFace sharedFace(const Model& model, const std::vector<BlockMotion>& blocks
     for (int neighbour : {own[(here + n - 1) % n], own[(here + 1) % n]}) {
         const Point away = corners[neighbour] - corners[c.corner];
         if (std::abs(edge.outward.dot(away)) > angleSlack * away.norm()) continue;
-        const double s0 = edge.along.dot(corners[c.corner] - edge.start), s1 = edge.along.dot(corners[neighbour] - edge.start);
+        const double s0 = edge.along.dot(corners[c.corner] - edge.start);
+        const double s1 = edge.along.dot(corners[neighbour] - edge.start);
         shared.meets = true;
         shared.length += 0.5 * std::max(0.0, std::min(std::max(s0, s1), edge.length) - std::max(std::min(s0, s1), 0.0));
     }
@@ -111,7 +112,8 @@ Contact* heirOf(const Model& model, const std::vector<BlockMotion>& blocks, cons
     auto best = std::pair(true, std::numeric_limits<double>::max());
     for (Contact& c : found) {
         if (sharedBlock(blocks, gone, c) < 0) continue;
-        if (givesItself(model, gone) && std::minmax(gone.blockA, gone.blockB) != std::minmax(c.blockA, c.blockB)) continue;
+        const bool samePair = std::minmax(gone.blockA, gone.blockB) == std::minmax(c.blockA, c.blockB);
+        if (givesItself(model, gone) && !samePair) continue;
         const double away = (blocks[c.blockA].corners[c.corner] - place).norm();
         if (away > reach || gapOf(blocks, c) > touching * model.tolerance) continue;
         const auto rank = std::pair(c.blockA != gone.blockA || c.corner != gone.corner, away);
@@ -123,11 +125,13 @@ Contact* heirOf(const Model& model, const std::vector<BlockMotion>& blocks, cons
 /// Adds the force of `gone` to what `heir` carries.
 void inherit(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& gone, Contact& heir) {
     const int shared = sharedBlock(blocks, gone, heir);
-    const Edge from = edgeOf(blocks[gone.blockB].corners, gone.edge), to = edgeOf(blocks[heir.blockB].corners, heir.edge);
+    const Edge from = edgeOf(blocks[gone.blockB].corners, gone.edge);
+    const Edge to = edgeOf(blocks[heir.blockB].corners, heir.edge);
     // the force on A is N·outward − T·along, on B the opposite
     const double sign = (shared == gone.blockA ? 1.0 : -1.0) * (shared == heir.blockA ? 1.0 : -1.0);
     const Point force = sign * (gone.normalForce * from.outward - gone.shearForce * from.along);
-    addForces(model, heir, givesItself(model, heir) ? 0.0 : std::max(0.0, force.dot(to.outward)), -force.dot(to.along));
+    const double push = givesItself(model, heir) ? 0.0 : std::max(0.0, force.dot(to.outward));
+    addForces(model, heir, push, -force.dot(to.along));
     heir.limit += gone.limit;
     if (std::abs(gone.slip) > std::abs(heir.slip)) heir.slip = gone.slip;
     heir.slipped = heir.slipped || (gone.slipped && heir.joint == gone.joint);
@@ -147,9 +151,12 @@ double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, c
                                          : sharedFace(model, blocks, contact).length;
     if (first && std::abs(contact.gap) <= touching * model.tolerance) {
         contact.gapOffset = contact.gap;
-        const bool plate = model.blocks[contact.blockA].plateOf >= 0 || model.blocks[contact.blockB].plateOf >= 0;
-        contact.bonded = !plate && sharedFace(model, blocks, contact).length > 0.0 && (joint.cohesion > 0.0 || joint.tensileStrength > 0.0);
-    } else if (!first && contact.gap < 0.0 && !givesItself(model, contact)) {  // found inside: it starts without force, else it would bring energy
+        const auto isPlate = [&](int block) { return model.blocks[block].plateOf >= 0; };
+        const bool holds = joint.cohesion > 0.0 || joint.tensileStrength > 0.0;
+        contact.bonded = holds && !isPlate(contact.blockA) && !isPlate(contact.blockB) &&
+                         sharedFace(model, blocks, contact).length > 0.0;
+    } else if (!first && contact.gap < 0.0 && !givesItself(model, contact)) {
+        // found inside: it starts without force, else it would bring energy
         contact.gapOffset = contact.gap;
     }
     return 0.0;

@@ -20,7 +20,8 @@ using BlockPairs = std::vector<std::pair<int, int>>;
 BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks, double margin) {
     std::vector<Box> boxes;
     boxes.reserve(blocks.size());
-    for (const BlockMotion& block : blocks) boxes.push_back(grown(boxOf(block.corners), 0.5 * margin + model.tolerance));
+    const double room = 0.5 * margin + model.tolerance;
+    for (const BlockMotion& block : blocks) boxes.push_back(grown(boxOf(block.corners), room));
     BlockPairs pairs = BoxGrid(std::move(boxes)).meetingPairs();
     std::erase_if(pairs, [&](const auto& p) {
         const bool still = model.blocks[p.first].fixed && model.blocks[p.second].fixed;
@@ -107,7 +108,8 @@ bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, c
             return Point(drift[block].shift + drift[block].turn * turnLeft(corner - blocks[block].centroid));
         };
         const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
-        return edge.outward.dot(corner - edge.start + moved(c.blockA) - moved(c.blockB)) < c.gapOffset - model.tolerance;
+        const Point from = corner - edge.start + moved(c.blockA) - moved(c.blockB);
+        return edge.outward.dot(from) < c.gapOffset - model.tolerance;
     };
     return std::none_of(now.begin(), now.end(), [&](const Contact& c) { return entersUnseen(c, contacts); }) &&
            std::none_of(contacts.begin(), contacts.end(), [&](const Contact& c) { return entersUnseen(c, now); });

@@ -37,7 +37,8 @@ void settleMultipliers(Engine& engine, StepProblem& problem, State& state, Eigen
         raised *= raise ? stiffer : 1.0;
         takeMultipliers(state, problem, d, raise ? stiffer : 1.0);
         const SolveReport next = engine.solver.solve(problem, d, settings, engine.stopAsked);
-        const int passes = report.passes + std::max(1, next.passes), factored = report.factorizations + next.factorizations;
+        const int passes = report.passes + std::max(1, next.passes);
+        const int factored = report.factorizations + next.factorizations;
         report = next;
         report.passes = passes;
         report.factorizations = factored;

@@ -20,7 +20,8 @@ bool bonds(const JointModel& joint) { return joint.cohesion > 0.0 || joint.tensi
 
 /// Friction alone bears what the contact carries.
 bool frictionBears(const JointModel& joint, const Contact& c) {
-    return c.normalForce >= 0.0 && std::abs(c.shearForce) <= c.normalForce * (c.slipped ? joint.tanResidual : joint.tanPhi);
+    const double friction = c.slipped ? joint.tanResidual : joint.tanPhi;
+    return c.normalForce >= 0.0 && std::abs(c.shearForce) <= c.normalForce * friction;
 }
 
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }

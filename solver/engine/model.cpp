@@ -388,7 +388,8 @@ JointModel jointModel(const JointMaterial& material) {
     joint.tanPhi = tangent(material.frictionAngle);
     joint.cohesion = material.cohesion;
     joint.tensileStrength = material.tensileStrength;
-    joint.tanResidual = std::min(joint.tanPhi, tangent(material.residualFrictionAngle.value_or(material.frictionAngle)));
+    const double residual = material.residualFrictionAngle.value_or(material.frictionAngle);
+    joint.tanResidual = std::min(joint.tanPhi, tangent(residual));
     joint.normalStiffness = material.normalStiffness;
     joint.shearStiffness = material.shearStiffness;
     return joint;

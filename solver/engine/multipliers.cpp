@@ -20,7 +20,8 @@ void forEachLink(Problem& problem, States& state, const Eigen::VectorXd& d, cons
     for (std::size_t i = 0; i < strains.size(); ++i) {
         auto& link = problem.links[i];
         if (!link.law.rigid || link.law.stiffness <= 0.0) continue;
-        visit(link, state.contacts[static_cast<std::size_t>(link.owner)], strains[i], respond(link.law, strains[i]).force);
+        auto& contact = state.contacts[static_cast<std::size_t>(link.owner)];
+        visit(link, contact, strains[i], respond(link.law, strains[i]).force);
     }
 }
 

@@ -64,8 +64,9 @@ public:
         Eigen::VectorXd path;
         int paths = 0;
         for (int step = 0; step < settings_.maxSteps; ++step) {
+            const Eigen::VectorXd* known = paths > 0 ? &path : nullptr;
             state.contacts = findContacts(model_, state.blocks, state.contacts,
-                                          {2.0 * moveLimit_, false, paths > 0 ? &path : nullptr, &state.energy.released});
+                                          {2.0 * moveLimit_, false, known, &state.energy.released});
             const bool lock = step < lockedSteps && state.step == 0 && unloaded(state);
             StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, lock});
             if (!lock && balanced(state, problem, step)) {

@@ -8,8 +8,8 @@ namespace {
 
 std::vector<Case> allGroups() {
     std::vector<Case> all;
-    for (const auto& group : {blockCases(), contactCases(), schemeCases(), shakenCases(), cellCases(), plateCases(), beamCases(),
-                              bondCases(), slidingBoltCases(), pullOutCases(), stepCases()})
+    for (const auto& group : {blockCases(), contactCases(), schemeCases(), shakenCases(), cellCases(), plateCases(),
+                              beamCases(), bondCases(), slidingBoltCases(), pullOutCases(), stepCases()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }

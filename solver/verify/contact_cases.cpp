@@ -74,7 +74,8 @@ void collide(Checks& checks, const std::string& name, const Scene& scene, const 
     const Solved solved = solve(scene);
     const Momenta after = momentaAtEnd(solved.results);
     const double scale = std::max(linear.norm(), density);
-    const bool met = solved.results.frames.back().blocks[0].velocity.x() < 0.9 * scene.stages[0].initialVelocities[0].velocity.x();
+    const double slower = solved.results.frames.back().blocks[0].velocity.x();
+    const bool met = slower < 0.9 * scene.stages[0].initialVelocities[0].velocity.x();
     checks.absolute(name + ": the blocks met", met ? 1.0 : 0.0, 1.0, 0.0);
     checks.absolute(name + ": momentum lost, over what there was", (after.linear - linear).norm() / scale, 0.0, 1e-9);
     checks.absolute(name + ": angular momentum lost, likewise", (after.angular - angular) / scale, 0.0, 1e-9);

@@ -172,7 +172,8 @@ TEST(Contacts, ACornerComesInWhereItsPathCrossesTheOutline) {
     const Found found(boxes({{{0, 0}, {1, 1}}, {{1.1, 1.05}, {2.1, 2.05}}}));
     const Eigen::VectorXd over = pathOf({-0.3, -0.1}), beside = pathOf({-0.15, -0.3});
     for (const auto& [path, normal] : {std::pair(&over, Point(0, 1)), std::pair(&beside, Point(1, 0))}) {
-        const std::vector<Contact> contacts = findContacts(found.model, found.state.blocks, {}, {0.5, false, path, nullptr});
+        const std::vector<Contact> contacts =
+            findContacts(found.model, found.state.blocks, {}, {0.5, false, path, nullptr});
         EXPECT_LT((entranceOf(found, contacts) - normal).norm(), 1e-12);
         EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, *path));
         const Eigen::VectorXd& other = path == &over ? beside : over;
@@ -184,7 +185,8 @@ TEST(Contacts, ACornerComesInWhereItsPathCrossesTheOutline) {
 TEST(Contacts, TheLastLineCrossedIsTheOutline) {
     const Found found(boxes({{{0, 0}, {1, 1}}, {{1.01, 1.1}, {2.01, 2.1}}}));
     const Eigen::VectorXd path = pathOf({-0.06, -0.2});  // over the right side's line at y 1.067, down by the top
-    const std::vector<Contact> contacts = findContacts(found.model, found.state.blocks, {}, {0.5, false, &path, nullptr});
+    const std::vector<Contact> contacts =
+        findContacts(found.model, found.state.blocks, {}, {0.5, false, &path, nullptr});
     EXPECT_LT((entranceOf(found, contacts) - Point(0, 1)).norm(), 1e-12);
 }
 
