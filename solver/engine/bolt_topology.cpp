@@ -313,14 +313,6 @@ private:
     int index_;
 };
 
-/// Springs of a length that left the rock give back what they held.
-void bookLeft(const Model& model, State& state, int bolt, BoltMotion& before) {
-    const double now = boltEnergy(model, state, bolt);
-    std::swap(state.bolts[static_cast<std::size_t>(bolt)], before);
-    state.energy.released += boltEnergy(model, state, bolt) - now;
-    std::swap(state.bolts[static_cast<std::size_t>(bolt)], before);
-}
-
 }  // namespace
 
 void placeBolts(const Model& model, State& state) {
@@ -331,10 +323,7 @@ double followBolts(const Model& model, State& state) {
     double change = 0.0;
     for (std::size_t b = 0; b < model.bolts.size(); ++b) {
         if (state.bolts[b].lost) continue;
-        BoltMotion before = state.bolts[b];
-        const double own = BoltPlaces(model, state, static_cast<int>(b)).follow();
-        if (own > 0.0) bookLeft(model, state, static_cast<int>(b), before);
-        change = std::max(change, own);
+        change = std::max(change, BoltPlaces(model, state, static_cast<int>(b)).follow());
     }
     return change;
 }
