@@ -71,7 +71,7 @@ void StaticBooks::book(State& end, const LoadPoint& at, const Eigen::VectorXd& m
     for (Eigen::Index i = 0; i < moved.size(); ++i) {
         end.energy.external += 0.5 * (first_.external[i] + last.external[i]) * moved[i];
         if (known(problem, i)) end.energy.external -= 0.5 * (first_.net[i] + last.net[i]) * moved[i];
-        else end.energy.damped += 0.5 * (first_.net[i] - last.net[i]) * moved[i];
+        else end.energy.damped += 0.5 * (first_.net[i] + last.net[i]) * moved[i];
     }
     const StepProblem start = atStart(end);
     const std::vector<double> startLimits = limitsOf(start);

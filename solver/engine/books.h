@@ -20,7 +20,7 @@ class StaticBooks {
 public:
     StaticBooks(const Model& model, const State& start, const Loads& loads, const LoadPoint& before);
 
-    /// Books the way to the equilibrium `end` under `at`, before it is accepted by `problem`, which is built there.
+    /// Books the way to `end` under `at`, before it is accepted by `problem`, which is built there.
     /// \param moved sum of the displacements on the way.
     void book(State& end, const LoadPoint& at, const Eigen::VectorXd& moved, StepProblem& problem) const;
 

@@ -103,6 +103,7 @@ public:
             dt_ = std::min(2.0 * dt_, longest_);
             if (!farBlocks(places, state).empty()) break;
         }
+        if (ending == Ending::NoEquilibrium) acceptMoving(state, at, moved, books);
         StepEnding result{ending, message, farBlocks(places, state)};
         if (!result.blocks.empty()) return result;
         const int named = ending == Ending::Failed ? blockOfBody(model_, worst) : mostMoved(places, state);
@@ -111,6 +112,14 @@ public:
     }
 
 private:
+    /// Takes over where the moving blocks had got to: history and energy of their way, whatever does not balance.
+    void acceptMoving(State& state, const LoadPoint& at, const Eigen::VectorXd& moved, const StaticBooks& books) {
+        state.contacts = findContacts(model_, state.blocks, state.contacts, 2.0 * moveLimit_, false);
+        StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, false});
+        books.book(state, at, moved, problem);
+        acceptStep(model_, state, problem, Eigen::VectorXd::Zero(problem.unknowns()));
+    }
+
     /// No joint has carried anything yet: friction without normal forces would let everything slide.
     static bool unloaded(const State& state) {
         return std::all_of(state.contacts.begin(), state.contacts.end(),

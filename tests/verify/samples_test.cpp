@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -42,6 +43,10 @@ TEST_P(Sample, GivesTheNumbersItNames) {
     ASSERT_FALSE(scene.about.expected.empty());
     const Results results = runInMemory(scene);
     for (const StageResult& stage : results.stages) EXPECT_NE(stage.outcome, Outcome::Failed) << stage.message;
+    for (const StageResult& stage : results.stages)
+        if (stage.outcome != Outcome::Collapse) {
+            EXPECT_LT(std::abs(stage.health.balanceError), 1e-2) << stage.stage;
+        }
     for (const Expected& expected : scene.about.expected) {
         const Comparison c = compare(expected, scene, results.history, results.events);
         EXPECT_TRUE(c.within) << expected.quantity << ": measured " << c.measured.value.value_or(0.0) << " "

@@ -125,6 +125,18 @@ TEST(Energies, ALengthThatLeavesTheRockIsReleased) {
     EXPECT_GT(energy.released, 0.0);
 }
 
+/// What slides away in a static stage has turned its weight's work into friction and into what is damped.
+TEST(Energies, ACollapseKeepsTheBooks) {
+    Scene scene = boxOnBase(20.0, 10e9);
+    scene.analysis.gravity = {gravity * std::sin(40.0 * degree), -gravity * std::cos(40.0 * degree)};
+    const Results results = runInMemory(scene);
+    ASSERT_EQ(results.stages[0].outcome, Outcome::Collapse);
+    EXPECT_LT(std::abs(results.stages[0].health.balanceError), 1e-3);
+    const Energy& energy = results.frames.back().energy;
+    EXPECT_GT(energy.friction, 0.0);
+    EXPECT_GT(energy.damped, 0.0);
+}
+
 /// A weight in motion on a bar that yields, slips and lets go: every term is there.
 struct Everything {
     Scene scene = emptyScene(rigidRock, 0.2, 0.0);
