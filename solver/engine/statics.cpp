@@ -114,7 +114,8 @@ public:
 private:
     /// Takes over where the moving blocks had got to: history and energy of their way, whatever does not balance.
     void acceptMoving(State& state, const LoadPoint& at, const Eigen::VectorXd& moved, const StaticBooks& books) {
-        state.contacts = findContacts(model_, state.blocks, state.contacts, 2.0 * moveLimit_, false);
+        state.contacts =
+            findContacts(model_, state.blocks, state.contacts, {2.0 * moveLimit_, false, nullptr, &state.energy.released});
         StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, false});
         books.book(state, at, moved, problem);
         acceptStep(model_, state, problem, Eigen::VectorXd::Zero(problem.unknowns()));
