@@ -23,8 +23,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 Scene soundScene() {
     Scene scene;
     scene.materials = {{"rock", {2700, 60e9, 0.17}}};
-    Block left{.name = "left", .points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .material = "rock", .jointMaterial = {}};
-    Block right{.name = "", .points = {{1, 0}, {2, 0}, {2, 1}, {1, 1}}, .material = "rock", .jointMaterial = {}};
+    Block left{.name = "left", .points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .material = "rock",
+               .jointMaterial = {}, .subBlocks = {}};
+    Block right{.name = "", .points = {{1, 0}, {2, 0}, {2, 1}, {1, 1}}, .material = "rock",
+                .jointMaterial = {}, .subBlocks = {}};
     scene.blocks = {left, right};
     scene.supports.resize(1);
     scene.supports[0].blockAt = Point(0.5, 0.5);
