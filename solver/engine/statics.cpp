@@ -32,6 +32,9 @@ constexpr double wellBalanced = 1e-9;  // residual over the reference force that
 constexpr double stillFalling = 0.1;  // of the residual before: so quick a fall is followed under the tolerance, too
 constexpr double pathShare = 1e-4;  // of the longest move: a longer one may come in by another edge than it seemed
 constexpr int mostPaths = 2;  // times that a pseudo-step is done again because it does
+constexpr double swingCut = 0.3;  // of a pseudo-step, where steps go to and fro
+constexpr double fadingSwing = 0.7;  // of the step before: such a swing dies out by itself
+constexpr double noSwing = 1e3;  // over round-off: shorter moves are noise
 constexpr int mostRounds = 4;
 constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, when joints take up the run's first forces
 constexpr int mostTries = 60;  // to locate an event
@@ -100,7 +103,9 @@ public:
             moveBodies(model_, state, d);
             moved += d;
             if (!lock) lastMove_ = move;
-            dt_ = std::min(2.0 * dt_, longest_);
+            drifts_ = lastStep_.size() > 0 && d.dot(lastStep_) > 0.5 * d.norm() * lastStep_.norm();
+            dt_ = swings(d, move) ? swingCut * dt_ : std::min(2.0 * dt_, longest_);
+            lastStep_ = d;
             if (!farBlocks(places, state).empty()) break;
         }
         if (ending == Ending::NoEquilibrium) acceptMoving(state, at, moved, books);
@@ -135,8 +140,22 @@ private:
         const Eigen::VectorXd net = netForce(problem, still);
         const double before = std::exchange(residual_, residualNorm(problem, net) / referenceForce(problem, still, net));
         if (usesMultipliers(model_) && multiplierError(model_, state, problem, still) > 1.0) return false;
-        if (residual_ > settings_.unbalanced) return step > 0 && dt_ >= longest_ && lastMove_ <= roundOff();
+        if (residual_ > settings_.unbalanced) return step > 0 && dt_ >= longest_ && isNoise(problem, net, before);
         return residual_ <= wellBalanced || residual_ > stillFalling * before;  // no longer worth a pseudo-step
+    }
+
+    /// What is left is what round-off in the places raises: it falls no more, and nothing drifts.
+    bool isNoise(const StepProblem& problem, const Eigen::VectorXd& net, double before) const {
+        if (lastMove_ <= roundOff()) return true;
+        const bool stalls = residual_ > 0.9 * before;
+        return stalls && !drifts_ && residualNorm(problem, net) <= placeNoise(problem, 0.25 * roundOff());
+    }
+
+    /// Steps to and fro that do not get shorter: what turns with the bodies is stiffer or softer than a step can see.
+    bool swings(const Eigen::VectorXd& d, double move) const {
+        if (lastStep_.size() == 0 || move < noSwing * roundOff()) return false;
+        const double before = lastStep_.norm();
+        return d.norm() > fadingSwing * before && d.dot(lastStep_) < -0.5 * d.norm() * before;
     }
 
     /// Moves smaller than this are lost in the coordinates [m].
@@ -174,6 +193,8 @@ private:
     double moveLimit_;
     double longest_, dt_;
     double lastMove_ = std::numeric_limits<double>::max();
+    Eigen::VectorXd lastStep_;
+    bool drifts_ = false;  // the last two steps went the same way
     double residual_ = std::numeric_limits<double>::max();  // over the reference force, when last judged
 };
 

@@ -113,6 +113,9 @@ void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d);
 /// Force that round-off alone leaves unbalanced at `d`: its digits times the springs [N].
 double roundOffForce(const StepProblem& problem, const Eigen::VectorXd& d);
 
+/// Force that appears where every place is off by `length` [N].
+double placeNoise(const StepProblem& problem, double length);
+
 /// Keeps what is worth keeping between steps: the pattern of the matrix and its symbolic factor.
 class StepSolver {
 public:

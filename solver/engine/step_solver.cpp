@@ -122,6 +122,15 @@ double roundOffForce(const StepProblem& problem, const Eigen::VectorXd& d) {
     return std::sqrt(sum);
 }
 
+double placeNoise(const StepProblem& problem, double length) {
+    double sum = 0.0;
+    for (const Link& link : problem.links) {
+        const double force = link.law.share * link.law.stiffness * length * link.ga.head<2>().squaredNorm();
+        sum += force * force;
+    }
+    return std::sqrt(sum);
+}
+
 void StepSolver::fixPattern(const StepProblem& problem) {
     std::vector<std::pair<int, int>> pairs = bodyPairs(problem);
     const bool same = problem.known == known_ &&
