@@ -73,7 +73,7 @@ public:
         Link& friction = link(LinkKind::Friction, edge.along, slipOf(state_.blocks, c));
         friction.law = {locked ? LawKind::Linear : LawKind::Capped, k.shear, free, limit, nullptr, {}, 1.0, rigid};
         const int at = static_cast<int>(problem_.links.size()) - 1;
-        if (!locked) problem_.frictions.push_back({at, at - 1, frictionOf(model_, c)});
+        if (!locked) problem_.limitPairs.push_back({at, at - 1, frictionOf(model_, c)});
     }
 
 private:

@@ -58,8 +58,9 @@ SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen:
     ++engine.health.steps;
     engine.health.passes += std::max(1, report.passes);
     engine.health.factorizations += report.factorizations;
-    for (const FrictionPair& pair : problem.frictions) {
-        const Link& link = problem.links[static_cast<std::size_t>(pair.friction)];
+    for (const LimitPair& pair : problem.limitPairs) {
+        const Link& link = problem.links[static_cast<std::size_t>(pair.limited)];
+        if (link.kind != LinkKind::Friction) continue;
         state.contacts[static_cast<std::size_t>(link.owner)].limit = link.law.limit;
     }
     if (engine.passed) engine.passed();

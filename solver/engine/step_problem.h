@@ -32,16 +32,23 @@ struct Link {
     int part = -1;  // node or element of the bolt
 };
 
-/// A friction link's limit comes from its normal link: N·tanφ.
-struct FrictionPair {
-    int friction = -1, normal = -1;
-    double tanPhi = 0.0;
+/// A capped link's limit that follows the force F of another link (before shares); held while the energy is minimised.
+struct LimitPair {
+    enum class Rule {
+        Push,  // base + factor·⟨−F⟩: a joint, by the tangent of its friction angle
+        Clamp,  // base + factor·|F|: an anchored point, by its normal spring
+        Interaction  // base·⟨1 − (factor·F)²⟩: a plastic hinge, by the axial stress
+    };
+    int limited = -1, from = -1;  // links
+    double factor = 0.0;
+    double base = 0.0;
+    Rule rule = Rule::Push;
 };
 
 struct StepProblem {
     int blocks = 0, nodes = 0;
     std::vector<Link> links;
-    std::vector<FrictionPair> frictions;
+    std::vector<LimitPair> limitPairs;
     StepRule rule;  // which force of a law the scheme takes
     double contactShare = 1.0;  // generalized-α: weight of contacts against the rest in the step's balance
     std::vector<double> slipForce;  // per link: mean force while it slid; empty: the force at the end
@@ -107,7 +114,10 @@ double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, cons
 /// Norm of the residual of the free unknowns [N], and the body with most of it.
 double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net, int* worst = nullptr);
 
-/// Sets every friction limit to what the normal forces at `d` allow.
+/// The limit that belongs to the other link's force, before shares.
+double limitFrom(const LimitPair& pair, double force);
+
+/// Sets every limit that follows another force to what the forces at `d` allow.
 void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d);
 
 /// Force that round-off alone leaves unbalanced at `d`: its digits times the springs [N].

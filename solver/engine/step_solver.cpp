@@ -87,16 +87,28 @@ std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
 
 }  // namespace
 
+double limitFrom(const LimitPair& pair, double force) {
+    const double part = pair.factor * force;
+    switch (pair.rule) {
+        case LimitPair::Rule::Push: return pair.base + std::max(0.0, -part);
+        case LimitPair::Rule::Clamp: return pair.base + std::abs(part);
+        case LimitPair::Rule::Interaction: return pair.base * std::max(0.0, 1.0 - part * part);
+    }
+    return pair.base;
+}
+
 void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d) {
-    if (problem.frictions.empty()) return;
+    if (problem.limitPairs.empty()) return;
     std::vector<double> strains;
     linkStrains(problem, d, strains);
-    for (const FrictionPair& pair : problem.frictions) {
-        const auto n = static_cast<std::size_t>(pair.normal);
-        const Link& normal = problem.links[n];
+    for (const LimitPair& pair : problem.limitPairs) {
+        Law& limited = problem.links[static_cast<std::size_t>(pair.limited)].law;
+        if (limited.kind == LawKind::Constant && pair.rule != LimitPair::Rule::Push) continue;  // held as a preload
+        const auto at = static_cast<std::size_t>(pair.from);
+        const Link& from = problem.links[at];
         // under a mean force friction obeys the mean push, so that a knock's impulses keep Coulomb's ratio
-        const double push = -respondOverStep(normal.law, normal.strain, strains[n], ruleOf(problem, normal)).force;
-        problem.links[static_cast<std::size_t>(pair.friction)].law.limit = std::max(0.0, push) * pair.tanPhi;
+        const double force = respondOverStep(from.law, from.strain, strains[at], ruleOf(problem, from)).force;
+        limited.limit = limitFrom(pair, force);
     }
 }
 

@@ -67,8 +67,8 @@ TEST(StepSolver, MinimumObeysCoulombAndBalances) {
         const double weight = 2700.0 * gravity, tanPhi = std::tan(angle * std::numbers::pi / 180.0);
         std::vector<double> strains;
         linkStrains(step.problem, step.d, strains);
-        for (const FrictionPair& pair : step.problem.frictions) {
-            const auto f = static_cast<std::size_t>(pair.friction), n = static_cast<std::size_t>(pair.normal);
+        for (const LimitPair& pair : step.problem.limitPairs) {
+            const auto f = static_cast<std::size_t>(pair.limited), n = static_cast<std::size_t>(pair.from);
             const double normal = -respond(step.problem.links[n].law, strains[n]).force;
             EXPECT_GE(normal, 0.0);
             EXPECT_LE(std::abs(respond(step.problem.links[f].law, strains[f]).force), normal * tanPhi + 1e-6);
