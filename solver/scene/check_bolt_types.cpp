@@ -90,6 +90,9 @@ void checkSteel(const BoltType& type, const std::string& pointer, CheckReport& r
         if (!type.youngsModulus)
             report.error(pointer, "the bolt type has neither 'steel' nor 'youngs_modulus'",
                          "Give one of them, or a type that it is 'like'");
+        else if (type.ruptureRule == RuptureRule::Interaction)
+            report.error(under(pointer, "rupture_rule"), "tension and shear cannot break a bolt without 'steel'",
+                         "Give 'steel', or leave the rule out");
         return;
     }
     const std::string place = under(pointer, "steel");

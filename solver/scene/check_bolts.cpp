@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 namespace keyblock {
 
@@ -42,9 +41,13 @@ double distanceToRock(const Point& place, const CheckContext& context) {
     return distance;
 }
 
-void checkHead(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
+bool headHangs(const Bolt& bolt, const CheckContext& context) {
     const double division = lengthOf(bolt) / bolt.divisions.value_or(usualDivisions);
-    if (bolt.plate == PlateKind::Spring && context.allSound() && distanceToRock(bolt.head, context) > division)
+    return bolt.plate == PlateKind::Spring && context.allSound() && distanceToRock(bolt.head, context) > division;
+}
+
+void checkHead(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
+    if (headHangs(bolt, context))
         context.report.warning(under(pointer, "head"), "the head hangs in the air, so its plate holds nothing",
                                "Put the head on the wall, or write \"plate\": \"none\"");
 }
@@ -114,16 +117,21 @@ const BoltType* checkType(const Bolt& bolt, const std::string& pointer, CheckCon
     return type;
 }
 
-// What a type says that this program keeps but does not use yet; told once, at the first bolt of the type.
-void noteIdleLaws(const BoltType& type, const std::string& pointer, CheckReport& report) {
-    if (type.bending == Bending::ElasticPlastic)
-        report.note(pointer, "plastic hinges of " + inQuotes(type.name) + " have no effect yet: it bends elastically",
-                    "Take care with shear across joints, where a hinge would limit the dowel force");
-    if (type.dynamicFactor != 1.0)
-        report.note(pointer,
-                    "the dynamic factor " + shortest(type.dynamicFactor) + " of " + inQuotes(type.name) +
-                        " has no effect yet: strengths are static",
-                    "For a dynamic stage, give the dynamic strengths in a type of your own");
+// The plate pulls the head to its force and is locked off at the first equilibrium.
+void checkPretension(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
+    if (!(bolt.pretension > 0.0))
+        return;
+    const std::string place = under(pointer, "pretension");
+    const std::vector<Stage>& stages = context.scene.stages;
+    if (bolt.plate == PlateKind::None)
+        context.report.error(place, "the bolt has no plate that could hold its pretension",
+                             "Give it a plate, or leave the pretension out");
+    else if (headHangs(bolt, context))
+        context.report.error(place, "the head hangs in the air: its plate has no rock to press against",
+                             "Put the head on the wall, or leave the pretension out");
+    else if (!stages.empty() && stages.front().kind == StageKind::Dynamic)
+        context.report.error(place, "the pretension is locked off at an equilibrium, and the first stage is dynamic",
+                             "Put a static stage before it");
 }
 
 }  // namespace
@@ -133,16 +141,15 @@ void checkBolts(CheckContext& context) {
     checkNamesDiffer(
         bolts.size(), [&](std::size_t i) { return bolts[i].name; },
         [](std::size_t i) { return under(under("/bolts", i), "name"); }, "bolt", context.report);
-    std::set<const BoltType*> noted;
     for (std::size_t i = 0; i < bolts.size(); ++i) {
         const std::string pointer = under("/bolts", i);
         const BoltType* type = checkType(bolts[i], pointer, context);
-        if (type && noted.insert(type).second)
-            noteIdleLaws(*type, under(pointer, "type"), context.report);
         if (bolts[i].anchors)
             checkAnchors(*bolts[i].anchors, under(pointer, "anchors"), context.report);
-        if (checkPosition(bolts[i], pointer, context))
-            checkAnchorPlaces(bolts[i], type, pointer, context);
+        if (!checkPosition(bolts[i], pointer, context))
+            continue;
+        checkAnchorPlaces(bolts[i], type, pointer, context);
+        checkPretension(bolts[i], pointer, context);
     }
 }
 

@@ -45,7 +45,11 @@ const Structure& structureOf(const Anchor*) {
                                   "Whether the anchor sticks again when its sliding stops; else it keeps the force "
                                   "it had after letting go.",
                                   {.only = limited}),
-            fixedRow("friction_angle", "Strength does not grow with the normal force.", {0.0}),
+            row<&Anchor::frictionAngle>("friction_angle",
+                                        "Strength and what is left after it grow by tan of this angle times the "
+                                        "force of the node's normal spring.",
+                                        {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true},
+                                         .only = limited}),
             row<&Anchor::curve>("points", "Slip and force from the origin on; unloading follows the first slope.",
                                 {.unit = "m, N or N/m", .only = curved}),
             row<&Anchor::after>("after", "Past the curve's last point: its last force, or none.", {.only = curved}),
@@ -115,10 +119,14 @@ const Structure& structureOf(const BoltType*) {
                                             {.unit = "Pa", .range = above(0)}),
             row<&BoltType::shearStrengthRatio>("shear_strength_ratio", "Shear strength over tensile strength.",
                                                {.range = above(0), .source = boltPaper}),
-            fixedRow("rupture_rule", "Tension and shear break the bolt independently.", {std::string("independent")}),
+            row<&BoltType::ruptureRule>("rupture_rule",
+                                        "Tension and shear break the bar independently, or together where "
+                                        "(N/N_p)² + (Q/Q_p)² reaches 1; N_p from the tensile strength, Q_p the "
+                                        "shear strength.",
+                                        {.source = boltPaper}),
             row<&BoltType::bending>("bending",
-                                    "A bar without bending, or a beam. Plastic hinges have no effect yet: "
-                                    "`elastic-plastic` bends as `elastic`."),
+                                    "A bar without bending, an elastic beam, or a beam whose moment is limited by "
+                                    "a plastic hinge where `steel` is given."),
             row<&BoltType::normalStiffness>("normal_stiffness",
                                             "Spring across the bolt; null: chosen by the program, per metre.",
                                             {.unit = "N/m, or N/m per m", .range = above(0)}),
@@ -126,7 +134,8 @@ const Structure& structureOf(const BoltType*) {
             row<&BoltType::anchors>("anchors", "Which nodes are real anchors."),
             row<&BoltType::plate>("plate", "The plate at the head."),
             row<&BoltType::dynamicFactor>("dynamic_factor",
-                                          "Dynamic over static strength. Any value but 1 has no effect yet.",
+                                          "Dynamic over static strength of anchors, steel, shear and plate, in "
+                                          "dynamic stages.",
                                           {.range = above(0)}),
             row<&BoltType::sources>("sources", "Where single numbers come from, by key."),
         }};
@@ -151,7 +160,10 @@ const Structure& structureOf(const Bolt*) {
             row<&Bolt::spacingOutOfPlane>("spacing_out_of_plane",
                                           "Distance to the next bolt out of the plane; null: the thickness.",
                                           {.unit = "m", .range = above(0)}),
-            fixedRow("pretension", "Bolts start without force.", {0.0}),
+            row<&Bolt::pretension>("pretension",
+                                   "Force to which the plate pulls the head when the bolt is installed; then it "
+                                   "locks off. Needs a plate.",
+                                   {.unit = "N", .range = atLeast(0)}),
             row<&Bolt::anchors>("anchors", "Anchors of this bolt; null: those of its type."),
         }};
     return structure;

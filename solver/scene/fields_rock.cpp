@@ -45,7 +45,10 @@ const Structure& structureOf(const JointMaterial*) {
             row<&JointMaterial::shearStiffness>(
                 "shear_stiffness", "The same in shear; null: `shear_ratio` times the normal stiffness.",
                 {.unit = "Pa/m", .range = above(0)}),
-            fixedRow("crushing_strength", "Rock under a dowel has no limit.", {FieldValue{}}),
+            row<&JointMaterial::crushingStrength>("crushing_strength",
+                                                  "Pressure on the diameter of a bolt at which rock or grout crushes "
+                                                  "under it, in the blocks of this material; null: no limit.",
+                                                  {.unit = "Pa", .range = above(0)}),
         }};
     return structure;
 }

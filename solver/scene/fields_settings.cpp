@@ -104,7 +104,10 @@ const Structure& structureOf(const Monitor*) {
             row<&Monitor::axis>("axis", "Direction of the opening.",
                                 {.isAxis = true, .only = {.key = "between"}}),
             row<&Monitor::bolt>("bolt", "Name of the bolt."),
-            row<&Monitor::quantity>("quantity", "What is watched of the bolt.", {.only = withBolt}),
+            row<&Monitor::quantity>("quantity",
+                                    "What is watched of the bolt; `utilisation` is (N/N_p)² + (Q/Q_p)², "
+                                    "`utilisation_with_moment` adds |M|/M_p.",
+                                    {.only = withBolt}),
             row<&Monitor::at>("at", "Place along the bolt from its far end.",
                               {.unit = "m", .range = atLeast(0), .only = withBolt}),
             row<&Monitor::atFromHead>("at_from_head", "Place along the bolt from its head.",

@@ -24,8 +24,9 @@ inline constexpr std::array<std::string_view, 13> eventKindWords{
     "tensile-rupture", "shear-rupture", "plate-loss", "bolt-loss", "pulled-out", "block-falls", "collapse"};
 
 /// The quantities of a bolt, in the order of `BoltQuantity`.
-inline constexpr std::array<std::string_view, 8> boltQuantityWords{
-    "axial_force", "shear_force", "moment", "anchor_force", "slip", "plate_force", "debonded_length", "strain"};
+inline constexpr std::array<std::string_view, 10> boltQuantityWords{
+    "axial_force", "shear_force",     "moment", "anchor_force", "slip",
+    "plate_force", "debonded_length", "strain", "utilisation",  "utilisation_with_moment"};
 
 /// How a quantity makes one number of a column of the history.
 enum class Reduction { Max, Min, Last, First };

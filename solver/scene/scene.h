@@ -67,6 +67,7 @@ struct JointMaterial {
     double tensileStrength = 0.0;  // [Pa]
     std::optional<double> residualFrictionAngle{};  // after the first slip [°]; none: as before
     std::optional<double> normalStiffness{}, shearStiffness{};  // [Pa/m]; none: from the analysis
+    std::optional<double> crushingStrength{};  // [Pa] under a bolt that presses across its hole; null: no limit
 
     bool operator==(const JointMaterial&) const = default;
 };
@@ -209,6 +210,7 @@ enum class Per { Node, Length };
 enum class AnchorLaw { Elastic, PeakResidual, Frictional, Curve };
 enum class AfterCurve { Last, Zero };
 enum class OnFailure { None, BoltLost };
+enum class RuptureRule { Independent, Interaction };
 
 /// A place along a bolt: metres from its far end, or the head.
 struct BoltPlace {
@@ -228,6 +230,7 @@ struct Anchor {
     double stiffness = 0.0;  // [N/m], or [N/m per m] per length
     std::optional<double> strength;  // [N] or [N/m]; null: unlimited (elastic)
     double residual = 0.0;  // [N] or [N/m], peak–residual only
+    double frictionAngle = 0.0;  // [°] adds tan of it times the normal spring's force to strength and residual
     bool restick = true;
     Table curve;  // (slip [m], force [N] or [N/m]), from the origin
     AfterCurve after = AfterCurve::Last;
@@ -269,12 +272,13 @@ struct BoltType {
     Table steel;  // (strain, stress [Pa]) from the origin; empty: linear and unbreakable
     std::optional<double> tensileStrength;  // [Pa]; null: the largest stress of `steel`
     double shearStrengthRatio = 0.6;  // of the tensile strength
+    RuptureRule ruptureRule = RuptureRule::Independent;
     Bending bending = Bending::ElasticPlastic;
     std::optional<double> normalStiffness;  // [N/m] per node, or [N/m per m]; null: chosen, per length
     Per normalPer = Per::Node;
     std::vector<Anchor> anchors;
     Plate plate;
-    double dynamicFactor = 1.0;
+    double dynamicFactor = 1.0;  // dynamic over static strength
     std::map<std::string, std::string> sources;  // field name → where its number comes from
 
     bool operator==(const BoltType&) const = default;
@@ -290,12 +294,17 @@ struct Bolt {
     std::optional<int> divisions;  // null: chosen by the program
     PlateKind plate = PlateKind::Spring;
     std::optional<double> spacingOutOfPlane;  // [m]; null: the thickness
+    double pretension = 0.0;  // [N] that the plate pulls the head to when the bolt is installed
     std::optional<std::vector<Anchor>> anchors;  // null: those of the type
 
     bool operator==(const Bolt&) const = default;
 };
 
-enum class BoltQuantity { AxialForce, ShearForce, Moment, AnchorForce, Slip, PlateForce, DebondedLength, Strain };
+enum class BoltQuantity {
+    AxialForce, ShearForce, Moment, AnchorForce, Slip, PlateForce, DebondedLength, Strain,
+    Utilisation,  // (N/N_p)² + (Q/Q_p)²
+    UtilisationWithMoment  // the same + |M|/M_p
+};
 
 /// Displacement of a point, opening between two points, or a quantity of a bolt.
 struct Monitor {

@@ -30,6 +30,7 @@ inline constexpr std::array<std::string_view, 2> perWords{"node", "length"};
 inline constexpr std::array<std::string_view, 4> anchorLawWords{"elastic", "peak-residual", "frictional", "curve"};
 inline constexpr std::array<std::string_view, 2> afterCurveWords{"last", "zero"};
 inline constexpr std::array<std::string_view, 2> onFailureWords{"none", "bolt-lost"};
+inline constexpr std::array<std::string_view, 2> ruptureRuleWords{"independent", "interaction"};
 inline constexpr std::array<std::string_view, 3> plateKindWords{"none", "spring", "block"};
 
 constexpr Words wordsOf(Plane) { return planeWords; }
@@ -45,6 +46,7 @@ constexpr Words wordsOf(Per) { return perWords; }
 constexpr Words wordsOf(AnchorLaw) { return anchorLawWords; }
 constexpr Words wordsOf(AfterCurve) { return afterCurveWords; }
 constexpr Words wordsOf(OnFailure) { return onFailureWords; }
+constexpr Words wordsOf(RuptureRule) { return ruptureRuleWords; }
 constexpr Words wordsOf(PlateKind) { return plateKindWords; }
 constexpr Words wordsOf(BoltQuantity) { return boltQuantityWords; }
 

@@ -26,7 +26,9 @@ Scene emptyScene(double youngsModulus, double poissonsRatio, double frictionAngl
     scene.analysis.plane = Plane::Stress;
     scene.analysis.tolerance = 1e-10;
     scene.materials = {{"rock", {2700.0, youngsModulus, poissonsRatio}}};
-    scene.jointMaterials = {{"joint", {frictionAngle, 0.0, 0.0}}};
+    JointMaterial joint;
+    joint.frictionAngle = frictionAngle;
+    scene.jointMaterials = {{"joint", joint}};
     return scene;
 }
 

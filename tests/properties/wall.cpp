@@ -41,7 +41,9 @@ Scene brickWall(const WallSetting& setting) {
     scene.analysis.tolerance = 1e-10;
     scene.analysis.gravity = setting.gravity;
     scene.materials = {{"stone", {2500.0, 10e9, 0.25}}};
-    scene.jointMaterials = {{"joint", {setting.frictionAngle, 0.0, 0.0}}};
+    JointMaterial joint;
+    joint.frictionAngle = setting.frictionAngle;
+    scene.jointMaterials = {{"joint", joint}};
     scene.blocks = {brick(-1.0, -1.0, setting.columns + 2.5, 1.0)};
     for (int row = 0; row < setting.rows; ++row) {
         const bool shifted = row % 2 == 1;

@@ -170,7 +170,9 @@ TEST(Dynamics, AKnockLosesEnergyButNeverGains) {
 /// Motion that a static stage takes away is booked.
 TEST(Dynamics, AStaticStageBooksTheMotionItEnds) {
     Scene scene = boxOnBase(40.0, 20.0);
-    scene.jointMaterials.emplace_back("rough", JointMaterial{60.0, 0.0, 0.0});
+    JointMaterial rough;
+    rough.frictionAngle = 60.0;
+    scene.jointMaterials.emplace_back("rough", rough);
     scene.stages = {dynamic(0.2, 1e-3), settle()};
     scene.stages[0].initialVelocities.resize(1);
     scene.stages[0].initialVelocities[0].blockAt = {0.5, 0.5};
