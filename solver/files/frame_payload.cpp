@@ -59,8 +59,12 @@ constexpr std::array<PayloadColumn, 13> nodeColumns{
      {"slip", "m", "rock minus bolt along the axis"},
      {"ruptured", "", "1 when the element that starts here is broken"}}};
 
-constexpr std::array<PayloadColumn, 2> boltColumns{
-    {{"plate_holds", "", "1 or 0"}, {"lost", "", "1 when the whole bolt is lost"}}};
+constexpr std::array<PayloadColumn, 5> boltColumns{
+    {{"plate_holds", "", "1 or 0"},
+     {"lost", "", "1 when the whole bolt is lost"},
+     {"elastic", "J", "held by shank, anchors and plate, over the model's thickness"},
+     {"plastic", "J", "taken since the start by steel, hinges and crushed rock"},
+     {"bond", "J", "taken since the start by sliding anchors and by bonds that let go"}}};
 
 /// Takes values off a row and remembers whether one of them was no index of its kind.
 class RowReader {
@@ -173,13 +177,17 @@ bool unpackNode(RowReader& row, const Scene&, Frame& frame) {
 
 void packBolts(const Frame& frame, std::vector<double>& out) {
     for (const BoltFrame& bolt : frame.bolts)
-        out.insert(out.end(), {bolt.plateHolds ? 1.0 : 0.0, bolt.lost ? 1.0 : 0.0});
+        out.insert(out.end(), {bolt.plateHolds ? 1.0 : 0.0, bolt.lost ? 1.0 : 0.0, bolt.elasticEnergy,
+                               bolt.plasticEnergy, bolt.bondEnergy});
 }
 
 bool unpackBolt(RowReader& row, const Scene&, Frame& frame) {
     BoltFrame bolt;
     bolt.plateHolds = row.flag();
     bolt.lost = row.flag();
+    bolt.elasticEnergy = row.number();
+    bolt.plasticEnergy = row.number();
+    bolt.bondEnergy = row.number();
     frame.bolts.push_back(bolt);
     return row.good();
 }

@@ -10,7 +10,7 @@ namespace keyblock::run_schema {
 inline constexpr int applicationId = 0x4B42524E;
 
 /// Rises with every change that an older program would misread.
-inline constexpr int version = 1;
+inline constexpr int version = 2;
 
 inline constexpr const char* tables = R"(
 CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL);
@@ -22,7 +22,7 @@ CREATE TABLE stages (stage INTEGER PRIMARY KEY, name TEXT, kind TEXT,
     max_penetration_ratio REAL, max_residual REAL, balance_error REAL, health_steps INTEGER);
 CREATE TABLE events (event INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, kind TEXT,
     bolt INTEGER, node INTEGER, element INTEGER, block INTEGER, other_block INTEGER, x REAL, y REAL,
-    axial_force REAL, shear_force REAL, anchor_force REAL, slip REAL, history_row INTEGER);
+    axial_force REAL, shear_force REAL, anchor_force REAL, slip REAL, history_row INTEGER, cause INTEGER);
 CREATE TABLE history (row INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, "values" BLOB);
 CREATE TABLE frames (frame INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER,
     kinetic REAL, strain REAL, contact REAL, bolt REAL, friction REAL, plastic REAL, released REAL, damped REAL,
@@ -39,8 +39,9 @@ inline constexpr const char* layout =
     "stages.blocks. Row n of bolts is the scene's bolt n; row n of blocks the n-th that is solved: the scene's, cells in "
     "place of those that are cut, then plates that are blocks. Stages, blocks, bolts, nodes, "
     "elements and rows of history count from 0; -1 marks an index that does not apply. events.history_row names the "
-    "row just before an event. A stage without an outcome never ended. Table checkpoint is the program's own: where a "
-    "run that did not finish can be taken up again, by the same build only. SI units; times are within the stage. "
-    "Row key scene of table about is the scene as JSON with its records inside, scene_hash its SHA-256.";
+    "row just before an event, events.cause the number of the event, from 0, whose release set it over. A stage "
+    "without an outcome never ended. Table checkpoint is the program's own: where a run that did not finish can be "
+    "taken up again, by the same build only. SI units; times are within the stage. Row key scene of table about is the "
+    "scene as JSON with its records inside, scene_hash its SHA-256.";
 
 }  // namespace keyblock::run_schema

@@ -135,6 +135,7 @@ Event eventAt(const sqlite::Statement& row, const Scene& scene, std::size_t bloc
     event.anchorForce = row.real(13);
     event.slip = row.real(14);
     event.historyRow = indexBelow(row.integer(15), -1, anyNumber);
+    event.cause = indexBelow(row.integer(16), -1, anyNumber);
     return event;
 }
 
@@ -248,8 +249,8 @@ std::vector<Event> RunStore::events() const {
         std::vector<Event> events;
         sqlite::Statement statement(database_,
                                     "SELECT stage, time, step, kind, bolt, node, element, block, other_block, x, y, "
-                                    "axial_force, shear_force, anchor_force, slip, history_row FROM events ORDER BY "
-                                    "event");
+                                    "axial_force, shear_force, anchor_force, slip, history_row, cause FROM events "
+                                    "ORDER BY event");
         while (statement.next())
             events.push_back(eventAt(statement, scene_, names_.size()));
         return events;

@@ -142,7 +142,7 @@ constexpr const char* insertStage = "INSERT INTO stages (stage, name, kind) VALU
 constexpr const char* endStage =
     "UPDATE stages SET outcome=?, time=?, steps=?, message=?, blocks=?, passes=?, step_cuts=?, factorizations=?, "
     "max_penetration_ratio=?, max_residual=?, balance_error=?, health_steps=? WHERE stage=?";
-constexpr const char* insertEvent = "INSERT INTO events VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
+constexpr const char* insertEvent = "INSERT INTO events VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
 constexpr const char* insertHistory = "INSERT INTO history VALUES (?,?,?,?,?)";
 constexpr const char* insertFrame = "INSERT INTO frames VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
 constexpr const char* putCheckpoint = "INSERT OR REPLACE INTO checkpoint VALUES (1,?,?,?)";
@@ -283,7 +283,7 @@ void RunStoreWriter::event(const Event& e) {
             open.event.bind(std::int64_t{index});
         for (const double value : {e.position.x(), e.position.y(), e.axialForce, e.shearForce, e.anchorForce, e.slip})
             open.event.bind(value);
-        open.event.bind(open.historyRows - 1).run();
+        open.event.bind(open.historyRows - 1).bind(std::int64_t{e.cause}).run();
     });
 }
 

@@ -36,6 +36,7 @@ struct Event {
     double anchorForce = 0.0;  // [N] positive when the rock pulls the bolt towards its head
     double slip = 0.0;  // [m] rock minus bolt along the axis
     long historyRow = -1;  // the history row just before it, from 0; the sink that keeps both counts; −1: none
+    long cause = -1;  // the event of the run, from 0, whose release set this one over; −1: the load itself did
 
     bool operator==(const Event&) const = default;
 };
@@ -93,6 +94,9 @@ struct BoltFrame {
     std::vector<BoltNodeFrame> nodes;
     bool plateHolds = false;
     bool lost = false;  // the whole bolt (expansion shell)
+    double elasticEnergy = 0.0;  // [J] held now, over the model's thickness
+    double plasticEnergy = 0.0;  // [J] taken since the start by steel, hinges and crushed rock
+    double bondEnergy = 0.0;  // [J] taken by sliding anchors and by bonds that let go
 
     bool operator==(const BoltFrame&) const = default;
 };
@@ -129,7 +133,7 @@ struct HistoryRow {
 };
 
 /// Names the history's values: first those of the monitors (as the history table
-/// prints them, e.g. `crown_ux_m`, `B1_force_N`), then eight for every bolt
+/// prints them, e.g. `crown_ux_m`, `B1_force_N`), then ten for every bolt
 /// (`BOLT.axial_force`, … in the order of `BoltQuantity`: the value of largest
 /// magnitude along the bolt, with its sign), which quantities read.
 struct HistoryColumns {

@@ -78,6 +78,7 @@ Event jointOpen() {
     event.otherBlock = 1;
     event.position = {1.0, 0.5};
     event.historyRow = 3;
+    event.cause = 0;
     return event;
 }
 
@@ -126,6 +127,9 @@ BoltFrame boltFrame(double grown) {
     }
     bolt.plateHolds = true;
     bolt.lost = grown > 0.05;
+    bolt.elasticEnergy = 1.5 * grown;
+    bolt.plasticEnergy = 2.5 * grown;
+    bolt.bondEnergy = 3.5 * grown;
     return bolt;
 }
 
@@ -168,7 +172,9 @@ Scene sampleScene() {
     scene.title = "Two blocks and a bolt";
     scene.analysis.plane = Plane::Stress;
     scene.materials = {{"rock", {2700.0, 60e9, 0.17}}};
-    scene.jointMaterials = {{"joint", {30.0, 0.0, 0.0}}};
+    JointMaterial joint;
+    joint.frictionAngle = 30.0;
+    scene.jointMaterials = {{"joint", joint}};
     scene.blocks = {square("left", 0.0), square("", 1.0)};
     Support support;
     support.blockAt = Point{0.5, 0.1};
