@@ -14,11 +14,13 @@
 namespace keyblock {
 namespace {
 
+constexpr double flatTangent = 1e-9;  // of the spring: told to Newton where a hinge turns or rock crushes
+
 class BoltLinks {
 public:
     BoltLinks(const Model& model, const State& state, int bolt, StepProblem& problem)
-        : state_(state), bolt_(model.bolts[bolt]), motion_(state.bolts[bolt]), problem_(problem), index_(bolt),
-          firstBody_(problem.blocks + model.bolts[bolt].firstNode) {}
+        : model_(model), state_(state), bolt_(model.bolts[bolt]), motion_(state.bolts[bolt]), problem_(problem),
+          index_(bolt), firstBody_(problem.blocks + model.bolts[bolt].firstNode) {}
 
     void add() {
         for (int e = 0; e < static_cast<int>(motion_.elements.size()); ++e)
@@ -73,9 +75,10 @@ private:
                                 stretch);
         axial.law.kind = bolt_.steel ? LawKind::Curve : LawKind::Linear;
         axial.law.stiffness = section.youngsModulus;
-        axial.law.curve = bolt_.steel ? &*bolt_.steel : nullptr;
+        axial.law.curve = steelNow(bolt_, motion_);
         axial.law.state = motion_.elements[e].steel;
-        const double tension = section.area * respond(axial.law, axial.strain).force;
+        const int axialAt = last();
+        const double stress = respond(axial.law, axial.strain).force, tension = section.area * stress;
 
         const Eigen::Vector3d sideways(s.across.x(), s.across.y(), 0.0);
         if (tension > 0.0) {  // the chord turns against the tension it carries
@@ -85,11 +88,40 @@ private:
         if (!bolt_.bends) return;
         const Eigen::Vector3d turn(0.0, 0.0, 1.0 / std::numbers::sqrt2);
         Link& bend = ofElement(LinkKind::Bend, e, s.p1, bolt_.share, turn, -turn);
-        bend.law.stiffness = 2.0 * section.youngsModulus * section.secondMoment / length;
+        bend.law.stiffness = bendStiffness(bolt_, e);
+        if (bolt_.hinges) addHinge(bend.law, e, axialAt, stress);
         const Eigen::Vector3d chordTurn = std::numbers::sqrt2 / s.length * sideways;
         Link& shear = ofElement(LinkKind::Shear, e, s.p2, bolt_.share, turn + chordTurn, turn - chordTurn);
         shear.law.stiffness = 6.0 * section.youngsModulus * section.secondMoment /
                               ((1.0 + shearModifier(section, length, element.shears)) * length);
+    }
+
+    /// The moment's limit falls with the square of the axial stress over the first yield stress.
+    void addHinge(Law& law, int e, int axialAt, double stress) {
+        law.kind = LawKind::Capped;
+        law.offset = motion_.elements[e].hingeAngle;
+        law.leastTangent = flatTangent;
+        const double yield = steelNow(bolt_, motion_)->force.front();
+        const LimitPair pair{last(), axialAt, 1.0 / yield, hingeForce(bolt_, motion_), LimitPair::Rule::Interaction};
+        law.limit = limitFrom(pair, stress);
+        problem_.limitPairs.push_back(pair);
+    }
+
+    /// Rock or grout crushes where the bar's pressure on its diameter reaches their strength.
+    void addCrushing(Law& law, int n, int block) {
+        const auto& strength = model_.joints[model_.blocks[block].jointMaterial].crushingStrength;
+        if (!strength) return;
+        const double length = bolt_.normalPer == Per::Length ? 1.0 : tributaryLength(n);
+        law.kind = LawKind::Capped;
+        law.offset = motion_.nodes[n].normalOffset;
+        law.limit = *strength * bolt_.diameter * length;
+        law.leastTangent = flatTangent;
+    }
+
+    double tributaryLength(int n) const {
+        const double before = n > 0 ? bolt_.elements[n - 1].length : 0.0;
+        const double after = n < static_cast<int>(bolt_.elements.size()) ? bolt_.elements[n].length : 0.0;
+        return 0.5 * (before + after);
     }
 
     void addNode(int n) {
@@ -100,19 +132,25 @@ private:
             Link& l = toRock(LinkKind::AnchorNormal, n, slot.block, line.across, offSlot(line, node),
                              bolt_.share * node.normalShare);
             l.law.stiffness = bolt_.normalStiffness;
+            addCrushing(l.law, n, slot.block);
         }
         const AnchorModel& anchor = bolt_.anchors[n];
         if (!anchor.real || node.bond.gone || node.bond.share <= 0.0) return;
+        const int normalAt = node.normalShare > 0.0 ? last() : -1;
         Link& l = toRock(LinkKind::AnchorSlip, n, slot.block, line.along, alongSlot(line, node),
                          bolt_.share * node.bond.share);
-        setSlipLaw(anchor, node.bond, l.law);
+        setSlipLaw(anchor, node, l.law);
+        if (l.law.kind != LawKind::Capped || anchor.tanPhi == 0.0 || normalAt < 0) return;
+        problem_.limitPairs.push_back({last(), normalAt, anchor.tanPhi * node.normalShare / node.bond.share,
+                                       motion_.strengthFactor * anchor.residual, LimitPair::Rule::Clamp});
     }
 
-    static void setSlipLaw(const AnchorModel& anchor, const NodeBond& bond, Law& law) {
+    void setSlipLaw(const AnchorModel& anchor, const BoltNode& node, Law& law) const {
+        const NodeBond& bond = node.bond;
         law.stiffness = anchor.stiffness;
         if (anchor.curve) {
             law.kind = LawKind::Curve;
-            law.curve = &*anchor.curve;
+            law.curve = curveNow(anchor, motion_);
             law.state = bond.curve;
         } else if (bond.bonded) {
             law.kind = LawKind::Linear;
@@ -122,7 +160,7 @@ private:
         } else {
             law.kind = LawKind::Capped;
             law.offset = bond.offset;
-            law.limit = anchor.residual;
+            law.limit = slidingLimit(anchor, node, motion_.strengthFactor);
         }
     }
 
@@ -133,13 +171,22 @@ private:
         const Point place = materialPoint(rock, plate.place);
         const Point along = (materialPoint(rock, plate.place + plate.along) - place).normalized();
         const Point away = motion_.nodes[head].x - place;
-        toRock(LinkKind::PlateNormal, head, plate.block, along, along.dot(away), bolt_.share).law.stiffness =
-            plate.normalStiffness;
+        Law& normal = toRock(LinkKind::PlateNormal, head, plate.block, along, along.dot(away), bolt_.share).law;
+        if (motion_.tensioning) {
+            normal.kind = LawKind::Constant;
+            normal.limit = -bolt_.pretension;
+        } else {
+            normal.stiffness = plate.normalStiffness;
+            normal.offset = motion_.plateOffset;
+        }
         const Point across = turnLeft(along);
         toRock(LinkKind::PlateShear, head, plate.block, across, across.dot(away), bolt_.share).law.stiffness =
             plate.shearStiffness;
     }
 
+    int last() const { return static_cast<int>(problem_.links.size()) - 1; }
+
+    const Model& model_;
     const State& state_;
     const BoltModel& bolt_;
     const BoltMotion& motion_;
@@ -165,6 +212,37 @@ double offSlot(const SlotLine& line, const BoltNode& node) { return line.across.
 
 double alongSlot(const SlotLine& line, const BoltNode& node) {
     return line.along.dot(node.x - line.p2) - node.bond.place * line.length;
+}
+
+const Backbone* steelNow(const BoltModel& bolt, const BoltMotion& motion) {
+    if (!bolt.steel) return nullptr;
+    return motion.strengthFactor != 1.0 && bolt.dynamicSteel ? &*bolt.dynamicSteel : &*bolt.steel;
+}
+
+const Backbone* curveNow(const AnchorModel& anchor, const BoltMotion& motion) {
+    if (!anchor.curve) return nullptr;
+    return motion.strengthFactor != 1.0 && anchor.dynamicCurve ? &*anchor.dynamicCurve : &*anchor.curve;
+}
+
+double slidingLimit(const AnchorModel& anchor, const BoltNode& node, double strengthFactor) {
+    const double cohesive = strengthFactor * anchor.residual;
+    if (anchor.tanPhi == 0.0 || node.bond.share <= 0.0) return cohesive;
+    return cohesive + anchor.tanPhi * std::abs(node.normalForce) / node.bond.share;
+}
+
+double bendOf(const BoltModel& bolt, const BoltMotion& motion, int e) {
+    const BoltNode& n1 = motion.nodes[e];
+    const BoltNode& n2 = motion.nodes[e + 1];
+    return beamStrains({n1.x, n2.x, n1.angle, n2.angle}, bolt.elements[e].length, bolt.angle).p1;
+}
+
+double bendStiffness(const BoltModel& bolt, int e) {
+    return 2.0 * bolt.section.youngsModulus * bolt.section.secondMoment / bolt.elements[e].length;
+}
+
+double hingeForce(const BoltModel& bolt, const BoltMotion& motion) {
+    if (!bolt.hinges) return 0.0;
+    return std::numbers::sqrt2 * bolt.plasticModulus * steelNow(bolt, motion)->force.front();
 }
 
 void addBoltLinks(const Model& model, const State& state, int bolt, StepProblem& problem) {

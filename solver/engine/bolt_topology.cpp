@@ -148,6 +148,7 @@ private:
         node.slot = slotIn(n, block);
         const SlotLine line = slotLine(state_, motion_.slots[node.slot]);
         node.bond.place = line.along.dot(node.x - line.p2) / line.length;
+        node.normalOffset = 0.0;
         node.bond.offset = 0.0;
         node.bond.curve = {};
     }
@@ -223,7 +224,8 @@ private:
         const double residual = bolt_.anchors[n].residual;
         if (node.bond.bonded) node.bond.keptForce = node.bond.force < 0.0 ? residual : -residual;
         node.slot = -1;
-        node.bond.bonded = false;
+        node.normalForce = 0.0;
+        node.bond.bonded = node.bond.sliding = false;
         node.bond.force = 0.0;
         node.bond.slip = 0.0;
     }
@@ -236,6 +238,7 @@ private:
         const double lost = boltEnergy(model_, state_, index_) - now;
         nodes.swap(motion_.nodes);
         (lost > 0.0 ? state_.energy.released : state_.energy.friction) += lost;
+        motion_.bondEnergy += lost;
     }
 
     /// Stretches of the bolt in each block, its cells as one; an element within one block lies there wholly.

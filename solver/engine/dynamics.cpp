@@ -5,6 +5,7 @@
 #include "solver/engine/bolt_topology.h"
 #include "solver/engine/books.h"
 #include "solver/engine/contacts.h"
+#include "solver/engine/resticks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -220,6 +221,7 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
         dt = share == 0.5 ? 0.5 * (low + high) : std::clamp(share * dt, low, high);
         if (dt <= low) dt = 0.5 * (low + high);
     }
+    tellResticks(model, ifSliding(state), trial.state, time, -1, observer);
     state = std::move(trial.state);
     time = dt == rest ? end : later(time, dt, pace.roundedUp);
     pace.dt = std::min(2.0 * std::max(pace.dt, dt), settings_.timeStep);
@@ -227,7 +229,7 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
     countAccepted(engine_, state, trial.residual);
     double least = high > 0.0 ? 1.0 - locateShare : 1.0 + reachedShare;
     while (const auto limit = worstLimit(heldLimits(model, state), least)) {
-        releaseAndTell(model, state, *limit, time, observer);
+        releaseAndTell(model, state, *limit, time, -1, observer);
         observer.afterEvent(state, time);
         least = 1.0 + reachedShare;
     }

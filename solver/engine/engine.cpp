@@ -11,14 +11,17 @@
 
 namespace keyblock {
 
-void releaseAndTell(const Model& model, State& state, const Limit& limit, double time, StepObserver& observer) {
+long releaseAndTell(const Model& model, State& state, const Limit& limit, double time, long cause,
+                    StepObserver& observer) {
     const State before = state;
-    const std::vector<Event> events = releaseLimit(model, state, limit);
+    std::vector<Event> events = releaseLimit(model, state, limit);
     for (std::size_t i = 0; i < events.size(); ++i) {
         if (i > 0) observer.afterEvent(before, time);
         observer.beforeEvent(before, time);
-        observer.event(events[i], before, time);
+        events[i].cause = cause;
+        cause = observer.event(events[i], before, time);  // a bolt that is lost is lost by its anchor
     }
+    return cause;
 }
 
 namespace {

@@ -32,6 +32,7 @@ struct StepEnding {
     Ending ending = Ending::Done;
     std::string message;  // what failed, and where
     std::vector<int> blocks;  // that move or do not balance
+    long cause = -1;  // the event after which nothing balanced; −1: the load
 };
 
 /// Told of what happens inside an increment or step, in order.
@@ -40,13 +41,16 @@ public:
     virtual ~StepObserver() = default;
     /// State just before something lets go.
     virtual void beforeEvent(const State& state, double time) = 0;
-    virtual void event(Event event, const State& state, double time) = 0;
+    /// \return the event's number in the run, from 0.
+    virtual long event(Event event, const State& state, double time) = 0;
     /// State just after, at equilibrium again in a static stage.
     virtual void afterEvent(const State& state, double time) = 0;
 };
 
 /// Releases a limit and tells the events that this is, each with the state before it.
-void releaseAndTell(const Model& model, State& state, const Limit& limit, double time, StepObserver& observer);
+/// \param cause the event that set it over; −1: the load did. \return the number of the last event.
+long releaseAndTell(const Model& model, State& state, const Limit& limit, double time, long cause,
+                    StepObserver& observer);
 
 /// Solves one step and counts it. Friction limits used are kept in the state's contacts.
 SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, double tolerance);

@@ -12,7 +12,10 @@
 
 namespace keyblock {
 
-enum class LimitKind { Bond, CurveEnd, Yield, TensileRupture, ShearRupture, Plate, JointBond, PeakFriction };
+enum class LimitKind {
+    Bond, CurveEnd, Yield, Hinge, TensileRupture, ShearRupture, Interaction, Plate,  // of bolts
+    JointBond, PeakFriction  // of joints
+};
 
 struct Limit {
     LimitKind kind = LimitKind::Bond;
@@ -32,7 +35,7 @@ inline constexpr double reachedShare = 1e-9;
 /// The limit to release: the largest ratio, or the first of those equal to it; none under `least`.
 std::optional<Limit> worstLimit(const std::vector<Limit>& limits, double least);
 
-/// True where releasing it changes what holds, so that equilibrium must be found again: not for yield, nor for
+/// True where releasing it changes what holds, so that equilibrium must be found again: not for yield, a hinge, nor for
 /// friction or a curve that goes on from the force it has.
 bool changesForces(const Model& model, const Limit& limit);
 

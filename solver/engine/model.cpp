@@ -137,16 +137,36 @@ BeamSection sectionOf(const BoltType& type) {
     return section;
 }
 
-double shearStrengthOf(const BoltType& type, double area) {
-    if (type.steel.empty()) return 0.0;
+/// N_p = A × the tensile strength [N]; 0 for steel without limit.
+double tensileStrengthOf(const BoltType& type, double area) {
     double stress = 0.0;
     for (const auto& [strain, value] : type.steel) stress = std::max(stress, value);
-    return type.shearStrengthRatio * type.tensileStrength.value_or(stress) * area;
+    return type.steel.empty() ? 0.0 : type.tensileStrength.value_or(stress) * area;
+}
+
+/// Of a tube (d³ − d_i³)/6, d_i² = d² − 4A/π; of a full bar d³/6 [m³].
+double plasticModulusOf(const BoltType& type, double area) {
+    const double d = type.diameter, inner = std::sqrt(std::max(0.0, d * d - 4.0 * area / std::numbers::pi));
+    return type.plasticModulus.value_or((d * d * d - inner * inner * inner) / 6.0);
+}
+
+void setSteel(const BoltType& type, BoltModel& bolt) {
+    bolt.diameter = type.diameter;
+    bolt.dynamicFactor = type.dynamicFactor;
+    bolt.bends = type.bending != Bending::None;
+    bolt.plasticModulus = plasticModulusOf(type, bolt.section.area);
+    bolt.tensileStrength = tensileStrengthOf(type, bolt.section.area);
+    bolt.shearStrength = type.shearStrengthRatio * bolt.tensileStrength;
+    if (type.steel.empty()) return;
+    bolt.steel = Backbone::of(type.steel);
+    if (type.dynamicFactor != 1.0) bolt.dynamicSteel = bolt.steel->strengthened(type.dynamicFactor);
+    bolt.hinges = type.bending == Bending::ElasticPlastic;
+    bolt.interacts = type.ruptureRule == RuptureRule::Interaction;
 }
 
 double placeOf(const BoltPlace& place, double length) { return place.head ? length : place.s; }
 
-AnchorModel anchorModel(const Anchor& anchor) {
+AnchorModel anchorModel(const Anchor& anchor, double dynamicFactor) {
     AnchorModel model;
     model.real = true;
     model.law = anchor.law;
@@ -154,10 +174,12 @@ AnchorModel anchorModel(const Anchor& anchor) {
     model.stiffness = anchor.stiffness;
     model.strength = anchor.strength;
     model.residual = anchor.law == AnchorLaw::Frictional ? anchor.strength.value_or(0.0) : anchor.residual;
+    model.tanPhi = std::tan(anchor.frictionAngle * std::numbers::pi / 180.0);
     model.restick = anchor.restick;
     model.boltLost = anchor.onFailure == OnFailure::BoltLost;
     model.curveEnds = anchor.law == AnchorLaw::Curve && anchor.after == AfterCurve::Zero;
     if (anchor.law == AnchorLaw::Curve) model.curve = Backbone::of(anchor.curve);
+    if (model.curve && dynamicFactor != 1.0) model.dynamicCurve = model.curve->strengthened(dynamicFactor);
     return model;
 }
 
@@ -192,11 +214,11 @@ std::vector<std::vector<Stretch>> stretchesOf(const std::vector<Anchor>& entries
 
 /// Later entries override earlier ones on the nodes they share.
 std::vector<AnchorModel> anchorsOfNodes(const std::vector<Anchor>& entries, const std::vector<double>& nodes,
-                                        double length, double tolerance) {
+                                        double length, double tolerance, double dynamicFactor) {
     std::vector<AnchorModel> anchors(nodes.size());
     for (std::size_t e = 0; e < entries.size(); ++e) {
         const Anchor& entry = entries[e];
-        AnchorModel model = anchorModel(entry);
+        AnchorModel model = anchorModel(entry, dynamicFactor);
         model.entry = static_cast<int>(e);
         const double from = placeOf(entry.from, length), to = placeOf(entry.to, length);
         bool any = false;
@@ -276,9 +298,8 @@ BoltModel boltModel(const Scene& scene, int index, const Model& model) {
     b.angle = std::atan2(b.axis.y(), b.axis.x());
     b.share = model.thickness / bolt.spacingOutOfPlane.value_or(model.thickness);
     b.section = sectionOf(type);
-    if (!type.steel.empty()) b.steel = Backbone::of(type.steel);
-    b.shearStrength = shearStrengthOf(type, b.section.area);
-    b.bends = type.bending != Bending::None;
+    setSteel(type, b);
+    b.pretension = bolt.pretension;
     b.slots = slotsAlong(model, b.farEnd, head);
     b.joints = jointPlaces(model, b.slots, length);
     b.dowelLength = dowelLengthOf(type, b.section, length);
@@ -290,7 +311,7 @@ BoltModel boltModel(const Scene& scene, int index, const Model& model) {
         b.elements.push_back({b.s[i + 1] - b.s[i], shears});
     }
     for (double s : b.s) b.startBlock.push_back(startBlockOf(model, b.slots, s));
-    b.anchors = anchorsOfNodes(anchorsOf(scene, bolt), b.s, length, model.tolerance);
+    b.anchors = anchorsOfNodes(anchorsOf(scene, bolt), b.s, length, model.tolerance, type.dynamicFactor);
     b.stretches = stretchesOf(anchorsOf(scene, bolt), length);
     setNormalSprings(b, type, !bolt.divisions);
     if (bolt.plate == PlateKind::Spring) b.plate = plateModel(model, b, type);
@@ -392,6 +413,7 @@ JointModel jointModel(const JointMaterial& material) {
     joint.tanResidual = std::min(joint.tanPhi, tangent(residual));
     joint.normalStiffness = material.normalStiffness;
     joint.shearStiffness = material.shearStiffness;
+    joint.crushingStrength = material.crushingStrength;
     return joint;
 }
 

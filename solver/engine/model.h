@@ -49,6 +49,7 @@ struct JointModel {
     double cohesion = 0.0, tensileStrength = 0.0;  // [Pa]
     double tanResidual = 0.0;  // after the first slip; tanPhi where nothing is lost
     std::optional<double> normalStiffness, shearStiffness;  // [Pa/m]
+    std::optional<double> crushingStrength;  // [Pa] under a bolt
 };
 
 /// Elastic bond along an edge that two cells share (theory, "Sub-blocks").
@@ -85,10 +86,12 @@ struct AnchorModel {
     Per per = Per::Node;
     double stiffness = 0.0, residual = 0.0;  // [N/m, N] or per metre
     std::optional<double> strength;
+    double tanPhi = 0.0;  // times the normal spring's force, added to strength and residual
     bool restick = true;
     bool boltLost = false;  // this anchor's failure loses the whole bolt
     bool curveEnds = false;  // nothing past the curve's last slip
     std::optional<Backbone> curve;
+    std::optional<Backbone> dynamicCurve;  // where the dynamic factor changes it
     int entry = -1;  // row of BoltModel::stretches
 };
 
@@ -121,7 +124,15 @@ struct BoltModel {
     double share = 1.0;  // thickness over spacing: bolts in the model's thickness
     BeamSection section;
     std::optional<Backbone> steel;  // none: linear and unbreakable
-    double shearStrength = 0.0;  // [N]; 0: unlimited
+    std::optional<Backbone> dynamicSteel;  // where the dynamic factor changes it
+    double tensileStrength = 0.0;  // N_p [N]; 0: unlimited
+    double shearStrength = 0.0;  // Q_p [N]; 0: unlimited
+    bool interacts = false;  // tension and shear rupture it together
+    bool hinges = false;
+    double plasticModulus = 0.0;  // Z [m³]
+    double dynamicFactor = 1.0;
+    double pretension = 0.0;  // [N]
+    double diameter = 0.0;  // [m]
     bool bends = true;
     double normalStiffness = 0.0;  // [N/m] or [N/m per m]
     Per normalPer = Per::Node;

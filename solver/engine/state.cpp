@@ -88,6 +88,7 @@ State makeState(const Model& model) {
         motion.leftSlot.assign(bolt.slots.size(), 0);
         motion.elements.resize(bolt.elements.size());
         motion.plateHolds = bolt.plate.present;
+        motion.tensioning = bolt.plate.present && bolt.pretension > 0.0;
         for (double s : bolt.s) {
             BoltNode node;
             node.x = bolt.farEnd + s * bolt.axis;

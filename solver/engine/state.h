@@ -62,6 +62,7 @@ struct NodeBond {
     bool gone = false;  // nothing left in the tangent
     double place = 0.0;  // where on the slot it was bonded, a share of P2P3 (the paper's t0)
     double offset = 0.0;  // slip at which the force vanishes [m], sliding points
+    bool sliding = false;  // at its limit when last accepted
     double keptForce = 0.0;  // force of a point that does not stick again, per share [N or N/m]
     BackboneState curve;
     double share = 0.0;  // embedded length [m] for laws per length, 1 for laws per node, 0 out of the rock
@@ -77,6 +78,8 @@ struct BoltNode {
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
     int slot = -1;  // row of BoltMotion::slots; −1: in a gap, on a joint or outside
     double normalShare = 0.0;  // embedded length [m], or 1, that the normal spring stands for
+    double normalForce = 0.0;  // last accepted, of the normal spring [N]
+    double normalOffset = 0.0;  // distance from the slot at which that vanishes: crushed rock [m]
     NodeBond bond;
 
     bool operator==(const BoltNode&) const = default;
@@ -85,7 +88,10 @@ struct BoltNode {
 struct BoltElementState {
     BackboneState steel;
     double strain = 0.0, axialForce = 0.0, shearForce = 0.0, moment1 = 0.0, moment2 = 0.0;  // last accepted, per bolt
+    double bend = 0.0, bendLimit = 0.0;  // the beam's p1 [rad] and the limit of its force [N m], last accepted
+    double hingeAngle = 0.0;  // p1 at which that force vanishes [rad]
     bool yielded = false;
+    bool hinged = false;
     bool ruptured = false;
 
     bool operator==(const BoltElementState&) const = default;
@@ -98,6 +104,10 @@ struct BoltMotion {
     std::vector<char> leftSlot;  // told as pulled out
     bool plateHolds = false;
     double plateNormal = 0.0, plateShear = 0.0;  // [N] last accepted
+    bool tensioning = false;  // the plate pulls with the pretension and is not locked off yet
+    double plateStretch = 0.0, plateOffset = 0.0;  // of the normal spring: last accepted, and where it vanishes [m]
+    double strengthFactor = 1.0;  // dynamic over static strength, in this stage
+    double plasticEnergy = 0.0, bondEnergy = 0.0;  // [J] booked since the start
     bool lost = false;
 };
 

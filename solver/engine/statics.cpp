@@ -12,6 +12,8 @@
 #include "solver/engine/books.h"
 #include "solver/engine/contacts.h"
 #include "solver/engine/multipliers.h"
+#include "solver/engine/pretension.h"
+#include "solver/engine/resticks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -208,7 +210,9 @@ public:
 
     StepEnding make() {
         StepEnding ending = progress_.releasing ? releaseOne() : loadOn();
-        if (ending.ending == Ending::Done) progress_.releasing = limit().has_value();
+        if (ending.ending != Ending::Done) return ending;
+        progress_.releasing = limit().has_value();
+        if (!progress_.releasing) lockOffPlates(engine_.model, state_);
         return ending;
     }
 
@@ -258,6 +262,9 @@ private:
     }
 
     void accept(State trial, double to) {
+        tellResticks(engine_.model, ifSliding(state_), trial, reached().time, -1, observer_);
+        progress_.passed.clear();
+        progress_.lastRelease = -1;
         state_ = std::move(trial);
         ++state_.step;
         progress_.done = to;
@@ -312,9 +319,8 @@ private:
         double first = 1.0;
         for (const Limit& limit : end) {
             if (limit.ratio <= 1.0) continue;
-            const auto same = std::find_if(start.begin(), start.end(), [&](const Limit& l) {
-                return l.kind == limit.kind && l.owner == limit.owner && l.part == limit.part;
-            });
+            const auto same =
+                std::find_if(start.begin(), start.end(), [&](const Limit& l) { return isSame(l, limit); });
             const double before = same == start.end() ? 0.0 : std::min(same->ratio, 1.0);
             first = std::min(first, (1.0 - before) / (limit.ratio - before));
         }
@@ -323,20 +329,48 @@ private:
 
     /// The largest overload lets go, alone; the next is judged at the equilibrium without it.
     StepEnding releaseOne() {
-        const Limit released = limit().value();
+        const std::vector<Limit> limits = heldLimits(engine_.model, state_);
+        const Limit released = worstLimit(limits, progress_.least).value();
+        noteCauses(limits);
         progress_.least = 1.0 - reachedShare;
         const double time = reached().time;
-        releaseAndTell(engine_.model, state_, released, time, observer_);
-        if (changesForces(engine_.model, released)) {
-            State trial = state_;
-            const StepEnding ending = equilibrium(trial, progress_.done);
-            state_ = std::move(trial);
-            if (ending.ending != Ending::Done) return ending;
-            ++state_.step;
-            if (const StepEnding followed = follow(); followed.ending != Ending::Done) return followed;
-        }
+        progress_.lastRelease =
+            releaseAndTell(engine_.model, state_, released, time, causeOf(released), observer_);
+        const std::optional<State> sliding = ifSliding(state_);
+        StepEnding ending = changesForces(engine_.model, released) ? balanceAgain() : StepEnding{};
+        ending.cause = progress_.lastRelease;
+        if (ending.ending != Ending::Done) return ending;
         observer_.afterEvent(state_, time);
-        return {};
+        tellResticks(engine_.model, sliding, state_, time, progress_.lastRelease, observer_);
+        return ending;
+    }
+
+    /// Equilibrium after a release, at the same load.
+    StepEnding balanceAgain() {
+        State trial = state_;
+        const StepEnding ending = equilibrium(trial, progress_.done);
+        state_ = std::move(trial);
+        if (ending.ending != Ending::Done) return ending;
+        ++state_.step;
+        return follow();
+    }
+
+    /// What is over its limit now and was not before was set over by the last release; with none yet, by the load.
+    void noteCauses(const std::vector<Limit>& limits) {
+        std::vector<PassedLimit> passed;
+        for (const Limit& limit : limits)
+            if (limit.ratio >= 1.0 - tieShare) passed.push_back({limit, causeOf(limit)});
+        progress_.passed = std::move(passed);
+    }
+
+    long causeOf(const Limit& limit) const {
+        const auto same = std::find_if(progress_.passed.begin(), progress_.passed.end(),
+                                       [&](const PassedLimit& p) { return isSame(p.limit, limit); });
+        return same == progress_.passed.end() ? progress_.lastRelease : same->cause;
+    }
+
+    static bool isSame(const Limit& a, const Limit& b) {
+        return a.kind == b.kind && a.owner == b.owner && a.part == b.part;
     }
 
     Engine& engine_;

@@ -14,12 +14,20 @@ struct StaticSettings {
     int maxSteps = 400;  // pseudo-steps of one search for equilibrium
 };
 
+/// A limit that is passed, and the event whose release brought it there; −1: the load did.
+struct PassedLimit {
+    Limit limit;
+    long cause = -1;
+};
+
 /// How far an increment of load is; with the state it is all that the next move depends on.
 struct IncrementProgress {
     double done = 0.0;  // share of the increment
     double step = 0.0;  // share that is tried next; 0: not begun
     bool releasing = false;  // something at its limit lets go before the load goes on
     double least = 0.0;  // of a limit, to be released
+    std::vector<PassedLimit> passed;  // at this load
+    long lastRelease = -1;  // number of the last event at this load; −1: none yet
 
     bool over() const { return done >= 1.0 && !releasing; }
 };

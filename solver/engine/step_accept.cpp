@@ -13,6 +13,7 @@ namespace keyblock {
 namespace {
 
 constexpr double stuckShare = 1e-12;  // of the limit: friction under it has not slid
+constexpr double slidingShare = 1e-6;  // of its limit: an anchored point under less than the rest sticks
 
 void acceptContact(const Link& link, double force, Contact& c) {
     if (link.kind == LinkKind::Normal) {
@@ -21,6 +22,13 @@ void acceptContact(const Link& link, double force, Contact& c) {
     }
     c.shearForce = force;
     if (link.law.kind == LawKind::Capped) c.limit = link.law.limit;
+}
+
+/// At the limit of friction, or on the curve itself and not on a branch of unloading.
+bool slides(const Law& law, const BackboneState& curve, double force) {
+    if (law.kind != LawKind::Capped && law.kind != LawKind::Curve) return false;
+    const double limit = law.kind == LawKind::Curve ? yieldForce(*law.curve, curve.accumulated) : law.limit;
+    return std::abs(force) >= (1.0 - slidingShare) * limit;
 }
 
 void acceptBoltLink(const Link& link, double strain, double force, const BackboneState& curve, const BoltModel& bolt,
@@ -33,7 +41,13 @@ void acceptBoltLink(const Link& link, double strain, double force, const Backbon
             if (link.law.kind == LawKind::Curve) e.steel = curve;
             return;
         }
-        case LinkKind::Bend: motion.elements[link.part].moment1 = force; return;
+        case LinkKind::Bend: {
+            BoltElementState& e = motion.elements[link.part];
+            e.moment1 = force;
+            e.bend = strain;
+            e.bendLimit = link.law.limit;
+            return;
+        }
         case LinkKind::Shear: {  // follows its bending partner
             BoltElementState& e = motion.elements[link.part];
             const BeamForces forces = beamForces(e.moment1, force, bolt.elements[link.part].length);
@@ -47,9 +61,18 @@ void acceptBoltLink(const Link& link, double strain, double force, const Backbon
             bond.force = -force * bond.share;
             bond.slip = -strain;
             if (link.law.kind == LawKind::Curve) bond.curve = curve;
+            bond.sliding = !bond.bonded && slides(link.law, curve, force);
             return;
         }
-        case LinkKind::PlateNormal: motion.plateNormal = -force; return;
+        case LinkKind::AnchorNormal: {
+            BoltNode& node = motion.nodes[link.part];
+            node.normalForce = force * node.normalShare;
+            return;
+        }
+        case LinkKind::PlateNormal:
+            motion.plateNormal = -force;
+            motion.plateStretch = strain;
+            return;
         case LinkKind::PlateShear: motion.plateShear = -force; return;
         default: return;
     }
@@ -67,6 +90,32 @@ double relockContact(const Model& model, const State& state, const Link& link, d
     return c.slid;
 }
 
+/// Force of a capped link while it slid: its mean on the way, where the books know it.
+double slipForceOf(const StepProblem& problem, const std::vector<double>& forces, std::size_t link) {
+    return problem.slipForce.empty() ? forces[link] : problem.slipForce[link];
+}
+
+/// Moves the zero points of hinges that turned and of rock that was crushed: what they did not take is elastic.
+void yieldAcross(const Model& model, State& state, const StepProblem& problem, const std::vector<double>& forces) {
+    for (std::size_t i = 0; i < problem.links.size(); ++i) {
+        const Link& link = problem.links[i];
+        const bool hinge = link.kind == LinkKind::Bend, rock = link.kind == LinkKind::AnchorNormal;
+        if (link.law.kind != LawKind::Capped || !(hinge || rock)) continue;
+        if (std::abs(forces[i]) < link.law.limit) continue;
+        BoltMotion& motion = state.bolts[link.owner];
+        double& offset = hinge ? motion.elements[link.part].hingeAngle : motion.nodes[link.part].normalOffset;
+        if (hinge) {
+            offset = bendOf(model.bolts[link.owner], motion, link.part) - forces[i] / link.law.stiffness;
+        } else {
+            const BoltNode& node = motion.nodes[link.part];
+            offset = offSlot(slotLine(state, motion.slots[node.slot]), node) - forces[i] / link.law.stiffness;
+        }
+        const double work = link.law.share * slipForceOf(problem, forces, i) * (offset - link.law.offset);
+        state.energy.plastic += work;
+        motion.plasticEnergy += work;
+    }
+}
+
 /// Moves the offset of every sliding law so that it carries the accepted force where the bodies are now.
 void relock(const Model& model, State& state, const StepProblem& problem, const std::vector<double>& forces) {
     for (std::size_t i = 0; i < problem.links.size(); ++i) {
@@ -81,15 +130,40 @@ void relock(const Model& model, State& state, const StepProblem& problem, const 
             BoltNode& node = motion.nodes[link.part];
             offset = alongSlot(slotLine(state, motion.slots[node.slot]), node) - forces[i] / k;
             node.bond.offset = offset;
+        } else {
+            continue;
         }
-        const double slipForce = problem.slipForce.empty() ? forces[i] : problem.slipForce[i];
-        state.energy.friction += link.law.share * slipForce * (offset - link.law.offset);
+        const double work = link.law.share * slipForceOf(problem, forces, i) * (offset - link.law.offset);
+        state.energy.friction += work;
+        if (link.kind == LinkKind::AnchorSlip) state.bolts[link.owner].bondEnergy += work;
     }
     for (Contact& c : state.contacts) {
         c.position = state.blocks[c.blockA].corners[c.corner];
         c.gap = gapOf(state.blocks, c);
         if (c.normalForce <= 0.0 && !c.bonded) c.normalMultiplier = 0.0;  // open: it starts anew when it closes
     }
+}
+
+/// Plastic work of the steel, or of an anchor along its curve.
+void bookCurve(const Link& link, double work, State& state) {
+    BoltMotion& motion = state.bolts[link.owner];
+    const bool steel = link.kind == LinkKind::Axial;
+    (steel ? state.energy.plastic : state.energy.friction) += link.law.share * work;
+    (steel ? motion.plasticEnergy : motion.bondEnergy) += link.law.share * work;
+}
+
+/// A force that stays whatever moves: friction of an anchored point, or the jack that pulls the head to its pretension.
+void bookConstant(const Link& link, double strain, State& state) {
+    BoltMotion& motion = state.bolts[link.owner];
+    const bool jack = link.kind == LinkKind::PlateNormal;
+    const double before = jack ? motion.plateStretch : -motion.nodes[link.part].bond.slip;
+    const double work = link.law.share * link.law.limit * (strain - before);
+    if (jack) {
+        state.energy.external -= work;
+        return;
+    }
+    state.energy.friction += work;
+    motion.bondEnergy += work;
 }
 
 }  // namespace
@@ -118,15 +192,11 @@ void acceptStep(const Model& model, State& state, const StepProblem& problem, co
             const BackboneResponse r = respond(*link.law.curve, link.law.state, strains[i]);
             forces[i] = r.force;
             curve = r.state;
-            (link.kind == LinkKind::Axial ? state.energy.plastic : state.energy.friction) +=
-                link.law.share * r.plasticWork;
+            bookCurve(link, r.plasticWork, state);
         } else {
             forces[i] = respond(link.law, strains[i]).force;
         }
-        if (link.law.kind == LawKind::Constant) {
-            const double before = -state.bolts[link.owner].nodes[link.part].bond.slip;
-            state.energy.friction += link.law.share * forces[i] * (strains[i] - before);
-        }
+        if (link.law.kind == LawKind::Constant) bookConstant(link, strains[i], state);
         if (link.kind == LinkKind::Normal || link.kind == LinkKind::Friction)
             acceptContact(link, forces[i], state.contacts[link.owner]);
         else if (link.kind != LinkKind::Support && link.kind != LinkKind::Glue)
@@ -134,6 +204,7 @@ void acceptStep(const Model& model, State& state, const StepProblem& problem, co
     }
     moveBodies(model, state, d);
     relock(model, state, problem, forces);
+    yieldAcross(model, state, problem, forces);
 }
 
 }  // namespace keyblock

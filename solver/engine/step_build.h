@@ -45,6 +45,19 @@ double offSlot(const SlotLine& line, const BoltNode& node);
 /// Node minus rock along the slot since bonding [m].
 double alongSlot(const SlotLine& line, const BoltNode& node);
 
+/// The curves of steel and anchor that hold in the stage: the dynamic ones where there are such; null without a curve.
+const Backbone* steelNow(const BoltModel& bolt, const BoltMotion& motion);
+const Backbone* curveNow(const AnchorModel& anchor, const BoltMotion& motion);
+
+/// Friction that an anchored point can carry under the normal force it had, for one metre or one node [N/m or N].
+double slidingLimit(const AnchorModel& anchor, const BoltNode& node, double strengthFactor);
+
+/// Where an element is bent: its p1 [rad] (theory, "The shank"), and the stiffness and the limit without axial force
+/// of the spring that resists it [N m]; a limit of 0 where it has none.
+double bendOf(const BoltModel& bolt, const BoltMotion& motion, int element);
+double bendStiffness(const BoltModel& bolt, int element);
+double hingeForce(const BoltModel& bolt, const BoltMotion& motion);
+
 /// Displacement of a motion's block along its axis since the start of the run [m].
 double displacementAlong(const Model& model, const State& state, const PrescribedMotion& motion);
 

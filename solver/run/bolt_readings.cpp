@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/run/bolt_readings.h"
 
+#include "solver/engine/bolt_limits.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,11 +32,14 @@ double debondedLength(const BoltModel& bolt, const BoltMotion& motion) {
     return length;
 }
 
-double ofElement(const BoltElementState& e, BoltQuantity quantity) {
+double ofElement(const BoltModel& bolt, const BoltMotion& motion, int element, BoltQuantity quantity) {
+    const BoltElementState& e = motion.elements[element];
     switch (quantity) {
         case BoltQuantity::AxialForce: return e.axialForce;
         case BoltQuantity::ShearForce: return e.shearForce;
         case BoltQuantity::Strain: return e.strain;
+        case BoltQuantity::Utilisation: return utilisationOf(bolt, motion, element).forces;
+        case BoltQuantity::UtilisationWithMoment: return utilisationOf(bolt, motion, element).withMoment;
         default: return std::abs(e.moment1) > std::abs(e.moment2) ? -e.moment1 : e.moment2;
     }
 }
@@ -59,7 +64,7 @@ double boltValueAt(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity
             const double share = (s - bolt.s[i]) / bolt.elements[i].length;
             return (1.0 - share) * -e.moment1 + share * e.moment2;
         }
-        default: return ofElement(motion.elements[elementAt(bolt, s)], quantity);
+        default: return ofElement(bolt, motion, elementAt(bolt, s), quantity);
     }
 }
 
@@ -74,7 +79,7 @@ double boltExtreme(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity
         for (const BoltNode& node : motion.nodes)
             take(quantity == BoltQuantity::Slip ? node.bond.slip : node.bond.force);
     else
-        for (const BoltElementState& e : motion.elements) take(ofElement(e, quantity));
+        for (int e = 0; e < static_cast<int>(motion.elements.size()); ++e) take(ofElement(bolt, motion, e, quantity));
     return extreme;
 }
 
@@ -82,6 +87,8 @@ BoltFrame boltFrame(const BoltModel& bolt, const BoltMotion& motion, const Point
     BoltFrame frame;
     frame.plateHolds = motion.plateHolds;
     frame.lost = motion.lost;
+    frame.plasticEnergy = motion.plasticEnergy;
+    frame.bondEnergy = motion.bondEnergy;
     for (std::size_t n = 0; n < motion.nodes.size(); ++n) {
         const BoltNode& node = motion.nodes[n];
         BoltNodeFrame f;

@@ -18,7 +18,7 @@ double boltValueAt(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity
 /// Value of largest magnitude along the bolt, with its sign.
 double boltExtreme(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity quantity);
 
-/// All nodes of a bolt as a frame keeps them. \param origin added to every place.
+/// A bolt as a frame keeps it, without the energy it holds. \param origin added to every place.
 BoltFrame boltFrame(const BoltModel& bolt, const BoltMotion& motion, const Point& origin);
 
 }  // namespace keyblock

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::array boltQuantities{BoltQuantity::AxialForce, BoltQuantity::ShearForce,  BoltQuantity::Moment,
                                     BoltQuantity::AnchorForce, BoltQuantity::Slip,       BoltQuantity::PlateForce,
-                                    BoltQuantity::DebondedLength, BoltQuantity::Strain};
+                                    BoltQuantity::DebondedLength, BoltQuantity::Strain,   BoltQuantity::Utilisation,
+                                    BoltQuantity::UtilisationWithMoment};
 
 std::array<double, 3> globalStress(const BlockModel& block, const BlockMotion& motion) {
     const Eigen::Vector3d own = frameStress(block, motion);
@@ -117,8 +118,10 @@ Frame Observation::frame(const State& state, int stage, double time) const {
     for (int i = 0; i < static_cast<int>(state.blocks.size()); ++i) frame.blocks.push_back(blockState(state, i));
     for (const Contact& c : state.contacts)
         if (c.bonded || c.normalForce > 0.0) frame.contacts.push_back(contactFrame(c, model_));
-    for (std::size_t b = 0; b < state.bolts.size(); ++b)
+    for (std::size_t b = 0; b < state.bolts.size(); ++b) {
         frame.bolts.push_back(boltFrame(model_.bolts[b], state.bolts[b], model_.origin));
+        frame.bolts.back().elasticEnergy = boltEnergy(model_, state, static_cast<int>(b));
+    }
     frame.energy = energyOf(model_, state);
     return frame;
 }

@@ -103,6 +103,7 @@ private:
         now_.firstStep = now_.state.step;
         now_.passes = 0;
         engine_.health = {};
+        setStrengths();
         loads_.begin(now_.stage, now_.state);
         if (!stage().set.empty()) changeJoints(scene_, now_.stage, model_, now_.state);
         if (stage().zeroDisplacements) observation_.zero(now_.state);
@@ -111,6 +112,11 @@ private:
         const StepEnding ending = isStatic() ? standStill() : setMoving();
         keepFrame(false);
         return ending;
+    }
+
+    void setStrengths() {
+        for (std::size_t b = 0; b < now_.state.bolts.size(); ++b)
+            now_.state.bolts[b].strengthFactor = isStatic() ? 1.0 : model_.bolts[b].dynamicFactor;
     }
 
     StepEnding standStill() {
@@ -199,7 +205,7 @@ private:
         result.message = ending.message;
         switch (ending.ending) {
             case Ending::Done: result.outcome = isStatic() ? Outcome::Equilibrium : Outcome::Duration; break;
-            case Ending::NoEquilibrium: collapse(result); break;
+            case Ending::NoEquilibrium: collapse(result, ending.cause); break;
             case Ending::Stopped: stopped(result); break;
             case Ending::Failed: result.outcome = Outcome::Failed; break;
         }
@@ -214,12 +220,13 @@ private:
         if (!control_.stop) result.message = limit_.message(now_.state.step);
     }
 
-    void collapse(StageResult& result) {
+    void collapse(StageResult& result, long cause) {
         result.outcome = Outcome::Collapse;
         result.message = "no equilibrium: moving are";
         for (int block : result.blocks) result.message += " " + model_.blocks[static_cast<std::size_t>(block)].name;
         Event event;
         event.kind = EventKind::Collapse;
+        event.cause = cause;
         if (!result.blocks.empty()) {
             event.block = result.blocks.front();
             event.position = now_.state.blocks[static_cast<std::size_t>(event.block)].centroid;
@@ -240,14 +247,14 @@ private:
 
     void beforeEvent(const State& state, double time) override { keepRow(state, time); }
     void afterEvent(const State& state, double time) override { keepRow(state, time); }
-    void event(Event event, const State& state, double time) override {
+    long event(Event event, const State& state, double time) override {
         event.stage = now_.stage;
         event.time = time;
         event.step = state.step;
         event.position += model_.origin;
         watch_.told(event);
         sink_.event(event);
-        ++now_.written.events;
+        return now_.written.events++;
     }
 
     void keepRow(const State& state, double time) {

@@ -46,6 +46,12 @@ Backbone Backbone::of(const std::vector<std::pair<double, double>>& curve, doubl
     return b;
 }
 
+Backbone Backbone::strengthened(double factor) const {
+    Backbone b = *this;
+    for (double& f : b.force) f *= factor;
+    return b;
+}
+
 double yieldForce(const Backbone& b, double accumulated) {
     const std::size_t piece = pieceAt(b, accumulated);
     return b.force[piece] + hardening(b, piece) * (accumulated - b.plastic[piece]);

@@ -27,6 +27,9 @@ struct Backbone {
     /// \pre at least the origin and one point with positive strain and force.
     static Backbone of(const std::vector<std::pair<double, double>>& curve, double strainScale = 1.0,
                        double forceScale = 1.0);
+
+    /// The same curve with every yield force times `factor`; first slope and rupture strain stay.
+    Backbone strengthened(double factor) const;
 };
 
 struct BackboneState {

@@ -30,6 +30,7 @@ struct Law {
     BackboneState state;
     double share = 1.0;  // multiplies force, tangent and energy of the whole law in the model
     bool rigid = false;  // the stiffness only finds the force: nothing is stored
+    double leastTangent = 0.0;  // over `stiffness`, told to Newton where the law is flat, lest nothing holds a body
 };
 
 struct LawResponse {
@@ -45,8 +46,8 @@ inline LawResponse respond(const Law& law, double e) {
         case LawKind::Viscous: return {trial, law.stiffness};
         case LawKind::Gap: return trial <= 0.0 ? LawResponse{trial, law.stiffness} : LawResponse{};
         case LawKind::Capped:
-            if (trial > law.limit) return {law.limit, 0.0};
-            if (trial < -law.limit) return {-law.limit, 0.0};
+            if (trial > law.limit) return {law.limit, law.leastTangent * law.stiffness};
+            if (trial < -law.limit) return {-law.limit, law.leastTangent * law.stiffness};
             return {trial, law.stiffness};
         case LawKind::Constant: return {law.limit, 0.0};
         case LawKind::Curve: {

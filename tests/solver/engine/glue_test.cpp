@@ -59,7 +59,7 @@ void turnWhole(State& state, double angle) {
 
 struct Silent : StepObserver {
     void beforeEvent(const State&, double) override {}
-    void event(Event, const State&, double) override {}
+    long event(Event, const State&, double) override { return 0; }
     void afterEvent(const State&, double) override {}
 };
 

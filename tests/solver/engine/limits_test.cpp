@@ -5,6 +5,7 @@
 // first in the order of bolts and nodes.
 #include "solver/engine/limits.h"
 
+#include "solver/engine/bolt_topology.h"
 #include "solver/engine/contacts.h"
 #include "solver/engine/step_build.h"
 #include "solver/verify/scenes.h"
@@ -64,7 +65,9 @@ struct BondedJoint {
 
     static Scene scene() {
         Scene scene = twoBlocks(10e9, 1.0, 2.0);
-        scene.jointMaterials[0].second = {30.0, 1e6, 1e6};
+        JointMaterial& joint = scene.jointMaterials[0].second;
+        joint.frictionAngle = 30.0;
+        joint.cohesion = joint.tensileStrength = 1e6;
         return scene;
     }
 
@@ -89,6 +92,67 @@ TEST(Limits, AJointThatLetsGoCarriesItsFrictionAndKeepsTheBooks) {
         EXPECT_FALSE(c.bonded);
         EXPECT_NEAR(c.limit, c.normalForce * std::tan(std::acos(-1.0) / 6.0), 1e-9 * c.limit);
         EXPECT_NEAR(std::abs(link.law.stiffness * (link.strain - link.law.offset)), c.limit, 1e-6 * c.limit);
+    }
+}
+
+/// A bar whose every strength is known, under forces at its second node and element and at its plate.
+struct LoadedBolt {
+    Model model;
+    State state;
+
+    explicit LoadedBolt(RuptureRule rule) : model(makeModel(scene(rule))), state(makeState(model)) {
+        placeBolts(model, state);
+        BoltMotion& bolt = state.bolts[0];
+        bolt.nodes[1].bond.force = 10e3;
+        BoltElementState& element = bolt.elements[1];
+        element.strain = 1e-3;
+        element.axialForce = 60e3;
+        element.shearForce = 30e3;
+        element.bend = 1e-5;
+        bolt.plateNormal = 40e3;
+    }
+
+    static Scene scene(RuptureRule rule) {
+        Scene scene = twoBlocks(10e9, 1.0, 2.0);
+        BoltType bar = steelType(barArea(), {{0, 0}, {0.0025, 500e6}, {0.1, 600e6}});
+        bar.dynamicFactor = 2.0;
+        bar.ruptureRule = rule;
+        bar.plate.normalStrength = 100e3;
+        bar.anchors = {anchorRange(Per::Node, AnchorLaw::PeakResidual, 1e8, 20e3, 2e3)};
+        addBolt(scene, bar, 0.5, 2.0, 9, PlateKind::Spring);
+        return scene;
+    }
+
+    double ratio(LimitKind kind) const {
+        double largest = 0.0;
+        for (const Limit& limit : heldLimits(model, state))
+            if (limit.kind == kind) largest = std::max(largest, limit.ratio);
+        return largest;
+    }
+};
+
+TEST(Limits, OfABoltAreForcesOverStrengths) {
+    const LoadedBolt bolt(RuptureRule::Independent);
+    EXPECT_NEAR(bolt.ratio(LimitKind::Bond), 0.5, 1e-12);
+    EXPECT_NEAR(bolt.ratio(LimitKind::Yield), 0.4, 1e-12);
+    EXPECT_NEAR(bolt.ratio(LimitKind::TensileRupture), 0.01, 1e-12);
+    EXPECT_NEAR(bolt.ratio(LimitKind::ShearRupture), 30e3 / (0.6 * 600e6 * barArea()), 1e-12);
+    EXPECT_NEAR(bolt.ratio(LimitKind::Plate), 0.4, 1e-12);
+    EXPECT_EQ(bolt.ratio(LimitKind::Interaction), 0.0);
+    const double tension = 60e3 / (600e6 * barArea()), shear = 30e3 / (0.6 * 600e6 * barArea());
+    EXPECT_NEAR(LoadedBolt(RuptureRule::Interaction).ratio(LimitKind::Interaction), std::hypot(tension, shear), 1e-12);
+}
+
+TEST(Limits, OfABoltGrowWithTheDynamicFactor) {
+    for (const RuptureRule rule : {RuptureRule::Independent, RuptureRule::Interaction}) {
+        LoadedBolt bolt(rule);
+        const LoadedBolt slow = bolt;
+        bolt.state.bolts[0].strengthFactor = 2.0;
+        for (const LimitKind kind : {LimitKind::Bond, LimitKind::Yield, LimitKind::Hinge, LimitKind::ShearRupture,
+                                     LimitKind::Interaction, LimitKind::Plate})
+            EXPECT_NEAR(bolt.ratio(kind), 0.5 * slow.ratio(kind), 1e-12) << static_cast<int>(kind);
+        EXPECT_GT(slow.ratio(LimitKind::Hinge), 0.0);
+        EXPECT_EQ(bolt.ratio(LimitKind::TensileRupture), slow.ratio(LimitKind::TensileRupture));  // a strain
     }
 }
 

@@ -151,7 +151,7 @@ struct Everything {
         at.gravity = 1.0;
         struct Deaf : StepObserver {
             void beforeEvent(const State&, double) override {}
-            void event(Event, const State&, double) override {}
+            long event(Event, const State&, double) override { return 0; }
             void afterEvent(const State&, double) override {}
         } observer;
         DynamicStage stage(engine, loads, [&](double) { return at; }, {Inertia::Shi, 1e-4});

@@ -204,7 +204,7 @@ TEST(Schemes, TimeDoesNotDrift) {
     DynamicPace pace;
     struct Deaf : StepObserver {
         void beforeEvent(const State&, double) override {}
-        void event(Event, const State&, double) override {}
+        long event(Event, const State&, double) override { return 0; }
         void afterEvent(const State&, double) override {}
     } observer;
     double time = 0.0;
