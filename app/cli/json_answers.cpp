@@ -6,6 +6,7 @@
 #include "app/cli/json_answers.h"
 
 #include "app/cli/run_summary.h"
+#include "solver/results/chains.h"
 #include "solver/results/words.h"
 
 #include <nlohmann/json.hpp>
@@ -48,6 +49,39 @@ Json healthJson(const std::optional<RunHealth>& health) {
             {"residual", health->residual}};
 }
 
+/// Event numbers count from 0, in the order of the table of events.
+Json chainsJson(const RunSource& run, const std::vector<Event>& events) {
+    Json chains = Json::array();
+    for (const auto& chain : causeChains(events)) {
+        Json links = Json::array();
+        for (const std::size_t i : chain) {
+            const Event& event = events[i];
+            Json link{{"event", i}, {"kind", wordOf(event.kind)}, {"cause", event.cause}};
+            if (event.bolt >= 0) link["bolt"] = boltName(run.scene(), event.bolt);
+            if (event.node >= 0) link["node"] = event.node;
+            if (event.element >= 0) link["element"] = event.element;
+            if (event.block >= 0) link["block"] = blockName(run.blockNames(), event.block);
+            links.push_back(link);
+        }
+        chains.push_back(links);
+    }
+    return chains;
+}
+
+/// Of the last frame.
+Json boltsJson(const RunSource& run) {
+    Json bolts = Json::array();
+    if (run.frames().empty())
+        return bolts;
+    const Frame frame = run.frame(run.frames().size() - 1);
+    for (std::size_t b = 0; b < frame.bolts.size(); ++b)
+        bolts.push_back({{"name", boltName(run.scene(), static_cast<int>(b))},
+                         {"elastic_J", frame.bolts[b].elasticEnergy},
+                         {"plastic_J", frame.bolts[b].plasticEnergy},
+                         {"bond_J", frame.bolts[b].bondEnergy}});
+    return bolts;
+}
+
 Json caseJson(const CaseResult& result) {
     return {{"name", result.name},           {"quantity", result.quantity},   {"measured", result.measured},
             {"expected", result.expected},   {"tolerance", result.tolerance}, {"relative", result.relative},
@@ -85,8 +119,9 @@ std::string infoJson(const RunStore& store) {
     Json stages = Json::array();
     for (const StageRecord& record : records)
         stages.push_back(stageJson(store.scene(), record));
+    const std::vector<Event> happened = store.events();
     Json events = Json::object();
-    for (const auto& [kind, count] : countByKind(store.events()))
+    for (const auto& [kind, count] : countByKind(happened))
         events[std::string(wordOf(kind))] = count;
     return dumped({{"title", store.scene().title},
                    {"program_version", store.programVersion()},
@@ -94,6 +129,8 @@ std::string infoJson(const RunStore& store) {
                    {"stages", stages},
                    {"frames", store.frames().size()},
                    {"events", events},
+                   {"chains", chainsJson(store, happened)},
+                   {"bolts", boltsJson(store)},
                    {"health", healthJson(healthOf(records))}},
                   2);
 }

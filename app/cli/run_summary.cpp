@@ -5,6 +5,7 @@
 // run itself was good.
 #include "app/cli/run_summary.h"
 
+#include "app/cli/bolt_summary.h"
 #include "app/cli/text_table.h"
 #include "solver/results/quantity.h"
 #include "solver/results/words.h"
@@ -160,6 +161,7 @@ std::string summaryOf(const RunSource& run, const std::map<int, double>& stageSe
     std::string text = run.scene().title.empty() ? "" : run.scene().title + "\n\n";
     text += stageTable(run.scene(), records, stageSeconds) + messages(run.scene(), records) + "\n";
     text += "frames  " + std::to_string(run.frames().size()) + "\n" + eventLine(events) + healthLine(records);
+    text += chainLines(run, events) + boltEnergyTable(run);
     return text + quantityTable(run, history, events) + expectedTable(run, history, events);
 }
 

@@ -67,6 +67,26 @@ TEST_F(Runs, InfoHasTheKeysOfTheContract) {
         EXPECT_TRUE(info.at("health").at(key).is_number()) << key;
 }
 
+TEST_F(Runs, InfoTellsCausesAndWhatBoltsTook) {
+    putPullScene();
+    ASSERT_EQ(keyblock({"run", "pull.json"}).code, 0);
+    const json info = json::parse(keyblock({"info", "pull.kbrun", "--json"}).out);
+    ASSERT_FALSE(info.at("chains").empty());
+    const json& chain = info.at("chains").at(0);
+    ASSERT_GE(chain.size(), 2U);
+    EXPECT_EQ(chain.at(0).at("cause"), -1);
+    EXPECT_EQ(chain.at(1).at("cause"), chain.at(0).at("event"));
+    EXPECT_EQ(chain.at(1).at("bolt"), "B");
+    ASSERT_EQ(info.at("bolts").size(), 1U);
+    EXPECT_EQ(info.at("bolts").at(0).at("name"), "B");
+    EXPECT_GT(info.at("bolts").at(0).at("bond_J").get<double>(), 0.0);
+    EXPECT_GT(info.at("bolts").at(0).at("elastic_J").get<double>(), 0.0);
+    EXPECT_EQ(info.at("bolts").at(0).at("plastic_J"), 0.0);
+    const std::string text = keyblock({"info", "pull.kbrun"}).out;
+    EXPECT_NE(text.find("what led to what"), std::string::npos) << text;
+    EXPECT_NE(text.find("energy taken by bolt"), std::string::npos) << text;
+}
+
 TEST_F(Runs, OneAndTwoThreadsGiveTheSameBytes) {
     putPullScene();
     ASSERT_EQ(keyblock({"run", "pull.json", "--threads", "1", "--out", "one.kbrun"}).code, 0);

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a run did to its bolts: the chains of what led to what, and the energy
+// that each bolt took, for people.
+#pragma once
+
+#include "solver/results/run_source.h"
+
+#include <string>
+#include <vector>
+
+namespace keyblock::cli {
+
+/// What an event was and where, as in `debonding of B at node 12`.
+std::string eventPhrase(const RunSource& run, const Event& event);
+
+/// A line for every chain of causes, the longest ones shortened; empty without any.
+std::string chainLines(const RunSource& run, const std::vector<Event>& events);
+
+/// Energies of every bolt in the last frame; empty without bolts or frames.
+std::string boltEnergyTable(const RunSource& run);
+
+}  // namespace keyblock::cli
