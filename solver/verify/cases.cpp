@@ -9,7 +9,8 @@ namespace {
 std::vector<Case> allGroups() {
     std::vector<Case> all;
     for (const auto& group : {blockCases(), contactCases(), schemeCases(), shakenCases(), cellCases(), plateCases(),
-                              beamCases(), bondCases(), slidingBoltCases(), pullOutCases(), stepCases()})
+                              beamCases(), bondCases(), slidingBoltCases(), pullOutCases(), dowelCases(),
+                              stepCases()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }

@@ -20,6 +20,7 @@ std::vector<Case> beamCases();
 std::vector<Case> bondCases();
 std::vector<Case> slidingBoltCases();
 std::vector<Case> pullOutCases();
+std::vector<Case> dowelCases();
 std::vector<Case> stepCases();
 
 }  // namespace keyblock

@@ -26,20 +26,9 @@ std::size_t columnOf(const Scene& scene, const std::string& monitor, int compone
     return static_cast<std::size_t>(historyColumn(scene, subject));
 }
 
-/// The row just before an event: the history holds two for every event, at its time.
-const HistoryRow* rowBefore(const Results& results, std::size_t event) {
-    const Event& at = results.events[event];
-    std::size_t earlier = 0;
-    for (std::size_t i = 0; i < event; ++i)
-        if (results.events[i].stage == at.stage && results.events[i].time == at.time) ++earlier;
-    const HistoryRow* last = nullptr;
-    std::size_t seen = 0;
-    for (const HistoryRow& row : results.history) {
-        if (row.stage != at.stage || row.time != at.time) continue;
-        last = &row;
-        if (seen++ == 2 * earlier) break;
-    }
-    return last;
+/// The row just before an event.
+const HistoryRow* rowBefore(const Results& results, const Event& event) {
+    return event.historyRow < 0 ? nullptr : &results.history[static_cast<std::size_t>(event.historyRow)];
 }
 
 bool letsGo(EventKind kind) {
@@ -89,10 +78,9 @@ double loadAtOpening(const std::vector<std::pair<double, double>>& path, double 
 std::vector<Release> releases(const Solved& solved) {
     const std::size_t opening = columnOf(solved.scene, "opening", 0), load = columnOf(solved.scene, "joint force", 0);
     std::vector<Release> found;
-    for (std::size_t i = 0; i < solved.results.events.size(); ++i) {
-        const Event& event = solved.results.events[i];
+    for (const Event& event : solved.results.events) {
         if (!letsGo(event.kind)) continue;
-        const HistoryRow* row = rowBefore(solved.results, i);
+        const HistoryRow* row = rowBefore(solved.results, event);
         const bool ofElement = event.kind == EventKind::TensileRupture || event.kind == EventKind::ShearRupture;
         found.push_back({event.kind, ofElement ? event.element : event.node, row ? row->values[opening] : none,
                          row ? row->values[load] : none});

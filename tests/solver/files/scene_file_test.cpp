@@ -144,13 +144,6 @@ TEST(SceneFile, FollowsLikeThroughOwnAndBuiltInTypes) {
     EXPECT_TRUE(boltTypeOf(scene, scene.bolts.at(3)).builtIn);
 }
 
-TEST(SceneFile, NotesWhatHasNoEffectYet) {
-    const SceneReading reading = readSceneFile(goodFolder / "every-field.json");
-    const auto notes = std::count_if(reading.problems.begin(), reading.problems.end(),
-                                     [](const Problem& problem) { return problem.severity == Severity::Note; });
-    EXPECT_EQ(notes, 3) << "two types with hinges, one with a dynamic factor\n" << listing(reading.problems);
-}
-
 TEST(SceneFile, WarnsOfASceneWithoutStages) {
     const SceneReading reading = readSceneFile(goodFolder / "smallest.json");
     EXPECT_TRUE(reading.scene);
@@ -189,6 +182,7 @@ TEST(SceneFile, OverridesReachEveryPlaceInEverySpelling) {
     const Scene scene = readGood(
         goodFolder / "every-field.json",
         {"stages[0].increments=40", "stages/1/duration=2", "/materials/ore~1body/density=5000", "bolts[0].plate=none",
+         "bolts[0].pretension=0",
          "title=Say \"what\" you like", "output={\"frames\": 7}", "bolts[1].divisions=12"});
     EXPECT_EQ(scene.stages[0].increments, 40);
     EXPECT_DOUBLE_EQ(scene.stages[1].duration, 2.0);

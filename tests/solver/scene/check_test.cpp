@@ -169,9 +169,13 @@ TEST(CheckScene, RefusesRecordsTooLongForAStore) {
     expectProblem(longer, "/stages", Severity::Error, shakenScene());
 }
 
-TEST(CheckScene, NotesLawsThatHaveNoEffectYet) {
-    expectProblem([](Scene& s) { s.boltTypes[0].bending = Bending::ElasticPlastic; }, "/bolts/0/type", Severity::Note);
-    expectProblem([](Scene& s) { s.boltTypes[0].dynamicFactor = 0.5; }, "/bolts/0/type", Severity::Note);
+TEST(CheckScene, WantsAPlateForAPretension) {
+    expectProblem(
+        [](Scene& s) {
+            s.bolts[0].plate = PlateKind::None;
+            s.bolts[0].pretension = 1e4;
+        },
+        "/bolts/0/pretension", Severity::Error);
 }
 
 TEST(CheckScene, AcceptsASceneFarFromTheOrigin) {
