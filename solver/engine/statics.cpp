@@ -126,6 +126,7 @@ private:
         StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, false});
         books.book(state, at, moved, problem);
         acceptStep(model_, state, problem, Eigen::VectorXd::Zero(problem.unknowns()));
+        ++state.step;  // not the state before: it has a frame of its own
     }
 
     /// No joint has carried anything yet: friction without normal forces would let everything slide.
