@@ -20,6 +20,13 @@ std::vector<double> limitsOf(const StepProblem& problem) {
     return limits;
 }
 
+/// Force of a link when the search began. What multipliers carry has been found anew since; the contact remembers.
+double carriedAtStart(const Link& link, double strain, const State& unaccepted) {
+    if (!link.law.rigid) return carriedForce(link.law, strain);
+    const Contact& c = unaccepted.contacts[static_cast<std::size_t>(link.owner)];
+    return link.kind == LinkKind::Normal ? -c.normalForce : c.shearForce;
+}
+
 }  // namespace
 
 void bookStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
@@ -81,7 +88,8 @@ void StaticBooks::book(State& end, const LoadPoint& at, const Eigen::VectorXd& m
         const Link& link = problem.links[i];
         if (link.kind == LinkKind::Chord) continue;
         while (!sameLink(start.links.at(s), link)) ++s;  // the same links but for chords, in the same order
-        const PathWork path = pathWork(link.law, start.links[s].strain, link.strain, startLimits[s]);
+        const double carried = carriedAtStart(link, start.links[s].strain, end);
+        const PathWork path = pathWork(link.law, {start.links[s].strain, carried, startLimits[s]}, link.strain);
         ++s;
         problem.slipForce[i] = path.slipForce;
         // forces that rise late let the loads run on; forces that rise early ask more of them

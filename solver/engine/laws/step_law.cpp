@@ -69,22 +69,24 @@ double lawLoss(const Law& law, double before, double after, const StepRule& rule
     return law.share * (work - stored - usedWork(law, carried, end, before, after));
 }
 
-PathWork pathWork(const Law& law, double before, double after, double startLimit) {
-    const double carried = carriedForce(law, before), end = respond(law, after).force;
+PathWork pathWork(const Law& law, const PathStart& start, double after) {
+    const double end = respond(law, after).force, way = after - start.strain;
     PathWork path{end, 0.0};
-    if (law.kind == LawKind::Capped) {
+    double used = usedWork(law, start.force, end, start.strain, after);
+    if (law.kind == LawKind::Capped && law.stiffness > 0.0) {
         const double sign = end < 0.0 ? -1.0 : 1.0;
         const double trial = sign * law.stiffness * (after - law.offset);
-        const double room = startLimit - sign * carried, closes = (trial - sign * carried) - (law.limit - startLimit);
-        const double onset = room <= 0.0 ? 0.0 : closes > room ? room / closes : 1.0;  // share of the way
-        if (trial > law.limit) path.slipForce = sign * (law.limit + 0.5 * (1.0 - onset) * (startLimit - law.limit));
+        const double room = start.limit - sign * start.force;
+        const double closes = (trial - sign * start.force) - (law.limit - start.limit);
+        const bool atOnce = law.rigid || room <= 0.0;
+        const double onset = atOnce ? 0.0 : closes > room ? room / closes : 1.0;  // share of the way
+        const bool slides = law.rigid ? std::abs(end) >= law.limit : trial > law.limit;
+        if (slides) path.slipForce = sign * (law.limit + 0.5 * (1.0 - onset) * (start.limit - law.limit));
+        const double elastic = law.rigid ? (slides ? 0.0 : way) : (end - start.force) / law.stiffness;
+        used = path.slipForce * (way - elastic);
     }
-    const double k = law.stiffness;
-    const double used = law.kind == LawKind::Capped && k > 0.0 && !law.rigid
-                            ? path.slipForce * ((after - end / k) - (before - carried / k))
-                            : usedWork(law, carried, end, before, after);
-    const double stored = storedEnergy(law, end) - storedEnergy(law, carried);
-    path.surplus = law.share * (0.5 * (carried + end) * (after - before) - stored - used);
+    const double stored = storedEnergy(law, end) - storedEnergy(law, start.force);
+    path.surplus = law.share * (0.5 * (start.force + end) * way - stored - used);
     return path;
 }
 

@@ -39,12 +39,19 @@ inline LawResponse respondOverStep(const Law& law, double before, double after, 
 /// flow used (theory, "Energies").
 double lawLoss(const Law& law, double before, double after, const StepRule& rule);
 
-/// A law between two equilibria, on a straight path of strain along which the friction limit goes evenly from
-/// `startLimit` to the law's own.
+/// Where a path began. The force is given because that of a rigid law does not follow from strain.
+struct PathStart {
+    double strain = 0.0;
+    double force = 0.0;  // before share
+    double limit = 0.0;  // of friction
+};
+
+/// A law between two equilibria, on a straight path of strain along which the friction limit goes evenly from the
+/// start's to the law's own.
 struct PathWork {
     double slipForce = 0.0;  // mean force while it slid; the force at the end where it did not
     double surplus = 0.0;  // trapezium of the forces at both ends, less what was stored and used; times share [J]
 };
-PathWork pathWork(const Law& law, double before, double after, double startLimit);
+PathWork pathWork(const Law& law, const PathStart& start, double after);
 
 }  // namespace keyblock

@@ -137,25 +137,47 @@ Way slidInPieces(Law l, double from, double to, double startLimit) {
     return way;
 }
 
+PathStart startAt(const Law& l, double strain, double limit) { return {strain, carriedForce(l, strain), limit}; }
+
 TEST(StepLaw, PathsOfFrictionFollowTheLimit) {
+    const Law l = law(LawKind::Capped);
+    const double from = 0.25;
     for (const double startLimit : {0.0, 2.0, 4.0, 6.0})
         for (const double to : {0.3, 1.0, 4.0, -1.0}) {
-            const Law l = law(LawKind::Capped);
-            const double from = 0.25;
             const Way way = slidInPieces(l, from, to, startLimit);
-            const PathWork path = pathWork(l, from, to, startLimit);
+            const PathWork path = pathWork(l, startAt(l, from, startLimit), to);
             const double moved = to - way.force / l.stiffness - l.offset;
             EXPECT_NEAR(path.slipForce * moved, way.used, 1e-3 * (1.0 + way.used)) << startLimit << " " << to;
             const double stored = 0.5 * way.force * way.force / l.stiffness;
             EXPECT_NEAR(path.surplus, l.share * (0.5 * way.force * (to - from) - stored - path.slipForce * moved), 1e-9);
         }
-    EXPECT_NEAR(pathWork(law(LawKind::Capped), 0.25, 3.0, 0.0).surplus, 0.0, 1e-12);  // force in proportion
+    EXPECT_NEAR(pathWork(l, startAt(l, from, 0.0), 3.0).surplus, 0.0, 1e-12);  // force in proportion
 }
 
 TEST(StepLaw, AGapThatClosesLeavesASurplus) {
     const Law gap = law(LawKind::Gap);  // closes at 0.25, then 0.5 further: 5 N at the end
-    EXPECT_NEAR(pathWork(gap, 1.25, -0.25, 0.0).surplus, 3.0 * (0.5 * 5.0 * 1.5 - 0.5 * 5.0 * 0.5), 1e-12);
-    EXPECT_NEAR(pathWork(law(LawKind::Linear), 1.25, -0.25, 0.0).surplus, 0.0, 1e-12);
+    const double expected = 3.0 * (0.5 * 5.0 * 1.5 - 0.5 * 5.0 * 0.5);
+    EXPECT_NEAR(pathWork(gap, startAt(gap, 1.25, 0.0), -0.25).surplus, expected, 1e-12);
+    const Law spring = law(LawKind::Linear);
+    EXPECT_NEAR(pathWork(spring, startAt(spring, 1.25, 0.0), -0.25).surplus, 0.0, 1e-12);
+}
+
+/// A rigid law has the force that it was found to have; strain tells nothing of it, and nothing is stored.
+TEST(StepLaw, PathsOfRigidLawsStartFromTheForceThatWasFound) {
+    Law friction = law(LawKind::Capped);
+    friction.rigid = true;
+    friction.limit = 4.0;
+    friction.offset = -friction.limit / friction.stiffness;  // slides from any strain above 0
+    const PathWork loaded = pathWork(friction, {0.0, 0.0, 0.0}, 0.5);  // limit and force grow together
+    EXPECT_DOUBLE_EQ(loaded.slipForce, 2.0);
+    EXPECT_NEAR(loaded.surplus, 0.0, 1e-12);
+    const PathWork early = pathWork(friction, {0.0, 0.0, 4.0}, 0.5);  // 4 N all the way, where a trapezium sees 2
+    EXPECT_DOUBLE_EQ(early.slipForce, 4.0);
+    EXPECT_NEAR(early.surplus, -friction.share * 2.0 * 0.5, 1e-12);
+    Law gap = law(LawKind::Gap);
+    gap.rigid = true;
+    gap.offset = 5.0 / gap.stiffness;  // 5 N at strain 0
+    EXPECT_NEAR(pathWork(gap, {0.75, 0.0, 0.0}, 0.0).surplus, gap.share * 0.5 * 5.0 * 0.75, 1e-12);
 }
 
 }  // namespace
