@@ -158,8 +158,8 @@ struct Everything {
         DynamicPace pace;
         EXPECT_EQ(stage.begin(state).ending, Ending::Done);
         double time = 0.0;
-        for (int i = 0; i < 600 && time < 0.04; ++i)
-            EXPECT_EQ(stage.step(state, time, 0.04, pace, observer).ending, Ending::Done);
+        for (int i = 0; i < 2000 && time < 0.08; ++i)
+            EXPECT_EQ(stage.step(state, time, 0.08, pace, observer).ending, Ending::Done);
     }
 
     const Scene& hang() {
