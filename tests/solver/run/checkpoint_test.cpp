@@ -39,7 +39,7 @@ Scene tearing() {
     BoltType type = linearType(barArea(), 200e9);
     type.anchors = {anchorRange(Per::Node, AnchorLaw::PeakResidual, 84.78e6, 24.56e3, 2.24e3)};
     addBolt(scene, type, 0.05, 1.95, 19, PlateKind::None);
-    scene.stages = {pullStage(scene, 4e-3, 150)};
+    scene.stages = {pullStage(scene, 4e-3, 220)};
     return scene;
 }
 
