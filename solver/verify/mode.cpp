@@ -76,7 +76,10 @@ std::vector<double> closedSeries(const ModeSetting& setting) {
     return series;
 }
 
-int stepsRemembered(const ModeSetting& setting) { return setting.scheme == Integration::GeneralizedAlpha ? 3 : 2; }
+int stepsRemembered(const ModeSetting& setting) {
+    // with ρ∞ = 1 and first accelerations that balance, M·a = F after every step: a third value says nothing new
+    return setting.scheme == Integration::GeneralizedAlpha && setting.rhoInf < 1.0 ? 3 : 2;
+}
 
 double spectralRadius(const std::vector<double>& series, int order) {
     if (static_cast<int>(series.size()) < 2 * order) return std::nan("");

@@ -26,7 +26,7 @@ std::vector<double> modeSeries(const ModeSetting& setting);
 /// The same by the scheme's own formulas for one mass on one spring.
 std::vector<double> closedSeries(const ModeSetting& setting);
 
-/// Steps that determine the next: 2, or 3 where accelerations are carried.
+/// Steps that determine the next: 2, or 3 where accelerations are carried that the forces do not give.
 int stepsRemembered(const ModeSetting& setting);
 
 /// Largest root of the recurrence of `order` that the series obeys.
