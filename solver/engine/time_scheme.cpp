@@ -43,6 +43,57 @@ void setVelocities(State& state, const Eigen::VectorXd& velocity) {
         }
 }
 
+/// Blocks that a contact pushes at the start, at the end or on the way.
+std::vector<char> pushedBlocks(const StepProblem& problem, const std::vector<double>& strains) {
+    std::vector<char> pushed(static_cast<std::size_t>(problem.blocks), 0);
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const Link& link = problem.links[i];
+        if (link.kind != LinkKind::Normal) continue;
+        if (respond(link.law, link.strain).force == 0.0 && respond(link.law, strains[i]).force == 0.0 &&
+            respond(problem, link, strains[i]).force == 0.0)
+            continue;
+        pushed[static_cast<std::size_t>(link.a)] = pushed[static_cast<std::size_t>(link.b)] = 1;
+    }
+    return pushed;
+}
+
+/// What the contacts that still act at the step's end gave in it, over the mass.
+Eigen::VectorXd lastingThrust(const Model& model, const StepProblem& problem, const std::vector<double>& strains) {
+    Eigen::VectorXd push = Eigen::VectorXd::Zero(problem.unknowns());
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const Link& link = problem.links[i];
+        if (!ofContact(link.kind) || respond(link.law, strains[i]).force == 0.0) continue;
+        const double force = link.law.share * respond(problem, link, strains[i]).force / problem.contactShare;
+        push.segment<6>(problem.first(link.a)) -= force * link.ga;
+        push.segment<6>(problem.first(link.b)) -= force * link.gb;
+    }
+    return byMass(model, problem, push);
+}
+
+/// Filters what strains much stiffer than the step would ring on with after a knock (theory, "Time").
+void settleStrains(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d, double dt,
+                   Eigen::VectorXd& velocity, Eigen::VectorXd& acceleration) {
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    const std::vector<char> pushed = pushedBlocks(problem, strains);
+    const Eigen::VectorXd push = lastingThrust(model, problem, strains);
+    for (std::size_t i = 0; i < pushed.size(); ++i) {
+        const Eigen::Index spin = 6 * static_cast<Eigen::Index>(i) + 2;
+        if (!pushed[i] || problem.known[static_cast<std::size_t>(spin + 1)]) continue;
+        const Matrix6& mass = model.blocks[i].massMatrix;
+        const Eigen::Matrix3d own = mass.bottomRightCorner<3, 3>();
+        const Eigen::Matrix3d stiff = dt * dt * model.blocks[i].area * model.thickness * model.blocks[i].elasticity;
+        const Eigen::LDLT<Eigen::Matrix3d> both(own + stiff);
+        const auto slow = [&](const Eigen::Vector3d& x) { return Eigen::Vector3d(both.solve(own * x)); };
+        const Eigen::Vector3d rate = d.segment<3>(spin + 1) / dt, thrust = push.segment<3>(spin + 1);
+        const Eigen::Vector3d change = rate + slow(velocity.segment<3>(spin + 1) - rate) - velocity.segment<3>(spin + 1);
+        velocity.segment<3>(spin + 1) += change;
+        if (!problem.known[static_cast<std::size_t>(spin)] && mass(2, 2) > 0.0)  // the moment of momentum stays
+            velocity[spin] -= mass.block<1, 3>(2, 3).dot(change) / mass(2, 2);
+        acceleration.segment<3>(spin + 1) = slow(acceleration.segment<3>(spin + 1) + thrust) - thrust;
+    }
+}
+
 }  // namespace
 
 SchemeFactors factorsOf(const StepOptions& options) {
@@ -168,6 +219,11 @@ void moveOn(const Model& model, State& state, const StepProblem& problem, const 
     }
     const Eigen::VectorXd smooth = d - 0.5 * options.dt * kick;
     Eigen::VectorXd after = combine<Eigen::VectorXd>(factors.velocity, smooth, before, acceleration) + kick;
+    Eigen::VectorXd next;
+    if (carriesAccelerations(options.inertia)) {
+        next = combine<Eigen::VectorXd>(factors.acceleration, smooth, before, acceleration);
+        settleStrains(model, problem, d, options.dt, after, next);
+    }
     for (Eigen::Index i = 0; i < d.size(); ++i)
         if (problem.known[static_cast<std::size_t>(i)]) after[i] = d[i] / options.dt;
     // ½(v⁺ + v)·M·(v⁺ − v), row by row: what moves by itself and what is driven
@@ -180,7 +236,6 @@ void moveOn(const Model& model, State& state, const StepProblem& problem, const 
             if (!problem.known[static_cast<std::size_t>(i)]) state.energy.damped += d[i] * inertia[i] - gained[i];
     }
     if (carriesAccelerations(options.inertia)) {
-        const Eigen::VectorXd next = combine<Eigen::VectorXd>(factors.acceleration, smooth, before, acceleration);
         state.acceleration.assign(next.data(), next.data() + next.size());
         for (std::size_t i = 0; i < problem.known.size(); ++i)
             if (problem.known[i]) state.acceleration[i] = 0.0;
