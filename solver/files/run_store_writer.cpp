@@ -61,16 +61,18 @@ bool isRunStore(const fs::path& path) {
     }
 }
 
-/// Folds the old store's write-ahead file in, so that it is never taken for the new store's.
+/// Folds the old store's write-ahead file in, so that it is never taken for the new store's. Where only that file or a
+/// journal is left, because somebody removed the store of a killed run, it goes for the same reason.
 void settleOldStore(const fs::path& path) {
+    std::error_code ignored;
     try {
-        sqlite::Database(path, sqlite::Access::Write).run("PRAGMA journal_mode=DELETE");
+        if (fs::exists(path, ignored))
+            sqlite::Database(path, sqlite::Access::Write).run("PRAGMA journal_mode=DELETE");
     } catch (const sqlite::Error& error) {
         if (error.code == SQLITE_BUSY || error.code == SQLITE_LOCKED)
             throw CannotWrite("cannot replace " + path.string() +
                               ": another program has it open; wait for it, or choose another --out");
     }
-    std::error_code ignored;
     for (const char* ending : {"-wal", "-shm", "-journal"})
         fs::remove(path.string() + ending, ignored);
 }
@@ -240,8 +242,7 @@ void RunStoreWriter::begin(const Scene& scene, const HistoryColumns& columns) {
     fs::remove(part, ignored);
     try {
         makeStore(part, scene, columns);
-        if (fs::exists(path_, ignored))
-            settleOldStore(path_);
+        settleOldStore(path_);
         putInPlace(part, path_, overwrite_);
         fs::remove(part, ignored);
         open_ = std::make_unique<Open>(path_);

@@ -221,6 +221,26 @@ TEST_F(RunStoreTest, ReplacesTheStoreOfAKilledRun) {
     EXPECT_EQ(filesInFolder(), 1U);
 }
 
+TEST_F(RunStoreTest, TakesNothingFromAJournalWhoseStoreWasRemoved) {
+    for (const char* ending : {"-wal", "-journal"}) {
+        {
+            sqlite::Database old(storePath(), sqlite::Access::Create);
+            old.run(std::string("PRAGMA journal_mode=") + (ending == std::string("-wal") ? "WAL" : "PERSIST") +
+                    "; CREATE TABLE old (x); INSERT INTO old VALUES (randomblob(200000));");
+            old.run("BEGIN; UPDATE old SET x = randomblob(200000); PRAGMA cache_spill=1; PRAGMA cache_size=1;"
+                    "INSERT INTO old SELECT randomblob(100000) FROM old;");
+            fs::copy_file(storePath().string() + ending, folder_.path() / "kept");
+            old.run("ROLLBACK");
+        }
+        for (const char* gone : {"", "-wal", "-shm", "-journal"}) fs::remove(storePath().string() + gone);
+        fs::rename(folder_.path() / "kept", storePath().string() + ending);
+        writeSample();
+        EXPECT_EQ(messageOnReading(), "") << ending;
+        EXPECT_EQ(filesInFolder(), 1u) << ending;
+        fs::remove(storePath());
+    }
+}
+
 TEST_F(RunStoreTest, OverwritesNothingButRunStores) {
     test::putContent(storePath(), "notes that somebody needs");
     EXPECT_THROW(writeSample(true), StoreExists);
