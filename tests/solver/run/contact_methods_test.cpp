@@ -5,6 +5,7 @@
 // penalty leaves no trace, and the classical open–close iteration.
 #include "solver/run/run.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/run/small_stages.h"
 
 #include <gtest/gtest.h>
 
@@ -15,35 +16,12 @@
 namespace keyblock {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
+using test::boxOnBase;
+using test::degree;
+using test::motion;
+using test::settle;
+
 constexpr double weight = 2700.0 * gravity;  // [N] of a cube of 1 m
-
-Stage settle() {
-    Stage stage;
-    stage.name = "settle";
-    return stage;
-}
-
-Stage motion(double duration, double timeStep) {
-    Stage stage;
-    stage.name = "motion";
-    stage.kind = StageKind::Dynamic;
-    stage.duration = duration;
-    stage.timeStep = timeStep;
-    return stage;
-}
-
-/// A box on a fixed base, gravity turned by `angle`°.
-Scene boxOnBase(double angle, double frictionAngle) {
-    Scene scene = emptyScene(10e9, 0.2, frictionAngle);
-    scene.blocks = {boxBlock("base", {-1, -1}, {9, 0}), boxBlock("box", {0, 0}, {1, 1})};
-    Support support;
-    support.blockAt = Point(4.0, -0.5);
-    scene.supports = {support};
-    scene.analysis.gravity = {gravity * std::sin(angle * degree), -gravity * std::cos(angle * degree)};
-    scene.output.frames = 10;
-    return scene;
-}
 
 /// Three courses in running bond on a fixed base.
 Scene wall() {

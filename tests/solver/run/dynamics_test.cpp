@@ -7,6 +7,7 @@
 
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/run/small_stages.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,10 @@
 namespace keyblock {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
+using test::boxOnBase;
+using test::degree;
+using test::settle;
+
 constexpr double weight = 2700.0 * gravity;  // [N] of a cube
 
 Stage dynamic(double duration, double timeStep) {
@@ -27,24 +31,6 @@ Stage dynamic(double duration, double timeStep) {
     stage.duration = duration;
     stage.timeStep = timeStep;
     return stage;
-}
-
-Stage settle() {
-    Stage stage;
-    stage.name = "settle";
-    return stage;
-}
-
-/// A box on a fixed base, gravity turned by `angle`°.
-Scene boxOnBase(double angle, double frictionAngle) {
-    Scene scene = emptyScene(10e9, 0.2, frictionAngle);
-    scene.blocks = {boxBlock("base", {-1, -1}, {9, 0}), boxBlock("box", {0, 0}, {1, 1})};
-    Support support;
-    support.blockAt = Point(4.0, -0.5);
-    scene.supports = {support};
-    scene.analysis.gravity = {gravity * std::sin(angle * degree), -gravity * std::cos(angle * degree)};
-    scene.output.frames = 10;
-    return scene;
 }
 
 const BlockState& box(const Results& results) { return results.frames.back().blocks[1]; }

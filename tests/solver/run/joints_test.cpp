@@ -7,6 +7,7 @@
 #include "solver/run/run.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/run/small_stages.h"
 
 #include <gtest/gtest.h>
 
@@ -18,23 +19,11 @@
 namespace keyblock {
 namespace {
 
+using test::motion;
+using test::settle;
+
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double weight = 2700.0 * gravity;  // [N] of a cube of 1 m
-
-Stage settle() {
-    Stage stage;
-    stage.name = "settle";
-    return stage;
-}
-
-Stage motion(double duration, double timeStep) {
-    Stage stage;
-    stage.name = "motion";
-    stage.kind = StageKind::Dynamic;
-    stage.duration = duration;
-    stage.timeStep = timeStep;
-    return stage;
-}
 
 /// A box `breadth` wide and 1 m high on a fixed base whose top runs from −1 to `end`; no gravity.
 Scene boxOnBase(double breadth, double end, double modulus) {
