@@ -96,7 +96,7 @@ void Watch::lookAtJoints(const State& state, std::vector<Event>& events) const {
     for (const auto& [pair, contact] : memory_.closed) {
         if (now.contains(pair) || !memory_.opened.insert(pair).second) continue;
         const auto still = std::find_if(state.contacts.begin(), state.contacts.end(),
-                                        [&](const Contact& c) { return pairOf(model_, c) == pair; });
+                                        [&, where = pair](const Contact& c) { return pairOf(model_, c) == where; });
         // a contact that left the search's margin at once is told of by where it was
         events.push_back(jointEvent(EventKind::JointOpen, still != state.contacts.end() ? *still : contact));
     }
