@@ -244,16 +244,11 @@ private:
     /// Stretches of the bolt in each block, its cells as one; an element within one block lies there wholly.
     std::map<int, std::vector<Stretch>> embedded() const {
         std::map<int, std::vector<Stretch>> pieces;
-        const auto add = [&](int block, double from, double to) {
-            std::vector<Stretch>& own = pieces[block];
-            if (!own.empty() && from - own.back().second < 1e-12 * bolt_.s.back()) own.back().second = to;
-            else own.emplace_back(from, to);
-        };
         for (int e = 0; e + 1 < nodes(); ++e) {
             const int b1 = wholeAt(e), b2 = wholeAt(e + 1);
             const double s = bolt_.s[e], length = bolt_.elements[e].length;
             if (b1 >= 0 && b1 == b2) {
-                add(b1, s, s + length);
+                pieces[b1].emplace_back(s, s + length);
                 continue;
             }
             std::vector<int> blocks;
@@ -264,10 +259,24 @@ private:
             for (int block : blocks) {
                 if (block < 0) continue;
                 for (const auto& [f, t] : insideOf(block, motion_.nodes[e].x, motion_.nodes[e + 1].x))
-                    add(wholeOf(block), s + f * length, s + t * length);
+                    pieces[wholeOf(block)].emplace_back(s + f * length, s + t * length);
             }
         }
+        for (auto& [block, own] : pieces) join(own);
         return pieces;
+    }
+
+    /// Cells come in the order of their rows, whichever way the bolt runs through them.
+    void join(std::vector<Stretch>& pieces) const {
+        std::sort(pieces.begin(), pieces.end());
+        std::size_t last = 0;
+        for (std::size_t i = 1; i < pieces.size(); ++i) {
+            if (pieces[i].first - pieces[last].second < 1e-12 * bolt_.s.back())
+                pieces[last].second = std::max(pieces[last].second, pieces[i].second);
+            else
+                pieces[++last] = pieces[i];
+        }
+        pieces.resize(std::min(pieces.size(), last + 1));
     }
 
     double tributaryFrom(int n) const { return n == 0 ? bolt_.s[0] : 0.5 * (bolt_.s[n - 1] + bolt_.s[n]); }

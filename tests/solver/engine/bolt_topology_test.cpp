@@ -115,6 +115,27 @@ TEST(BoltTopology, OverriddenLengthCountsOnce) {
     EXPECT_NEAR(Placed(gapScene({alongAll(), stretch(0.2, 0.4), stretch(0.3, 0.6)})).shares(0).first, 0.8, 1e-12);
 }
 
+/// An element that comes out of a block of cells may pass through several of them, in either order of their rows.
+TEST(BoltTopology, LengthInCellsIsTheSameEitherWay) {
+    for (const auto& [from, to] : {std::pair(0.2, 1.3), std::pair(0.8, -0.3)}) {
+        Scene scene = gapScene({alongAll()});
+        scene.blocks[0].subBlocks = CellSettings{0.1};
+        scene.bolts[0].farEnd = {from, 0.55};
+        scene.bolts[0].head = {to, 0.55};
+        scene.bolts[0].divisions = 4;
+        scene.blocks.pop_back();
+        scene.monitors.clear();
+        const Placed placed(scene);
+        double bonds = 0.0, across = 0.0;
+        for (const BoltNode& node : placed.state.bolts[0].nodes) {
+            bonds += node.bond.share;
+            across += node.normalShare;
+        }
+        EXPECT_NEAR(bonds, 0.8, 1e-12) << from;
+        EXPECT_NEAR(across, 0.8, 1e-12) << from;
+    }
+}
+
 TEST(BoltTopology, ANodeOnAJointIsInNeitherBlock) {
     Scene scene = twoBlocks(10e9, 1.0, 2.0);
     BoltType type = linearType(barArea(), 200e9);
