@@ -139,6 +139,10 @@ void inherit(const Model& model, const std::vector<BlockMotion>& blocks, const C
 
 }  // namespace
 
+double lengthOfJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact) {
+    return sharedFace(model, blocks, contact).length;
+}
+
 double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before,
                    bool first, Contact& contact) {
     if (const Contact* old = sameContact(before, contact)) {

@@ -16,6 +16,10 @@ namespace keyblock {
 double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before,
                    bool first, Contact& contact);
 
+/// Length of joint that the contact stands for where the blocks are: half of what a face of its corner shares with the
+/// edge, 0 where none lies along it [m].
+double lengthOfJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact);
+
 /// Hands the forces of contacts that slid off their edges on to those found at the same place, and keeps bonded ones.
 /// \param found sorted; stays so. \return elastic energy that was lost [J].
 double handOver(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before,

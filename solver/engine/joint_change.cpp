@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/joint_change.h"
 
+#include "solver/engine/contact_history.h"
 #include "solver/engine/contacts.h"
 
 #include <algorithm>
@@ -25,6 +26,16 @@ bool frictionBears(const JointModel& joint, const Contact& c) {
 }
 
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
+
+/// Grout holds on the length on which the faces meet now, wherever they met when the contact was found; no plate.
+void bond(const Model& model, const State& state, Contact& c) {
+    const bool plate = model.blocks[c.blockA].plateOf >= 0 || model.blocks[c.blockB].plateOf >= 0;
+    const double length = lengthOfJoint(model, state.blocks, c);
+    if (plate || length <= 0.0 || !touches(model, c)) return;
+    const JointModel& joint = model.joints[c.joint];
+    if (!joint.normalStiffness && !joint.shearStiffness) c.length = length;  // else it follows already
+    c.bonded = true;
+}
 
 /// Which rows of Model::joints had cohesion or tensile strength at some time before `stage`.
 std::vector<char> everBonded(const Scene& scene, int stage) {
@@ -57,7 +68,7 @@ void changeJoints(const Scene& scene, int stage, Model& model, State& state) {
         const bool neverBonded = !bonded[static_cast<std::size_t>(c.joint)];
         c.joint = governingJoint(model, c.blockA, c.blockB);
         const JointModel& joint = model.joints[c.joint];
-        if (neverBonded && bonds(joint) && c.length > 0.0 && touches(model, c)) c.bonded = true;
+        if (neverBonded && bonds(joint)) bond(model, state, c);
         if (c.bonded && !bonds(joint) && frictionBears(joint, c)) c.bonded = false;
         if (!c.bonded) c.limit = std::max(0.0, c.normalForce) * frictionOf(model, c);
     }

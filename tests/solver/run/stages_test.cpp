@@ -326,6 +326,51 @@ TEST(Limits, TheClockEndsARunThatIsTooLong) {
         EXPECT_TRUE(cut.frames[i] == whole.frames[i]) << i;
 }
 
+/// A block is pushed along its base until 0.65 m of 1.0 m are left, then grouted and lifted: each corner stands for half
+/// of what is left, and the first tears off at 0.1 MPa on it.
+TEST(Set, GroutHoldsWhereFacesMeetNow) {
+    Scene scene = emptyScene(10e9, 0.2, 0.0);
+    scene.analysis.gravity = {0.0, -gravity};
+    scene.blocks = {boxBlock("base", {0, -1}, {2, 0}), boxBlock("block", {0.9, 0}, {1.9, 1})};
+    Support support;
+    support.blockAt = Point(1.0, -0.5);
+    scene.supports = {support};
+    Stage push = stageNamed("push", StageKind::Static), lift = stageNamed("lift", StageKind::Static);
+    push.increments = 10;
+    push.motions = {{{1.4, 0.5}, {1.0, 0.0}, {{0.0, 0.0}, {1.0, 0.45}}, Rotation::Held}};
+    lift.set = {changed(std::nullopt, 1e5, 1e5)};
+    lift.increments = 10;
+    Load load;
+    load.blockAt = Point(1.4, 0.5);
+    load.force = {0.0, 2e5};
+    load.table = {{0.0, 0.0}, {1.0, 1.0}};
+    lift.loads = {load};
+    scene.stages = {stageNamed("settle", StageKind::Static), push, lift};
+    const Solved solved = solve(scene);
+    const auto opens = std::find_if(solved.results.events.begin(), solved.results.events.end(),
+                                    [](const Event& event) { return event.kind == EventKind::JointOpen; });
+    ASSERT_NE(opens, solved.results.events.end());
+    EXPECT_NEAR(opens->axialForce, 0.5 * 0.65 * 1e5, 1.0);
+}
+
+/// Rock is grouted, not the plates that lie on it.
+TEST(Set, GroutBondsNoPlate) {
+    Scene scene = elasticRebar(20e6, rigidRock);
+    scene.bolts[0].plate = PlateKind::Block;
+    scene.stages[0].increments = 1;
+    Stage grout = stageNamed("grout", StageKind::Static);
+    grout.set = {changed(std::nullopt, 1e5, 1e5)};
+    scene.stages.push_back(grout);
+    const Solved solved = solve(scene);
+    int onPlate = 0;
+    for (const ContactFrame& contact : lastOf(solved, 1).contacts) {
+        if (std::max(contact.blockA, contact.blockB) < 2) continue;
+        EXPECT_NE(contact.state, ContactState::Bonded);
+        ++onPlate;
+    }
+    EXPECT_EQ(onPlate, 2);
+}
+
 /// The lower the unbalanced force must be, the better the forces of a compressed column are; a stage that may take no
 /// pseudo-step finds nothing.
 TEST(Until, DecidesWhatCountsAsEquilibrium) {
