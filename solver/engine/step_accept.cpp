@@ -197,9 +197,9 @@ void acceptStep(const Model& model, State& state, const StepProblem& problem, co
             forces[i] = respond(link.law, strains[i]).force;
         }
         if (link.law.kind == LawKind::Constant) bookConstant(link, strains[i], state);
-        if (link.kind == LinkKind::Normal || link.kind == LinkKind::Friction)
+        if (ofContact(link.kind))
             acceptContact(link, forces[i], state.contacts[link.owner]);
-        else if (link.kind != LinkKind::Support && link.kind != LinkKind::Glue)
+        else if (link.kind != LinkKind::Support && link.kind != LinkKind::Glue && link.kind != LinkKind::Drag)
             acceptBoltLink(link, strains[i], forces[i], curve, model.bolts[link.owner], state.bolts[link.owner]);
     }
     moveBodies(model, state, d);

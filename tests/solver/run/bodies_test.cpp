@@ -193,6 +193,20 @@ TEST(CellRuns, AMotionGripsTheCellItNames) {
     EXPECT_NEAR(last.blocks[0].stress[0] / last.blocks[1].stress[0], 0.5, 1e-6);
 }
 
+/// Glue is damped like the rock that it stands for: the links of its drag belong to no bolt.
+TEST(CellRuns, CellsAreDampedWithoutAnyBolt) {
+    Scene scene = emptyScene(10e9, 0.2, 30.0);
+    scene.blocks = {cut(boxBlock("block", {0, 0}, {2, 1}), 0.5)};
+    scene.analysis.damping.stiffness = 1e-3;
+    scene.blocks[0].initialStress = {1e6, 0.0, 0.0};
+    scene.stages = {dynamicStage(0.02, 1e-4)};
+    const Solved solved = solve(scene);
+    ASSERT_EQ(solved.results.stages.back().outcome, Outcome::Duration) << solved.results.stages.back().message;
+    const Energy& energy = solved.results.frames.back().energy;
+    EXPECT_LT(energy.kinetic + energy.strain, 1e-3 * energy.damped);
+    EXPECT_NEAR(energy.balanceError, 0.0, 1e-6);
+}
+
 TEST(PlateRuns, ALostPlateStaysAsALooseBlock) {
     Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
     BoltType type = linearType(barArea(), 200e9);
