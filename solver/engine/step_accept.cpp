@@ -116,24 +116,28 @@ void yieldAcross(const Model& model, State& state, const StepProblem& problem, c
     }
 }
 
+/// An anchored point that slid is locked anew, as a contact is; one that stuck stays locked where it was.
+/// \return how far its zero point went along the slot [m].
+double relockAnchor(const State& state, const Link& link, double force, BoltMotion& motion) {
+    if (std::abs(force) < link.law.limit * (1.0 - stuckShare)) return 0.0;
+    BoltNode& node = motion.nodes[link.part];
+    node.bond.offset = alongSlot(slotLine(state, motion.slots[node.slot]), node) - force / link.law.stiffness;
+    return node.bond.offset - link.law.offset;
+}
+
 /// Moves the offset of every sliding law so that it carries the accepted force where the bodies are now.
 void relock(const Model& model, State& state, const StepProblem& problem, const std::vector<double>& forces) {
     for (std::size_t i = 0; i < problem.links.size(); ++i) {
         const Link& link = problem.links[i];
-        const double k = link.law.stiffness;
-        if (link.law.kind != LawKind::Capped || k <= 0.0) continue;
-        double offset = link.law.offset;
-        if (link.kind == LinkKind::Friction) {
-            offset += relockContact(model, state, link, forces[i], state.contacts[link.owner]);
-        } else if (link.kind == LinkKind::AnchorSlip) {
-            BoltMotion& motion = state.bolts[link.owner];
-            BoltNode& node = motion.nodes[link.part];
-            offset = alongSlot(slotLine(state, motion.slots[node.slot]), node) - forces[i] / k;
-            node.bond.offset = offset;
-        } else {
+        if (link.law.kind != LawKind::Capped || link.law.stiffness <= 0.0) continue;
+        double slid = 0.0;
+        if (link.kind == LinkKind::Friction)
+            slid = relockContact(model, state, link, forces[i], state.contacts[link.owner]);
+        else if (link.kind == LinkKind::AnchorSlip)
+            slid = relockAnchor(state, link, forces[i], state.bolts[link.owner]);
+        else
             continue;
-        }
-        const double work = link.law.share * slipForceOf(problem, forces, i) * (offset - link.law.offset);
+        const double work = link.law.share * slipForceOf(problem, forces, i) * slid;
         state.energy.friction += work;
         if (link.kind == LinkKind::AnchorSlip) state.bolts[link.owner].bondEnergy += work;
     }
@@ -166,19 +170,47 @@ void bookConstant(const Link& link, double strain, State& state) {
     motion.bondEnergy += work;
 }
 
+/// The block that carries each node round: its own, or that of the next node along the whole bar; −1: none.
+std::vector<int> carriersOf(const BoltMotion& bolt) {
+    std::vector<int> carriers;
+    for (const BoltNode& node : bolt.nodes) carriers.push_back(node.slot < 0 ? -1 : bolt.slots[node.slot].block);
+    const auto pass = [&](std::size_t from, std::size_t to, std::size_t element) {
+        if (carriers[to] < 0 && !bolt.elements[element].ruptured) carriers[to] = carriers[from];
+    };
+    for (std::size_t e = 0; e < bolt.elements.size(); ++e) pass(e, e + 1, e);
+    for (std::size_t e = bolt.elements.size(); e-- > 0;) pass(e + 1, e, e);
+    return carriers;
+}
+
+/// A step is solved with linear displacements and blocks turn by the exact rotation: so must the nodes that they carry,
+/// or a bolt in a spinning block is drawn out at every step. \return what the linear displacement of `x` has too little.
+Point roundTheBend(const BlockMotion& block, double turn, const Point& x) {
+    const Point arm = x - block.centroid;
+    return (std::cos(turn) - 1.0) * arm + (std::sin(turn) - turn) * turnLeft(arm);
+}
+
+void moveNodes(State& state, BoltMotion& bolt, const Eigen::VectorXd& d, Eigen::Index at) {
+    const std::vector<int> carriers = bolt.lost ? std::vector<int>(bolt.nodes.size(), -1) : carriersOf(bolt);
+    for (std::size_t n = 0; n < bolt.nodes.size(); ++n, at += 3) {
+        BoltNode& node = bolt.nodes[n];
+        const int block = carriers[n];
+        if (block >= 0) node.x += roundTheBend(state.blocks[block], d[6 * block + 2], node.x);
+        node.x += d.segment<2>(at);
+        node.angle += d[at + 2];
+    }
+}
+
 }  // namespace
 
 void moveBodies(const Model& model, State& state, const Eigen::VectorXd& d) {
+    Eigen::Index at = 6 * static_cast<Eigen::Index>(model.blocks.size());
+    for (BoltMotion& bolt : state.bolts) {
+        moveNodes(state, bolt, d, at);
+        at += 3 * static_cast<Eigen::Index>(bolt.nodes.size());
+    }
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         if (!model.blocks[i].fixed)
             moveBlock(model.blocks[i], state.blocks[i], d.segment<6>(6 * static_cast<Eigen::Index>(i)));
-    Eigen::Index at = 6 * static_cast<Eigen::Index>(model.blocks.size());
-    for (BoltMotion& bolt : state.bolts)
-        for (BoltNode& node : bolt.nodes) {
-            node.x += d.segment<2>(at);
-            node.angle += d[at + 2];
-            at += 3;
-        }
 }
 
 void acceptStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d) {
