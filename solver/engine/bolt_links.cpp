@@ -113,7 +113,6 @@ private:
         if (!strength) return;
         const double length = bolt_.normalPer == Per::Length ? 1.0 : tributaryLength(n);
         law.kind = LawKind::Capped;
-        law.offset = motion_.nodes[n].normalOffset;
         law.limit = *strength * bolt_.diameter * length;
         law.leastTangent = flatTangent;
     }
@@ -132,6 +131,7 @@ private:
             Link& l = toRock(LinkKind::AnchorNormal, n, slot.block, line.across, offSlot(line, node),
                              bolt_.share * node.normalShare);
             l.law.stiffness = bolt_.normalStiffness;
+            l.law.offset = node.normalOffset;
             addCrushing(l.law, n, slot.block);
         }
         const AnchorModel& anchor = bolt_.anchors[n];

@@ -148,7 +148,7 @@ private:
         node.slot = slotIn(n, block);
         const SlotLine line = slotLine(state_, motion_.slots[node.slot]);
         node.bond.place = line.along.dot(node.x - line.p2) / line.length;
-        node.normalOffset = 0.0;
+        node.normalOffset = offSlot(line, node);  // beside the hole it makes its own: nothing pushes it back at once
         node.bond.offset = 0.0;
         node.bond.curve = {};
     }

@@ -79,7 +79,7 @@ struct BoltNode {
     int slot = -1;  // row of BoltMotion::slots; −1: in a gap, on a joint or outside
     double normalShare = 0.0;  // embedded length [m], or 1, that the normal spring stands for
     double normalForce = 0.0;  // last accepted, of the normal spring [N]
-    double normalOffset = 0.0;  // distance from the slot at which that vanishes: crushed rock [m]
+    double normalOffset = 0.0;  // distance from the slot at which that vanishes: crushed rock, or where it came in [m]
     NodeBond bond;
 
     bool operator==(const BoltNode&) const = default;

@@ -264,5 +264,20 @@ TEST(BoltTopology, StoredEnergyThatLeavesIsReleased) {
     }
 }
 
+/// A loose end that strikes the rock beside its old hole is held there, not thrown back into the hole.
+TEST(BoltTopology, ANodeThatComesInBesideItsHoleIsHeldThere) {
+    Placed bolt(gapScene({alongAll()}));
+    bolt.draw(0.17);  // the head is in the gap
+    ASSERT_EQ(bolt.blockOf(16), -1);
+    for (BoltNode& node : bolt.state.bolts[0].nodes) node.bond.bonded = false;
+    BoltNode& head = bolt.state.bolts[0].nodes[16];
+    head.x += Point(-0.08, 0.03);
+    const double before = boltEnergy(bolt.model, bolt.state, 0);
+    followBolts(bolt.model, bolt.state);
+    ASSERT_EQ(bolt.blockOf(16), 0);
+    EXPECT_NEAR(boltEnergy(bolt.model, bolt.state, 0), before, 1e-6 * before);
+    EXPECT_NEAR(bolt.state.energy.friction, 0.0, 1e-6 * before);
+}
+
 }  // namespace
 }  // namespace keyblock
