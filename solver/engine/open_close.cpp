@@ -5,6 +5,7 @@
 // contacts held (open, sliding, locked), judge them again from the solution,
 // and repeat until none changes. It may go round for ever; then the step is
 // cut. Kept as a reference for the convex step, whose mechanics are the same.
+#include "solver/engine/balance.h"
 #include "solver/engine/step_problem.h"
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 
 namespace keyblock {
 namespace {
+
+constexpr int mayBeRoundOff = 2;  // passes after which what is left may be round-off: a held step is linear
 
 /// Of a law: open or sliding forwards, held, sliding backwards.
 enum class LinkState : signed char { Backward = -1, Held = 0, Forward = 1, Open = 2 };
@@ -47,18 +50,21 @@ StepProblem held(const StepProblem& problem, const std::vector<LinkState>& state
     return frozen;
 }
 
-/// Largest force that a changed state makes differ [N].
-double largestChange(const StepProblem& problem, const StepProblem& frozen, const std::vector<LinkState>& before,
-                     const std::vector<LinkState>& after, const Eigen::VectorXd& d) {
+/// True where no changed state makes a force differ by more than the tolerance lets pass on either body.
+bool sameForces(const StepProblem& problem, const StepProblem& frozen, const std::vector<LinkState>& before,
+                const std::vector<LinkState>& after, const Eigen::VectorXd& d, const Balance& balance,
+                double tolerance) {
     std::vector<double> strains;
     linkStrains(problem, d, strains);
-    double largest = 0.0;
     for (std::size_t i = 0; i < strains.size(); ++i) {
         if (before[i] == after[i]) continue;
-        const double true_ = respond(problem.links[i].law, strains[i]).force;
-        largest = std::max(largest, std::abs(true_ - respond(frozen.links[i].law, strains[i]).force));
+        const Link& link = problem.links[i];
+        const double differs =
+            std::abs(respond(link.law, strains[i]).force - respond(frozen.links[i].law, strains[i]).force);
+        if (differs > balance.slack(link.a, tolerance)) return false;
+        if (link.b >= 0 && differs > balance.slack(link.b, tolerance)) return false;
     }
-    return largest;
+    return true;
 }
 
 }  // namespace
@@ -78,14 +84,13 @@ SolveReport StepSolver::openClose(StepProblem& problem, Eigen::VectorXd& d, cons
         if (!direction(frozen, d, netForce(frozen, d), report, towards)) return report;
         d += towards;
         correctFrictionLimits(problem, d);
-        const Eigen::VectorXd net = netForce(problem, d);
-        const double reference = referenceForce(problem, d, net);
-        report.residual = residualNorm(problem, net, &report.worst) / reference;
+        const Balance balance(problem, d, mayBeRoundOff);
+        report.residual = balance.residual();
+        report.worst = balance.worst();
         if (!std::isfinite(report.residual)) return report;
-        const double enough = std::max(settings.tolerance, roundOffForce(problem, d) / reference);
         std::vector<LinkState> next = judge(problem, d);
-        const double changed = largestChange(problem, frozen, states, next, d);
-        if (changed <= enough * reference && report.residual <= enough) {
+        const bool settled = sameForces(problem, frozen, states, next, d, balance, settings.tolerance);
+        if (settled && balance.within(settings.tolerance)) {
             report.converged = true;
             return report;
         }

@@ -12,6 +12,7 @@
 namespace keyblock {
 namespace {
 
+constexpr double smallestStrain = 1e-12;  // forces under that of such a strain are not told from none
 constexpr std::size_t linksANode = 7;  // four of its element, two to the rock, and room for the plate's
 
 /// How far ahead contacts are set up: to the middle of a step whose displacement is that at its middle speed, so that
@@ -28,6 +29,25 @@ double lookAhead(const StepOptions& options) {
     return 0.0;
 }
 
+/// A force that strains a block by less than its digits can tell [N].
+double floorOf(const BlockModel& block, const Model& model) {
+    return smallestStrain * block.youngsModulus * block.size * model.thickness;
+}
+
+/// Forces of the loads on every body, over a floor [N].
+std::vector<double> ownForces(const Model& model, const StepProblem& problem, const Eigen::VectorXd& external) {
+    const Eigen::VectorXd forces = external.cwiseProduct(problem.weight);
+    std::vector<double> own;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i)
+        own.push_back(forces.segment<6>(6 * static_cast<Eigen::Index>(i)).norm() + floorOf(model.blocks[i], model));
+    for (const BoltModel& bolt : model.bolts) {
+        const double least = smallestStrain * bolt.share * bolt.section.youngsModulus * bolt.section.area;
+        for (std::size_t n = 0; n < bolt.s.size(); ++n)
+            own.push_back(forces.segment<3>(problem.first(static_cast<int>(own.size()))).norm() + least);
+    }
+    return own;
+}
+
 void addBlocks(const Model& model, const State& state, const SchemeFactors& factors, StepProblem& problem) {
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const BlockModel& block = model.blocks[i];
@@ -41,8 +61,7 @@ void addBlocks(const Model& model, const State& state, const SchemeFactors& fact
         problem.load.segment<6>(at) += momentum;
         problem.load.segment<3>(at + 3) -= volume * frameStress(block, motion);
         problem.weight.segment<4>(at + 2).setConstant(1.0 / block.size);
-        problem.motionForce += momentum.cwiseProduct(problem.weight.segment<6>(at)).norm();
-        problem.floorForce = std::max(problem.floorForce, 1e-12 * block.youngsModulus * block.size * model.thickness);
+        problem.floorForce = std::max(problem.floorForce, floorOf(block, model));
         if (block.fixed)
             for (Eigen::Index k = at; k < at + 6; ++k) problem.known[k] = 1;
     }
@@ -58,7 +77,6 @@ void addNodes(const Model& model, const State& state, const SchemeFactors& facto
             problem.nodeStiffness.push_back(factors.inertia.d * mass);
             const Eigen::Vector3d momentum = -factors.inertia.v * mass.cwiseProduct(motion.nodes[n].velocity);
             problem.load.segment<3>(at) += momentum;
-            problem.motionForce += momentum.head<2>().norm();
             problem.weight[at + 2] = 1.0 / bolt.elements[std::min(n, bolt.elements.size() - 1)].length;
             if (!bolt.bends || motion.lost) problem.known[at + 2] = 1;
             if (motion.lost) problem.known[at] = problem.known[at + 1] = 1;
@@ -106,7 +124,8 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
     problem.blocks = static_cast<int>(model.blocks.size());
     problem.nodes = model.nodes;
     const int n = problem.unknowns();
-    problem.load = externalForce(model, state, loads, at, problem.externalForce);
+    const Eigen::VectorXd external = externalForce(model, state, loads, at, problem.externalForce);
+    problem.load = external;
     problem.known.assign(n, 0);
     problem.value = Eigen::VectorXd::Zero(n);
     problem.weight = Eigen::VectorXd::Ones(n);
@@ -120,8 +139,9 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
     problem.links.reserve(2 * (state.contacts.size() + model.held.size()) + 3 * model.glue.size() +
                           linksANode * static_cast<std::size_t>(model.nodes));
     addContactLinks(model, state, options.frictionLocked, problem, lookAhead(options));
-    const bool moves = options.inertia != Inertia::Static && options.inertia != Inertia::None;
-    addGlueLinks(model, state, moves ? 0.5 * options.dt : 0.0, problem);
+    problem.moves = options.inertia != Inertia::Static && options.inertia != Inertia::None;
+    if (problem.moves) problem.ownForce = ownForces(model, problem, external);
+    addGlueLinks(model, state, problem.moves ? 0.5 * options.dt : 0.0, problem);
     addHeldPoints(model, state, problem);
     for (std::size_t b = 0; b < model.bolts.size(); ++b) addBoltLinks(model, state, static_cast<int>(b), problem);
     if (options.damping != Damping{}) addDamping(model, state, options, problem);

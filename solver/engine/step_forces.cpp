@@ -33,6 +33,16 @@ Eigen::VectorXd linkForces(const StepProblem& problem, const Eigen::VectorXd& d,
     return sum;
 }
 
+double squaredResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body) {
+    double sum = 0.0;
+    for (int k = problem.first(body); k < problem.first(body) + problem.width(body); ++k) {
+        if (problem.known[static_cast<std::size_t>(k)]) continue;
+        const double r = net[k] * problem.weight[k];
+        sum += r * r;
+    }
+    return sum;
+}
+
 }  // namespace
 
 void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vector<double>& strains) {
@@ -93,18 +103,17 @@ double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, cons
     }
     for (int i = 0; i < problem.unknowns(); ++i)
         if (problem.known[static_cast<std::size_t>(i)]) reaction += std::abs(net[i]) * problem.weight[i];
-    return std::max({problem.externalForce, reaction, contact, bolt, problem.motionForce, problem.floorForce});
+    return std::max({problem.externalForce, reaction, contact, bolt, problem.floorForce});
+}
+
+double bodyResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body) {
+    return std::sqrt(squaredResidual(problem, net, body));
 }
 
 double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net, int* worst) {
     double sum = 0.0, largest = -1.0;
     for (int body = 0; body < problem.blocks + problem.nodes; ++body) {
-        double own = 0.0;
-        for (int k = problem.first(body); k < problem.first(body) + problem.width(body); ++k) {
-            if (problem.known[static_cast<std::size_t>(k)]) continue;
-            const double r = net[k] * problem.weight[k];
-            own += r * r;
-        }
+        const double own = squaredResidual(problem, net, body);
         sum += own;
         if (own > largest) {
             largest = own;

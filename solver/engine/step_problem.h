@@ -59,8 +59,9 @@ struct StepProblem {
     Eigen::VectorXd value;
     Eigen::VectorXd weight;  // 1/length for moments and strains, so that all residuals are forces
     double floorForce = 0.0;  // [N] smallest reference force
-    double motionForce = 0.0;  // summed |M·v/Δt| [N]
     double externalForce = 0.0;  // summed |external| [N]
+    bool moves = false;  // a step in motion: every body is judged by its own forces
+    std::vector<double> ownForce;  // per body in motion: of its loads, and a floor [N]
 
     int unknowns() const { return 6 * blocks + 3 * nodes; }
     int first(int body) const { return body < blocks ? 6 * body : 6 * blocks + 3 * (body - blocks); }
@@ -113,6 +114,9 @@ double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, cons
 
 /// Norm of the residual of the free unknowns [N], and the body with most of it.
 double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net, int* worst = nullptr);
+
+/// The same of one body [N].
+double bodyResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body);
 
 /// The limit that belongs to the other link's force, before shares.
 double limitFrom(const LimitPair& pair, double force);

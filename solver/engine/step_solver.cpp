@@ -5,6 +5,8 @@
 // correction of the friction limits from the normal forces.
 #include "solver/engine/step_problem.h"
 
+#include "solver/engine/balance.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -83,6 +85,13 @@ std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
+}
+
+Balance judge(const StepProblem& problem, const Eigen::VectorXd& d, SolveReport& report) {
+    Balance balance(problem, d, report.passes);
+    report.residual = balance.residual();
+    report.worst = balance.worst();
+    return balance;
 }
 
 }  // namespace
@@ -247,23 +256,16 @@ SolveReport StepSolver::minimise(StepProblem& problem, Eigen::VectorXd& d, const
             report.stopped = true;
             return report;
         }
-        Eigen::VectorXd net = netForce(problem, d);
-        double reference = referenceForce(problem, d, net);
-        report.residual = residualNorm(problem, net, &report.worst) / reference;
+        Balance balance = judge(problem, d, report);
         if (!std::isfinite(report.residual)) return report;
-        double enough = report.passes == 0 ? std::min(quietStart, settings.tolerance) : settings.tolerance;
-        if (report.passes > 1) enough = std::max(enough, roundOffForce(problem, d) / reference);
-        if (report.residual <= enough) {  // balanced under the limits assumed: now under the true ones
+        const double tolerance = report.passes == 0 ? std::min(quietStart, settings.tolerance) : settings.tolerance;
+        if (balance.within(tolerance)) {  // under the limits assumed: now under the true ones
             correctFrictionLimits(problem, d);
-            net = netForce(problem, d);
-            reference = referenceForce(problem, d, net);
-            report.residual = residualNorm(problem, net, &report.worst) / reference;
-            if (report.residual <= enough) {
-                report.converged = true;
-                return report;
-            }
+            balance = judge(problem, d, report);
+            report.converged = balance.within(tolerance);
+            if (report.converged) return report;
         }
-        if (!direction(problem, d, net, report, towards)) return report;
+        if (!direction(problem, d, balance.net(), report, towards)) return report;
         d += lineSearch(LineSlope(problem, d, towards)) * towards;
     }
     return report;
