@@ -9,7 +9,7 @@ set -eu
 export LC_ALL=C
 
 packages="g++ cmake ninja-build ccache pkg-config
-          libeigen3-dev libsuitesparse-dev libopenblas-dev libtbb-dev
+          libeigen3-dev libcgal-dev libsuitesparse-dev libopenblas-dev libtbb-dev
           nlohmann-json3-dev libcli11-dev libsqlite3-dev
           libgtest-dev libbenchmark-dev $*"
 
