@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Where the bolts of a pattern stand: at equal lengths along the wall of a tunnel,
-// each at one angle from it.
+// each at one angle from it (theory, "Bolt patterns").
 #pragma once
 
 #include "geometry/shape_problem.h"

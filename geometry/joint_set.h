@@ -7,7 +7,7 @@
 //
 // Lines are numbered from the origin outward in both directions, the traces of a
 // line from its middle outward, and each draws from a stream of its own. A larger
-// region therefore adds traces and changes none.
+// region therefore adds traces and changes none (theory, "Joint sets").
 #pragma once
 
 #include "geometry/clip.h"

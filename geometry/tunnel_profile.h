@@ -3,7 +3,7 @@
 //
 // The outlines of tunnels. A profile is kept as the straight pieces and arcs it is
 // made of: blocks are cut along a polygon with its corners on them, but bolts are
-// set by length along the true wall and normal to it.
+// set by length along the true wall and normal to it (theory, "Tunnel profiles").
 //
 // With the middle of the bounding box at (0, 0), width w and height h:
 //

@@ -4,7 +4,7 @@
 // Voronoi cells of about one size over a region: rock without joint sets, or the
 // grains of a rock. Sites are scattered one to a square of a grid and then moved
 // a few times to the centroids of their clipped cells (Lloyd 1982), which evens
-// the cells out and leaves no slivers along the border.
+// the cells out and leaves no slivers along the border (theory, "Voronoi cells").
 #pragma once
 
 #include "geometry/clip.h"

@@ -148,9 +148,9 @@ TEST(Voronoi, CellsAreOfOneSizeAndRound) {
         least = std::min(least, area);
         roundness = std::min(roundness, 4.0 * std::numbers::pi * area / (around * around));
     }
-    // Scattered sites without moves have a deviation above 0.3 and cells down to a tenth.
-    EXPECT_LT(std::sqrt(squares), 0.2);
-    EXPECT_GT(least, 0.4);
+    // Ten seeds: 0.09 and at least 0.67. Without moves the deviation is 0.24 and the smallest cell 0.14.
+    EXPECT_LT(std::sqrt(squares), 0.12);
+    EXPECT_GT(least, 0.55);
     EXPECT_GT(roundness, 0.5);
 }
 
