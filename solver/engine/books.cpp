@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/books.h"
 
+#include "solver/engine/contact_candidates.h"
+
 #include <algorithm>
 
 namespace keyblock {
@@ -20,11 +22,16 @@ std::vector<double> limitsOf(const StepProblem& problem) {
     return limits;
 }
 
-/// Force of a link when the search began. What multipliers carry has been found anew since; the contact remembers.
-double carriedAtStart(const Link& link, double strain, const State& unaccepted) {
-    if (!link.law.rigid) return carriedForce(link.law, strain);
+/// The link as it was when the search began. What multipliers carried does not follow from strain, and a contact that
+/// was met on the way may have stood behind its edge, beyond its end: it had what it took over there, or nothing.
+PathStart startOf(const Model& model, const Link& link, const Link& first, double limit, bool met,
+                  const State& unaccepted) {
+    if (!ofContact(link.kind)) return {first.strain, carriedForce(link.law, first.strain), limit};
     const Contact& c = unaccepted.contacts[static_cast<std::size_t>(link.owner)];
-    return link.kind == LinkKind::Normal ? -c.normalForce : c.shearForce;
+    PathStart at{first.strain, carriedForce(link.law, first.strain), limit};
+    if (link.law.rigid || met) at.force = link.kind == LinkKind::Normal ? -c.normalForce : c.shearForce;
+    if (met) at.limit = std::max(0.0, c.normalForce) * frictionOf(model, c);
+    return at;
 }
 
 }  // namespace
@@ -73,6 +80,27 @@ StepProblem StaticBooks::atStart(const State& end) const {
     return problem;
 }
 
+bool StaticBooks::isMet(const Link& link, const State& end) const {
+    return ofContact(link.kind) &&
+           !sameContact(start_.contacts, end.contacts[static_cast<std::size_t>(link.owner)]);
+}
+
+/// Of contacts that are there no more: half of the force that they began with, times their way [J].
+double StaticBooks::trapeziumOfEnded(const State& end, const Eigen::VectorXd& moved) const {
+    StepProblem problem;
+    problem.blocks = static_cast<int>(model_.blocks.size());
+    problem.nodes = model_.nodes;
+    addContactLinks(model_, start_, false, problem);
+    double sum = 0.0;
+    for (const Link& link : problem.links) {
+        const Contact& c = start_.contacts[static_cast<std::size_t>(link.owner)];
+        if (sameContact(end.contacts, c)) continue;
+        const double way = link.ga.dot(moved.segment<6>(6 * link.a)) + link.gb.dot(moved.segment<6>(6 * link.b));
+        sum += 0.5 * (link.kind == LinkKind::Normal ? -c.normalForce : c.shearForce) * way;
+    }
+    return sum;
+}
+
 void StaticBooks::book(State& end, const LoadPoint& at, const Eigen::VectorXd& moved, StepProblem& problem) const {
     const Forces last = forcesOf(problem, end, at);
     for (Eigen::Index i = 0; i < moved.size(); ++i) {
@@ -83,19 +111,27 @@ void StaticBooks::book(State& end, const LoadPoint& at, const Eigen::VectorXd& m
     const StepProblem start = atStart(end);
     const std::vector<double> startLimits = limitsOf(start);
     problem.slipForce.assign(problem.links.size(), 0.0);
+    const auto bookSurplus = [&](double surplus) {
+        // forces that rise late let the loads run on; forces that rise early ask more of them
+        if (surplus > 0.0) end.energy.damped += surplus;
+        else end.energy.external -= surplus;
+    };
+    double handed = trapeziumOfEnded(end, moved);
     std::size_t s = 0;
     for (std::size_t i = 0; i < problem.links.size(); ++i) {
         const Link& link = problem.links[i];
         if (link.kind == LinkKind::Chord) continue;
         while (!sameLink(start.links.at(s), link)) ++s;  // the same links but for chords, in the same order
-        const double carried = carriedAtStart(link, start.links[s].strain, end);
-        const PathWork path = pathWork(link.law, {start.links[s].strain, carried, startLimits[s]}, link.strain);
+        const bool met = isMet(link, end);
+        const PathStart from = startOf(model_, link, start.links[s], startLimits[s], met, end);
+        const PathWork path = pathWork(link.law, from, link.strain);
         ++s;
         problem.slipForce[i] = path.slipForce;
-        // forces that rise late let the loads run on; forces that rise early ask more of them
-        if (path.surplus > 0.0) end.energy.damped += path.surplus;
-        else end.energy.external -= path.surplus;
+        bookSurplus(path.surplus);
+        if (met)  // the net force at the start knew nothing of it
+            handed -= 0.5 * link.law.share * from.force * (link.strain - from.strain);
     }
+    bookSurplus(handed);
 }
 
 }  // namespace keyblock

@@ -30,6 +30,8 @@ private:
     };
     Forces forcesOf(StepProblem& problem, const State& state, const LoadPoint& at) const;
     StepProblem atStart(const State& end) const;
+    bool isMet(const Link& link, const State& end) const;
+    double trapeziumOfEnded(const State& end, const Eigen::VectorXd& moved) const;
 
     const Model& model_;
     const Loads& loads_;

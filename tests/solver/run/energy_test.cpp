@@ -137,6 +137,32 @@ TEST(Energies, ACollapseKeepsTheBooks) {
     EXPECT_GT(energy.damped, 0.0);
 }
 
+/// A block pushed off the end of a smooth floor falls past its side: the corners that meet the side stood behind its line
+/// all the way, and those that stood on the top are there no more. All that is left is what the loads did, damped.
+TEST(Energies, AFallOffAnEdgeKeepsTheBooks) {
+    Scene scene = boxOnBase(0.0, 10e9);
+    scene.blocks[1] = boxBlock("box", {0, 0}, {1.5, 0.4});
+    scene.analysis.tolerance = 1e-4;
+    Stage push;
+    push.name = "push";
+    Load load;
+    load.blockAt = Point(0.5, 0.1);
+    load.force = {-500.0, 0.0};
+    load.table = {{0.0, 0.0}, {1.0, 1.0}};
+    push.loads = {load};
+    scene.stages.push_back(push);
+    const Results results = runInMemory(scene);
+    ASSERT_EQ(results.stages[1].outcome, Outcome::Collapse);
+    EXPECT_LT(std::abs(results.stages[1].health.balanceError), 1e-3);
+    const Frame& last = results.frames.back();
+    const double fall = -weight * 0.6 * last.blocks[1].displacement.y();
+    const double slide = 500.0 * std::abs(last.blocks[1].displacement.x());
+    EXPECT_GT(fall, 1e3);
+    EXPECT_GT(last.energy.external, fall);
+    EXPECT_LT(last.energy.external, fall + slide);
+    EXPECT_NEAR(last.energy.damped, last.energy.external, 1e-3 * last.energy.external);
+}
+
 /// A weight in motion on a bar that yields, slips and lets go: every term is there.
 struct Everything {
     Scene scene = emptyScene(rigidRock, 0.2, 0.0);
