@@ -129,6 +129,23 @@ StepEnding DynamicStage::begin(State& state) {
     return ending;
 }
 
+/// What all forces but those of contacts give the bodies where they are, at rest; nothing where it is not asked for.
+Eigen::VectorXd DynamicStage::heldAccelerations(const State& state) const {
+    if (!carriesAccelerations(settings_.scheme) || state.bolts.empty()) return {};
+    const Model& model = engine_.model;
+    const StepProblem problem = buildStep(model, state, loads_, loadsAt_(0.0), {Inertia::None});
+    const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
+    return byMass(model, problem, netForce(problem, still) - contactForce(problem, still));
+}
+
+/// An acceleration that remembered what has let go since would throw the light nodes of a bolt away.
+void DynamicStage::forget(const Eigen::VectorXd& held, State& state) const {
+    if (held.size() == 0) return;
+    const Eigen::VectorXd now = heldAccelerations(state);
+    for (Eigen::Index i = 0; i < held.size(); ++i)
+        if (now[i] != held[i]) state.acceleration[static_cast<std::size_t>(i)] += now[i] - held[i];
+}
+
 /// Loads where the scheme takes them, motions where the step ends.
 LoadPoint DynamicStage::loadsOver(double time, double dt, double share) const {
     LoadPoint at = loadsAt_(time + share * dt);
@@ -227,6 +244,7 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
     pace.dt = std::min(2.0 * std::max(pace.dt, dt), settings_.timeStep);
     ++state.step;
     countAccepted(engine_, state, trial.residual);
+    const Eigen::VectorXd held = heldAccelerations(state);
     double least = high > 0.0 ? 1.0 - locateShare : 1.0 + reachedShare;
     while (const auto limit = worstLimit(heldLimits(model, state), least)) {
         releaseAndTell(model, state, *limit, time, -1, observer);
@@ -234,6 +252,7 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
         least = 1.0 + reachedShare;
     }
     followBolts(model, state);
+    forget(held, state);
     return {};
 }
 

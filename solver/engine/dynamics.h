@@ -46,6 +46,8 @@ private:
     Attempt attempt(const State& state, double time, double dt, DynamicPace& pace, Trial& trial);
     StepEnding preload(State& state);
     void drive(State& state) const;
+    Eigen::VectorXd heldAccelerations(const State& state) const;
+    void forget(const Eigen::VectorXd& held, State& state) const;
     LoadPoint loadsOver(double time, double dt, double share) const;
     double predictedMove(const State& state, double dt, const DynamicPace& pace) const;
 
