@@ -6,6 +6,7 @@
 #include "geometry/voronoi.h"
 
 #include "geometry/angle.h"
+#include "geometry/cut.h"
 #include "geometry/polygon.h"
 #include "geometry/random.h"
 #include "geometry/segment.h"
@@ -186,6 +187,26 @@ TEST(Voronoi, MovedFarAwayTheCellsAreTheSame) {
     }
     // There the places of doubles are 1e-10 m apart; shared corners cancel, so only the border counts.
     EXPECT_NEAR(area / signedArea(moved), 1.0, 1e-10);
+}
+
+TEST(Voronoi, CutAlongTheEdgesTheRegionFallsIntoTheCells) {
+    CutSettings settings;
+    settings.tolerance = 1e-7;
+    settings.minArea = settings.minWidth = 0.0;
+    for (const Polygon& region : {square, notched, star(3)}) {
+        const VoronoiCells v = voronoiCells(region, 0.8, 9, tolerance);
+        std::vector<CutTrace> traces;
+        for (const Segment& edge : v.edges) traces.push_back({edge.from, edge.to, 0});
+        const CutDomain domain{0, region};
+        const Cut cut = cutIntoBlocks({&domain, 1}, traces, settings);
+        ASSERT_EQ(cut.blocks.size(), v.cells.size());
+        std::vector<double> blocks, cells;
+        for (const CutBlock& block : cut.blocks) blocks.push_back(block.area);
+        for (const Polygon& cell : v.cells) cells.push_back(signedArea(cell));
+        std::sort(blocks.begin(), blocks.end());
+        std::sort(cells.begin(), cells.end());
+        for (std::size_t i = 0; i < cells.size(); ++i) EXPECT_NEAR(blocks[i], cells[i], 1e-6);  // tolerance × perimeter
+    }
 }
 
 TEST(Voronoi, TheEstimateForeseesTheWork) {
