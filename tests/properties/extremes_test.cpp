@@ -6,6 +6,7 @@
 // nowhere.
 #include "solver/run/run.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/run/small_stages.h"
 
 #include <gtest/gtest.h>
 
@@ -16,22 +17,10 @@
 namespace keyblock {
 namespace {
 
+using test::dynamic;
+using test::settle;
+
 constexpr double weight = 2700.0 * gravity;  // [N] of a cube of 1 m
-
-Stage dynamic(double duration, double timeStep) {
-    Stage stage;
-    stage.name = "motion";
-    stage.kind = StageKind::Dynamic;
-    stage.duration = duration;
-    stage.timeStep = timeStep;
-    return stage;
-}
-
-Stage settle() {
-    Stage stage;
-    stage.name = "settle";
-    return stage;
-}
 
 /// A fixed slab, 1 m thick with its top at y = 0, under gravity.
 Scene slab(double frictionAngle) {

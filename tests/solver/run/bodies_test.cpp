@@ -11,6 +11,7 @@
 #include "solver/scene/solved_blocks.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/run/small_stages.h"
 
 #include <gtest/gtest.h>
 
@@ -21,18 +22,11 @@
 namespace keyblock {
 namespace {
 
+using test::dynamic;
+
 Block cut(Block block, double size) {
     block.subBlocks = CellSettings{size};
     return block;
-}
-
-Stage dynamicStage(double duration, double step) {
-    Stage stage;
-    stage.name = "run";
-    stage.kind = StageKind::Dynamic;
-    stage.duration = duration;
-    stage.timeStep = step;
-    return stage;
 }
 
 int countOfBlock(const Solved& solved, EventKind kind) {
@@ -80,7 +74,7 @@ TEST(PlatePlace, MayLieAcrossAJointAndTellsWhatNoFaceBacks) {
 TEST(CellRuns, VelocitiesAreThoseOfTheWhole) {
     Scene scene = emptyScene(60e9, 0.2, 30.0);
     scene.blocks = {cut(boxBlock("block", {0, 0}, {1, 1}), 0.5)};
-    scene.stages = {dynamicStage(0.1, 0.01)};
+    scene.stages = {dynamic(0.1, 0.01)};
     InitialVelocity initial;
     initial.blockAt = {0.3, 0.3};
     initial.velocity = {2.0, 0.0};
@@ -103,7 +97,7 @@ TEST(CellRuns, ABlockThatFallsIsToldOnce) {
     Scene scene = emptyScene(60e9, 0.2, 30.0);
     scene.analysis.gravity = {0.0, -gravity};
     scene.blocks = {cut(boxBlock("block", {0, 0}, {1, 1}), 0.25)};
-    scene.stages = {dynamicStage(0.6, 0.01)};
+    scene.stages = {dynamic(0.6, 0.01)};
     const Solved solved = solve(scene);
     EXPECT_EQ(countOfBlock(solved, EventKind::BlockFalls), 1);
     EXPECT_NEAR(solved.results.frames.back().blocks[7].displacement.y(), -0.5 * gravity * 0.36, 1e-6);
@@ -143,7 +137,7 @@ TEST(CellRuns, ABlockSlidesOverCellsAsOverOneFace) {
     Support support;
     support.blockAt = Point(2.1, -0.4);
     scene.supports = {support};
-    scene.stages = {dynamicStage(1.0, 1e-3)};
+    scene.stages = {dynamic(1.0, 1e-3)};
     InitialVelocity initial;
     initial.blockAt = {0.8, 0.1};
     initial.velocity = {speed, 0.0};
@@ -161,7 +155,7 @@ TEST(CellRuns, AForceOnTheWholeIsSpreadOverItsCells) {
     Load load;
     load.blockAt = Point(0.1, 0.1);
     load.force = {5400.0, 0.0};
-    scene.stages = {dynamicStage(0.1, 0.01)};
+    scene.stages = {dynamic(0.1, 0.01)};
     scene.stages[0].loads = {load};
     const Results results = solve(scene).results;
     for (const BlockState& block : results.frames.back().blocks) {
@@ -199,7 +193,7 @@ TEST(CellRuns, CellsAreDampedWithoutAnyBolt) {
     scene.blocks = {cut(boxBlock("block", {0, 0}, {2, 1}), 0.5)};
     scene.analysis.damping.stiffness = 1e-3;
     scene.blocks[0].initialStress = {1e6, 0.0, 0.0};
-    scene.stages = {dynamicStage(0.02, 1e-4)};
+    scene.stages = {dynamic(0.02, 1e-4)};
     const Solved solved = solve(scene);
     ASSERT_EQ(solved.results.stages.back().outcome, Outcome::Duration) << solved.results.stages.back().message;
     const Energy& energy = solved.results.frames.back().energy;

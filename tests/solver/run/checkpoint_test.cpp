@@ -8,6 +8,7 @@
 #include "solver/files/checkpoint_bytes.h"
 #include "solver/run/run.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/run/small_stages.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +17,8 @@
 namespace keyblock {
 namespace {
 
+using test::dynamic;
+
 /// Keeps every checkpoint as bytes.
 class KeepingSink : public MemorySink {
 public:
@@ -23,15 +26,6 @@ public:
 
     std::vector<std::string> kept;
 };
-
-Stage dynamic(double duration, double timeStep) {
-    Stage stage;
-    stage.name = "motion";
-    stage.kind = StageKind::Dynamic;
-    stage.duration = duration;
-    stage.timeStep = timeStep;
-    return stage;
-}
 
 /// Brittle bond across a joint, that lets go node after node.
 Scene tearing() {

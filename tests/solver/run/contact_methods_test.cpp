@@ -18,7 +18,7 @@ namespace {
 
 using test::boxOnBase;
 using test::degree;
-using test::motion;
+using test::dynamic;
 using test::settle;
 
 constexpr double weight = 2700.0 * gravity;  // [N] of a cube of 1 m
@@ -105,7 +105,7 @@ TEST_P(Penalties, SlideAndStickAlikeUnderMultipliers) {
         Scene scene = boxOnBase(angle, friction);
         scene.analysis.contact = ContactMethod::AugmentedLagrangian;
         scene.analysis.penaltyRatio = GetParam();
-        scene.stages = {motion(0.5, 1e-3)};
+        scene.stages = {dynamic(0.5, 1e-3)};
         const Results results = runInMemory(scene);
         expectDone(results);
         const double a = gravity * std::max(0.0, std::sin(angle * degree) -
@@ -122,7 +122,7 @@ TEST(AugmentedLagrangian, AKnockBringsNoEnergy) {
     Scene scene = boxOnBase(0.0, 30.0);
     for (Point& p : scene.blocks[1].points) p.y() += 0.01;
     scene.analysis.contact = ContactMethod::AugmentedLagrangian;
-    scene.stages = {motion(0.2, 1e-3)};
+    scene.stages = {dynamic(0.2, 1e-3)};
     const Results results = runInMemory(scene);
     expectDone(results);
     for (const Frame& frame : results.frames)
@@ -144,20 +144,20 @@ void expectSameMotion(Scene scene, double tolerance) {
 
 TEST(OpenClose, SlidesLikeTheConvexStep) {
     Scene scene = boxOnBase(30.0, 20.0);
-    scene.stages = {motion(0.3, 1e-3)};
+    scene.stages = {dynamic(0.3, 1e-3)};
     expectSameMotion(scene, 1e-6);
 }
 
 TEST(OpenClose, SticksLikeTheConvexStep) {
     Scene scene = boxOnBase(30.0, 30.1);
-    scene.stages = {motion(0.3, 1e-3)};
+    scene.stages = {dynamic(0.3, 1e-3)};
     expectSameMotion(scene, 1e-3);
 }
 
 /// Friction leaves a wall's forces undetermined: places agree to a tenth of its elastic closure of 5e-8 m.
 TEST(OpenClose, AWallStandsLikeUnderTheConvexStep) {
     Scene scene = wall();
-    scene.stages = {motion(0.05, 1e-3)};
+    scene.stages = {dynamic(0.05, 1e-3)};
     expectSameMotion(scene, 5e-3);
 }
 

@@ -20,18 +20,10 @@ namespace {
 
 using test::boxOnBase;
 using test::degree;
+using test::dynamic;
 using test::settle;
 
 constexpr double weight = 2700.0 * gravity;  // [N] of a cube
-
-Stage dynamic(double duration, double timeStep) {
-    Stage stage;
-    stage.name = "motion";
-    stage.kind = StageKind::Dynamic;
-    stage.duration = duration;
-    stage.timeStep = timeStep;
-    return stage;
-}
 
 const BlockState& box(const Results& results) { return results.frames.back().blocks[1]; }
 

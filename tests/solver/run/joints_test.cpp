@@ -19,7 +19,7 @@
 namespace keyblock {
 namespace {
 
-using test::motion;
+using test::dynamic;
 using test::settle;
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -149,7 +149,7 @@ TEST(ResidualFriction, LetsANudgedBoxGo) {
     Scene scene = boxOnBase(1.0, 9.0, 10e9);
     scene.analysis.gravity = {gravity * std::sin(30 * degree), -gravity * std::cos(30 * degree)};
     scene.jointMaterials[0].second = JointMaterial{35.0, 0.0, 0.0, 20.0, {}, {}};
-    scene.stages = {motion(0.5, 1e-3)};
+    scene.stages = {dynamic(0.5, 1e-3)};
     EXPECT_LT(box(runInMemory(scene)).displacement.norm(), 1e-9);
     InitialVelocity nudge;
     nudge.blockAt = {0.5, 0.5};
@@ -180,7 +180,7 @@ Scene boxOnPieces(const std::vector<double>& cuts, bool ofOneBlock) {
             scene.supports.push_back(support);
         }
     }
-    scene.stages = {motion(1.0, 1e-3)};
+    scene.stages = {dynamic(1.0, 1e-3)};
     scene.output.every = 1e-3;
     return scene;
 }
@@ -220,7 +220,7 @@ TEST(FlatImpact, ReboundsWithoutSpin) {
     for (const auto& [left, right] : {std::pair{0.0, 1.0}, {0.2, 0.9}, {0.0, 0.7}, {-0.3, 1.3}}) {
         Scene scene = emptyScene(10e9, 0.2, 0.0);
         scene.blocks = {boxBlock("below", {0, 0}, {1, 1}), boxBlock("above", {left, 1.0005}, {right, 2.0005})};
-        scene.stages = {motion(0.01, 1e-4)};
+        scene.stages = {dynamic(0.01, 1e-4)};
         InitialVelocity fall;
         fall.blockAt = {0.5, 1.5};
         fall.velocity = {0.0, -1.0};
@@ -238,7 +238,7 @@ TEST(FlatImpact, ReboundsWithoutSpin) {
 /// A box thrown clear of its base in one step: the joint is told to have opened.
 TEST(JointEvents, AContactThatLeavesAtOnceOpens) {
     Scene scene = boxOnBase(1.0, 3.0, 10e9);
-    scene.stages = {motion(0.05, 0.01)};
+    scene.stages = {dynamic(0.05, 0.01)};
     InitialVelocity up;
     up.blockAt = {0.5, 0.5};
     up.velocity = {0.0, 50.0};
@@ -254,7 +254,7 @@ TEST(JointEvents, ContactsWithoutForceNeitherDriftNorTell) {
     scene.analysis.gravity = {0.0, -gravity};
     for (const auto& [x, y] : {std::pair{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}})
         scene.blocks.push_back(boxBlock("", {x, y}, {x + 1.0, y + 1.0}));
-    scene.stages = {settle(), motion(2.0, 1e-3)};
+    scene.stages = {settle(), dynamic(2.0, 1e-3)};
     scene.stages[1].zeroDisplacements = true;
     const Results results = runInMemory(scene);
     expectDone(results);

@@ -8,6 +8,7 @@
 #include "solver/run/run.h"
 #include "solver/verify/mode.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/run/small_stages.h"
 
 #include <gtest/gtest.h>
 
@@ -22,11 +23,7 @@ const std::vector<Integration> allSchemes{Integration::Shi, Integration::Backwar
                                           Integration::GeneralizedAlpha};
 
 Stage dynamic(Integration scheme, double duration, double timeStep) {
-    Stage stage;
-    stage.name = "motion";
-    stage.kind = StageKind::Dynamic;
-    stage.duration = duration;
-    stage.timeStep = timeStep;
+    Stage stage = test::dynamic(duration, timeStep);
     stage.integration = scheme;
     return stage;
 }

@@ -7,6 +7,7 @@
 
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/run/small_stages.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +17,8 @@
 
 namespace keyblock {
 namespace {
+
+using test::dynamic;
 
 constexpr double step = 1e-3;
 
@@ -33,15 +36,6 @@ Support heldAt(const Point& point, Fix fix) {
     return support;
 }
 
-Stage dynamicStage(double duration) {
-    Stage stage;
-    stage.name = "shake";
-    stage.kind = StageKind::Dynamic;
-    stage.duration = duration;
-    stage.timeStep = step;
-    return stage;
-}
-
 /// A box on a table that can only go along x: the slab is prescribed along x and held in y.
 Scene tableScene(int steps, const Table& motionOfTheTable) {
     Scene scene = emptyScene(60e9, 0.25, 15.0);
@@ -49,7 +43,7 @@ Scene tableScene(int steps, const Table& motionOfTheTable) {
     scene.blocks = {boxBlock("table", {-3, -1}, {3, 0}), boxBlock("box", {-0.5, 0}, {0.5, 0.5})};
     scene.supports = {heldAt({-3, -1}, Fix::Y), heldAt({3, -1}, Fix::Y)};
     scene.monitors = {pointMonitor("table", {0, -0.5}), pointMonitor("box", {0, 0.25})};
-    scene.stages = {dynamicStage(steps * step)};
+    scene.stages = {dynamic(steps * step, step)};
     Motion motion;
     motion.blockAt = {0.0, -0.4};
     motion.table = motionOfTheTable;
@@ -106,7 +100,7 @@ TEST(Shaking, AcceleratesAFreeBodyWithoutStress) {
     scene.analysis.gravity = {0.0, -gravity};
     scene.blocks = {boxBlock("block", {0, 0}, {1, 1})};
     scene.monitors = {pointMonitor("centre", {0.5, 0.5})};
-    scene.stages = {dynamicStage(0.5)};
+    scene.stages = {dynamic(0.5, step)};
     scene.stages[0].bodyAcceleration.emplace().record = {{0.0, 1.0}, {0.5, 1.0}};
     scene.stages[0].bodyAcceleration->axis = {3.0, 4.0};
     scene.stages[0].bodyAcceleration->factor = 2.0;
@@ -122,7 +116,7 @@ TEST(Shaking, EndsWithItsRecordAndItsStage) {
     Scene scene = emptyScene(60e9, 0.25, 30.0);
     scene.blocks = {boxBlock("block", {0, 0}, {1, 1})};
     scene.monitors = {pointMonitor("centre", {0.5, 0.5})};
-    scene.stages = {dynamicStage(0.4), dynamicStage(0.1)};
+    scene.stages = {dynamic(0.4, step), dynamic(0.1, step)};
     scene.stages[1].name = "after";
     scene.stages[0].bodyAcceleration.emplace().record = {{0.0, 1.0}, {0.1005, 1.0}};  // 100 steps
     const Solved solved = solve(scene);
@@ -138,7 +132,7 @@ TEST(Shaking, TakesBoltsAlong) {
     BoltType type = linearType(barArea(), 200e9);
     type.anchors = {anchorRange(Per::Node, AnchorLaw::Elastic, 1e8, std::nullopt, 0.0)};
     addBolt(scene, type, 0.1, 1.9, 20, PlateKind::None);
-    scene.stages = {dynamicStage(0.1)};
+    scene.stages = {dynamic(0.1, step)};
     scene.stages[0].bodyAcceleration.emplace().record = {{0.0, 5.0}, {0.1, 5.0}};
     scene.stages[0].bodyAcceleration->axis = {0.0, 1.0};
     const Solved solved = solve(scene);
@@ -154,7 +148,7 @@ TEST(Shaking, TakesBoltsAlong) {
 TEST(Shaking, ChoosesAStepThatFollowsTheRecord) {
     Scene scene = emptyScene(60e9, 0.25, 30.0);
     scene.blocks = {boxBlock("block", {0, 0}, {1, 1})};
-    scene.stages = {dynamicStage(0.1)};
+    scene.stages = {dynamic(0.1, step)};
     scene.stages[0].timeStep.reset();
     scene.stages[0].bodyAcceleration.emplace().record = {{0.0, 0.0}, {1e-4, 1.0}, {2e-4, 0.0}};
     EXPECT_NEAR(static_cast<double>(solve(scene).results.stages[0].steps), 1000.0, 1.0);

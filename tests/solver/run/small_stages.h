@@ -19,7 +19,8 @@ inline Stage settle() {
     return stage;
 }
 
-inline Stage motion(double duration, double timeStep) {
+/// A dynamic stage called `motion`.
+inline Stage dynamic(double duration, double timeStep) {
     Stage stage;
     stage.name = "motion";
     stage.kind = StageKind::Dynamic;
