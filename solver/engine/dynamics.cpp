@@ -233,7 +233,8 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
         if (ratio > 1.0 + locateShare) high = dt;
         else low = dt;
         const bool located = high == 0.0 || ratio >= 1.0 - locateShare;
-        if ((ratio <= 1.0 + locateShare && located) || high - low <= eventStep * settings_.timeStep || tries > 40) break;
+        if (ratio <= 1.0 + locateShare && located) break;
+        if (high - low <= eventStep * settings_.timeStep || tries > 40) break;
         const double share = tries % 2 == 0 && high == dt ? (1.0 - startRatio) / (ratio - startRatio) : 0.5;
         dt = share == 0.5 ? 0.5 * (low + high) : std::clamp(share * dt, low, high);
         if (dt <= low) dt = 0.5 * (low + high);

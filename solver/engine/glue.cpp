@@ -105,7 +105,8 @@ GlueModel glueModel(const Scene& scene, const Model& model, const SharedEdge& ed
     glue.placeB = middle - b.centroid;
     glue.length = (edge.to - edge.from).norm();
     glue.along = (edge.to - edge.from) / glue.length;
-    const double way = std::max(-turnLeft(glue.along).dot(b.centroid - a.centroid), leastWay * std::min(a.size, b.size));
+    const double across = -turnLeft(glue.along).dot(b.centroid - a.centroid);
+    const double way = std::max(across, leastWay * std::min(a.size, b.size));
     const double face = glue.length * scene.analysis.thickness;
     glue.normal = glueMultiple * modulus / way * face;
     glue.shear = glueMultiple * shearModulus / way * face;

@@ -56,7 +56,8 @@ public:
     Equilibrium(Engine& engine, const Loads& loads, const StaticSettings& settings)
         : engine_(engine), model_(engine.model), loads_(loads), settings_(settings),
           tolerance_(std::min(settings.unbalanced, engine.model.analysis.tolerance)),
-          moveLimit_(moveShare * smallestSize(engine.model)), longest_(longestPseudoStep(engine.model)), dt_(longest_) {}
+          moveLimit_(moveShare * smallestSize(engine.model)), longest_(longestPseudoStep(engine.model)),
+          dt_(longest_) {}
 
     StepEnding find(State& state, const LoadPoint& before, const LoadPoint& at) {
         const StaticBooks books(model_, state, loads_, before);
@@ -122,7 +123,8 @@ private:
     /// Takes over where the moving blocks had got to: history and energy of their way, whatever does not balance.
     void acceptMoving(State& state, const LoadPoint& at, const Eigen::VectorXd& moved, const StaticBooks& books) {
         state.contacts =
-            findContacts(model_, state.blocks, state.contacts, {2.0 * moveLimit_, false, nullptr, &state.energy.released});
+            findContacts(model_, state.blocks, state.contacts,
+                         {2.0 * moveLimit_, false, nullptr, &state.energy.released});
         StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, false});
         books.book(state, at, moved, problem);
         acceptStep(model_, state, problem, Eigen::VectorXd::Zero(problem.unknowns()));
@@ -141,7 +143,8 @@ private:
         const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
         correctFrictionLimits(problem, still);
         const Eigen::VectorXd net = netForce(problem, still);
-        const double before = std::exchange(residual_, residualNorm(problem, net) / referenceForce(problem, still, net));
+        const double reference = referenceForce(problem, still, net);
+        const double before = std::exchange(residual_, residualNorm(problem, net) / reference);
         if (usesMultipliers(model_) && multiplierError(model_, state, problem, still) > 1.0) return false;
         if (residual_ > settings_.unbalanced) return step > 0 && dt_ >= longest_ && isNoise(problem, net, before);
         return residual_ <= wellBalanced || residual_ > stillFalling * before;  // no longer worth a pseudo-step

@@ -183,7 +183,7 @@ std::vector<int> carriersOf(const BoltMotion& bolt) {
 }
 
 /// A step is solved with linear displacements and blocks turn by the exact rotation: so must the nodes that they carry,
-/// or a bolt in a spinning block is drawn out at every step. \return what the linear displacement of `x` has too little.
+/// or a bolt in a spinning block is drawn out at every step. \return what `x` moves beyond its linear displacement.
 Point roundTheBend(const BlockMotion& block, double turn, const Point& x) {
     const Point arm = x - block.centroid;
     return (std::cos(turn) - 1.0) * arm + (std::sin(turn) - turn) * turnLeft(arm);

@@ -129,7 +129,8 @@ private:
 
     StepEnding setMoving() {
         const double before = bookedEnergy(model_, now_.state);
-        for (const InitialVelocity& initial : stage().initialVelocities) setVelocity(scene_, model_, initial, now_.state);
+        for (const InitialVelocity& initial : stage().initialVelocities)
+            setVelocity(scene_, model_, initial, now_.state);
         const StepEnding ending = dynamics().begin(now_.state);
         now_.state.startEnergy += bookedEnergy(model_, now_.state) - before;  // velocities and preload were given
         return ending;

@@ -76,7 +76,8 @@ void StageLoads::addPressure(int row) {
             from = std::max(from, 0.0);
             to = std::min(to, edge.length);
             if (to - from <= near) continue;
-            memory_.loads.pressures.push_back({static_cast<int>(i), e, from / edge.length, to / edge.length, load.pressure});
+            const double first = from / edge.length, last = to / edge.length;
+            memory_.loads.pressures.push_back({static_cast<int>(i), e, first, last, load.pressure});
             memory_.pressureSources.push_back({memory_.stage, row});
             memory_.start.pressures.push_back(0.0);
         }
@@ -198,7 +199,8 @@ std::vector<const Table*> StageLoads::tables() const {
         for (const LoadSource& source : *sources)
             if (source.stage == memory_.stage) found.push_back(&tableOf(loadOf(source).table));
     for (const LoadSource& source : memory_.motionSources)
-        if (source.stage == memory_.stage) found.push_back(&stage().motions[static_cast<std::size_t>(source.row)].table);
+        if (source.stage == memory_.stage)
+            found.push_back(&stage().motions[static_cast<std::size_t>(source.row)].table);
     return found;
 }
 

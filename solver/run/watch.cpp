@@ -38,7 +38,9 @@ Event jointEvent(EventKind kind, const Contact& c) {
 /// Some contact or bolt holds the block, or a cell of it.
 bool carried(const Model& model, const State& state, int block) {
     for (const Contact& c : state.contacts)
-        if ((wholeOf(model, c.blockA) == block || wholeOf(model, c.blockB) == block) && (c.bonded || c.normalForce > 0.0)) return true;
+        if ((c.bonded || c.normalForce > 0.0) &&
+            (wholeOf(model, c.blockA) == block || wholeOf(model, c.blockB) == block))
+            return true;
     for (const BoltMotion& bolt : state.bolts)
         for (const BoltNode& node : bolt.nodes)
             if (!bolt.lost && node.slot >= 0 &&

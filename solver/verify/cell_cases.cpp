@@ -65,8 +65,8 @@ double stressDeviation(const Results& results, const std::array<double, 3>& expe
     return worst;
 }
 
-/// A plate of 2 m × 1 m in cells of 0.25 m, held as little as statics need, pulled by 1 MPa at both ends: every cell carries 1 MPa, and it
-/// grows by σ·L/E.
+/// A plate of 2 m × 1 m in cells of 0.25 m, held as little as statics need, pulled by 1 kPa at both ends: every cell
+/// carries 1 kPa, and the plate grows by σ·L/E.
 void pulledPlate(Checks& checks) {
     const double stress = 1e3;  // strains whose squares are lost
     Scene scene = emptyScene(modulus, 0.25, 30.0);
