@@ -80,6 +80,11 @@ TEST_P(EveryScheme, FallsAKilometre) {
         expectSane(runInMemory(stone(height, speed, whole ? 20.0 : 200.0 * timeStep(), rho)), speed);
 }
 
+/// At most 25 s: a scheme that keeps energy lets the stone bounce 500 m high for ever, and each knock makes its spin
+/// some thousand times larger. Under Newmark at steps of 1 s it is 1e-11 rad/s after the second knock and 0.3 rad/s
+/// after the fifth; the sixth, at 107 s, finds the stone turned by 7 rad, at x = −3.9. It is still over the slab
+/// (−5 … 10), so it does not roll off: a corner strikes at 99 m/s, and one step, linear in the rotation, turns the
+/// stone by 87 rad. What follows from that means nothing, and the balance says so (−1).
 TEST_P(EveryScheme, KnocksAtAHundredMetresASecond) {
     const double height = std::min(0.5, 1000.0 * timeStep());
     for (const double rho : rhos())
