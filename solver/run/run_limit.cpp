@@ -8,8 +8,10 @@ namespace keyblock {
 
 std::string RunLimit::message(long steps) const {
     const bool bySteps = stepsReached(steps);
-    return "the limit of " + (bySteps ? shortest(*limits_.steps) + " steps" : shortest(*limits_.wallTime) + " s") +
-           " is reached; raise 'limits." + (bySteps ? "steps" : "wall_time") + "' to go further";
+    if (bySteps)
+        return "the limit of " + shortest(*limits_.steps) + " steps is reached; raise 'limits.steps' to go further";
+    return "the limit of " + shortest(*limits_.wallTime) +
+           " s is reached; resumed, the run goes on for as long again; with a larger 'limits.wall_time' it begins anew";
 }
 
 }  // namespace keyblock

@@ -12,6 +12,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <chrono>
+
 namespace keyblock::test {
 namespace {
 
@@ -111,6 +113,28 @@ TEST_F(Resume, GoesOnPastWhereItStopped) {
     program.signal(SIGINT);
     EXPECT_EQ(program.wait().code, 75);
     EXPECT_GT(framesIn("rest.kbrun"), before);
+}
+
+/// In four parts or more, each ended by the clock, a run writes what it writes at once.
+TEST_F(Resume, ARunThatItsWallTimeEndsGoesOnToTheSameBytes) {
+    putEndlessScene();
+    const auto words = [](const std::string& store, const std::vector<std::string>& more) {
+        std::vector<std::string> all{"run", "rest.json", "--out", store, "--set", "stages[0].duration=40",
+                                     "stages[0].initial_velocities=[{\"block_at\": [1.5, 1.5], \"velocity\": [1, 0]}]"};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    const auto begun = std::chrono::steady_clock::now();
+    ASSERT_EQ(keyblock(words("whole.kbrun", {})).code, 0);
+    const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - begun;
+    const std::string wallTime = "limits.wall_time=" + std::to_string(whole.count() / 4.0);
+    int parts = 1;
+    Ended ended = keyblock(words("parts.kbrun", {wallTime}));
+    for (; ended.code == 5 && parts < 50; ++parts) ended = keyblock(words("parts.kbrun", {wallTime, "--resume"}));
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_GT(parts, 1);
+    for (const std::string name : {"history", "events", "blocks", "contacts", "energy"})
+        EXPECT_EQ(table("parts.kbrun", name, {"--at", "all"}), table("whole.kbrun", name, {"--at", "all"})) << name;
 }
 
 TEST_F(Resume, ASecondRunOnTheSameStoreIsRefused) {
