@@ -82,8 +82,8 @@ PathWork pathWork(const Law& law, const PathStart& start, double after) {
         const double onset = atOnce ? 0.0 : closes > room ? room / closes : 1.0;  // share of the way
         const bool slides = law.rigid ? std::abs(end) >= law.limit : trial > law.limit;
         if (slides) path.slipForce = sign * (law.limit + 0.5 * (1.0 - onset) * (start.limit - law.limit));
-        const double elastic = law.rigid ? (slides ? 0.0 : way) : (end - start.force) / law.stiffness;
-        used = path.slipForce * (way - elastic);
+        used = law.rigid ? (slides ? path.slipForce * way : 0.0)
+                         : path.slipForce * ((after - end / law.stiffness) - law.offset);  // as the lock moves
     }
     const double stored = storedEnergy(law, end) - storedEnergy(law, start.force);
     path.surplus = law.share * (0.5 * (start.force + end) * way - stored - used);

@@ -114,6 +114,21 @@ TEST(Energies, PlasticWorkDoesNotDependOnTheIncrements) {
     EXPECT_NEAR(plastic[0], plastic[1], 2e-3 * plastic[1]);
 }
 
+/// Pulled askew, a block slides along the face that it leaves, and meets it in other contacts than at first: what these
+/// were found with is no force that they had before.
+TEST(Energies, ContactsThatAreFoundOnTheWayBringNothing) {
+    for (const double opening : {5e-5, 6e-4}) {
+        Scene scene = twoBlocks(60e9, 1.0, 2.0);
+        BoltType bar = linearType(barArea(), 200e9);
+        bar.anchors = {anchorRange(Per::Node, AnchorLaw::Elastic, 84.78e6, std::nullopt, 0.0)};
+        addBolt(scene, bar, 0.05, 1.95, 19, PlateKind::None);
+        scene.stages = {pullStage(scene, opening, 1)};
+        scene.stages[0].motions[0].axis = {std::cos(40.0 * degree), std::sin(40.0 * degree)};
+        const Energy energy = ran(scene, 1e-2).frames.back().energy;
+        EXPECT_LT(energy.damped, 1e-2 * energy.external);
+    }
+}
+
 /// A tube that is drawn out of its hole gives back what the springs of the lost length held.
 TEST(Energies, ALengthThatLeavesTheRockIsReleased) {
     Scene scene = twoBlocks(60e9, 0.3, 1.0);
