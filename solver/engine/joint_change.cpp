@@ -13,6 +13,7 @@ namespace {
 
 void change(JointMaterial& material, const StrengthChange& to) {
     material.frictionAngle = to.frictionAngle.value_or(material.frictionAngle);
+    if (to.residualFrictionAngle) material.residualFrictionAngle = to.residualFrictionAngle;
     material.cohesion = to.cohesion.value_or(material.cohesion);
     material.tensileStrength = to.tensileStrength.value_or(material.tensileStrength);
 }

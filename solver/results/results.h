@@ -152,7 +152,7 @@ struct Health {
     long stepCuts = 0;
     long factorizations = 0;
     double maxPenetrationRatio = 0.0;  // deepest penetration over the size of the block
-    double maxResidual = 0.0;  // largest accepted residual over the reference force
+    double maxResidual = 0.0;  // largest accepted unbalanced force over the forces at play
     double balanceError = 0.0;
 
     bool operator==(const Health&) const = default;

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A change of strength must find its joint material, change something, and not
-// contradict another of its stage.
+// contradict another of its stage; what is left by slip cannot be more than was there.
 #include "solver/scene/check_report.h"
+#include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
 #include "solver/scene/suggest.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace keyblock {
@@ -24,6 +26,28 @@ void checkName(const StrengthChange& change, const std::string& pointer, const C
                              suggestion(change.jointMaterial, names));
 }
 
+/// Friction angle of a joint material as `stage` leaves it [°]; none where the scene has no such material.
+std::optional<double> frictionAt(const Scene& scene, const std::string& name, const Stage& stage) {
+    std::optional<double> angle;
+    for (const auto& [joint, material] : scene.jointMaterials)
+        if (joint == name) angle = material.frictionAngle;
+    for (const Stage& before : scene.stages) {
+        for (const StrengthChange& change : before.set)
+            if (angle && change.jointMaterial == name) angle = change.frictionAngle.value_or(*angle);
+        if (&before == &stage) break;
+    }
+    return angle;
+}
+
+void checkResidual(const StrengthChange& change, std::optional<double> peak, const std::string& pointer,
+                   CheckReport& report) {
+    if (!peak || !change.residualFrictionAngle || *change.residualFrictionAngle <= *peak) return;
+    report.error(under(pointer, "residual_friction_angle"),
+                 "friction cannot grow from " + shortest(*peak) + "° to " + shortest(*change.residualFrictionAngle) +
+                     "° by slip",
+                 "Give at most the friction angle, or another 'friction_angle' with it");
+}
+
 }  // namespace
 
 void checkStrengthChanges(const Stage& stage, const std::string& pointer, CheckContext& context) {
@@ -32,9 +56,10 @@ void checkStrengthChanges(const Stage& stage, const std::string& pointer, CheckC
         const StrengthChange& change = stage.set[i];
         const std::string place = under(under(pointer, "set"), i);
         checkName(change, place, context);
-        if (!change.frictionAngle && !change.cohesion && !change.tensileStrength)
+        if (!change.frictionAngle && !change.residualFrictionAngle && !change.cohesion && !change.tensileStrength)
             context.report.error(place, "this changes nothing",
-                                 "Give 'friction_angle', 'cohesion' or 'tensile_strength'");
+                                 "Give 'friction_angle', 'residual_friction_angle', 'cohesion' or 'tensile_strength'");
+        checkResidual(change, frictionAt(context.scene, change.jointMaterial, stage), place, context.report);
         if (!change.jointMaterial.empty() && !changed.insert(change.jointMaterial).second)
             context.report.error(under(place, "joint_material"),
                                  inQuotes(change.jointMaterial) + " is already changed in this stage",

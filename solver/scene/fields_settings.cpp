@@ -74,7 +74,7 @@ const Structure& structureOf(const Analysis*) {
                                          {.range = above(0)}),
             row<&Analysis::shearRatio>("shear_ratio", "Shear over normal stiffness of contacts.",
                                        {.range = above(0)}),
-            row<&Analysis::tolerance>("tolerance", "Residual over reference force at which a pass is accepted.",
+            row<&Analysis::tolerance>("tolerance", "Unbalanced force over the forces at play at which a pass is accepted.",
                                       {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
             row<&Analysis::maxPasses>("max_passes", "Passes of one step before it is cut.",
                                       {.range = within(1, 100000)}),

@@ -141,6 +141,11 @@ const Structure& structureOf(const StrengthChange*) {
             row<&StrengthChange::frictionAngle>(
                 "friction_angle", "Friction angle.",
                 {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}}),
+            row<&StrengthChange::residualFrictionAngle>(
+                "residual_friction_angle",
+                "Friction angle of a contact after its first slip, of those that slipped before, too. At most the "
+                "friction angle of this stage.",
+                {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}}),
             row<&StrengthChange::cohesion>("cohesion", "Cohesion of contacts that have not lost it.",
                                            {.unit = "Pa", .range = atLeast(0)}),
             row<&StrengthChange::tensileStrength>("tensile_strength",

@@ -46,7 +46,7 @@ struct Analysis {
     ContactMethod contact = ContactMethod::Penalty;  // how contacts are kept closed
     double penaltyRatio = 40.0;  // contact spring = ratio · E · thickness
     double shearRatio = 0.4;  // shear over normal contact stiffness
-    double tolerance = 1e-4;  // pass tolerance: residual over reference force
+    double tolerance = 1e-4;  // pass tolerance: unbalanced force over the forces at play
     int maxPasses = 40;  // passes of one step before it is cut
 
     bool operator==(const Analysis&) const = default;
@@ -167,6 +167,7 @@ struct StrengthChange {
     std::optional<double> frictionAngle;  // [°]
     std::optional<double> cohesion;  // [Pa]
     std::optional<double> tensileStrength;  // [Pa]
+    std::optional<double> residualFrictionAngle{};  // [°] from the first slip on
 
     bool operator==(const StrengthChange&) const = default;
 };

@@ -206,6 +206,7 @@ const std::vector<BrokenScene>& brokenScenes() {
         {"set-unknown-joint-material", "/stages/0/set/0/joint_material", "'smooth'"},
         {"set-nothing", "/stages/0/set/0", "changes nothing"},
         {"set-twice", "/stages/0/set/1/joint_material", "already changed"},
+        {"set-residual-over-peak", "/stages/1/set/0/residual_friction_angle", "cannot grow from 20° to 25°"},
         {"set-friction-90", "/stages/0/set/0/friction_angle", "out of range"},
         {"limit-no-steps", "/limits/steps", "out of range"},
         {"limit-no-time", "/limits/wall_time", "out of range"},

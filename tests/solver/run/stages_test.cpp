@@ -147,6 +147,32 @@ TEST(Set, LostCohesionStaysLost) {
     EXPECT_NEAR(slidDown(solved, 30.0), slideOf(30.0, 20.0, 0.4), 2e-3 * slideOf(30.0, 20.0, 0.4));
 }
 
+/// On 30° a peak of 35° holds. A stage that gives a residual angle of 20° changes nothing until a nudge makes the block
+/// slip; a later one takes what slipped down to 10° at once.
+TEST(Set, ResidualFrictionIsReachedAtTheFirstSlip) {
+    constexpr double time = 0.4;  // [s] of each stage
+    const auto residual = [](const std::string& name, double angle) {
+        Stage stage = stageNamed(name, StageKind::Dynamic, time);
+        StrengthChange to = changed(std::nullopt, std::nullopt);
+        to.residualFrictionAngle = angle;
+        stage.set = {to};
+        return stage;
+    };
+    Stage first = residual("first", 20.0);
+    EXPECT_LT(slidDown(onSlope(30.0, {35.0, 0.0, 0.0}, {first}), 30.0), 1e-6);
+    first.zeroDisplacements = true;
+    InitialVelocity nudge;
+    const double c = std::cos(30.0 * degree), s = std::sin(30.0 * degree), v = 0.1;
+    nudge.blockAt = {c * 1.5 + s * 0.25, -s * 1.5 + c * 0.25};
+    nudge.velocity = {c * v, -s * v};
+    first.initialVelocities = {nudge};
+    const Solved solved = onSlope(30.0, {35.0, 0.0, 0.0}, {first, residual("second", 10.0)});
+    const double reached = v + 2.0 * slideOf(30.0, 20.0, time) / time;
+    const double expected = v * time + slideOf(30.0, 20.0, time) + reached * time + slideOf(30.0, 10.0, time);
+    EXPECT_NEAR(slidDown(solved, 30.0), expected, 3e-3 * expected);
+    for (const StageResult& stage : solved.results.stages) EXPECT_LT(std::abs(stage.health.balanceError), 1e-2);
+}
+
 /// The weaker of two materials governs a joint, before and after a change.
 TEST(Set, TheWeakerMaterialGovernsAnew) {
     Scene scene = inclineScene(30.0, 35.0, 1.0);
