@@ -4,7 +4,7 @@
 // The chain: traces are cleaned in doubles, inserted exactly, faces that are too
 // small are joined to neighbours, and what is left is rounded and looked at once
 // more. All of it works relative to an origin in the scene, so that a scene far
-// away keeps its digits.
+// away keeps its digits. The steps and their limits: theory, "Cutting".
 #include "geometry/cut.h"
 
 #include "geometry/face_groups.h"
@@ -149,6 +149,9 @@ private:
         for (const TracePiece& piece : clean_.pieces) sources_.push_back(piece.source);
     }
 
+    /// How well places can be told [m].
+    double roundOff() const { return std::max(16.0 * epsilon * size_, 2.0 * epsilon * farthest_); }
+
     /// Rounds vertices as they will be handed out, makes one of those that round-off cannot tell apart, and sorts them.
     void roundPlaces() {
         std::vector<Point> points;
@@ -156,30 +159,17 @@ private:
             points.insert(points.end(), domain.outline.begin(), domain.outline.end());
         const std::size_t corners = points.size();
         for (const Point& p : map_.points) points.push_back(Point(p + origin_) - origin_);
-        const Gathered gathered = gather(points, corners, 64.0 * epsilon * size_);
-        const std::vector<Point>& places = gathered.places;
-        std::vector<int> order(places.size());
-        std::iota(order.begin(), order.end(), 0);
-        std::sort(order.begin(), order.end(), [&](int a, int b) {
-            const Point &p = places[static_cast<std::size_t>(a)], &q = places[static_cast<std::size_t>(b)];
-            return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
-        });
-        std::vector<int> index(places.size());
-        map_.points.clear();
-        for (int place : order) {
-            index[static_cast<std::size_t>(place)] = static_cast<int>(map_.points.size());
-            map_.points.push_back(places[static_cast<std::size_t>(place)]);
-        }
+        Gathered gathered = gatherSorted(points, corners, 4.0 * roundOff());
+        map_.points = std::move(gathered.places);
         for (HalfEdge& half : map_.halfEdges)
-            half.target = index[static_cast<std::size_t>(
-                gathered.placeOf[corners + static_cast<std::size_t>(half.target)])];
+            half.target = gathered.placeOf[corners + static_cast<std::size_t>(half.target)];
     }
 
     void cutFaces() {
         FaceGroups groups(map_);
         noteLooseEnds(groups);
         for (const Sliver& sliver : joinSlivers(groups, map_.faces, cut_.minArea, cut_.minWidth)) noteSliver(sliver);
-        RingTracer tracer(map_, groups, sources_, keepStraight_ ? -1.0 : 16.0 * epsilon * size_);
+        RingTracer tracer(map_, groups, sources_, keepStraight_ ? -1.0 : roundOff());
         Blocks blocks;
         std::vector<int> unsound;
         for (int face = 1; face < map_.faces; ++face)

@@ -8,26 +8,6 @@
 #include <tuple>
 
 namespace keyblock {
-namespace {
-
-/// The domains that a face lies in; more than two overlap nowhere that keeps the rules.
-using Domains = std::array<int, 2>;
-
-/// Across an edge the domains that it bounds are entered or left.
-Domains across(const Domains& own, const EdgeMark& mark) {
-    std::array<int, 4> all{};
-    auto* end = all.data();
-    for (int domain : own)
-        if (domain >= 0 && domain != mark.domains[0] && domain != mark.domains[1]) *end++ = domain;
-    for (int domain : mark.domains)
-        if (domain >= 0 && domain != own[0] && domain != own[1]) *end++ = domain;
-    std::sort(all.data(), end);
-    Domains found{-1, -1};
-    std::copy(all.data(), std::min(end, all.data() + 2), found.begin());
-    return found;
-}
-
-}  // namespace
 
 FaceGroups::FaceGroups(const PlanarMap& map) : map_(map) {
     const auto faces = static_cast<std::size_t>(map.faces);
@@ -78,7 +58,7 @@ void FaceGroups::findDomains() {
             const auto other = static_cast<std::size_t>(map_.halfEdges[static_cast<std::size_t>(half ^ 1)].face);
             if (seen[other]) continue;
             seen[other] = 1;
-            domains[other] = across(domains[face], map_.marks[static_cast<std::size_t>(half / 2)]);
+            domains[other] = inOneOf(domains[face], map_.marks[static_cast<std::size_t>(half / 2)].domains);
             todo.push_back(static_cast<int>(other));
         }
     }

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
+#include <tuple>
 #include <unordered_map>
 
 namespace keyblock {
@@ -126,6 +128,34 @@ private:
     std::vector<Entry> entries_;
 };
 
+/// A point with what it is sorted by.
+struct Keyed {
+    double first = 0.0, second = 0.0;
+    int point = 0;
+};
+
+bool isLower(const Keyed& a, const Keyed& b) {
+    if (a.first != b.first) return a.first < b.first;
+    return a.second < b.second || (a.second == b.second && a.point < b.point);
+}
+
+/// Calls `visit(i, j)` for points no farther apart than the radius. They are swept across a direction in which no
+/// lines of a section are likely to run, so that few are level with each other.
+template <class Visit>
+void forEachClosePair(std::span<const Point> points, double radius, Visit visit) {
+    const Point along(0.7986355, 0.6018150);
+    std::vector<Keyed> order;
+    order.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) order.push_back({along.dot(points[i]), 0.0, static_cast<int>(i)});
+    std::sort(order.begin(), order.end(), isLower);
+    const double window = 2.0 * radius;  // round-off of the sum included
+    for (std::size_t k = 0; k < order.size(); ++k)
+        for (std::size_t m = k + 1; m < order.size() && order[m].first - order[k].first <= window; ++m) {
+            const int i = order[k].point, j = order[m].point;
+            if ((points[static_cast<std::size_t>(i)] - points[static_cast<std::size_t>(j)]).norm() <= radius) visit(i, j);
+        }
+}
+
 }  // namespace
 
 Gathered gather(std::span<const Point> points, std::size_t fixed, double radius) {
@@ -144,14 +174,48 @@ Gathered gather(std::span<const Point> points, std::size_t fixed, double radius)
     return result;
 }
 
+Gathered gatherSorted(std::span<const Point> points, std::size_t fixed, double radius) {
+    const std::size_t count = points.size();
+    std::vector<int> target(count);  // that a point goes to, itself in the end
+    std::iota(target.begin(), target.end(), 0);
+    const auto end = [&](int i) {
+        while (target[static_cast<std::size_t>(i)] != i) i = target[static_cast<std::size_t>(i)];
+        return i;
+    };
+    const auto rank = [&](int i) {
+        const Point& p = points[static_cast<std::size_t>(i)];
+        return std::tuple(static_cast<std::size_t>(i) >= fixed, p.x(), p.y(), i);
+    };
+    forEachClosePair(points, radius, [&](int i, int j) {
+        const int a = end(i), b = end(j);
+        const int first = rank(a) < rank(b) ? a : b;
+        target[static_cast<std::size_t>(a)] = target[static_cast<std::size_t>(b)] = first;
+    });
+    std::vector<Keyed> order;
+    for (std::size_t i = 0; i < count; ++i)
+        if (target[i] == static_cast<int>(i)) order.push_back({points[i].x(), points[i].y(), static_cast<int>(i)});
+    std::sort(order.begin(), order.end(), isLower);
+    Gathered result;
+    result.placeOf.assign(count, 0);
+    result.places.reserve(order.size());
+    for (const Keyed& own : order) {
+        result.placeOf[static_cast<std::size_t>(own.point)] = static_cast<int>(result.places.size());
+        result.places.push_back(points[static_cast<std::size_t>(own.point)]);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        result.placeOf[i] = result.placeOf[static_cast<std::size_t>(end(static_cast<int>(i)))];
+    return result;
+}
+
 std::vector<std::pair<int, int>> nearPairs(std::span<const Point> places, std::span<const PlacePair> segments,
                                            const Box& box, double radius) {
     const PointGrid grid(places, grown(box, radius), radius);
     std::vector<std::pair<int, int>> pairs;
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        const auto [from, to] = segments[i];
-        grid.visitNear(places[static_cast<std::size_t>(from)], places[static_cast<std::size_t>(to)], [&](int place) {
-            if (place != from && place != to) pairs.emplace_back(place, static_cast<int>(i));
+        const PlacePair ends = segments[i];
+        const Point& from = places[static_cast<std::size_t>(ends.from)];
+        grid.visitNear(from, places[static_cast<std::size_t>(ends.to)], [&](int place) {
+            if (place != ends.from && place != ends.to) pairs.emplace_back(place, static_cast<int>(i));
         });
     }
     std::sort(pairs.begin(), pairs.end());

@@ -21,20 +21,7 @@ namespace {
 /// Whose an edge is where two overlap.
 struct Together {
     EdgeMark operator()(const EdgeMark& a, const EdgeMark& b) const {
-        EdgeMark both;
-        both.owner = std::min(a.owner, b.owner);
-        std::array<int, 4> differ{-1, -1, -1, -1};
-        auto* end = differ.data();
-        const auto addMissing = [&end](const EdgeMark& from, const EdgeMark& in) {
-            for (int domain : from.domains)
-                if (domain >= 0 && std::find(in.domains.begin(), in.domains.end(), domain) == in.domains.end())
-                    *end++ = domain;
-        };
-        addMissing(a, b);
-        addMissing(b, a);
-        std::sort(differ.data(), end);
-        both.domains = {differ[0], differ[1]};
-        return both;
+        return {std::min(a.owner, b.owner), inOneOf(a.domains, b.domains)};
     }
 };
 

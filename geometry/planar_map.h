@@ -14,10 +14,27 @@
 
 namespace keyblock {
 
+/// Up to two domains, by index, rising; −1 for none.
+using Domains = std::array<int, 2>;
+
+/// The domains in one of two sets but not in both; a third is left out.
+inline Domains inOneOf(const Domains& a, const Domains& b) {
+    Domains found{-1, -1};
+    for (std::size_t i = 0, j = 0, count = 0; count < 2;) {
+        const int p = i < 2 ? a[i] : -1, q = j < 2 ? b[j] : -1;
+        if (p < 0 && q < 0) break;
+        if (p != q) found[count++] = q < 0 || (p >= 0 && p < q) ? p : q;
+        const bool first = q < 0 || (p >= 0 && p <= q), second = p < 0 || (q >= 0 && q <= p);
+        i += first;
+        j += second;
+    }
+    return found;
+}
+
 /// Whose an edge is. Where segments overlap, the lower `owner` has it and domains that come twice cancel.
 struct EdgeMark {
     int owner = 0;
-    std::array<int, 2> domains{-1, -1};  // that begin or end here, rising; −1 for none. A third is left out.
+    Domains domains{-1, -1};  // that begin or end here
 };
 
 struct MarkedSegment {

@@ -76,7 +76,7 @@ std::string brokenAreas(const CutInput& input, const Cut& cut) {
     for (const CutBlock& block : cut.blocks) {
         ofBlocks[block.domain] += block.area;
         // corners far from the origin are rounded more coarsely
-        rounding[block.domain] += 1e-16 * farthest * std::sqrt(block.area);
+        rounding[block.domain] += 5e-16 * farthest * std::sqrt(block.area);
     }
     for (const auto& [id, area] : ofDomains) {
         const double allowed = 1e-12 * area + (farthest > 100.0 * sizeOf(input) ? rounding[id] : 0.0);
