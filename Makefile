@@ -15,7 +15,7 @@ help:
 	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
 	@echo "make tsan   the tests with several threads under the thread sanitizer"
 	@echo "make bench  time and memory of typical work"
-	@echo "make fuzz   look for bytes that break the scene reader, MINUTES=60"
+	@echo "make fuzz   look for bytes that break the scene reader, or TARGET=cut the cut into blocks, MINUTES=60"
 	@echo "make clean  remove everything that was built"
 
 packages:
@@ -49,10 +49,11 @@ bench: packages
 	build/headless/tests/bench/keyblock_bench
 
 MINUTES ?= 60
+TARGET ?= scene
 fuzz:
 	@sh resources/install/debian.sh clang
 	$(call build,fuzz)
-	@sh tests/fuzz/fuzz.sh build/fuzz/tests/fuzz/driver/scene_fuzz $(MINUTES)
+	@sh tests/fuzz/fuzz.sh $(TARGET) $(MINUTES)
 
 clean:
 	rm -rf build

@@ -2,26 +2,40 @@
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# usage: fuzz.sh DRIVER MINUTES
-# Starts from the samples, the broken scenes and the corpus that is kept, with the
-# keys and words of the schema as a dictionary. What breaks the reader is left in
+# usage: fuzz.sh scene|cut MINUTES
+# The scene reader starts from the samples, the broken scenes and the corpus that is
+# kept, with the keys and words of the schema as a dictionary; the cut from its
+# corpus, whose bytes are sections. What breaks the property is left in
 # build/fuzz/found; the fewest inputs that reach all the code replace the kept corpus.
 set -eu
-driver=$1
+target=$1
 minutes=$2
 source=$(cd "$(dirname "$0")/../.." && pwd)
+driver=$source/build/fuzz/tests/fuzz/driver/${target}_fuzz
 work=$source/build/fuzz
-mkdir -p "$work/grown" "$work/found" "$work/kept"
 
-grep -oE '"[a-zA-Z_-]+"' "$source/resources/schema/keyblock-scene.schema.json" "$source"/samples/*.json -h |
-    sort -u | sed 's/"\(.*\)"/"\\"\1\\""/' > "$work/words.dict"
+case $target in
+    scene)
+        corpus=$source/tests/fuzz/corpus grown=$work/grown longest=6000 kept_longest=3000
+        set -- "-dict=$work/words.dict" "$source/tests/data/broken" "$source/samples"
+        mkdir -p "$work"
+        grep -oE '"[a-zA-Z_-]+"' "$source/resources/schema/keyblock-scene.schema.json" "$source"/samples/*.json -h |
+            sort -u | sed 's/"\(.*\)"/"\\"\1\\""/' > "$work/words.dict" ;;
+    cut)
+        corpus=$source/tests/fuzz/cut_corpus grown=$work/grown_cut longest=400 kept_longest=200
+        set -- -len_control=0 ;;
+    *)
+        echo "no fuzzer is called $target: scene or cut" >&2
+        exit 2 ;;
+esac
+mkdir -p "$grown" "$work/found" "$corpus"
 
-"$driver" -max_total_time=$((minutes * 60)) -max_len=6000 -timeout=10 -rss_limit_mb=3000 -dict="$work/words.dict" \
+"$driver" -max_total_time=$((minutes * 60)) -max_len=$longest -timeout=10 -rss_limit_mb=3000 \
           -artifact_prefix="$work/found/" -print_final_stats=1 -use_value_profile=0 \
-          "$work/grown" "$source/tests/fuzz/corpus" "$source/tests/data/broken" "$source/samples"
+          "$grown" "$corpus" "$@"
 
 rm -rf "$work/kept" && mkdir "$work/kept"
-"$driver" -set_cover_merge=1 -use_counters=0 -max_len=3000 "$work/kept" "$source/tests/fuzz/corpus" "$work/grown" 2>/dev/null
-find "$source/tests/fuzz/corpus" -type f -delete
-cp "$work/kept"/* "$source/tests/fuzz/corpus/"
-echo "kept $(ls "$source/tests/fuzz/corpus" | wc -l) inputs; found $(ls "$work/found" | wc -l) that break the reader"
+"$driver" -set_cover_merge=1 -use_counters=0 -max_len=$kept_longest "$work/kept" "$corpus" "$grown" 2>/dev/null
+find "$corpus" -type f -delete
+cp "$work/kept"/* "$corpus/"
+echo "kept $(ls "$corpus" | wc -l) inputs; found $(ls "$work/found" | wc -l) that break the $target property"

@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <random>
 
 namespace keyblock {
@@ -30,6 +33,17 @@ TEST(CutProperty, HoldsOfSectionsMadeOfNoise) {
         for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
         EXPECT_EQ(brokenCut(sectionOfBytes(bytes)), "") << "noise " << i;
     }
+}
+
+TEST(CutProperty, HoldsOfWhatTheFuzzerKept) {
+    int inputs = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(KEYBLOCK_SOURCE_DIR "/tests/fuzz/cut_corpus")) {
+        std::ifstream file(entry.path(), std::ios::binary);
+        const std::vector<char> text{std::istreambuf_iterator<char>(file), {}};
+        EXPECT_EQ(brokenCut(sectionOfBytes(std::vector<std::uint8_t>(text.begin(), text.end()))), "") << entry.path();
+        ++inputs;
+    }
+    EXPECT_GE(inputs, 10);
 }
 
 }  // namespace
