@@ -94,7 +94,8 @@ struct Cut {
 /// Cuts domains by traces. The tolerance that is used is at least 64 units in the last place of the coordinates and at
 /// most a hundredth of the size. Traces are cut off at the border without a note. An outline that crosses itself
 /// counts as inside where it winds round an odd number of times; where domains overlap, the lower id has the part.
-/// Blocks tile their domains but for the rounding of corners, about 1e-15 of the size each, or the last place of the coordinates.
+/// Blocks tile their domains but for the rounding of corners, about 1e-15 of the size each, or the last place of the
+/// coordinates where that is coarser.
 /// \pre sources are 0 or more. Coordinates that are not finite are noted and left out.
 Cut cutIntoBlocks(std::span<const CutDomain> domains, std::span<const CutTrace> traces, const CutSettings& settings);
 

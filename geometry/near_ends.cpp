@@ -152,7 +152,8 @@ void forEachClosePair(std::span<const Point> points, double radius, Visit visit)
     for (std::size_t k = 0; k < order.size(); ++k)
         for (std::size_t m = k + 1; m < order.size() && order[m].first - order[k].first <= window; ++m) {
             const int i = order[k].point, j = order[m].point;
-            if ((points[static_cast<std::size_t>(i)] - points[static_cast<std::size_t>(j)]).norm() <= radius) visit(i, j);
+            const Point apart = points[static_cast<std::size_t>(i)] - points[static_cast<std::size_t>(j)];
+            if (apart.norm() <= radius) visit(i, j);
         }
 }
 
