@@ -53,10 +53,14 @@ void checkStages(CheckContext& context);
 void checkAccelerations(const Stage& stage, const std::string& pointer, CheckContext& context);
 void checkLengthOfRecords(CheckContext& context);
 void checkStrengthChanges(const Stage& stage, const std::string& pointer, CheckContext& context);
+void checkPresence(CheckContext& context);  // names that stages excavate, install and remove
 void checkWatch(CheckContext& context);  // monitors, quantities, expected numbers
 
 /// Anchors of a type or a bolt, without their place on a bolt.
 void checkAnchors(const std::vector<Anchor>& anchors, const std::string& pointer, CheckReport& report);
+
+/// Tells where a block is gone at the start of a stage; nothing of −1.
+void checkStands(int block, std::size_t stage, const std::string& pointer, CheckContext& context);
 
 /// Finds the block for a `block_at`, or reports that there is none and gives −1.
 int checkBlockAt(CheckContext& context, const Point& place, const std::string& pointer);

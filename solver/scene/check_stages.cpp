@@ -69,17 +69,18 @@ void checkTakenOnce(int block, int cell, std::size_t entry, const std::string& p
                              "Give a block one " + std::string(what) + " a stage; a slanting axis may be a vector");
 }
 
-void checkMotion(const Motion& motion, std::size_t entry, StageKind kind, const std::string& pointer, Taken& taken,
+void checkMotion(const Motion& motion, std::size_t entry, std::size_t stage, const std::string& pointer, Taken& taken,
                  CheckContext& context) {
     const int block = checkBlockAt(context, motion.blockAt, under(pointer, "block_at"));
     checkNotFixed(block, under(pointer, "block_at"), "the motion", context);
+    checkStands(block, stage, under(pointer, "block_at"), context);
     const int cell = cellAt(block, motion.blockAt, context);
     checkTakenOnce(block, cell, entry, under(pointer, "block_at"), "motion", taken, context);
     checkAxis(motion.axis, under(pointer, "axis"), context.report);
     if (motion.table.empty())
         context.report.error(under(pointer, "table"), "the motion has no table",
                              "Give rows of time and displacement [m]");
-    checkTable(motion.table, kind, under(pointer, "table"), context.report);
+    checkTable(motion.table, context.scene.stages[stage].kind, under(pointer, "table"), context.report);
 }
 
 bool liesAlong(const Point& from, const Point& to, const std::array<Point, 2>& line, double tolerance) {
@@ -127,7 +128,7 @@ void checkPlaceOfForce(const Load& load, int block, const std::string& pointer, 
                              "Give a point of that block");
 }
 
-void checkForce(const Load& load, const std::string& pointer, CheckContext& context) {
+void checkForce(const Load& load, std::size_t stage, const std::string& pointer, CheckContext& context) {
     if (load.force == Point(0.0, 0.0))
         context.report.warning(pointer, "the force is 0", "Give 'force' [N], or leave the load out");
     const std::string place = under(pointer, load.blockAt ? "block_at" : "point");
@@ -135,10 +136,11 @@ void checkForce(const Load& load, const std::string& pointer, CheckContext& cont
                                    : checkPointOnBlock(context, *load.point, place);
     if (load.blockAt)
         checkNotFixed(block, place, "the load", context);
+    checkStands(block, stage, place, context);
     checkPlaceOfForce(load, block, pointer, context);
 }
 
-void checkLoad(const Load& load, StageKind kind, const std::string& pointer, CheckContext& context) {
+void checkLoad(const Load& load, std::size_t stage, const std::string& pointer, CheckContext& context) {
     const int places = (load.blockAt ? 1 : 0) + (load.point ? 1 : 0) + (load.along ? 1 : 0);
     if (places != 1)
         context.report.error(pointer, "a load needs exactly one of 'block_at', 'point' and 'along'",
@@ -146,14 +148,15 @@ void checkLoad(const Load& load, StageKind kind, const std::string& pointer, Che
     else if (load.along)
         checkPressure(load, pointer, context);
     else
-        checkForce(load, pointer, context);
-    checkTable(load.table, kind, under(pointer, "table"), context.report);
+        checkForce(load, stage, pointer, context);
+    checkTable(load.table, context.scene.stages[stage].kind, under(pointer, "table"), context.report);
 }
 
-void checkVelocity(const InitialVelocity& velocity, std::size_t entry, const std::string& pointer, Taken& taken,
-                   CheckContext& context) {
+void checkVelocity(const InitialVelocity& velocity, std::size_t entry, std::size_t stage, const std::string& pointer,
+                   Taken& taken, CheckContext& context) {
     const int block = checkBlockAt(context, velocity.blockAt, under(pointer, "block_at"));
     checkNotFixed(block, under(pointer, "block_at"), "the velocity", context);
+    checkStands(block, stage, under(pointer, "block_at"), context);
     checkTakenOnce(block, 0, entry, under(pointer, "block_at"), "velocity", taken, context);
 }
 
@@ -180,19 +183,21 @@ void checkScheme(const Stage& stage, const std::string& pointer, CheckContext& c
                              "Integrate by \"shi\" or \"backward-euler\", or take the iteration \"convex\"");
 }
 
-void checkStage(const Stage& stage, const std::string& pointer, CheckContext& context) {
+void checkStage(std::size_t index, const std::string& pointer, CheckContext& context) {
+    const Stage& stage = context.scene.stages[index];
     checkTimes(stage, pointer, context.report);
     checkStrengthChanges(stage, pointer, context);
     checkAccelerations(stage, pointer, context);
     checkScheme(stage, pointer, context);
     Taken moved;
     for (std::size_t i = 0; i < stage.motions.size(); ++i)
-        checkMotion(stage.motions[i], i, stage.kind, under(under(pointer, "motions"), i), moved, context);
+        checkMotion(stage.motions[i], i, index, under(under(pointer, "motions"), i), moved, context);
     for (std::size_t i = 0; i < stage.loads.size(); ++i)
-        checkLoad(stage.loads[i], stage.kind, under(under(pointer, "loads"), i), context);
+        checkLoad(stage.loads[i], index, under(under(pointer, "loads"), i), context);
     Taken thrown;
     for (std::size_t i = 0; i < stage.initialVelocities.size(); ++i)
-        checkVelocity(stage.initialVelocities[i], i, under(under(pointer, "initial_velocities"), i), thrown, context);
+        checkVelocity(stage.initialVelocities[i], i, index, under(under(pointer, "initial_velocities"), i), thrown,
+                      context);
 }
 
 }  // namespace
@@ -209,7 +214,8 @@ void checkStages(CheckContext& context) {
         stages.size(), [&](std::size_t i) { return stages[i].name; },
         [](std::size_t i) { return under(under("/stages", i), "name"); }, "stage", context.report);
     for (std::size_t i = 0; i < stages.size(); ++i)
-        checkStage(stages[i], under("/stages", i), context);
+        checkStage(i, under("/stages", i), context);
+    checkPresence(context);
     checkLengthOfRecords(context);
 }
 

@@ -30,6 +30,7 @@ const Structure& sceneStructure() {
                                         "any, joints have 30° of friction."),
             row<&Scene::blocks>("blocks", "The blocks. They may touch but not overlap."),
             row<&Scene::supports>("supports", "What is held."),
+            row<&Scene::inSituStress>("in_situ_stress", "Stress before anything is excavated; null: none."),
             row<&Scene::boltTypes>("bolt_types", "Bolt types of this scene, by name, beside the built-in ones."),
             row<&Scene::bolts>("bolts", "The bolts."),
             row<&Scene::stages>("stages", "What happens, one after another; a scene without is checked, not run."),

@@ -28,6 +28,7 @@ const Structure& structureOf(const BoltType*);
 const Structure& structureOf(const CellSettings*);
 const Structure& structureOf(const Damping*);
 const Structure& structureOf(const Expected*);
+const Structure& structureOf(const InSituStress*);
 const Structure& structureOf(const InitialVelocity*);
 const Structure& structureOf(const JointMaterial*);
 const Structure& structureOf(const Load*);
@@ -40,6 +41,7 @@ const Structure& structureOf(const RunLimits*);
 const Structure& structureOf(const Sine*);
 const Structure& structureOf(const Stage*);
 const Structure& structureOf(const StrengthChange*);
+const Structure& structureOf(const StressGradient*);
 const Structure& structureOf(const Support*);
 const Structure& structureOf(const Until*);
 

@@ -86,6 +86,39 @@ const Structure& structureOf(const Block*) {
     return structure;
 }
 
+const Structure& structureOf(const StressGradient*) {
+    static const Structure structure{
+        "stress gradient",
+        "How the stress changes per metre upwards.",
+        defaultsOf<StressGradient>(),
+        {
+            row<&StressGradient::sxx>("sxx", "Of the horizontal stress.", {.unit = "Pa/m"}),
+            row<&StressGradient::syy>("syy", "Of the vertical stress: density times gravity where it bears the rock "
+                                             "above.",
+                                      {.unit = "Pa/m"}),
+            row<&StressGradient::sxy>("sxy", "Of the shear stress.", {.unit = "Pa/m"}),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const InSituStress*) {
+    static const Structure structure{
+        "in-situ stress",
+        "Stress under which the rock stands before anything is excavated, tension positive. Blocks, contacts, cells and "
+        "held points start with it, beside `initial_stress`; what it does not hold in equilibrium moves in the first "
+        "stage.",
+        defaultsOf<InSituStress>(),
+        {
+            row<&InSituStress::sxx>("sxx", "Horizontal stress at `reference_y`.", {.unit = "Pa"}),
+            row<&InSituStress::syy>("syy", "Vertical stress at `reference_y`.", {.unit = "Pa"}),
+            row<&InSituStress::sxy>("sxy", "Shear stress at `reference_y`.", {.unit = "Pa"}),
+            row<&InSituStress::gradientY>("gradient_y", "Change of the stress per metre upwards."),
+            row<&InSituStress::referenceY>("reference_y", "Height at which the stress is the given one.",
+                                           {.unit = "m", .range = coordinates}),
+        }};
+    return structure;
+}
+
 const Structure& structureOf(const Support*) {
     static const Structure structure{
         "support",

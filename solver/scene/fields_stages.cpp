@@ -166,6 +166,11 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::motions>("motions", "Prescribed displacements."),
             row<&Stage::loads>("loads", "Forces and pressures."),
             row<&Stage::set>("set", "Strengths of joints that change at the start of this stage."),
+            row<&Stage::excavate>("excavate", "Names of blocks that are taken out at the start of this stage."),
+            row<&Stage::install>("install",
+                                 "Names of bolts that are installed at the start of this stage, unstressed in the rock "
+                                 "as it is then. A bolt that no stage installs is there from the start."),
+            row<&Stage::remove>("remove", "Names of bolts that are taken away at the start of this stage."),
             row<&Stage::zeroDisplacements>("zero_displacements",
                                            "Counts displacements of blocks, monitors and motions from the start of "
                                            "this stage."),
@@ -173,6 +178,12 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::until>("until", "When equilibrium is found.", {.only = staticOnly}),
             row<&Stage::increments>("increments", "Parts of pseudo-time 0 … 1; null: chosen by the program.",
                                     {.range = within(1, 1e6), .only = staticOnly}),
+            row<&Stage::relaxation>("relaxation",
+                                    "Share of the forces that excavated rock gave to its walls which is released by "
+                                    "the end of the stage; the rest is held by later stages until one of them "
+                                    "releases it. Null: all of what this stage excavates. Dynamic stages release at "
+                                    "once what they excavate.",
+                                    {.range = within(0, 1), .only = staticOnly}),
             row<&Stage::duration>("duration", "How long the stage lasts.",
                                   {.unit = "s", .range = atLeast(0), .only = dynamicOnly}),
             row<&Stage::timeStep>("time_step", "Longest step; null: chosen by the program.",

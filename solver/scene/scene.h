@@ -75,6 +75,23 @@ struct JointMaterial {
 /// Stress in the plane: sxx, syy, sxy [Pa], tension positive.
 using Stress = std::array<double, 3>;
 
+/// Change of a stress per metre upwards [Pa/m].
+struct StressGradient {
+    double sxx = 0.0, syy = 0.0, sxy = 0.0;
+
+    bool operator==(const StressGradient&) const = default;
+};
+
+/// Stress that the rock stands under before anything is excavated: at height y it is the given one plus
+/// `gradientY`·(y − referenceY).
+struct InSituStress {
+    double sxx = 0.0, syy = 0.0, sxy = 0.0;  // [Pa]
+    StressGradient gradientY;
+    double referenceY = 0.0;  // [m]
+
+    bool operator==(const InSituStress&) const = default;
+};
+
 /// Cuts a block into cells joined by glue, so that its stress may vary within it.
 struct CellSettings {
     double size = 0.0;  // of a cell, about [m]
@@ -188,11 +205,14 @@ struct Stage {
     std::vector<Motion> motions;
     std::vector<Load> loads;
     std::vector<StrengthChange> set;  // at the start of the stage, for this and all later ones
+    std::vector<std::string> excavate;  // names of blocks that go at the start of the stage
+    std::vector<std::string> install, remove;  // names of bolts that come or go at the start of the stage
     bool zeroDisplacements = false;
     bool continueAfterCollapse = true;  // "continue"
     // static
     Until until;
     std::optional<int> increments;  // over pseudo-time 0 … 1; null: chosen by the program
+    std::optional<double> relaxation;  // share of the walls' forces released by the end; null: 1 of what it excavates
     // dynamic
     double duration = 0.0;  // [s]
     std::optional<double> timeStep;  // [s]; null: chosen by the program
@@ -364,6 +384,7 @@ struct Scene {
     std::vector<std::pair<std::string, JointMaterial>> jointMaterials;
     std::vector<Block> blocks;
     std::vector<Support> supports;
+    std::optional<InSituStress> inSituStress;
     std::vector<BoltType> boltTypes;  // the scene's own and the built-in ones that its bolts use; `like` followed
     std::vector<Bolt> bolts;
     std::vector<Stage> stages;
