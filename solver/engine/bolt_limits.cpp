@@ -84,7 +84,7 @@ private:
 }  // namespace
 
 void addBoltLimits(const Model& model, const State& state, int bolt, std::vector<Limit>& limits) {
-    if (!state.bolts[bolt].lost) BoltLimits(model, state, bolt, limits).add();
+    if (acts(state.bolts[bolt])) BoltLimits(model, state, bolt, limits).add();
 }
 
 std::optional<double> bondStrength(const AnchorModel& anchor, const BoltNode& node, double strengthFactor) {

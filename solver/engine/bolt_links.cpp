@@ -180,8 +180,9 @@ private:
             normal.offset = motion_.plateOffset;
         }
         const Point across = turnLeft(along);
-        toRock(LinkKind::PlateShear, head, plate.block, across, across.dot(away), bolt_.share).law.stiffness =
-            plate.shearStiffness;
+        Law& shear = toRock(LinkKind::PlateShear, head, plate.block, across, across.dot(away), bolt_.share).law;
+        shear.stiffness = plate.shearStiffness;
+        shear.offset = motion_.plateShearOffset;
     }
 
     int last() const { return static_cast<int>(problem_.links.size()) - 1; }
@@ -246,7 +247,7 @@ double hingeForce(const BoltModel& bolt, const BoltMotion& motion) {
 }
 
 void addBoltLinks(const Model& model, const State& state, int bolt, StepProblem& problem) {
-    if (!state.bolts[bolt].lost) BoltLinks(model, state, bolt, problem).add();
+    if (acts(state.bolts[bolt])) BoltLinks(model, state, bolt, problem).add();
 }
 
 }  // namespace keyblock

@@ -40,6 +40,17 @@ public:
         share();
     }
 
+    /// By the blocks as they are now.
+    void startNow() {
+        for (int n = 0; n < nodes(); ++n) {
+            const int block = find(n, -1);
+            if (block < 0) continue;
+            place(n, block);
+            motion_.nodes[n].bond.bonded = bolt_.anchors[n].real;
+        }
+        share();
+    }
+
     double follow() {
         const std::vector<BoltNode> before = motion_.nodes;
         std::vector<int> entered;
@@ -79,11 +90,13 @@ private:
     /// Inside one block, or on the free face of just one.
     int find(int n, int before) const {
         const Point& x = motion_.nodes[n].x;
+        if (before >= 0 && state_.blocks[before].absent) before = -1;
         if (before >= 0 && sideOf(before, x) == Side::Inside) return before;
         if (before >= 0 && model_.blocks[before].cell)
             if (const int cell = findCell(n, before); cell >= 0) return cell;
         int onFace = -1, faces = 0;
         for (int b = 0; b < model_.firstOf.back(); ++b) {  // plates are no rock
+            if (state_.blocks[b].absent) continue;
             if (onFace >= 0 && sameRock(model_, onFace, b)) continue;  // between cells: the first
             const Point away = x - state_.blocks[b].centroid;
             if (away.squaredNorm() > 4.0 * reachOf(b) * reachOf(b)) continue;
@@ -257,7 +270,7 @@ private:
             std::sort(blocks.begin(), blocks.end());
             blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
             for (int block : blocks) {
-                if (block < 0) continue;
+                if (block < 0 || state_.blocks[block].absent) continue;
                 for (const auto& [f, t] : insideOf(block, motion_.nodes[e].x, motion_.nodes[e + 1].x))
                     pieces[wholeOf(block)].emplace_back(s + f * length, s + t * length);
             }
@@ -328,13 +341,16 @@ private:
 }  // namespace
 
 void placeBolts(const Model& model, State& state) {
-    for (std::size_t b = 0; b < model.bolts.size(); ++b) BoltPlaces(model, state, static_cast<int>(b)).start();
+    for (std::size_t b = 0; b < model.bolts.size(); ++b)
+        if (!state.bolts[b].absent) BoltPlaces(model, state, static_cast<int>(b)).start();
 }
+
+void placeBoltNow(const Model& model, State& state, int bolt) { BoltPlaces(model, state, bolt).startNow(); }
 
 double followBolts(const Model& model, State& state) {
     double change = 0.0;
     for (std::size_t b = 0; b < model.bolts.size(); ++b) {
-        if (state.bolts[b].lost) continue;
+        if (!acts(state.bolts[b])) continue;
         change = std::max(change, BoltPlaces(model, state, static_cast<int>(b)).follow());
     }
     return change;

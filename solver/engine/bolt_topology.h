@@ -10,8 +10,11 @@
 
 namespace keyblock {
 
-/// Blocks, shares and first bonds of every node where the scene has them.
+/// Blocks, shares and first bonds of every node of the bolts that are there, where the scene has them.
 void placeBolts(const Model& model, State& state);
+
+/// The same for one bolt, by the blocks as they are now.
+void placeBoltNow(const Model& model, State& state, int bolt);
 
 /// Blocks and shares after the bodies moved. \return the largest change of a node's share [m, or 1 per node].
 double followBolts(const Model& model, State& state);

@@ -25,7 +25,8 @@ BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks,
     BlockPairs pairs = BoxGrid(std::move(boxes)).meetingPairs();
     std::erase_if(pairs, [&](const auto& p) {
         const bool still = model.blocks[p.first].fixed && model.blocks[p.second].fixed;
-        return still || sameRock(model, p.first, p.second);
+        const bool gone = blocks[p.first].absent || blocks[p.second].absent;
+        return still || gone || sameRock(model, p.first, p.second);
     });
     return pairs;
 }

@@ -35,6 +35,7 @@ double heldBy(const StepProblem& problem) {
 StoredEnergy storedEnergy(const Model& model, const State& state) {
     StoredEnergy energy;
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        if (state.blocks[i].absent) continue;
         const Eigen::Vector3d stress = frameStress(model.blocks[i], state.blocks[i]);
         energy.strain += 0.5 * model.blocks[i].area * model.thickness *
                          stress.dot(model.blocks[i].elasticity.inverse() * stress);

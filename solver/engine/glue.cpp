@@ -123,6 +123,7 @@ void addGlueLinks(const Model& model, const State& state, double lead, StepProbl
     for (std::size_t i = 0; i < model.glue.size(); ++i) {
         const GlueModel& glue = model.glue[i];
         if (model.blocks[glue.a].fixed && model.blocks[glue.b].fixed) continue;
+        if (state.blocks[glue.a].absent) continue;  // with all cells of its block
         GlueLinks(glue, at[glue.a], at[glue.b], static_cast<int>(i), problem)
             .add(glueLine(glue, state.blocks[glue.a], state.blocks[glue.b]), state.glue[i].offset);
     }

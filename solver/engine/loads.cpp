@@ -25,6 +25,11 @@ public:
         total += force.norm();
     }
 
+    void onNode(int node, const Point& force) {
+        forces.segment<2>(6 * static_cast<Eigen::Index>(state_.blocks.size()) + 3 * node) += force;
+        total += force.norm();
+    }
+
 private:
     const State& state_;
 
@@ -36,10 +41,12 @@ public:
 void addGravity(const Model& model, const State& state, const Point& gravity, ForceSum& sum) {
     if (gravity.isZero(0.0)) return;
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
-        sum.onBlock(static_cast<int>(i), state.blocks[i].centroid, model.blocks[i].mass * gravity);
+        if (!state.blocks[i].absent)
+            sum.onBlock(static_cast<int>(i), state.blocks[i].centroid, model.blocks[i].mass * gravity);
     Eigen::Index first = 6 * static_cast<Eigen::Index>(model.blocks.size());
-    for (const BoltModel& bolt : model.bolts) {
-        for (std::size_t e = 0; e < bolt.elements.size(); ++e) {
+    for (std::size_t b = 0; b < model.bolts.size(); ++b) {
+        const BoltModel& bolt = model.bolts[b];
+        for (std::size_t e = 0; e < bolt.elements.size() && !state.bolts[b].absent; ++e) {
             const double mass = bolt.share * lumpedMass(bolt.section, bolt.elements[e].length);
             for (std::size_t node : {e, e + 1})
                 sum.forces.segment<2>(first + 3 * static_cast<Eigen::Index>(node)) += mass * gravity;
@@ -60,6 +67,7 @@ LoadPoint between(const LoadPoint& a, const LoadPoint& b, double share) {
     point.forces = mix(a.forces, b.forces, share);
     point.pressures = mix(a.pressures, b.pressures, share);
     point.motions = mix(a.motions, b.motions, share);
+    point.walls = mix(a.walls, b.walls, share);
     return point;
 }
 
@@ -77,6 +85,13 @@ Eigen::VectorXd externalForce(const Model& model, const State& state, const Load
         const double length = (p.to - p.from) * edge.length;
         const Point middle = edge.start + 0.5 * (p.from + p.to) * edge.length * edge.along;
         sum.onBlock(p.block, middle, -at.pressures[i] * p.pressure * length * model.thickness * edge.outward);
+    }
+    for (std::size_t i = 0; i < loads.walls.size(); ++i) {
+        const WallForce& w = loads.walls[i];
+        if (w.block >= 0)
+            sum.onBlock(w.block, materialPoint(state.blocks[w.block], w.place), at.walls[i] * w.force);
+        else
+            sum.onNode(model.bolts[w.bolt].firstNode + w.node, at.walls[i] * w.force);
     }
     total = sum.total;
     return sum.forces;

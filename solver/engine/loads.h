@@ -33,10 +33,19 @@ struct PrescribedMotion {
     bool holdsRotation = true;
 };
 
+/// What excavated rock gave to a block or to a node of a bolt that stays.
+struct WallForce {
+    int block = -1;  // −1: on the node
+    int bolt = -1, node = -1;
+    Point place{0.0, 0.0};  // in the block's frame at the start, from its centroid [m]
+    Point force{0.0, 0.0};  // [N] over the whole thickness
+};
+
 struct Loads {
     std::vector<PointForce> forces;
     std::vector<EdgePressure> pressures;
     std::vector<PrescribedMotion> motions;
+    std::vector<WallForce> walls;
 };
 
 /// How much acts at a moment: factors of the loads, displacements since the start of the run [m].
@@ -44,13 +53,13 @@ struct LoadPoint {
     double time = 0.0;
     double gravity = 0.0;  // factor
     Point acceleration{0.0, 0.0};  // force per mass beside gravity [m/s²]
-    std::vector<double> forces, pressures, motions;  // rows of Loads
+    std::vector<double> forces, pressures, motions, walls;  // rows of Loads
 };
 
 /// \param share 0 at `a`, 1 at `b`.
 LoadPoint between(const LoadPoint& a, const LoadPoint& b, double share);
 
-/// Generalised forces of gravity, forces and pressures on every unknown. \return summed magnitudes [N] in `total`.
+/// Generalised forces of gravity, forces, pressures and excavated walls on every unknown. \return summed magnitudes [N] in `total`.
 Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                               double& total);
 

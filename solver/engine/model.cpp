@@ -7,7 +7,9 @@
 #include "geometry/polygon.h"
 #include "solver/engine/bolt_slots.h"
 #include "solver/engine/glue.h"
+#include "solver/engine/in_situ.h"
 #include "solver/scene/lookup.h"
+#include "solver/scene/presence.h"
 #include "solver/scene/solved_blocks.h"
 
 #include <algorithm>
@@ -79,7 +81,7 @@ std::vector<int> turnsOf(const std::vector<Point>& shape, const std::vector<char
     return turns;
 }
 
-BlockModel blockModel(const Scene& scene, const SolvedBlock& solved) {
+BlockModel blockModel(const Scene& scene, const Point& origin, const SolvedBlock& solved) {
     const Block& block = scene.blocks[static_cast<std::size_t>(solved.block)];
     const bool plate = solved.plateOf >= 0;
     const Material material = plate ? plateMaterial(boltTypeOf(scene, scene.bolts[solved.plateOf]).plate)
@@ -101,7 +103,10 @@ BlockModel blockModel(const Scene& scene, const SolvedBlock& solved) {
     model.massMatrix = massOf(m, material.density * scene.analysis.thickness);
     model.elasticity = elasticityOf(material, scene.analysis.plane);
     model.youngsModulus = material.youngsModulus;
-    if (!plate) model.initialStress = block.initialStress;
+    if (!plate) {
+        const Stress inSitu = inSituStressAt(scene, m.centroid + origin);
+        for (std::size_t i = 0; i < inSitu.size(); ++i) model.initialStress[i] = block.initialStress[i] + inSitu[i];
+    }
     model.jointMaterial = jointMaterialIndex(scene, block);
     if (model.jointMaterial < 0) model.jointMaterial = static_cast<int>(scene.jointMaterials.size());
     return model;
@@ -427,11 +432,12 @@ Model makeModel(const Scene& scene) {
     const SolvedBlocks solved = solvedBlocks(scene);
     model.origin = solved.origin;
     model.firstOf = solved.firstOf;
-    for (const SolvedBlock& block : solved.blocks) model.blocks.push_back(blockModel(scene, block));
+    for (const SolvedBlock& block : solved.blocks) model.blocks.push_back(blockModel(scene, model.origin, block));
     for (const SharedEdge& edge : solved.glued) model.glue.push_back(glueModel(scene, model, edge));
     for (const auto& [name, material] : scene.jointMaterials) model.joints.push_back(jointModel(material));
     model.joints.push_back(jointModel(builtInJointMaterial));
     holdSupports(scene, model);
+    preloadHeldPoints(scene, model);
     for (std::size_t i = 0; i < scene.bolts.size(); ++i) {
         model.bolts.push_back(boltModel(scene, static_cast<int>(i), model));
         model.nodes += static_cast<int>(model.bolts.back().s.size());

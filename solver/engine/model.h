@@ -68,6 +68,7 @@ struct HeldPoint {
     Point place{0.0, 0.0};  // from the centroid, in the block's frame at the start [m]
     bool x = false, y = false;
     double stiffness = 0.0;  // [N/m]
+    Point preload{0.0, 0.0};  // force on the block where it has not moved: of the stress in situ [N]
 };
 
 /// Borehole segment in one block: two points fixed in it (paper, §3.2.2).

@@ -7,7 +7,7 @@ namespace keyblock {
 void lockOffPlates(const Model& model, State& state) {
     for (std::size_t b = 0; b < model.bolts.size(); ++b) {
         BoltMotion& motion = state.bolts[b];
-        if (!motion.tensioning) continue;
+        if (!motion.tensioning || !acts(motion)) continue;
         const BoltModel& bolt = model.bolts[b];
         const double force = bolt.pretension, stiffness = bolt.plate.normalStiffness;
         motion.tensioning = false;

@@ -27,7 +27,7 @@ void tellResticks(const Model& model, const std::optional<State>& before, const 
                   StepObserver& observer) {
     if (!before) return;
     for (int b = 0; b < static_cast<int>(after.bolts.size()); ++b) {
-        if (after.bolts[b].lost) continue;
+        if (!acts(after.bolts[b])) continue;
         for (int n = 0; n < static_cast<int>(after.bolts[b].nodes.size()); ++n) {
             if (!sticks(before->bolts[b].nodes[n], after.bolts[b].nodes[n])) continue;
             Event event = boltEvent(model, *before, {LimitKind::Bond, b, n, 0.0}, EventKind::Restick);

@@ -72,6 +72,21 @@ void moveBlock(const BlockModel& block, BlockMotion& motion, const Vector6& d) {
     placeCorners(block, motion);
 }
 
+BoltMotion boltAtRest(const BoltModel& bolt) {
+    BoltMotion motion;
+    motion.slots = bolt.slots;
+    motion.leftSlot.assign(bolt.slots.size(), 0);
+    motion.elements.resize(bolt.elements.size());
+    motion.plateHolds = bolt.plate.present;
+    motion.tensioning = bolt.plate.present && bolt.pretension > 0.0;
+    for (double s : bolt.s) {
+        BoltNode node;
+        node.x = bolt.farEnd + s * bolt.axis;
+        motion.nodes.push_back(node);
+    }
+    return motion;
+}
+
 State makeState(const Model& model) {
     State state;
     for (const BlockModel& block : model.blocks) {
@@ -82,20 +97,7 @@ State makeState(const Model& model) {
         state.blocks.push_back(std::move(motion));
     }
     state.glue.resize(model.glue.size());
-    for (const BoltModel& bolt : model.bolts) {
-        BoltMotion motion;
-        motion.slots = bolt.slots;
-        motion.leftSlot.assign(bolt.slots.size(), 0);
-        motion.elements.resize(bolt.elements.size());
-        motion.plateHolds = bolt.plate.present;
-        motion.tensioning = bolt.plate.present && bolt.pretension > 0.0;
-        for (double s : bolt.s) {
-            BoltNode node;
-            node.x = bolt.farEnd + s * bolt.axis;
-            motion.nodes.push_back(node);
-        }
-        state.bolts.push_back(std::move(motion));
-    }
+    for (const BoltModel& bolt : model.bolts) state.bolts.push_back(boltAtRest(bolt));
     return state;
 }
 

@@ -23,6 +23,7 @@ struct BlockMotion {
     Point axis{1.0, 0.0};  // direction of the first unknown, turned where a motion prescribes it
     std::vector<Point> corners;  // where they are now [m]
     bool fallen = false;
+    bool absent = false;  // excavated, or a plate that is not installed: nothing acts on it and it does not move
 
     bool operator==(const BlockMotion&) const = default;
 };
@@ -106,9 +107,11 @@ struct BoltMotion {
     double plateNormal = 0.0, plateShear = 0.0;  // [N] last accepted
     bool tensioning = false;  // the plate pulls with the pretension and is not locked off yet
     double plateStretch = 0.0, plateOffset = 0.0;  // of the normal spring: last accepted, and where it vanishes [m]
+    double plateShearOffset = 0.0;  // where the plate's shear spring vanishes [m]
     double strengthFactor = 1.0;  // dynamic over static strength, in this stage
     double plasticEnergy = 0.0, bondEnergy = 0.0;  // [J] booked since the start
     bool lost = false;
+    bool absent = false;  // not installed yet, or removed
 };
 
 /// Energies summed step by step; the balance is struck when they are reported.
@@ -126,6 +129,12 @@ struct State {
     double startEnergy = 0.0;  // stored before anything moved [J]
     long step = 0;
 };
+
+/// True where the bolt is there and holds.
+inline bool acts(const BoltMotion& bolt) { return !bolt.lost && !bolt.absent; }
+
+/// A bolt as it is before anything moved: straight, unstressed, in no block yet.
+BoltMotion boltAtRest(const BoltModel& bolt);
 
 /// Blocks and bolts at rest where the scene has them.
 State makeState(const Model& model);

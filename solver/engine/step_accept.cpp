@@ -190,7 +190,7 @@ Point roundTheBend(const BlockMotion& block, double turn, const Point& x) {
 }
 
 void moveNodes(State& state, BoltMotion& bolt, const Eigen::VectorXd& d, Eigen::Index at) {
-    const std::vector<int> carriers = bolt.lost ? std::vector<int>(bolt.nodes.size(), -1) : carriersOf(bolt);
+    const std::vector<int> carriers = acts(bolt) ? carriersOf(bolt) : std::vector<int>(bolt.nodes.size(), -1);
     for (std::size_t n = 0; n < bolt.nodes.size(); ++n, at += 3) {
         BoltNode& node = bolt.nodes[n];
         const int block = carriers[n];

@@ -53,17 +53,18 @@ void addBlocks(const Model& model, const State& state, const SchemeFactors& fact
         const BlockModel& block = model.blocks[i];
         const BlockMotion& motion = state.blocks[i];
         const double volume = block.area * model.thickness;
+        const auto at = 6 * static_cast<Eigen::Index>(i);
         Matrix6 stiffness = factors.inertia.d * block.massMatrix;
         stiffness.bottomRightCorner<3, 3>() += factors.elastic * volume * block.elasticity;
         problem.blockStiffness.push_back(stiffness);
-        const auto at = 6 * static_cast<Eigen::Index>(i);
+        if (block.fixed || motion.absent)
+            for (Eigen::Index k = at; k < at + 6; ++k) problem.known[k] = 1;
+        if (motion.absent) continue;
         const Vector6 momentum = -factors.inertia.v * block.massMatrix * motion.velocity;
         problem.load.segment<6>(at) += momentum;
         problem.load.segment<3>(at + 3) -= volume * frameStress(block, motion);
         problem.weight.segment<4>(at + 2).setConstant(1.0 / block.size);
         problem.floorForce = std::max(problem.floorForce, floorOf(block, model));
-        if (block.fixed)
-            for (Eigen::Index k = at; k < at + 6; ++k) problem.known[k] = 1;
     }
 }
 
@@ -78,8 +79,8 @@ void addNodes(const Model& model, const State& state, const SchemeFactors& facto
             const Eigen::Vector3d momentum = -factors.inertia.v * mass.cwiseProduct(motion.nodes[n].velocity);
             problem.load.segment<3>(at) += momentum;
             problem.weight[at + 2] = 1.0 / bolt.elements[std::min(n, bolt.elements.size() - 1)].length;
-            if (!bolt.bends || motion.lost) problem.known[at + 2] = 1;
-            if (motion.lost) problem.known[at] = problem.known[at + 1] = 1;
+            if (!bolt.bends || !acts(motion)) problem.known[at + 2] = 1;
+            if (!acts(motion)) problem.known[at] = problem.known[at + 1] = 1;
         }
     }
 }
@@ -103,6 +104,7 @@ double displacementAlong(const Model& model, const State& state, const Prescribe
 void addHeldPoints(const Model& model, const State& state, StepProblem& problem) {
     for (const HeldPoint& held : model.held) {
         const BlockMotion& block = state.blocks[held.block];
+        if (block.absent) continue;
         const Point now = materialPoint(block, held.place);
         const Point moved = now - (model.blocks[held.block].centroid + held.place);
         const Eigen::Matrix<double, 2, 6> t = displacementMatrix(block, now);
@@ -114,6 +116,7 @@ void addHeldPoints(const Model& model, const State& state, StepProblem& problem)
             link.ga = t.row(axis).transpose();
             link.strain = moved[axis];
             link.law.stiffness = held.stiffness;
+            link.law.offset = held.preload[axis] / held.stiffness;
         }
     }
 }

@@ -47,7 +47,7 @@ struct BlockState {
     double rotation = 0.0;  // [rad] likewise
     std::array<double, 3> stress{};  // sxx, syy, sxy [Pa], global axes, tension positive
     Point velocity{0.0, 0.0};  // [m/s]
-    double area = 0.0;  // [m²]
+    double area = 0.0;  // [m²]; 0 of a block that is not there, with nothing else told of it
     double weight = 0.0;  // [N]
     std::vector<Point> points;  // the corners where they are now [m]
 
@@ -91,7 +91,7 @@ struct BoltNodeFrame {
 };
 
 struct BoltFrame {
-    std::vector<BoltNodeFrame> nodes;
+    std::vector<BoltNodeFrame> nodes;  // none of a bolt that is not there
     bool plateHolds = false;
     bool lost = false;  // the whole bolt (expansion shell)
     double elasticEnergy = 0.0;  // [J] held now, over the model's thickness

@@ -115,6 +115,7 @@ void writeBolts(const RunSource& run, const Frame& frame, const TableFilter& fil
 void writeBlocks(const RunSource& run, const Frame& frame, const TableFilter&, CsvWriter& csv) {
     for (int index = 0; index < static_cast<int>(frame.blocks.size()); ++index) {
         const BlockState& block = frame.blocks[static_cast<std::size_t>(index)];
+        if (block.area == 0.0) continue;  // not there
         beginRow(csv, run.scene(), {frame.stage, frame.time});
         csv.text(blockName(run.blockNames(), index)).number(block.centroid.x()).number(block.centroid.y());
         csv.number(block.displacement.x()).number(block.displacement.y()).number(block.rotation);

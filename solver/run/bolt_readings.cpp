@@ -89,6 +89,7 @@ BoltFrame boltFrame(const BoltModel& bolt, const BoltMotion& motion, const Point
     frame.lost = motion.lost;
     frame.plasticEnergy = motion.plasticEnergy;
     frame.bondEnergy = motion.bondEnergy;
+    if (motion.absent) return frame;
     for (std::size_t n = 0; n < motion.nodes.size(); ++n) {
         const BoltNode& node = motion.nodes[n];
         BoltNodeFrame f;

@@ -99,6 +99,7 @@ BlockState Observation::blockState(const State& state, int index) const {
     const auto i = static_cast<std::size_t>(index);
     const BlockMotion& motion = state.blocks[i];
     BlockState block;
+    if (motion.absent) return block;
     block.centroid = motion.centroid + model_.origin;
     block.displacement = motion.centroid - reference_.centroids[i];
     block.rotation = motion.angle - reference_.angles[i];

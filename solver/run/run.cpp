@@ -9,11 +9,14 @@
 
 #include "solver/engine/bolt_topology.h"
 #include "solver/engine/contacts.h"
+#include "solver/engine/in_situ.h"
 #include "solver/engine/joint_change.h"
+#include "solver/engine/presence.h"
 #include "solver/results/history.h"
 #include "solver/run/checkpoint.h"
 #include "solver/run/run_limit.h"
 #include "solver/run/stage_settings.h"
+#include "solver/scene/presence.h"
 
 #include <tbb/global_control.h>
 
@@ -29,11 +32,14 @@ constexpr long fewestPasses = 200;  // between checkpoints: a new pattern and a 
 constexpr long workBetween = 2000;  // passes times bodies between the checkpoints of the smallest models
 
 /// Blocks and bolts where the scene has them.
-Checkpoint startOf(const Model& model) {
+Checkpoint startOf(const Scene& scene, const Model& model) {
     Checkpoint start;
     start.state = makeState(model);
     start.state.contacts = findContacts(model, start.state.blocks, {}, model.size * 1e-3, true);
+    for (std::size_t b = 0; b < scene.bolts.size(); ++b)
+        if (isInstalledLater(scene, scene.bolts[b])) leaveOut(model, start.state, static_cast<int>(b));
     placeBolts(model, start.state);
+    preloadFaces(scene, model, start.state);
     start.state.startEnergy = bookedEnergy(model, start.state);
     return start;
 }
@@ -42,7 +48,7 @@ class Runner : StepObserver {
 public:
     Runner(const Scene& scene, Sink& sink, Control& control)
         : scene_(scene), sink_(sink), control_(control), limit_(scene.limits), model_(makeModel(scene)),
-          now_(startOf(model_)), engine_(model_), loads_(model_, scene, now_.loads),
+          now_(startOf(scene, model_)), engine_(model_), loads_(model_, scene, now_.loads),
           observation_(scene, model_, now_.state, now_.reference), watch_(model_, now_.state, now_.watch) {
         engine_.stopAsked = [this] { return stopAsked(); };
         engine_.passed = [this] { report(); };
@@ -104,7 +110,9 @@ private:
         now_.passes = 0;
         engine_.health = {};
         setStrengths();
+        const std::vector<WallForce> walls = changePresence();
         loads_.begin(now_.stage, now_.state);
+        if (isStatic()) loads_.hold(walls);
         if (!stage().set.empty()) changeJoints(scene_, now_.stage, model_, now_.state);
         if (stage().zeroDisplacements) observation_.zero(now_.state);
         watch_.beginStage(now_.state);
@@ -112,6 +120,18 @@ private:
         const StepEnding ending = isStatic() ? standStill() : setMoving();
         keepFrame(false);
         return ending;
+    }
+
+    /// Bolts and blocks that go and come. \return what the blocks gave to those that stay.
+    std::vector<WallForce> changePresence() {
+        for (const std::string& name : stage().remove) removeBolt(model_, now_.state, boltNamed(scene_, name));
+        std::vector<int> rows;
+        for (int block : excavatedBlocks(scene_, stage()))
+            for (int row = model_.firstOf[block]; row < model_.firstOf[block + 1]; ++row) rows.push_back(row);
+        std::vector<WallForce> walls = excavate(model_, now_.state, rows);
+        loads_.forgetAbsent(now_.state);
+        for (const std::string& name : stage().install) installBolt(model_, now_.state, boltNamed(scene_, name));
+        return walls;
     }
 
     void setStrengths() {

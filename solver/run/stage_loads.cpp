@@ -40,18 +40,32 @@ bool samePlace(const Load& before, const Load& now, bool sameBlock) {
     return before.blockAt && sameBlock && before.at == now.at;
 }
 
+/// Leaves out rows of several lists at once.
+template <class Rows, class... Others>
+void dropRows(const std::vector<char>& drop, Rows& rows, Others&... others) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (drop[i]) continue;
+        if (kept != i) rows[kept] = rows[i];
+        ++kept;
+    }
+    rows.resize(kept);
+    if constexpr (sizeof...(others) > 0) dropRows(drop, others...);
+}
+
 }  // namespace
 
 int StageLoads::blockHolding(const State& state, const Point& place) const {
     const Point p = place - model_.origin;
     const auto rocks = static_cast<std::size_t>(model_.firstOf.back());  // places are in rock, never in a plate
+    const auto stands = [&](std::size_t block) { return !state.blocks[block].absent; };
     for (std::size_t i = 0; i < rocks; ++i)
-        if (locate(state.blocks[i].corners, p, model_.tolerance) == Side::Inside) return static_cast<int>(i);
+        if (stands(i) && locate(state.blocks[i].corners, p, model_.tolerance) == Side::Inside) return static_cast<int>(i);
     for (std::size_t i = 0; i < rocks; ++i)
-        if (locate(state.blocks[i].corners, p, model_.tolerance) == Side::Boundary) return static_cast<int>(i);
+        if (stands(i) && locate(state.blocks[i].corners, p, model_.tolerance) == Side::Boundary) return static_cast<int>(i);
     // the block has moved away from where the scene shows it: the place as it was at the start
     for (std::size_t i = 0; i < rocks; ++i)
-        if (locate(startCorners(model_.blocks[i]), p, model_.tolerance) != Side::Outside) return static_cast<int>(i);
+        if (stands(i) && locate(startCorners(model_.blocks[i]), p, model_.tolerance) != Side::Outside) return static_cast<int>(i);
     return -1;
 }
 
@@ -60,10 +74,11 @@ const Load& StageLoads::loadOf(const LoadSource& source) const {
 }
 
 /// The line is that of the scene, so the edges are looked for where the scene has them, wherever they are now.
-void StageLoads::addPressure(int row) {
+void StageLoads::addPressure(int row, const State& state) {
     const Load& load = stage().loads[static_cast<std::size_t>(row)];
     const Point a = (*load.along)[0] - model_.origin, b = (*load.along)[1] - model_.origin;
     for (std::size_t i = 0; i < static_cast<std::size_t>(model_.firstOf.back()); ++i) {
+        if (state.blocks[i].absent) continue;
         const std::vector<Point> corners = startCorners(model_.blocks[i]);
         for (int e = 0; e < static_cast<int>(corners.size()); ++e) {
             if (!model_.blocks[i].inner.empty() && model_.blocks[i].inner[static_cast<std::size_t>(e)]) continue;
@@ -88,7 +103,7 @@ void StageLoads::addLoad(int row, const State& state) {
     const Load& load = stage().loads[static_cast<std::size_t>(row)];
     if (load.along) {
         replace(load, -1);
-        addPressure(row);
+        addPressure(row, state);
         return;
     }
     const Point named = load.blockAt ? *load.blockAt : *load.point;
@@ -166,6 +181,42 @@ void StageLoads::begin(int stage, State& state) {
     memory_.start.acceleration = {0.0, 0.0};  // ends with the stage that has it
 }
 
+void StageLoads::hold(const std::vector<WallForce>& walls) {
+    for (const WallForce& wall : walls) {
+        memory_.loads.walls.push_back(wall);
+        memory_.wallStages.push_back(memory_.stage);
+        memory_.start.walls.push_back(1.0);
+    }
+}
+
+/// Share of a wall's force that still acts at the stage's end.
+double StageLoads::wallAtEnd(std::size_t wall) const {
+    const double now = memory_.start.walls[wall];
+    if (stage().kind == StageKind::Dynamic) return now;
+    const bool own = memory_.wallStages[wall] == memory_.stage;
+    if (!own && !stage().relaxation) return now;
+    return std::min(now, 1.0 - stage().relaxation.value_or(1.0));
+}
+
+void StageLoads::forgetAbsent(const State& state) {
+    const auto gone = [&](const auto& rows) {
+        std::vector<char> drop;
+        for (const auto& row : rows) drop.push_back(row.block >= 0 && state.blocks[row.block].absent);
+        return drop;
+    };
+    Loads& loads = memory_.loads;
+    LoadPoint& start = memory_.start;
+    dropRows(gone(loads.forces), loads.forces, memory_.forceSources, start.forces);
+    dropRows(gone(loads.pressures), loads.pressures, memory_.pressureSources, start.pressures);
+    dropRows(gone(loads.motions), loads.motions, memory_.motionSources, start.motions);
+    std::vector<char> walls = gone(loads.walls);
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        const int bolt = loads.walls[i].bolt;
+        walls[i] = walls[i] || start.walls[i] == 0.0 || (bolt >= 0 && state.bolts[bolt].absent);
+    }
+    dropRows(walls, loads.walls, memory_.wallStages, start.walls);
+}
+
 /// How far the block was along the motion's axis where displacements begin to count.
 double StageLoads::zeroOf(const PrescribedMotion& motion) const {
     const auto block = static_cast<std::size_t>(motion.block);
@@ -189,6 +240,8 @@ LoadPoint StageLoads::at(double time) const {
         const Table& table = stage().motions[static_cast<std::size_t>(memory_.motionSources[i].row)].table;
         point.motions[i] = zeroOf(memory_.loads.motions[i]) + valueAt(table, time);
     }
+    for (std::size_t i = 0; i < point.walls.size(); ++i)
+        point.walls[i] += std::clamp(time, 0.0, 1.0) * (wallAtEnd(i) - point.walls[i]);
     return point;
 }
 
@@ -214,6 +267,8 @@ std::vector<double> StageLoads::turns() const {
 
 bool StageLoads::varies() const {
     const std::vector<const Table*> all = tables();
+    for (std::size_t i = 0; i < memory_.start.walls.size(); ++i)
+        if (wallAtEnd(i) != memory_.start.walls[i]) return true;
     return std::any_of(all.begin(), all.end(), [](const Table* table) { return changes(*table); });
 }
 

@@ -23,6 +23,7 @@ struct LoadMemory {
     Loads loads;
     LoadPoint start;  // what acted when the stage began
     std::vector<LoadSource> forceSources, pressureSources, motionSources;  // rows of Loads
+    std::vector<int> wallStages;  // that excavated, per row of Loads::walls
     std::vector<Point> zero;  // centroids at the last `zero_displacements`; empty: those of the start
 };
 
@@ -35,6 +36,12 @@ public:
     /// Adds the loads and motions of a stage. A motion takes the place of an earlier one on its block, a load that of
     /// one of an earlier stage at the same place.
     void begin(int stage, State& state);
+
+    /// Holds what excavated rock gave, to be let go over this stage and later ones. \pre a static stage has begun.
+    void hold(const std::vector<WallForce>& walls);
+
+    /// Forgets loads and motions of what is not there any more.
+    void forgetAbsent(const State& state);
 
     const Loads& loads() const { return memory_.loads; }
 
@@ -59,7 +66,8 @@ private:
     void addLoad(int row, const State& state);
     void addSpread(int row, int block);
     void addForce(const PointForce& force, int row);
-    void addPressure(int row);
+    void addPressure(int row, const State& state);
+    double wallAtEnd(std::size_t wall) const;
     void addMotion(int row, State& state);
     void replace(const Load& load, int block);
     int blockHolding(const State& state, const Point& place) const;

@@ -43,7 +43,7 @@ bool carried(const Model& model, const State& state, int block) {
             return true;
     for (const BoltMotion& bolt : state.bolts)
         for (const BoltNode& node : bolt.nodes)
-            if (!bolt.lost && node.slot >= 0 &&
+            if (acts(bolt) && node.slot >= 0 &&
                 wholeOf(model, bolt.slots[static_cast<std::size_t>(node.slot)].block) == block)
                 return true;
     return false;
@@ -109,7 +109,7 @@ void Watch::lookForFalls(State& state, std::vector<Event>& events) const {
     for (std::size_t i = 0; i < state.blocks.size(); ++i) {
         BlockMotion& block = state.blocks[i];
         const int whole = wholeOf(model_, static_cast<int>(i));
-        if (block.fallen || model_.blocks[i].fixed || whole != static_cast<int>(i)) continue;
+        if (block.fallen || block.absent || model_.blocks[i].fixed || whole != static_cast<int>(i)) continue;
         if ((block.centroid - start_[i]).norm() < wholeSize(model_, whole) || carried(model_, state, whole)) continue;
         block.fallen = true;
         Event event;
@@ -123,7 +123,7 @@ void Watch::lookForFalls(State& state, std::vector<Event>& events) const {
 void Watch::lookForPulledOut(State& state, std::vector<Event>& events) const {
     for (std::size_t b = 0; b < state.bolts.size(); ++b) {
         BoltMotion& bolt = state.bolts[b];
-        if (bolt.lost) continue;
+        if (!acts(bolt)) continue;
         memory_.inhabited[b].resize(bolt.slots.size(), 0);  // of blocks entered since
         for (const BoltNode& node : bolt.nodes)
             if (node.slot >= 0) memory_.inhabited[b][static_cast<std::size_t>(node.slot)] = 1;
