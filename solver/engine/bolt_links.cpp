@@ -66,9 +66,7 @@ private:
         const BoltElement& element = bolt_.elements[e];
         const BeamSection& section = bolt_.section;
         const double length = element.length;
-        const BoltNode& n1 = motion_.nodes[e];
-        const BoltNode& n2 = motion_.nodes[e + 1];
-        const BeamStrains s = beamStrains({n1.x, n2.x, n1.angle, n2.angle}, length, bolt_.angle);
+        const BeamStrains s = strainsOf(bolt_, motion_, e);
 
         const Eigen::Vector3d stretch(s.along.x() / length, s.along.y() / length, 0.0);
         Link& axial = ofElement(LinkKind::Axial, e, s.elongation / length, bolt_.share * section.area * length, -stretch,
@@ -77,7 +75,6 @@ private:
         axial.law.stiffness = section.youngsModulus;
         axial.law.curve = steelNow(bolt_, motion_);
         axial.law.state = motion_.elements[e].steel;
-        const int axialAt = last();
         const double stress = respond(axial.law, axial.strain).force, tension = section.area * stress;
 
         const Eigen::Vector3d sideways(s.across.x(), s.across.y(), 0.0);
@@ -89,22 +86,20 @@ private:
         const Eigen::Vector3d turn(0.0, 0.0, 1.0 / std::numbers::sqrt2);
         Link& bend = ofElement(LinkKind::Bend, e, s.p1, bolt_.share, turn, -turn);
         bend.law.stiffness = bendStiffness(bolt_, e);
-        if (bolt_.hinges) addHinge(bend.law, e, axialAt, stress);
+        if (bolt_.hinges) addHinge(bend.law, motion_.elements[e].hingeBend, e);
         const Eigen::Vector3d chordTurn = std::numbers::sqrt2 / s.length * sideways;
         Link& shear = ofElement(LinkKind::Shear, e, s.p2, bolt_.share, turn + chordTurn, turn - chordTurn);
         shear.law.stiffness = 6.0 * section.youngsModulus * section.secondMoment /
                               ((1.0 + shearModifier(section, length, element.shears)) * length);
+        if (bolt_.hinges) addHinge(shear.law, motion_.elements[e].hingeSway, e);
     }
 
-    /// The moment's limit falls with the square of the axial stress over the first yield stress.
-    void addHinge(Law& law, int e, int axialAt, double stress) {
+    /// The limit of both parts of the moment falls with the square of the axial stress over the first yield stress.
+    void addHinge(Law& law, double turned, int e) {
         law.kind = LawKind::Capped;
-        law.offset = motion_.elements[e].hingeAngle;
+        law.offset = turned;
         law.leastTangent = flatTangent;
-        const double yield = steelNow(bolt_, motion_)->force.front();
-        const LimitPair pair{last(), axialAt, 1.0 / yield, hingeForce(bolt_, motion_), LimitPair::Rule::Interaction};
-        law.limit = limitFrom(pair, stress);
-        problem_.limitPairs.push_back(pair);
+        law.limit = hingeLimit(bolt_, motion_, e);
     }
 
     /// Rock or grout crushes where the bar's pressure on its diameter reaches their strength.
@@ -231,10 +226,10 @@ double slidingLimit(const AnchorModel& anchor, const BoltNode& node, double stre
     return cohesive + anchor.tanPhi * std::abs(node.normalForce) / node.bond.share;
 }
 
-double bendOf(const BoltModel& bolt, const BoltMotion& motion, int e) {
+BeamStrains strainsOf(const BoltModel& bolt, const BoltMotion& motion, int e) {
     const BoltNode& n1 = motion.nodes[e];
     const BoltNode& n2 = motion.nodes[e + 1];
-    return beamStrains({n1.x, n2.x, n1.angle, n2.angle}, bolt.elements[e].length, bolt.angle).p1;
+    return beamStrains({n1.x, n2.x, n1.angle, n2.angle}, bolt.elements[e].length, bolt.angle);
 }
 
 double bendStiffness(const BoltModel& bolt, int e) {
@@ -244,6 +239,11 @@ double bendStiffness(const BoltModel& bolt, int e) {
 double hingeForce(const BoltModel& bolt, const BoltMotion& motion) {
     if (!bolt.hinges) return 0.0;
     return std::numbers::sqrt2 * bolt.plasticModulus * steelNow(bolt, motion)->force.front();
+}
+
+double hingeLimit(const BoltModel& bolt, const BoltMotion& motion, int e) {
+    const double share = motion.elements[e].axialForce / (bolt.section.area * steelNow(bolt, motion)->force.front());
+    return hingeForce(bolt, motion) * std::max(0.0, 1.0 - share * share);
 }
 
 void addBoltLinks(const Model& model, const State& state, int bolt, StepProblem& problem) {

@@ -5,6 +5,7 @@
 #include "solver/engine/contact_candidates.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace keyblock {
 namespace {
@@ -34,6 +35,13 @@ PathStart startOf(const Model& model, const Link& link, const Link& first, doubl
     return at;
 }
 
+/// A hinge's limit is told anew when a search begins; where it fell, the hinge still carried what it had.
+void carryHinges(StepProblem& problem) {
+    for (Link& link : problem.links)
+        if (link.kind == LinkKind::Bend || link.kind == LinkKind::Shear)
+            link.law.limit = std::max(link.law.limit, std::abs(carriedForce(link.law, link.strain)));
+}
+
 }  // namespace
 
 void bookStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
@@ -61,6 +69,7 @@ void bookStep(const Model& model, State& state, const StepProblem& problem, cons
 StaticBooks::StaticBooks(const Model& model, const State& start, const Loads& loads, const LoadPoint& before)
     : model_(model), loads_(loads), before_(before), start_(start) {
     StepProblem problem = buildStep(model, start, loads, before, {Inertia::None});
+    carryHinges(problem);
     first_ = forcesOf(problem, start, before);
 }
 
@@ -76,6 +85,7 @@ StepProblem StaticBooks::atStart(const State& end) const {
     State start = start_;
     start.contacts = end.contacts;
     StepProblem problem = buildStep(model_, start, loads_, before_, {Inertia::None});
+    carryHinges(problem);
     correctFrictionLimits(problem, Eigen::VectorXd::Zero(problem.unknowns()));
     return problem;
 }

@@ -90,7 +90,7 @@ struct BoltElementState {
     BackboneState steel;
     double strain = 0.0, axialForce = 0.0, shearForce = 0.0, moment1 = 0.0, moment2 = 0.0;  // last accepted, per bolt
     double bend = 0.0, bendLimit = 0.0;  // the beam's p1 [rad] and the limit of its force [N m], last accepted
-    double hingeAngle = 0.0;  // p1 at which that force vanishes [rad]
+    double hingeBend = 0.0, hingeSway = 0.0;  // p1 and p2 at which their forces vanish [rad]
     bool yielded = false;
     bool hinged = false;
     bool ruptured = false;

@@ -99,16 +99,19 @@ double slipForceOf(const StepProblem& problem, const std::vector<double>& forces
 void yieldAcross(const Model& model, State& state, const StepProblem& problem, const std::vector<double>& forces) {
     for (std::size_t i = 0; i < problem.links.size(); ++i) {
         const Link& link = problem.links[i];
-        const bool hinge = link.kind == LinkKind::Bend, rock = link.kind == LinkKind::AnchorNormal;
-        if (link.law.kind != LawKind::Capped || !(hinge || rock)) continue;
+        const bool bend = link.kind == LinkKind::Bend, sway = link.kind == LinkKind::Shear;
+        if (link.law.kind != LawKind::Capped || !(bend || sway || link.kind == LinkKind::AnchorNormal)) continue;
         if (std::abs(forces[i]) < link.law.limit) continue;
         BoltMotion& motion = state.bolts[link.owner];
-        double& offset = hinge ? motion.elements[link.part].hingeAngle : motion.nodes[link.part].normalOffset;
-        if (hinge) {
-            offset = bendOf(model.bolts[link.owner], motion, link.part) - forces[i] / link.law.stiffness;
+        const double elastic = forces[i] / link.law.stiffness;
+        double& offset = bend ? motion.elements[link.part].hingeBend
+                       : sway ? motion.elements[link.part].hingeSway : motion.nodes[link.part].normalOffset;
+        if (bend || sway) {
+            const BeamStrains strains = strainsOf(model.bolts[link.owner], motion, link.part);
+            offset = (bend ? strains.p1 : strains.p2) - elastic;
         } else {
             const BoltNode& node = motion.nodes[link.part];
-            offset = offSlot(slotLine(state, motion.slots[node.slot]), node) - forces[i] / link.law.stiffness;
+            offset = offSlot(slotLine(state, motion.slots[node.slot]), node) - elastic;
         }
         const double work = link.law.share * slipForceOf(problem, forces, i) * (offset - link.law.offset);
         state.energy.plastic += work;

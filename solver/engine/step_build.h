@@ -52,11 +52,16 @@ const Backbone* curveNow(const AnchorModel& anchor, const BoltMotion& motion);
 /// Friction that an anchored point can carry under the normal force it had, for one metre or one node [N/m or N].
 double slidingLimit(const AnchorModel& anchor, const BoltNode& node, double strengthFactor);
 
-/// Where an element is bent: its p1 [rad] (theory, "The shank"), and the stiffness and the limit without axial force
-/// of the spring that resists it [N m]; a limit of 0 where it has none.
-double bendOf(const BoltModel& bolt, const BoltMotion& motion, int element);
+/// How an element is strained where its nodes are now (theory, "The shank").
+BeamStrains strainsOf(const BoltModel& bolt, const BoltMotion& motion, int element);
+
+/// Stiffness of the spring that resists an element's p1, and its limit (and p2's) without axial force [N m]; a limit of
+/// 0 where it has none.
 double bendStiffness(const BoltModel& bolt, int element);
 double hingeForce(const BoltModel& bolt, const BoltMotion& motion);
+
+/// That limit under the axial force that the element carried when it was last accepted [N m].
+double hingeLimit(const BoltModel& bolt, const BoltMotion& motion, int element);
 
 /// Displacement of a motion's block along its axis since the start of the run [m].
 double displacementAlong(const Model& model, const State& state, const PrescribedMotion& motion);
