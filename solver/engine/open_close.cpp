@@ -81,7 +81,7 @@ SolveReport StepSolver::openClose(StepProblem& problem, Eigen::VectorXd& d, cons
             return report;
         }
         const StepProblem frozen = held(problem, states);
-        if (!direction(frozen, d, netForce(frozen, d), report, towards)) return report;
+        if (!direction(frozen, d, netForce(frozen, d), 0.0, report, towards)) return report;
         d += towards;
         correctFrictionLimits(problem, d);
         const Balance balance(problem, d, mayBeRoundOff);

@@ -36,8 +36,7 @@ struct Link {
 struct LimitPair {
     enum class Rule {
         Push,  // base + factor·⟨−F⟩: a joint, by the tangent of its friction angle
-        Clamp,  // base + factor·|F|: an anchored point, by its normal spring
-        Interaction  // base·⟨1 − (factor·F)²⟩: a plastic hinge, by the axial stress
+        Clamp  // base + factor·|F|: an anchored point, by its normal spring
     };
     int limited = -1, from = -1;  // links
     double factor = 0.0;
@@ -143,11 +142,12 @@ private:
                          const std::function<bool()>& stopAsked);
     SolveReport openClose(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                           const std::function<bool()>& stopAsked);
-    /// Newton's direction from `d`, where the net force is `net`. \return false where the matrix is singular.
+    /// Newton's direction from `d`, where the net force is `net`; no law of a bolt is taken as softer than
+    /// `floor` of its stiffness. \return false where the matrix is singular.
     bool direction(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net,
-                   SolveReport& report, Eigen::VectorXd& towards);
+                   double floor, SolveReport& report, Eigen::VectorXd& towards);
     void fixPattern(const StepProblem& problem);
-    void assemble(const StepProblem& problem, const std::vector<double>& strains);
+    void assemble(const StepProblem& problem, const std::vector<double>& strains, double floor);
     int equationOf(int unknown) const { return equations_[static_cast<std::size_t>(unknown)]; }
 
     LinearSystem system_;

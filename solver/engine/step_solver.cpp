@@ -17,6 +17,8 @@ namespace {
 
 constexpr double quietStart = 1e-9;  // a start this well balanced needs no solve
 constexpr int lineSearchSweeps = 30;
+constexpr int patience = 12;  // passes before a step is helped over flat laws
+constexpr double lowestFloor = 1e-6, highestFloor = 0.1;  // of a law's stiffness
 
 /// Slope of the energy along `direction`, from arrays of strains and their rates.
 class LineSlope {
@@ -77,6 +79,14 @@ double lineSearch(const LineSlope& slope) {
     return low > 0.0 ? low : high;
 }
 
+/// Where laws are flat a step of Newton's goes far and is stopped early by the first law that is not: then the laws of
+/// bolts are told stiffer than they are, until steps go through again.
+double nextFloor(double floor, double stepLength) {
+    if (stepLength < 0.05) return std::clamp(10.0 * floor, lowestFloor, highestFloor);
+    if (stepLength > 0.5) return floor > lowestFloor ? 0.1 * floor : 0.0;
+    return floor;
+}
+
 std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
     std::vector<std::pair<int, int>> pairs;
     for (int body = 0; body < problem.blocks + problem.nodes; ++body) pairs.emplace_back(body, body);
@@ -101,7 +111,6 @@ double limitFrom(const LimitPair& pair, double force) {
     switch (pair.rule) {
         case LimitPair::Rule::Push: return pair.base + std::max(0.0, -part);
         case LimitPair::Rule::Clamp: return pair.base + std::abs(part);
-        case LimitPair::Rule::Interaction: return pair.base * std::max(0.0, 1.0 - part * part);
     }
     return pair.base;
 }
@@ -187,7 +196,7 @@ void StepSolver::fixPattern(const StepProblem& problem) {
     }
 }
 
-void StepSolver::assemble(const StepProblem& problem, const std::vector<double>& strains) {
+void StepSolver::assemble(const StepProblem& problem, const std::vector<double>& strains, double floor) {
     system_.clear();
     const auto values = system_.values();
     const auto add = [&](int first, int second, const auto& block) {
@@ -205,7 +214,9 @@ void StepSolver::assemble(const StepProblem& problem, const std::vector<double>&
             Eigen::Matrix3d(problem.nodeStiffness[static_cast<std::size_t>(i)].asDiagonal()));
     for (std::size_t i = 0; i < problem.links.size(); ++i) {
         const Link& link = problem.links[i];
-        const double k = link.law.share * respond(problem, link, strains[i]).tangent;
+        const double tangent = respond(problem, link, strains[i]).tangent;
+        const double least = link.part >= 0 ? floor * link.law.stiffness : 0.0;  // bolts only
+        const double k = link.law.share * std::max(tangent, least);
         if (k == 0.0) continue;
         const auto ga = link.ga.head(problem.width(link.a));
         add(link.a, link.a, (k * ga * ga.transpose()).eval());
@@ -218,10 +229,10 @@ void StepSolver::assemble(const StepProblem& problem, const std::vector<double>&
 }
 
 bool StepSolver::direction(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net,
-                           SolveReport& report, Eigen::VectorXd& towards) {
+                           double floor, SolveReport& report, Eigen::VectorXd& towards) {
     std::vector<double> strains;
     linkStrains(problem, d, strains);
-    assemble(problem, strains);
+    assemble(problem, strains, floor);
     ++report.factorizations;
     if (const int loose = system_.factor(); loose >= 0) {
         report.singular = true;
@@ -251,6 +262,7 @@ SolveReport StepSolver::minimise(StepProblem& problem, Eigen::VectorXd& d, const
                                  const std::function<bool()>& stopAsked) {
     SolveReport report;
     Eigen::VectorXd towards;
+    double floor = 0.0;
     for (; report.passes <= settings.maxPasses; ++report.passes) {
         if (stopAsked && stopAsked()) {
             report.stopped = true;
@@ -265,8 +277,10 @@ SolveReport StepSolver::minimise(StepProblem& problem, Eigen::VectorXd& d, const
             report.converged = balance.within(tolerance);
             if (report.converged) return report;
         }
-        if (!direction(problem, d, balance.net(), report, towards)) return report;
-        d += lineSearch(LineSlope(problem, d, towards)) * towards;
+        if (!direction(problem, d, balance.net(), floor, report, towards)) return report;
+        const double stepLength = lineSearch(LineSlope(problem, d, towards));
+        d += stepLength * towards;
+        if (report.passes >= patience) floor = nextFloor(floor, stepLength);
     }
     return report;
 }
