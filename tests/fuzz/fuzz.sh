@@ -30,7 +30,7 @@ case $target in
 esac
 mkdir -p "$grown" "$work/found" "$corpus"
 
-"$driver" -max_total_time=$((minutes * 60)) -max_len=$longest -timeout=10 -rss_limit_mb=3000 \
+"$driver" -max_total_time=$((minutes * 60)) -max_len=$longest -timeout=60 -rss_limit_mb=3000 \
           -artifact_prefix="$work/found/" -print_final_stats=1 -use_value_profile=0 \
           "$grown" "$corpus" "$@"
 
