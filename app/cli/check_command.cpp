@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `check`: everything that is wrong with a scene, nothing run.
+// The verb `check`: everything that is wrong with a scene and what its domain is cut
+// into, nothing run.
 #include "app/cli/commands.h"
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"
 #include "solver/files/scene_file.h"
+#include "solver/scene/number_text.h"
 
 #include <algorithm>
 
@@ -30,14 +32,48 @@ void tell(const std::filesystem::path& scene, const std::vector<Problem>& proble
           counted(problems, Severity::Warning) + ", " + counted(problems, Severity::Note) + "\n");
 }
 
+constexpr std::size_t mostOfAKind = 10;
+
+std::string placeText(const Point& place) { return "(" + shortest(place.x()) + ", " + shortest(place.y()) + ")"; }
+
+/// What was merged, trimmed and dropped: how many of each kind, then up to ten of them, or all.
+void tellNotes(const SceneCut& cut, bool all) {
+    for (auto note = cut.notes.begin(); note != cut.notes.end();) {
+        const auto end = std::find_if(note, cut.notes.end(), [&](const CutNote& n) { return n.kind != note->kind; });
+        const auto count = static_cast<std::size_t>(end - note);
+        print("  " + std::string(wordOf(note->kind)) + ": " + std::to_string(count) + '\n');
+        const std::size_t told = all ? count : std::min(count, mostOfAKind);
+        for (std::size_t i = 0; i < told; ++i, ++note)
+            print("    at " + placeText(note->place) + ": " + noteText(cut, *note) + '\n');
+        if (told < count)
+            print("    and " + std::to_string(count - told) + " more; --all lists them\n");
+        note = end;
+    }
+}
+
+void tellCut(const SceneCut& cut, bool all) {
+    if (cut.blocks == 0 && cut.sources.empty())
+        return;  // patterns of bolts alone
+    print("cut into " + std::to_string(cut.blocks) + " blocks of " + shortest(cut.area) + " m² with " +
+          std::to_string(cut.vertices) + " corners; tolerance " + shortest(cut.tolerance) + " m, least area " +
+          shortest(cut.minArea) + " m², least width " + shortest(cut.minWidth) + " m\n");
+    if (cut.open > 0)
+        print("  left out in open tunnels: " + std::to_string(cut.open) + '\n');
+    if (cut.split > 0)
+        print("  cuts through intact rock beside openings: " + std::to_string(cut.split) + '\n');
+    tellNotes(cut, all);
+}
+
 }  // namespace
 
 ExitCode perform(const CheckOptions& options) {
     const SceneReading reading = readSceneFile(options.scene, options.overrides);
     if (options.json)
-        print(problemsJson(reading.problems));
+        print(checkJson(reading));
     else
         tell(options.scene, reading.problems);
+    if (reading.cut && !options.json)
+        tellCut(*reading.cut, options.all);
     return hasErrors(reading.problems) ? Invalid : Done;
 }
 

@@ -68,6 +68,7 @@ void addCheck(CLI::App& app, CheckOptions& options) {
     CLI::App* verb = app.add_subcommand("check", "Tell everything that is wrong with a scene; nothing is run");
     verb->add_option("SCENE.json", options.scene, "The scene")->required()->type_name("");
     addOverrides(verb, options.overrides);
+    verb->add_flag("--all", options.all, "List all that was changed when the domain was cut, not ten of each kind");
     verb->add_flag("--json", options.json, "Answer in JSON");
 }
 

@@ -30,6 +30,7 @@ struct RunOptions {
 struct CheckOptions {
     std::filesystem::path scene;
     std::vector<std::string> overrides;
+    bool all = false;  // every note of the cut
     bool json = false;
 };
 

@@ -103,15 +103,41 @@ Json paperTableJson(const PaperTable& table) {
 
 }  // namespace
 
-std::string problemsJson(std::span<const Problem> problems) {
+namespace {
+
+Json cutJson(const SceneCut& cut) {
+    Json reports = Json::array();
+    for (const CutNote& note : cut.notes)
+        reports.push_back({{"kind", wordOf(note.kind)},
+                           {"x_m", note.place.x()},
+                           {"y_m", note.place.y()},
+                           {"message", noteText(cut, note)}});
+    return {{"blocks", cut.blocks},
+            {"vertices", cut.vertices},
+            {"edges", cut.edges},
+            {"area_m2", cut.area},
+            {"tolerance_m", cut.tolerance},
+            {"min_area_m2", cut.minArea},
+            {"min_width_m", cut.minWidth},
+            {"open_blocks", cut.open},
+            {"splits", cut.split},
+            {"reports", reports}};
+}
+
+}  // namespace
+
+std::string checkJson(const SceneReading& reading) {
     Json list = Json::array();
-    for (const Problem& problem : problems)
+    for (const Problem& problem : reading.problems)
         list.push_back({{"severity", wordOf(problem.severity)},
                         {"pointer", problem.pointer},
                         {"line", problem.line > 0 ? Json(problem.line) : Json(nullptr)},
                         {"message", problem.message},
                         {"remedy", problem.remedy}});
-    return dumped({{"problems", list}}, 2);
+    Json answer{{"problems", list}};
+    if (reading.cut && !reading.cut->sources.empty())
+        answer["cut"] = cutJson(*reading.cut);
+    return dumped(answer, 2);
 }
 
 std::string infoJson(const RunStore& store) {

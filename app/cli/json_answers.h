@@ -6,6 +6,7 @@
 #pragma once
 
 #include "solver/files/run_store.h"
+#include "solver/files/scene_file.h"
 #include "solver/scene/problem.h"
 #include "solver/verify/verify.h"
 
@@ -15,8 +16,10 @@
 
 namespace keyblock::cli {
 
-/// `problems[] {severity, pointer, line, message, remedy}`; a line that is not known is null.
-std::string problemsJson(std::span<const Problem> problems);
+/// `problems[] {severity, pointer, line, message, remedy}`; a line that is not known is null. Of a domain that could be
+/// cut also `cut {blocks, vertices, edges, area_m2, tolerance_m, min_area_m2, min_width_m, open_blocks, splits,
+/// reports[] {kind, x_m, y_m, message}}`.
+std::string checkJson(const SceneReading& reading);
 
 /// `scene_hash, stages[] {name, kind, outcome, time_s, steps}, frames, events {kind: count}, health {…}`; what is not
 /// known yet of a stage that has not ended is null.

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 /// The scene if it can be run. Errors are told on standard error, warnings with the results: standard error is for
 /// progress, which others read line by line.
-std::optional<Scene> runnableScene(const RunOptions& options) {
+std::optional<SceneReading> runnableScene(const RunOptions& options) {
     SceneReading reading = readSceneFile(options.scene, options.overrides);
     for (const Problem& problem : reading.problems)
         if (problem.severity == Severity::Error)
@@ -37,7 +37,9 @@ std::optional<Scene> runnableScene(const RunOptions& options) {
                        "add one, or check it with 'keyblock check'");
         return std::nullopt;
     }
-    return std::move(reading.scene);
+    if (!reading.scene)
+        return std::nullopt;
+    return reading;
 }
 
 ProgressKind progressOf(const RunOptions& options) {
@@ -73,14 +75,16 @@ void tellWhyItEnded(ExitCode code, const Scene& scene, const std::vector<StageRe
 }
 
 /// Runs the scene into its store, from the checkpoint if there is one; returns what each stage came to.
-std::vector<StageResult> runInto(RunStoreWriter& store, const Scene& scene, const RunOptions& options,
+std::vector<StageResult> runInto(RunStoreWriter& store, const SceneReading& read, const RunOptions& options,
                                  const std::optional<Checkpoint>& from, std::map<int, double>& stageSeconds) {
+    const Scene& scene = *read.scene;
     ProgressSink sink(scene, store, progressOf(options));
     Control control;
     control.progress = [&](const Progress& progress) { sink.update(progress); };
     const StopSignals signals(control.stop);
     const Checkpoint* start = from ? &*from : nullptr;
-    const std::vector<StageResult> results = keyblock::run(scene, sink, control, {options.threads}, start);
+    const std::vector<StageResult> results = 
+        keyblock::run(scene, sink, control, {options.threads, read.cut ? &*read.cut : nullptr}, start);
     store.close();
     stageSeconds = sink.stageSeconds();
     return results;
@@ -90,15 +94,16 @@ std::vector<StageResult> runInto(RunStoreWriter& store, const Scene& scene, cons
 
 ExitCode perform(const RunOptions& options) {
     fs::path out = options.out.value_or(fs::path(options.scene).replace_extension(".kbrun"));
-    const std::optional<Scene> scene = runnableScene(options);
-    if (!scene)
+    const std::optional<SceneReading> read = runnableScene(options);
+    if (!read)
         return Invalid;
+    const std::optional<Scene>& scene = read->scene;
     const Resumption resumption = options.resume ? resumptionOf(out, *scene) : Resumption{};
     std::map<int, double> stageSeconds;
     std::vector<StageResult> results;
     if (!resumption.finished) {
         RunStoreWriter store(out, options.overwrite || options.resume);
-        results = runInto(store, *scene, options, resumption.checkpoint, stageSeconds);
+        results = runInto(store, *read, options, resumption.checkpoint, stageSeconds);
     }
     print(summaryOf(RunStore(out), stageSeconds) + "\nresults in " + out.string() + "\n");
     const ExitCode code = exitCodeOf(results);

@@ -149,11 +149,12 @@ double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, c
         contact = *old;
         return followLength(model, blocks, contact);
     }
-    contact.joint = governingJoint(model, contact.blockA, contact.blockB);
+    const bool touches = std::abs(contact.gap) <= touching * model.tolerance;
+    contact.joint = governingJoint(model, blocks, contact, first && touches);
     const JointModel& joint = model.joints[contact.joint];
     contact.length = hasStiffness(joint) ? stiffLength(model, blocks, contact)
                                          : sharedFace(model, blocks, contact).length;
-    if (first && std::abs(contact.gap) <= touching * model.tolerance) {
+    if (first && touches) {
         contact.gapOffset = contact.gap;
         const auto isPlate = [&](int block) { return model.blocks[block].plateOf >= 0; };
         const bool holds = joint.cohesion > 0.0 || joint.tensileStrength > 0.0;

@@ -8,7 +8,10 @@
 #include "solver/engine/parallel.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace keyblock {
 namespace {
@@ -124,10 +127,43 @@ Edge edgeOf(const std::vector<Point>& corners, int index) {
     return {a, along, -turnLeft(along), length};
 }
 
-int governingJoint(const Model& model, int a, int b) {
-    const int x = model.blocks[a].jointMaterial, y = model.blocks[b].jointMaterial;
-    const auto weaker = [&](int i) { return std::pair(model.joints[i].tanPhi, model.joints[i].cohesion); };
-    return weaker(y) < weaker(x) ? y : x;
+namespace {
+
+int weakerJoint(const Model& model, int x, int y) {
+    const auto strength = [&](int i) {
+        return std::tuple(i == intactRow(model), model.joints[i].tanPhi, model.joints[i].cohesion);
+    };
+    return strength(y) < strength(x) ? y : x;
+}
+
+/// Edges of the corner's block beside it that lie along the contact's edge and face it; both where none does.
+std::array<int, 2> edgesAtCorner(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c,
+                                 bool& meets) {
+    const std::vector<Point>& corners = blocks[c.blockA].corners;
+    const int n = static_cast<int>(corners.size()), before = (c.corner + n - 1) % n;
+    const Point along = edgeOf(blocks[c.blockB].corners, c.edge).along;
+    const auto lies = [&](int edge) {
+        const Point own = edgeOf(corners, edge).along;
+        return own.dot(along) < 0.0 && std::abs(cross(own, along)) <= angleSlack;
+    };
+    const bool first = lies(before), second = lies(c.corner);
+    meets = (first || second) && model.blocks[c.blockA].plateOf < 0 && model.blocks[c.blockB].plateOf < 0;
+    return {first || !second ? before : c.corner, second || !first ? c.corner : before};
+}
+
+}  // namespace
+
+int governingJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c, bool first) {
+    const BlockModel &a = model.blocks[c.blockA], &b = model.blocks[c.blockB];
+    if (a.faceJoints.empty() && b.faceJoints.empty()) return weakerJoint(model, a.jointMaterial, b.jointMaterial);
+    bool meets = false;
+    const std::array<int, 2> edges = edgesAtCorner(model, blocks, c, meets);
+    const auto jointOn = [&](const BlockModel& block, int edge) {
+        const int joint = jointOfFace(block, edge);
+        return joint == intactRow(model) && !(first && meets) ? block.jointMaterial : joint;
+    };
+    const int own = weakerJoint(model, jointOn(a, edges[0]), jointOn(a, edges[1]));
+    return weakerJoint(model, own, jointOn(b, c.edge));
 }
 
 double gapOf(const std::vector<BlockMotion>& blocks, const Contact& c) {

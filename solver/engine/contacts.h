@@ -41,9 +41,11 @@ struct Edge {
 };
 Edge edgeOf(const std::vector<Point>& corners, int index);
 
-/// Of the joint materials of two blocks the weaker: less friction, and of equal friction less cohesion.
+/// Of the joint materials of two faces the weaker: less friction, and of equal friction less cohesion. Of the corner's
+/// block the face that lies along the edge counts, else both beside the corner. Intact rock is what was never parted:
+/// it counts where the faces met in the scene as it was given (`first`), elsewhere the blocks' own materials do.
 /// \return a row of Model::joints
-int governingJoint(const Model& model, int blockA, int blockB);
+int governingJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact, bool first);
 
 /// Springs of one contact [N/m].
 struct ContactSprings {

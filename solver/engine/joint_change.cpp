@@ -40,7 +40,7 @@ void bond(const Model& model, const State& state, Contact& c) {
 
 /// Which rows of Model::joints had cohesion or tensile strength at some time before `stage`.
 std::vector<char> everBonded(const Scene& scene, int stage) {
-    std::vector<char> ever(scene.jointMaterials.size() + 1, 0);
+    std::vector<char> ever(jointRows(scene.jointMaterials).size(), 0);
     for (int before = -1; before < stage; ++before) {
         const std::vector<JointModel> joints = jointModels(scene, before);
         for (std::size_t i = 0; i < joints.size(); ++i) ever[i] = ever[i] || bonds(joints[i]);
@@ -56,10 +56,7 @@ std::vector<JointModel> jointModels(const Scene& scene, int stage) {
         for (const StrengthChange& to : scene.stages[static_cast<std::size_t>(i)].set)
             for (auto& [name, material] : materials)
                 if (name == to.jointMaterial) change(material, to);
-    std::vector<JointModel> models;
-    for (const auto& [name, material] : materials) models.push_back(jointModel(material));
-    models.push_back(jointModel(builtInJointMaterial));
-    return models;
+    return jointRows(materials);
 }
 
 void changeJoints(const Scene& scene, int stage, Model& model, State& state) {
@@ -67,7 +64,8 @@ void changeJoints(const Scene& scene, int stage, Model& model, State& state) {
     model.joints = jointModels(scene, stage);
     for (Contact& c : state.contacts) {
         const bool neverBonded = !bonded[static_cast<std::size_t>(c.joint)];
-        c.joint = governingJoint(model, c.blockA, c.blockB);
+        if (c.joint == intactRow(model)) continue;
+        c.joint = governingJoint(model, state.blocks, c, false);
         const JointModel& joint = model.joints[c.joint];
         if (neverBonded && bonds(joint)) bond(model, state, c);
         if (c.bonded && !bonds(joint) && frictionBears(joint, c)) c.bonded = false;

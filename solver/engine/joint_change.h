@@ -12,8 +12,8 @@
 
 namespace keyblock {
 
-/// Strengths of the scene's joint materials as its stages up to and with `stage` set them (−1: as they are given), then
-/// the built-in one.
+/// Strengths of the scene's joint materials as its stages up to and with `stage` set them (−1: as they are given), with
+/// the rows that no scene lists.
 std::vector<JointModel> jointModels(const Scene& scene, int stage);
 
 /// Gives the model the strengths of `stage` and tells every contact which of them governs it now; no force and no

@@ -3,6 +3,8 @@
 #include "solver/engine/mesh_check.h"
 
 #include "solver/engine/model.h"
+#include "solver/scene/lookup.h"
+#include "solver/scene/pointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +48,7 @@ std::vector<Problem> checkMeshes(const Scene& scene) {
         if (longest <= fine * (1.0 + 1e-9) && !node) continue;
         Problem problem;
         problem.severity = Severity::Warning;
-        problem.pointer = "/bolts/" + std::to_string(i) + "/divisions";
+        problem.pointer = under(boltPointer(scene, i), "divisions");
         problem.message = "bolt " + bolt.name + " has " +
                           (longest > fine ? "elements of " + millimetres(longest) + " at a joint, where shear wants " +
                                                 millimetres(fine) + " or less"

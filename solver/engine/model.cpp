@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 namespace keyblock {
@@ -68,17 +69,28 @@ std::vector<Point> relative(const std::vector<Point>& points, const Point& origi
 
 Material plateMaterial(const Plate& plate) { return {plate.density, plate.youngsModulus, plate.poissonsRatio}; }
 
-/// Corners at which an outline turns by more than round-off, or its edges cease to be glued.
-std::vector<int> turnsOf(const std::vector<Point>& shape, const std::vector<char>& inner) {
+/// Corners at which an outline turns by more than round-off, its edges cease to be glued, or their joint material
+/// changes.
+std::vector<int> turnsOf(const BlockModel& block) {
     constexpr double straight = 1e-9;  // sine of the angle
+    const std::vector<Point>& shape = block.shape;
+    const std::vector<char>& inner = block.inner;
     std::vector<int> turns;
     const int n = static_cast<int>(shape.size());
     for (int i = 0; i < n; ++i) {
         const Point in = shape[i] - shape[(i + n - 1) % n], out = shape[(i + 1) % n] - shape[i];
         const bool bends = std::abs(cross(in, out)) > straight * in.norm() * out.norm();
-        if (bends || (!inner.empty() && inner[i] != inner[(i + n - 1) % n])) turns.push_back(i);
+        const int before = (i + n - 1) % n;
+        const bool differs = jointOfFace(block, i) != jointOfFace(block, before);
+        if (bends || differs || (!inner.empty() && inner[i] != inner[before])) turns.push_back(i);
     }
     return turns;
+}
+
+/// Row of Model::joints of an index of the scene.
+int jointRow(const Scene& scene, int joint) {
+    const int materials = static_cast<int>(scene.jointMaterials.size());
+    return joint == intactJoint ? materials + 1 : joint == builtInJoint ? materials : joint;
 }
 
 BlockModel blockModel(const Scene& scene, const Point& origin, const SolvedBlock& solved) {
@@ -95,7 +107,6 @@ BlockModel blockModel(const Scene& scene, const Point& origin, const SolvedBlock
     model.plateOf = solved.plateOf;
     model.inner = solved.inner;
     model.shape = relative(corners, m.centroid);
-    model.turns = turnsOf(model.shape, model.inner);
     model.centroid = m.centroid;
     model.area = m.area;
     model.size = std::sqrt(m.area);
@@ -107,13 +118,42 @@ BlockModel blockModel(const Scene& scene, const Point& origin, const SolvedBlock
         const Stress inSitu = inSituStressAt(scene, m.centroid + origin);
         for (std::size_t i = 0; i < inSitu.size(); ++i) model.initialStress[i] = block.initialStress[i] + inSitu[i];
     }
-    model.jointMaterial = jointMaterialIndex(scene, block);
-    if (model.jointMaterial < 0) model.jointMaterial = static_cast<int>(scene.jointMaterials.size());
+    model.jointMaterial = jointRow(scene, jointMaterialIndex(scene, block));
+    if (!plate && !solved.cell)
+        for (const CutFace& face : block.faces) model.faceJoints.push_back(jointRow(scene, face.joint));
+    model.turns = turnsOf(model);
     return model;
 }
 
+/// Corners of blocks on the domain's boundary, by block and corner, and whether x and y are held there.
+using BoundaryCorners = std::map<std::pair<int, int>, std::pair<bool, bool>>;
+
+/// Holds what has a face on a side of the domain: whole blocks, or the ends of the face.
+void holdBoundary(const Scene& scene, const Support& support, Model& model, BoundaryCorners& held) {
+    for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+        const std::vector<CutFace>& faces = scene.blocks[b].faces;
+        const int row = model.firstOf[b], corners = static_cast<int>(faces.size());
+        for (int e = 0; e < corners; ++e) {
+            const std::optional<BoundarySide>& side = faces[static_cast<std::size_t>(e)].side;
+            if (!side || (*support.boundary != BoundarySide::All && *support.boundary != *side)) continue;
+            if (support.fix == Fix::All) model.blocks[row].fixed = true;
+            for (int corner : {e, (e + 1) % corners})
+                if (support.fix != Fix::All) {
+                    auto& [x, y] = held[{row, corner}];
+                    x = x || support.fix != Fix::Y;
+                    y = y || support.fix != Fix::X;
+                }
+        }
+    }
+}
+
 void holdSupports(const Scene& scene, Model& model) {
+    BoundaryCorners corners;
     for (const Support& support : scene.supports) {
+        if (support.boundary) {
+            holdBoundary(scene, support, model, corners);
+            continue;
+        }
         if (support.blockAt) {
             const auto block = static_cast<std::size_t>(blockAt(scene, *support.blockAt));
             for (int row = model.firstOf[block]; row < model.firstOf[block + 1]; ++row) model.blocks[row].fixed = true;
@@ -124,6 +164,12 @@ void holdSupports(const Scene& scene, Model& model) {
         const double stiffness = scene.analysis.penaltyRatio * held.youngsModulus * model.thickness;
         model.held.push_back({block, *support.point - model.origin - held.centroid, support.fix != Fix::Y,
                               support.fix != Fix::X, stiffness});
+    }
+    for (const auto& [corner, axes] : corners) {
+        const BlockModel& held = model.blocks[static_cast<std::size_t>(corner.first)];
+        const double stiffness = scene.analysis.penaltyRatio * held.youngsModulus * model.thickness;
+        model.held.push_back({corner.first, held.shape[static_cast<std::size_t>(corner.second)], axes.first,
+                              axes.second, stiffness});
     }
 }
 
@@ -329,9 +375,11 @@ double stiffestOf(const Model& model) {
     double stiffest = 0.0;
     for (const BlockModel& block : model.blocks) {
         stiffest = std::max(stiffest, model.analysis.penaltyRatio * block.youngsModulus * model.thickness);
-        const JointModel& joint = model.joints[block.jointMaterial];
-        for (const auto& stiffness : {joint.normalStiffness, joint.shearStiffness})
-            stiffest = std::max(stiffest, stiffness.value_or(0.0) * block.size * model.thickness);
+        std::vector<int> joints = block.faceJoints;
+        joints.push_back(block.jointMaterial);
+        for (int row : joints)
+            for (const auto& stiffness : {model.joints[row].normalStiffness, model.joints[row].shearStiffness})
+                stiffest = std::max(stiffest, stiffness.value_or(0.0) * block.size * model.thickness);
     }
     for (const BoltModel& bolt : model.bolts)
         for (const BoltElement& element : bolt.elements)
@@ -422,6 +470,15 @@ JointModel jointModel(const JointMaterial& material) {
     return joint;
 }
 
+std::vector<JointModel> jointRows(const std::vector<std::pair<std::string, JointMaterial>>& materials) {
+    std::vector<JointModel> rows;
+    for (const auto& [name, material] : materials) rows.push_back(jointModel(material));
+    rows.push_back(jointModel(builtInJointMaterial));
+    JointModel& intact = rows.emplace_back(jointModel(builtInJointMaterial));
+    intact.cohesion = intact.tensileStrength = std::numeric_limits<double>::infinity();
+    return rows;
+}
+
 Model makeModel(const Scene& scene) {
     Model model;
     model.analysis = scene.analysis;
@@ -434,8 +491,7 @@ Model makeModel(const Scene& scene) {
     model.firstOf = solved.firstOf;
     for (const SolvedBlock& block : solved.blocks) model.blocks.push_back(blockModel(scene, model.origin, block));
     for (const SharedEdge& edge : solved.glued) model.glue.push_back(glueModel(scene, model, edge));
-    for (const auto& [name, material] : scene.jointMaterials) model.joints.push_back(jointModel(material));
-    model.joints.push_back(jointModel(builtInJointMaterial));
+    model.joints = jointRows(scene.jointMaterials);
     holdSupports(scene, model);
     preloadHeldPoints(scene, model);
     for (std::size_t i = 0; i < scene.bolts.size(); ++i) {

@@ -35,12 +35,14 @@ struct BlockModel {
     Eigen::Matrix3d elasticity = Eigen::Matrix3d::Zero();  // stress over strain [Pa]
     double youngsModulus = 0.0;  // [Pa]
     Stress initialStress{};  // [Pa]
-    int jointMaterial = -1;
+    int jointMaterial = -1;  // row of Model::joints
+    std::vector<int> faceJoints;  // the same for the face on each edge; empty: all have that one
     int rock = -1;  // the scene's block that it is, or is a cell of; of a plate, the one that it lies against
     bool cell = false;
     int plateOf = -1;  // bolt whose plate it is
     std::vector<char> inner;  // a row per edge: glued to other cells from end to end; empty: none
-    std::vector<int> turns;  // corners at which the outline turns: straight ones are no corners to a contact
+    std::vector<int> turns;  // corners at which the outline turns, or its joint material changes: no other is a corner
+                             // to a contact
     bool fixed = false;
 };
 
@@ -151,7 +153,7 @@ struct Model {
     std::vector<BlockModel> blocks;  // rows of `solvedBlocks`
     std::vector<int> firstOf;  // row where each block of the scene begins, then where the plates do
     std::vector<GlueModel> glue;
-    std::vector<JointModel> joints;  // the scene's, then the built-in one
+    std::vector<JointModel> joints;  // the scene's, then the built-in one, then intact rock
     std::vector<HeldPoint> held;
     std::vector<BoltModel> bolts;
     int nodes = 0;
@@ -161,6 +163,15 @@ struct Model {
 /// Corners where they are at the start [m].
 std::vector<Point> startCorners(const BlockModel& block);
 
+/// Row of Model::joints of what has no joint material of the scene; the last row is intact rock.
+inline int builtInRow(const Model& model) { return static_cast<int>(model.joints.size()) - 2; }
+inline int intactRow(const Model& model) { return static_cast<int>(model.joints.size()) - 1; }
+
+/// Joint material of the face on an edge of a block, a row of Model::joints.
+inline int jointOfFace(const BlockModel& block, int edge) {
+    return block.faceJoints.empty() ? block.jointMaterial : block.faceJoints[static_cast<std::size_t>(edge)];
+}
+
 /// True for one block, and for two cells of one.
 bool sameRock(const Model& model, int a, int b);
 
@@ -168,6 +179,9 @@ bool sameRock(const Model& model, int a, int b);
 int rowHolding(const Model& model, int block, const Point& place);
 
 JointModel jointModel(const JointMaterial& material);
+
+/// The rows of Model::joints for these materials.
+std::vector<JointModel> jointRows(const std::vector<std::pair<std::string, JointMaterial>>& materials);
 
 /// \pre the scene was checked without errors.
 Model makeModel(const Scene& scene);

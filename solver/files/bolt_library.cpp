@@ -58,11 +58,15 @@ const BoltType* findBuiltInBoltType(std::string_view name) {
 }
 
 void addUsedBuiltInBoltTypes(Scene& scene) {
-    for (const Bolt& bolt : scene.bolts) {
-        const BoltType* type = findBuiltInBoltType(bolt.type);
-        if (type && !findBoltType(scene, bolt.type))
+    const auto add = [&](const std::string& name) {
+        const BoltType* type = findBuiltInBoltType(name);
+        if (type && !findBoltType(scene, name))
             scene.boltTypes.push_back(*type);
-    }
+    };
+    for (const Bolt& bolt : scene.bolts)
+        add(bolt.type);
+    for (const ScenePattern& pattern : scene.boltPatterns)
+        add(pattern.type);
 }
 
 }  // namespace keyblock

@@ -136,7 +136,7 @@ bool unpackContact(RowReader& row, const Scene& scene, Frame& frame) {
     ContactFrame c;
     c.blockA = row.index(-1, frame.blocks.size());
     c.blockB = row.index(-1, frame.blocks.size());
-    c.jointMaterial = row.index(-1, scene.jointMaterials.size());
+    c.jointMaterial = row.index(intactJoint, scene.jointMaterials.size());
     c.position = row.point();
     c.state = static_cast<ContactState>(row.index(0, 4));
     c.normalForce = row.number();

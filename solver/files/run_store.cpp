@@ -208,7 +208,7 @@ void RunStore::readAbout() {
         const std::string first = reading.problems.empty() ? "" : " (" + oneLine(reading.problems.front()) + ")";
         cannotRead(path_, "this program does not accept the scene in it" + first + "; run the scene again");
     }
-    scene_ = std::move(*reading.scene);
+    scene_ = std::move(reading.cut ? reading.cut->scene : *reading.scene);
     names_ = keyblock::blockNames(scene_);
 }
 

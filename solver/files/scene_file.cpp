@@ -44,14 +44,16 @@ std::vector<std::string_view> allBoltTypeNames(const Scene& scene) {
 
 // Before the built-in types that are used join the scene's own: only here are all names known.
 void checkBoltTypeNames(const Scene& scene, const JsonNode& root, Problems& problems) {
-    for (std::size_t i = 0; i < scene.bolts.size(); ++i) {
-        const std::string& type = scene.bolts[i].type;
-        const std::string pointer = under(under("/bolts", i), "type");
+    const auto check = [&](const std::string& type, const std::string& pointer) {
         if (!type.empty() && !findBoltType(scene, type) && !findBuiltInBoltType(type))
             addProblem(problems, {Severity::Error, "", lineAt(root, pointer), pointer,
                                   "there is no bolt type " + inQuotes(type),
                                   suggestion(type, allBoltTypeNames(scene))});
-    }
+    };
+    for (std::size_t i = 0; i < scene.bolts.size(); ++i)
+        check(scene.bolts[i].type, under(under("/bolts", i), "type"));
+    for (std::size_t i = 0; i < scene.boltPatterns.size(); ++i)
+        check(scene.boltPatterns[i].type, under(under("/bolt_patterns", i), "type"));
 }
 
 Scene readScene(const JsonNode& root, Problems& problems) {
@@ -107,8 +109,9 @@ bool lacksWholeList(const Problems& told) {
 }
 
 // `told` are the problems of single fields.
-void addSense(const Scene& scene, const JsonNode& root, const Problems& told, Problems& problems) {
-    for (Problem& problem : lacksWholeList(told) ? checkValues(scene) : checkScene(scene)) {
+void addSense(const Scene& scene, const JsonNode& root, const Problems& told, Problems& problems,
+              std::optional<SceneCut>& cut) {
+    for (Problem& problem : lacksWholeList(told) ? checkValues(scene) : checkScene(scene, &cut)) {
         if (isExplained(problem, told))
             continue;
         problem.line = lineAt(root, problem.pointer);
@@ -116,20 +119,20 @@ void addSense(const Scene& scene, const JsonNode& root, const Problems& told, Pr
     }
     if (hasErrors(problems) || hasErrors(told))
         return;
-    for (Problem& problem : checkMeshes(scene)) {
+    for (Problem& problem : checkMeshes(cut ? cut->scene : scene)) {
         problem.line = lineAt(root, problem.pointer);
         addProblem(problems, std::move(problem));
     }
 }
 
-SceneReading finished(std::optional<Scene> scene, Problems problems, const std::string& name,
+SceneReading finished(std::optional<Scene> scene, std::optional<SceneCut> cut, Problems problems, const std::string& name,
                       std::span<const std::string> overrides) {
     nameOrigins(problems, name, overrides);
     std::stable_sort(problems.begin(), problems.end(),
                      [](const Problem& a, const Problem& b) { return a.line < b.line; });
     if (hasErrors(problems))
         scene.reset();
-    return {std::move(scene), std::move(problems)};
+    return {std::move(scene), std::move(cut), std::move(problems)};
 }
 
 // As much as is needed to know that a file, or a pipe without end, is too long.
@@ -146,7 +149,7 @@ std::string wholeText(std::istream& stream) {
 }
 
 SceneReading unreadable(const std::string& name, std::string message, std::string remedy) {
-    return {{}, {{Severity::Error, name, 0, "", std::move(message), std::move(remedy)}}};
+    return {{}, {}, {{Severity::Error, name, 0, "", std::move(message), std::move(remedy)}}};
 }
 
 }  // namespace
@@ -156,18 +159,19 @@ SceneReading readSceneText(std::string_view text, const std::string& name, std::
     JsonReading json = readJson(text);
     Problems problems = std::move(json.problems);
     if (!json.root)
-        return finished({}, std::move(problems), name, overrides);
+        return finished({}, {}, std::move(problems), name, overrides);
     applyOverrides(*json.root, overrides, problems);
     if (!bringUpToDate(*json.root, problems))
-        return finished({}, std::move(problems), name, overrides);
+        return finished({}, {}, std::move(problems), name, overrides);
     Problems ofFields;
     Scene scene = readScene(*json.root, ofFields);
+    std::optional<SceneCut> cut;
     readRecords(scene, *json.root, folder, ofFields);
     for (const Problem& problem : ofFields)
         addProblem(problems, problem);
     if (!isFull(problems))
-        addSense(scene, *json.root, ofFields, problems);
-    return finished(std::move(scene), std::move(problems), name, overrides);
+        addSense(scene, *json.root, ofFields, problems, cut);
+    return finished(std::move(scene), std::move(cut), std::move(problems), name, overrides);
 }
 
 SceneReading readSceneFile(const std::filesystem::path& path, std::span<const std::string> overrides) {

@@ -7,6 +7,7 @@
 
 #include "solver/scene/problem.h"
 #include "solver/scene/scene.h"
+#include "solver/scene/scene_cut.h"
 
 #include <filesystem>
 #include <optional>
@@ -19,6 +20,7 @@ namespace keyblock {
 
 struct SceneReading {
     std::optional<Scene> scene;  // there when no problem is an error
+    std::optional<SceneCut> cut;  // what it was cut to, if it needs that and can be
     std::vector<Problem> problems;  // by line; warnings and notes too
 };
 

@@ -59,7 +59,7 @@ enum class ContactState { Open, Sliding, Locked, Bonded };
 struct ContactFrame {
     int blockA = -1;  // holds the corner
     int blockB = -1;  // holds the edge
-    int jointMaterial = -1;  // index into the scene's joint materials; −1: the built-in one
+    int jointMaterial = -1;  // index into the scene's joint materials, `builtInJoint` or `intactJoint`
     Point position{0.0, 0.0};  // [m]
     ContactState state = ContactState::Open;
     double normalForce = 0.0;  // [N] compression positive

@@ -4,6 +4,7 @@
 // The twin in memory of a run store, and what any run can be asked.
 #include "solver/results/run_source.h"
 
+#include "solver/scene/scene_cut.h"
 #include "solver/scene/solved_blocks.h"
 
 namespace keyblock {
@@ -22,7 +23,8 @@ bool isFinished(const RunSource& run) {
 }
 
 MemoryRun::MemoryRun(const Scene& scene, const Results& results)
-    : scene_(scene), results_(results), names_(keyblock::blockNames(scene)) {
+    : scene_(needsCut(scene) ? cutScene(scene).scene : scene), results_(results),
+      names_(keyblock::blockNames(scene_)) {
     for (const Frame& frame : results.frames)
         heads_.push_back({frame.stage, frame.time, frame.step, frame.energy});
 }

@@ -32,7 +32,7 @@ class RunSource {
 public:
     virtual ~RunSource() = default;
 
-    virtual const Scene& scene() const = 0;
+    virtual const Scene& scene() const = 0;  // as it was solved: cut
     virtual const std::vector<std::string>& blockNames() const = 0;  // rows of a frame's blocks
     virtual const HistoryColumns& columns() const = 0;
     virtual std::vector<StageRecord> stages() const = 0;
@@ -52,7 +52,7 @@ bool endsRun(const Scene& scene, const StageResult& result);
 /// Whether nothing is left to do of a run.
 bool isFinished(const RunSource& run);
 
-/// A run kept in memory. Scene and results must outlive it.
+/// A run kept in memory. The results must outlive it.
 class MemoryRun : public RunSource {
 public:
     MemoryRun(const Scene& scene, const Results& results);
@@ -67,7 +67,7 @@ public:
     Frame frame(std::size_t index) const override { return results_.frames.at(index); }
 
 private:
-    const Scene& scene_;
+    Scene scene_;
     const Results& results_;
     std::vector<std::string> names_;
     std::vector<FrameHead> heads_;

@@ -125,6 +125,7 @@ void writeBlocks(const RunSource& run, const Frame& frame, const TableFilter&, C
 }
 
 std::string jointMaterialName(const Scene& scene, int index) {
+    if (index == intactJoint) return "intact";
     return index < 0 ? "" : scene.jointMaterials[static_cast<std::size_t>(index)].first;
 }
 

@@ -36,7 +36,7 @@ ContactFrame contactFrame(const Contact& c, const Model& model) {
     ContactFrame f;
     f.blockA = c.blockA;
     f.blockB = c.blockB;
-    f.jointMaterial = c.joint + 1 < static_cast<int>(model.joints.size()) ? c.joint : -1;
+    f.jointMaterial = c.joint < builtInRow(model) ? c.joint : c.joint == intactRow(model) ? intactJoint : builtInJoint;
     f.position = c.position + model.origin;
     f.state = contactState(c);
     f.normalForce = c.normalForce;

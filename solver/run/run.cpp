@@ -46,9 +46,9 @@ Checkpoint startOf(const Scene& scene, const Model& model) {
 
 class Runner : StepObserver {
 public:
-    Runner(const Scene& scene, Sink& sink, Control& control)
-        : scene_(scene), sink_(sink), control_(control), limit_(scene.limits), model_(makeModel(scene)),
-          now_(startOf(scene, model_)), engine_(model_), loads_(model_, scene, now_.loads),
+    Runner(const Scene& document, const Scene& scene, Sink& sink, Control& control)
+        : document_(document), scene_(scene), sink_(sink), control_(control), limit_(scene.limits),
+          model_(makeModel(scene)), now_(startOf(scene, model_)), engine_(model_), loads_(model_, scene, now_.loads),
           observation_(scene, model_, now_.state, now_.reference), watch_(model_, now_.state, now_.watch) {
         engine_.stopAsked = [this] { return stopAsked(); };
         engine_.passed = [this] { report(); };
@@ -56,7 +56,7 @@ public:
 
     std::vector<StageResult> run(const Checkpoint* from) {
         if (from) goOn(*from);
-        else sink_.begin(scene_, historyColumns(scene_));
+        else sink_.begin(document_, historyColumns(scene_));
         bool on = true;
         while (on && now_.stage < static_cast<int>(scene_.stages.size())) {
             stepping_ = false;
@@ -78,7 +78,7 @@ private:
         now_ = from;
         engine_.health = now_.health;
         model_.joints = jointModels(scene_, now_.begun ? now_.stage : now_.stage - 1);
-        sink_.resume(scene_, historyColumns(scene_), from);
+        sink_.resume(document_, historyColumns(scene_), from);
         if (now_.begun) enterStage();
     }
 
@@ -330,7 +330,8 @@ private:
         control_.progress(progress);
     }
 
-    const Scene& scene_;
+    const Scene& document_;  // as it was given
+    const Scene& scene_;  // as it is solved: cut
     Sink& sink_;
     Control& control_;
     RunLimit limit_;
@@ -351,7 +352,10 @@ std::vector<StageResult> run(const Scene& scene, Sink& sink, Control& control, c
     const std::size_t threads = settings.threads > 0 ? static_cast<std::size_t>(settings.threads)
                                                      : std::max(1u, std::thread::hardware_concurrency());
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return Runner(scene, sink, control).run(from);
+    std::optional<SceneCut> own;
+    if (!settings.cut && needsCut(scene)) own = cutScene(scene);
+    const SceneCut* cut = own ? &*own : settings.cut;
+    return Runner(scene, cut ? cut->scene : scene, sink, control).run(from);
 }
 
 Results runInMemory(const Scene& scene, const RunSettings& settings) {

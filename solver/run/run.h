@@ -6,6 +6,7 @@
 #pragma once
 
 #include "solver/run/sink.h"
+#include "solver/scene/scene_cut.h"
 
 #include <atomic>
 #include <functional>
@@ -33,6 +34,7 @@ struct Control {
 
 struct RunSettings {
     int threads = 0;  // 0: as many as the machine has; never changes a result
+    const SceneCut* cut = nullptr;  // what the scene was cut to, where that is known already
 };
 
 /// Runs every stage of a checked scene, or goes on with a run that was cut short.

@@ -7,6 +7,10 @@
 
 #include "solver/scene/check_report.h"
 #include "solver/scene/lookup.h"
+#include "solver/scene/pointer.h"
+#include "solver/scene/scene_cut.h"
+
+#include <algorithm>
 
 namespace keyblock {
 
@@ -16,16 +20,46 @@ std::vector<Problem> checkValues(const Scene& scene) {
     return std::move(report.problems);
 }
 
-std::vector<Problem> checkScene(const Scene& scene) {
+namespace {
+
+/// Nothing that is cut can be looked at where something is wrong with what cuts it.
+bool mayCut(const CheckReport& report) {
+    constexpr std::string_view parts[] = {"/domain", "/cutting", "/joints", "/joint_sets", "/voronoi", "/regions",
+                                          "/tunnels", "/bolt_patterns", "/materials", "/joint_materials"};
+    return std::none_of(report.problems.begin(), report.problems.end(), [&](const Problem& problem) {
+        return problem.severity == Severity::Error &&
+               std::any_of(std::begin(parts), std::end(parts),
+                           [&](std::string_view part) { return isWithin(problem.pointer, part); });
+    });
+}
+
+bool hasSection(const Scene& scene) {
+    return scene.domain || scene.voronoi || !scene.joints.empty() || !scene.jointSets.empty() ||
+           !scene.regions.empty() || !scene.tunnels.empty() || !scene.boltPatterns.empty();
+}
+
+}  // namespace
+
+std::vector<Problem> checkScene(const Scene& document, std::optional<SceneCut>* made) {
     CheckReport report;
-    checkFields(sceneStructure(), &scene, "", report);
-    CheckContext context{scene, geometricTolerance(scene), {}, {}, report};
+    checkFields(sceneStructure(), &document, "", report);
+    std::optional<SceneCut> cut;
+    bool isCut = !needsCut(document);
+    if (hasSection(document)) {
+        CheckContext context{document, geometricTolerance(document), {}, {}, document, false, report};
+        checkSection(context);
+        if (!isCut && mayCut(report)) cut = cutScene(document);
+        isCut = isCut || cut;
+    }
+    const Scene& scene = cut ? cut->scene : document;
+    CheckContext context{scene, geometricTolerance(scene), {}, {}, document, isCut, report};
     checkRock(context);
     checkBoltTypes(context);
     checkBolts(context);
     checkBodies(context);
     checkStages(context);
     checkWatch(context);
+    if (made) *made = std::move(cut);
     return std::move(report.problems);
 }
 

@@ -8,14 +8,17 @@
 
 #include "solver/scene/problem.h"
 #include "solver/scene/scene.h"
+#include "solver/scene/scene_cut.h"
 
+#include <optional>
 #include <vector>
 
 namespace keyblock {
 
 /// Everything that is wrong with `scene`, in the order of its parts, with pointers but without file and line.
 /// Bears any scene, however broken; a scene without errors can be run.
-std::vector<Problem> checkScene(const Scene& scene);
+/// \param cut takes what the scene was cut to; none where it needs no cut, or something keeps it from being cut.
+std::vector<Problem> checkScene(const Scene& scene, std::optional<SceneCut>* cut = nullptr);
 
 /// Only what is wrong with single values: ranges, empty names, fields where they do not belong.
 std::vector<Problem> checkValues(const Scene& scene);

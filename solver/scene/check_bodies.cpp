@@ -59,13 +59,14 @@ std::string remedy(PlateFault what) {
 // Outline of the plate; empty where there is a problem.
 std::vector<Point> checkPlate(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
     const PlatePlace place = placePlate(context.scene, bolt);
+    const std::string where = bolt.pattern < 0 ? under(pointer, "head") : under(pointer, "plate");
     if (place.fault != PlateFault::None) {
-        context.report.error(under(pointer, "head"), fault(place), remedy(place.fault));
+        context.report.error(where, fault(place), remedy(place.fault));
         return {};
     }
     const double width = boltTypeOf(context.scene, bolt).plate.width;
     if (place.overhang > 1e-6 * width)
-        context.report.warning(under(pointer, "head"),
+        context.report.warning(where,
                                "no face backs " + shortest(place.overhang) + " m of the plate's width of " +
                                    shortest(width) + " m",
                                "Move the head away from the face's end");
@@ -79,7 +80,7 @@ void checkPlates(CheckContext& context) {
         if (bolt.plate != PlateKind::Block || !findBoltType(context.scene, bolt.type) || !bolt.head.allFinite() ||
             !bolt.farEnd.allFinite() || lengthOf(bolt) <= context.tolerance)
             continue;
-        const std::string pointer = under("/bolts", i);
+        const std::string pointer = boltPointer(context.scene, i);
         std::vector<Point> outline = checkPlate(bolt, pointer, context);
         if (outline.empty())
             continue;
@@ -117,8 +118,9 @@ void checkBodies(CheckContext& context) {
     const SolvedBlocks solved = solvedBlocks(context.scene);
     const auto pointerOf = [&](std::size_t row) {
         const SolvedBlock& block = solved.blocks[row];
-        return block.plateOf >= 0 ? under(under("/bolts", static_cast<std::size_t>(block.plateOf)), "name")
-                                  : under(under("/blocks", static_cast<std::size_t>(block.block)), "name");
+        return block.plateOf >= 0
+                   ? under(boltPointer(context.scene, static_cast<std::size_t>(block.plateOf)), "name")
+                   : under(blockPointer(context.scene, static_cast<std::size_t>(block.block)), "name");
     };
     checkNamesDiffer(
         solved.blocks.size(), [&](std::size_t row) { return solved.blocks[row].name; }, pointerOf, "block",

@@ -17,6 +17,14 @@ namespace keyblock {
 
 namespace {
 
+/// A key that the bolts of a pattern do not have is told at the pattern.
+std::string placeIn(const Bolt& bolt, const std::string& pointer, std::string_view key) {
+    return bolt.pattern < 0 ? under(pointer, key) : pointer;
+}
+
+/// Which bolt is meant: of a pattern it has to be named.
+std::string nameOf(const Bolt& bolt) { return bolt.pattern < 0 ? "the bolt" : "the bolt " + inQuotes(bolt.name); }
+
 constexpr int usualDivisions = 60;  // of a bolt that leaves them to the program, for judging a gap at its head
 
 bool runsThroughRock(const Bolt& bolt, const CheckContext& context) {
@@ -48,7 +56,8 @@ bool headHangs(const Bolt& bolt, const CheckContext& context) {
 
 void checkHead(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
     if (headHangs(bolt, context))
-        context.report.warning(under(pointer, "head"), "the head hangs in the air, so its plate holds nothing",
+        context.report.warning(placeIn(bolt, pointer, "head"),
+                               "the head of " + nameOf(bolt) + " hangs in the air, so its plate holds nothing",
                                "Put the head on the wall, or write \"plate\": \"none\"");
 }
 
@@ -57,14 +66,14 @@ bool checkPosition(const Bolt& bolt, const std::string& pointer, CheckContext& c
     if (!bolt.farEnd.allFinite() || !bolt.head.allFinite())
         return false;
     if (lengthOf(bolt) <= context.tolerance) {
-        context.report.error(under(pointer, "head"), "the head lies at the far end, so the bolt has no length",
+        context.report.error(placeIn(bolt, pointer, "head"), "the head lies at the far end, so the bolt has no length",
                              "Give two different points");
         return false;
     }
     if (runsThroughRock(bolt, context))
         checkHead(bolt, pointer, context);
     else if (context.allSound())
-        context.report.error(pointer, "the bolt runs through no block", "Move it into the rock");
+        context.report.error(pointer, nameOf(bolt) + " runs through no block", "Move it into the rock");
     return true;
 }
 
@@ -110,7 +119,7 @@ std::vector<std::string_view> typeNames(const Scene& scene) {
 
 const BoltType* checkType(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
     const BoltType* type = findBoltType(context.scene, bolt.type);
-    if (!type && !bolt.type.empty())
+    if (!type && !bolt.type.empty() && bolt.pattern < 0)  // a pattern's is told once, with the pattern
         context.report.error(under(pointer, "type"), "there is no bolt type " + inQuotes(bolt.type),
                              suggestion(bolt.type, typeNames(context.scene)) +
                                  "; built-in types are listed by 'keyblock bolts'");
@@ -127,7 +136,8 @@ void checkPretension(const Bolt& bolt, const std::string& pointer, CheckContext&
         context.report.error(place, "the bolt has no plate that could hold its pretension",
                              "Give it a plate, or leave the pretension out");
     else if (headHangs(bolt, context))
-        context.report.error(place, "the head hangs in the air: its plate has no rock to press against",
+        context.report.error(place, "the head of " + nameOf(bolt) + " hangs in the air: its plate has no rock to press "
+                                    "against",
                              "Put the head on the wall, or leave the pretension out");
     else if (!stages.empty() && stages.front().kind == StageKind::Dynamic)
         context.report.error(place, "the pretension is locked off at an equilibrium, and the first stage is dynamic",
@@ -140,9 +150,9 @@ void checkBolts(CheckContext& context) {
     const std::vector<Bolt>& bolts = context.scene.bolts;
     checkNamesDiffer(
         bolts.size(), [&](std::size_t i) { return bolts[i].name; },
-        [](std::size_t i) { return under(under("/bolts", i), "name"); }, "bolt", context.report);
+        [&](std::size_t i) { return under(boltPointer(context.scene, i), "name"); }, "bolt", context.report);
     for (std::size_t i = 0; i < bolts.size(); ++i) {
-        const std::string pointer = under("/bolts", i);
+        const std::string pointer = boltPointer(context.scene, i);
         const BoltType* type = checkType(bolts[i], pointer, context);
         if (bolts[i].anchors)
             checkAnchors(*bolts[i].anchors, under(pointer, "anchors"), context.report);

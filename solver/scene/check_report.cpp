@@ -32,7 +32,7 @@ void CheckReport::note(std::string pointer, std::string message, std::string rem
 }
 
 bool CheckContext::allSound() const {
-    return !sound.empty() && std::all_of(sound.begin(), sound.end(), [](bool isSound) { return isSound; });
+    return isCut && !sound.empty() && std::all_of(sound.begin(), sound.end(), [](bool isSound) { return isSound; });
 }
 
 int checkBlockAt(CheckContext& context, const Point& place, const std::string& pointer) {
@@ -59,6 +59,12 @@ int checkPointOnBlock(CheckContext& context, const Point& point, const std::stri
         context.report.error(pointer, placeText(point) + " lies in no block",
                              "Give a point inside a block or on its boundary");
     return block;
+}
+
+void checkReference(const std::string& name, const std::vector<std::string_view>& names, std::string_view list,
+                    const std::string& pointer, CheckReport& report) {
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+        report.error(pointer, inQuotes(name) + " is not among the " + inQuotes(list), suggestion(name, names));
 }
 
 void checkAxis(const Point& axis, const std::string& pointer, CheckReport& report) {

@@ -34,6 +34,8 @@ struct CheckContext {
     double tolerance = 0.0;  // geometric [m]
     std::vector<bool> sound;  // per block: an outline that places can be looked up in
     std::vector<bool> fixed;  // per block: held as a whole
+    const Scene& document;  // as it was given, before the cut
+    bool isCut = true;  // false where something kept the domain from being cut, so that not all blocks are there
     CheckReport& report;
 
     bool allSound() const;  // false without blocks: then nothing can be looked up either
@@ -44,6 +46,31 @@ void checkFields(const Structure& structure, const void* object, const std::stri
 
 /// One value against its row: finite, in range.
 void checkValue(const Field& field, const FieldValue& value, const std::string& pointer, CheckReport& report);
+
+/// What is to be cut, and the patterns of bolts: all that must hold before `cutScene`. \pre `context.scene` is the
+/// document.
+void checkSection(CheckContext& context);
+
+/// Outline of a block, a domain or a region: corners enough, none twice, an area, no crossing. False when not.
+/// \param what for people, e.g. `the block`
+bool checkOutline(const std::vector<Point>& points, const std::string& pointer, std::string_view what,
+                  double tolerance, CheckReport& report);
+
+/// Tells that `name` is not among `names`, the ones in `list`; an empty one is told elsewhere.
+void checkReference(const std::string& name, const std::vector<std::string_view>& names, std::string_view list,
+                    const std::string& pointer, CheckReport& report);
+
+/// Names of the entries of a map, or of a list of things with names.
+template <typename Item>
+std::vector<std::string_view> namesOf(const std::vector<Item>& items) {
+    std::vector<std::string_view> names;
+    for (const Item& item : items)
+        if constexpr (requires { item.first; })
+            names.push_back(item.first);
+        else
+            names.push_back(item.name);
+    return names;
+}
 
 void checkRock(CheckContext& context);  // blocks, materials, supports; fills `sound` and `fixed`
 void checkBodies(CheckContext& context);  // cells and plates that are blocks; after rock and bolts

@@ -18,10 +18,8 @@ namespace keyblock {
 
 namespace {
 
-std::string blockPointer(std::size_t block) { return under("/blocks", block); }
-
-bool hasUsableCorners(const Block& block) {
-    return std::all_of(block.points.begin(), block.points.end(), isUsable);  // else the table's ranges have said so
+bool areUsable(const std::vector<Point>& points) {
+    return std::all_of(points.begin(), points.end(), isUsable);  // else the table's ranges have said so
 }
 
 // Index of a corner that repeats the one before it (the first: the last); −1 when none does.
@@ -43,51 +41,55 @@ bool lieOnOneLine(const std::vector<Point>& points, double tolerance) {
                        [&](const Point& point) { return std::abs(cross(direction, point - points[0])) <= tolerance; });
 }
 
-bool checkRepeatedCorner(const std::vector<Point>& points, const std::string& pointer, const CheckContext& context) {
-    const int corner = repeatedCorner(points, context.tolerance);
+bool checkRepeatedCorner(const std::vector<Point>& points, const std::string& pointer, double tolerance,
+                         CheckReport& report) {
+    const int corner = repeatedCorner(points, tolerance);
     if (corner < 0)
         return true;
     if (corner == 0)
-        context.report.error(under(pointer, points.size() - 1), "the last corner repeats the first",
-                             "Leave it out: outlines close by themselves");
+        report.error(under(pointer, points.size() - 1), "the last corner repeats the first",
+                     "Leave it out: outlines close by themselves");
     else
-        context.report.error(under(pointer, static_cast<std::size_t>(corner)), "the corner repeats the one before it",
-                             "Leave it out");
+        report.error(under(pointer, static_cast<std::size_t>(corner)), "the corner repeats the one before it",
+                     "Leave it out");
     return false;
 }
 
-bool checkOutline(const Block& block, std::size_t index, CheckContext& context) {
-    const std::vector<Point>& points = block.points;
-    const std::string pointer = under(blockPointer(index), "points");
-    if (!hasUsableCorners(block))
+}  // namespace
+
+bool checkOutline(const std::vector<Point>& points, const std::string& pointer, std::string_view what,
+                  double tolerance, CheckReport& report) {
+    if (!areUsable(points))
         return false;
     if (points.size() < 3) {
-        context.report.error(pointer, "the block has " + std::to_string(points.size()) + " corners",
-                             "Give at least three");
+        report.error(pointer, std::string(what) + " has " + std::to_string(points.size()) + " corners",
+                     "Give at least three");
         return false;
     }
-    if (!checkRepeatedCorner(points, pointer, context))
+    if (!checkRepeatedCorner(points, pointer, tolerance, report))
         return false;
-    if (lieOnOneLine(points, context.tolerance)) {
-        context.report.error(pointer, "the block has no area", "Give corners that do not lie on one line");
+    if (lieOnOneLine(points, tolerance)) {
+        report.error(pointer, std::string(what) + " has no area", "Give corners that do not lie on one line");
         return false;
     }
-    if (const auto place = crossesItself(points, context.tolerance)) {
-        context.report.error(pointer,
-                             "the outline crosses itself or runs back along itself at (" + shortest(place->x()) +
-                                 ", " + shortest(place->y()) + ")",
-                             "Give the corners in order round the block, or split it in two");
+    if (const auto place = crossesItself(points, tolerance)) {
+        report.error(pointer,
+                     "the outline crosses itself or runs back along itself at (" + shortest(place->x()) + ", " +
+                         shortest(place->y()) + ")",
+                     "Give the corners in order round " + std::string(what) + ", or split it in two");
         return false;
     }
     return true;
 }
 
+namespace {
+
 void checkOverlaps(CheckContext& context) {
     std::vector<std::size_t> blocks;
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < context.scene.blocks.size(); ++i) {
-        if (!context.sound[i])
-            continue;
+        if (!context.sound[i] || !context.scene.blocks[i].faces.empty())
+            continue;  // cut blocks share no rock
         blocks.push_back(i);
         boxes.push_back(boxOf(context.scene.blocks[i].points));
     }
@@ -97,39 +99,24 @@ void checkOverlaps(CheckContext& context) {
         const std::size_t a = blocks[static_cast<std::size_t>(first)];
         const std::size_t b = blocks[static_cast<std::size_t>(second)];
         if (overlap(context.scene.blocks[a].points, context.scene.blocks[b].points, context.tolerance))
-            context.report.error(blockPointer(b),
+            context.report.error(under("/blocks", b),
                                  "the block " + inQuotes(displayName(context.scene, static_cast<int>(b))) +
                                      " overlaps " + inQuotes(displayName(context.scene, static_cast<int>(a))),
                                  "Move corners until the two at most touch");
     }
 }
 
-template <typename Named>
-std::vector<std::string_view> namesOf(const std::vector<std::pair<std::string, Named>>& items) {
-    std::vector<std::string_view> names;
-    for (const auto& item : items)
-        names.push_back(item.first);
-    return names;
-}
-
-template <typename Named>
-void checkReference(const std::string& name, const std::vector<std::pair<std::string, Named>>& items,
-                    std::string_view list, std::string pointer, CheckReport& report) {
-    const std::vector<std::string_view> names = namesOf(items);
-    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
-        report.error(std::move(pointer), inQuotes(name) + " is not among the " + inQuotes(list),
-                     suggestion(name, names));
-}
-
 void checkBlock(const Block& block, std::size_t index, CheckContext& context) {
-    const std::string pointer = blockPointer(index);
-    checkReference(block.material, context.scene.materials, "materials", under(pointer, "material"), context.report);
+    const std::string pointer = under("/blocks", index);
+    checkReference(block.material, namesOf(context.scene.materials), "materials", under(pointer, "material"),
+                   context.report);
     if (block.jointMaterial && block.jointMaterial->empty())
         context.report.error(under(pointer, "joint_material"), "the name is empty", "Give a name, or leave it out");
     if (block.jointMaterial)
-        checkReference(*block.jointMaterial, context.scene.jointMaterials, "joint_materials",
+        checkReference(*block.jointMaterial, namesOf(context.scene.jointMaterials), "joint_materials",
                        under(pointer, "joint_material"), context.report);
-    context.sound[index] = checkOutline(block, index, context);
+    context.sound[index] =
+        checkOutline(block.points, under(pointer, "points"), "the block", context.tolerance, context.report);
 }
 
 void checkJointMaterial(const JointMaterial& joint, const std::string& pointer, CheckReport& report) {
@@ -149,12 +136,37 @@ void checkBlockSupport(const Support& support, const std::string& pointer, Check
         context.fixed[static_cast<std::size_t>(block)] = true;
 }
 
+bool lieOn(const Support& support, const CutFace& face) {
+    return face.side && (*support.boundary == BoundarySide::All || *support.boundary == *face.side);
+}
+
+void checkBoundarySupport(const Support& support, const std::string& pointer, CheckContext& context) {
+    if (!context.document.domain)
+        return context.report.error(under(pointer, "boundary"), "the scene has no domain whose boundary could be held",
+                                    "Give \"block_at\" or \"point\", or a domain");
+    bool any = false;
+    for (std::size_t b = 0; b < context.scene.blocks.size(); ++b)
+        for (const CutFace& face : context.scene.blocks[b].faces) {
+            if (!lieOn(support, face))
+                continue;
+            any = true;
+            if (support.fix == Fix::All)
+                context.fixed[b] = true;
+        }
+    if (!any && context.isCut)
+        context.report.error(under(pointer, "boundary"), "no block has a face on that side of the domain",
+                             "Give another side: an edge belongs to the one that its outward normal points to");
+}
+
 void checkSupport(const Support& support, const std::string& pointer, CheckContext& context) {
-    if (support.blockAt.has_value() == support.point.has_value()) {
-        context.report.error(pointer, "a support needs either 'block_at' or 'point'",
-                             support.point ? "Leave one of them out" : "Give one of them");
+    const int places = (support.blockAt ? 1 : 0) + (support.point ? 1 : 0) + (support.boundary ? 1 : 0);
+    if (places != 1) {
+        context.report.error(pointer, "a support needs exactly one of 'block_at', 'point' and 'boundary'",
+                             places > 1 ? "Leave out all but one" : "Give one of them");
         return;
     }
+    if (support.boundary)
+        return checkBoundarySupport(support, pointer, context);
     if (support.blockAt)
         return checkBlockSupport(support, pointer, context);
     if (support.fix == Fix::All)
@@ -184,11 +196,15 @@ void checkRock(CheckContext& context) {
         checkJointMaterial(joint, under("/joint_materials", name), context.report);
     checkNamesDiffer(
         scene.blocks.size(), [&](std::size_t i) { return displayName(scene, static_cast<int>(i)); },
-        [](std::size_t i) { return under(blockPointer(i), "name"); }, "block", context.report);
+        [&](std::size_t i) { return scene.blocks[i].faces.empty() ? under(under("/blocks", i), "name") : "/domain"; },
+        "block", context.report);
     context.sound.assign(scene.blocks.size(), false);
     context.fixed.assign(scene.blocks.size(), false);
     for (std::size_t i = 0; i < scene.blocks.size(); ++i)
-        checkBlock(scene.blocks[i], i, context);
+        if (scene.blocks[i].faces.empty())
+            checkBlock(scene.blocks[i], i, context);
+        else
+            context.sound[i] = true;
     checkOverlaps(context);
     for (std::size_t i = 0; i < scene.supports.size(); ++i)
         checkSupport(scene.supports[i], under("/supports", i), context);

@@ -205,8 +205,10 @@ void checkStage(std::size_t index, const std::string& pointer, CheckContext& con
 void checkStages(CheckContext& context) {
     const std::vector<Stage>& stages = context.scene.stages;
     const bool needsBlocks = !stages.empty() || !context.scene.bolts.empty() || !context.scene.supports.empty();
-    if (context.scene.blocks.empty() && needsBlocks)
-        context.report.error("/blocks", "the scene has no blocks", "Give at least one");
+    if (context.scene.blocks.empty() && context.isCut && needsBlocks)
+        context.report.error("/blocks", "the scene has no blocks",
+                             context.document.domain ? "Leave some of the domain beside the open tunnels"
+                                                     : "Give at least one, or a domain to cut");
     if (stages.empty())
         context.report.warning("", "the scene has no stages, so there is nothing to run",
                                "Add 'stages', or keep it as a scene to be checked");

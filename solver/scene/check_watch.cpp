@@ -52,8 +52,9 @@ void checkPlace(const Monitor& monitor, const Bolt& bolt, const std::string& poi
 void checkBoltMonitor(const Monitor& monitor, const std::string& pointer, CheckContext& context) {
     if (const Bolt* bolt = findBolt(context.scene, *monitor.bolt))
         return checkPlace(monitor, *bolt, pointer, context.report);
-    context.report.error(under(pointer, "bolt"), "there is no bolt " + inQuotes(*monitor.bolt),
-                         suggestion(*monitor.bolt, boltNames(context.scene)));
+    if (context.isCut)
+        context.report.error(under(pointer, "bolt"), "there is no bolt " + inQuotes(*monitor.bolt),
+                             suggestion(*monitor.bolt, boltNames(context.scene)));
 }
 
 void checkBetween(const Monitor& monitor, const std::string& pointer, CheckContext& context) {
@@ -83,7 +84,7 @@ void checkMonitor(const Monitor& monitor, const std::string& pointer, CheckConte
 
 void checkQuantity(const std::string& text, const std::string& pointer, CheckContext& context) {
     const QuantityReading reading = readQuantity(text, context.scene);
-    if (!reading.quantity)
+    if (!reading.quantity && context.isCut)
         context.report.error(pointer, reading.problem,
                              "Write, for instance, \"max MONITOR\", \"last BOLT.axial_force\" or \"first debonding "
                              "MONITOR\"");

@@ -28,11 +28,21 @@ const Structure& sceneStructure() {
             row<&Scene::jointMaterials>("joint_materials",
                                         "Strength of joints, by name. Blocks that name none take the first; without "
                                         "any, joints have 30° of friction."),
-            row<&Scene::blocks>("blocks", "The blocks. They may touch but not overlap."),
+            row<&Scene::domain>("domain", "A region that joints, joint sets, Voronoi cells and tunnels cut into blocks."),
+            row<&Scene::cutting>("cutting", "Limits of the cut."),
+            row<&Scene::joints>("joints", "Single joints."),
+            row<&Scene::jointSets>("joint_sets", "Joint sets."),
+            row<&Scene::voronoi>("voronoi", "Voronoi cells; null: none."),
+            row<&Scene::regions>("regions", "Parts of the section that joint sets and Voronoi cells refer to."),
+            row<&Scene::tunnels>("tunnels", "Openings in the domain."),
+            row<&Scene::blocks>("blocks", "Blocks given by their corners. They may touch each other and the domain but "
+                                          "not overlap. The blocks of the domain follow them: the first without a name "
+                                          "is `b` and its place among all."),
             row<&Scene::supports>("supports", "What is held."),
             row<&Scene::inSituStress>("in_situ_stress", "Stress before anything is excavated; null: none."),
             row<&Scene::boltTypes>("bolt_types", "Bolt types of this scene, by name, beside the built-in ones."),
             row<&Scene::bolts>("bolts", "The bolts."),
+            row<&Scene::boltPatterns>("bolt_patterns", "Bolts round tunnels."),
             row<&Scene::stages>("stages", "What happens, one after another; a scene without is checked, not run."),
             row<&Scene::monitors>("monitors", "Places and bolts whose values the history keeps."),
             row<&Scene::quantities>("quantities",

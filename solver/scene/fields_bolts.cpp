@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Rows of bolts, their types, anchors and plates.
+#include "geometry/bolt_pattern.h"
 #include "solver/scene/field_rows.h"
 
 namespace keyblock {
@@ -165,6 +166,43 @@ const Structure& structureOf(const Bolt*) {
                                    "locks off. Needs a plate.",
                                    {.unit = "N", .range = atLeast(0)}),
             row<&Bolt::anchors>("anchors", "Anchors of this bolt; null: those of its type."),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const ScenePattern*) {
+    static const Structure structure{
+        "bolt pattern",
+        "Bolts at equal lengths along the wall of a tunnel, named after the pattern: `P1.1`, `P1.2`, … in the order of "
+        "`way`.",
+        defaultsOf<ScenePattern>(),
+        {
+            row<&ScenePattern::name>("name", "Names the pattern and its bolts.", {.required = true}),
+            row<&ScenePattern::type>("type", "A type of `bolt_types`, or a built-in one.", {.required = true}),
+            row<&ScenePattern::tunnel>("tunnel", "Name of the tunnel.", {.required = true}),
+            row<&ScenePattern::from>("from", "The pattern begins at the place of the wall nearest to this.",
+                                     {.unit = "m", .required = true}),
+            row<&ScenePattern::to>("to", "It ends at the place nearest to this; where both are one, it goes all round.",
+                                   {.unit = "m", .required = true}),
+            row<&ScenePattern::way>("way", "Which way round the wall, as the section is drawn."),
+            row<&ScenePattern::spacing>("spacing", "Between heads, along the wall.",
+                                        {.unit = "m", .range = above(0), .required = true}),
+            row<&ScenePattern::offset>("offset", "Of the first head from the beginning, along the wall.",
+                                       {.unit = "m", .range = atLeast(0)}),
+            row<&ScenePattern::length>("length", "Length of a bolt.",
+                                       {.unit = "m", .range = above(0), .required = true}),
+            row<&ScenePattern::angleFromWall>("angle_from_wall",
+                                              "Between the bolt and the wall's tangent in the direction of `way`.",
+                                              {.unit = "°",
+                                               .range = within(leastAngleFromWall, greatestAngleFromWall)}),
+            row<&ScenePattern::divisions>("divisions", "Elements along each bolt; null: chosen by the program.",
+                                          {.range = within(1, 100000)}),
+            row<&ScenePattern::plate>("plate", "How the heads are held, as of a bolt."),
+            row<&ScenePattern::spacingOutOfPlane>("spacing_out_of_plane",
+                                                  "Distance to the next row out of the plane; null: the thickness.",
+                                                  {.unit = "m", .range = above(0)}),
+            row<&ScenePattern::pretension>("pretension", "Force to which each plate pulls its head, as of a bolt.",
+                                           {.unit = "N", .range = atLeast(0)}),
         }};
     return structure;
 }

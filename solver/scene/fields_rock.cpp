@@ -122,11 +122,15 @@ const Structure& structureOf(const InSituStress*) {
 const Structure& structureOf(const Support*) {
     static const Structure structure{
         "support",
-        "Holds a whole block (`block_at`, fix `all`) or a point of a block (`point`, fix `x`, `y` or `xy`).",
+        "Holds a whole block (`block_at`, fix `all`), a point of a block (`point`, fix `x`, `y` or `xy`), or a side of "
+        "the domain (`boundary`): with fix `all` every block that has a face there, else the corners of those faces.",
         defaultsOf<Support>(),
         {
             row<&Support::blockAt>("block_at", "A point inside the block that is held.", {.unit = "m"}),
             row<&Support::point>("point", "The point that is held, in a block or on its boundary.", {.unit = "m"}),
+            row<&Support::boundary>("boundary",
+                                    "The side of the domain that is held. An edge of the boundary belongs to the side "
+                                    "that its outward normal points to, at 45° to bottom or top."),
             row<&Support::fix>("fix", "What is held."),
         }};
     return structure;

@@ -6,6 +6,7 @@
 #include "solver/scene/lookup.h"
 
 #include "geometry/polygon.h"
+#include "solver/scene/pointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,9 @@ Box boxOfScene(const Scene& scene) {
     std::vector<Point> corners;
     for (const Block& block : scene.blocks)
         std::copy_if(block.points.begin(), block.points.end(), std::back_inserter(corners),
+                     isUsable);
+    if (scene.domain)
+        std::copy_if(scene.domain->boundary.begin(), scene.domain->boundary.end(), std::back_inserter(corners),
                      isUsable);
     return corners.empty() ? Box{} : boxOf(corners);
 }
@@ -108,6 +112,15 @@ double distanceAlong(const Monitor& monitor, double length) {
     if (monitor.atFraction)
         return *monitor.atFraction * length;
     return length - monitor.atFromHead.value_or(0.0);
+}
+
+std::string boltPointer(const Scene& scene, std::size_t bolt) {
+    const int pattern = scene.bolts[bolt].pattern;
+    return pattern < 0 ? under("/bolts", bolt) : under("/bolt_patterns", static_cast<std::size_t>(pattern));
+}
+
+std::string blockPointer(const Scene& scene, std::size_t block) {
+    return scene.blocks[block].faces.empty() ? under("/blocks", block) : "/domain";
 }
 
 std::string displayName(const Scene& scene, int block) {

@@ -18,7 +18,7 @@ inline constexpr double farthestCoordinate = 1e9;
 /// True when both coordinates are finite and not too far.
 bool isUsable(const Point& place);
 
-/// Diagonal of the box around all blocks, of those corners that are usable [m]; 1 without blocks.
+/// Diagonal of the box around the domain and all blocks, of those corners that are usable [m]; 1 without any.
 double sceneSize(const Scene& scene);
 
 /// Below this distance two points are one, and a point is on an edge [m]: 1e-9 of the scene's size,
@@ -62,6 +62,12 @@ double distanceAlong(const BoltPlace& place, double length);
 
 /// Metres from the far end at which a monitor looks at a bolt of `length` [m]; its head when it names no place.
 double distanceAlong(const Monitor& monitor, double length);
+
+/// Where a scene file says a bolt: `/bolts/N`, or `/bolt_patterns/N` of one that a pattern gives.
+std::string boltPointer(const Scene& scene, std::size_t bolt);
+
+/// The same of a block: `/blocks/N`, or `/domain` of one that was cut.
+std::string blockPointer(const Scene& scene, std::size_t block);
 
 /// The block's name, or b1, b2, … by its order when it has none.
 /// \pre 0 ≤ block < number of blocks.

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "geometry/point.h"
+#include "geometry/tunnel_profile.h"
 
 #include <array>
 #include <map>
@@ -99,6 +100,21 @@ struct CellSettings {
     bool operator==(const CellSettings&) const = default;
 };
 
+/// Joint materials that no scene lists, beside the indices of those that it does.
+inline constexpr int builtInJoint = -1;  // where the scene has none
+inline constexpr int intactJoint = -2;  // rock that only a tunnel's outline parts: neither slips nor opens
+
+enum class BoundarySide { Left, Right, Bottom, Top, All };
+
+/// Where the face on an edge of a cut block comes from.
+struct CutFace {
+    int joint = builtInJoint;  // index into the scene's joint materials, or one of the above
+    int source = -1;  // the joint that it lies on, or joints.size() + the joint set; −1: neither
+    std::optional<BoundarySide> side;  // of the domain, on its boundary
+
+    bool operator==(const CutFace&) const = default;
+};
+
 struct Block {
     std::string name;  // empty: b1, b2, … by order
     std::vector<Point> points;  // [m], either way round
@@ -106,16 +122,101 @@ struct Block {
     std::optional<std::string> jointMaterial;
     Stress initialStress{0.0, 0.0, 0.0};  // [Pa]
     std::optional<CellSettings> subBlocks;  // null: one block with one stress
+    // of blocks that `cutScene` made; no file says it
+    std::vector<CutFace> faces{};  // a row per edge, counter-clockwise; empty: not cut
+    int tunnel = -1;  // the scene's tunnel that it lies in
 
     bool operator==(const Block&) const = default;
 };
 
+/// The region that is cut into blocks.
+struct SceneDomain {
+    std::vector<Point> boundary;  // [m], either way round
+    std::string material;
+    std::optional<std::string> jointMaterial;  // of its boundary, and of joints that name none; null: as of a block
+
+    bool operator==(const SceneDomain&) const = default;
+};
+
+/// Limits of the cut; null: relative to the domain's size.
+struct Cutting {
+    std::optional<double> tolerance;  // what is closer than this meets [m]
+    std::optional<double> minArea;  // smaller blocks join a neighbour [m²]; 0: none
+    std::optional<double> minWidth;  // narrower ones do [m]; 0: none
+
+    bool operator==(const Cutting&) const = default;
+};
+
+/// One joint along a line of points.
+struct SceneJoint {
+    std::string name;
+    std::vector<Point> points;  // [m]
+    std::optional<std::string> jointMaterial;  // null: the domain's
+
+    bool operator==(const SceneJoint&) const = default;
+};
+
+/// Traces of a joint set, as geometry/joint_set.h draws them.
+struct SceneJointSet {
+    std::string name;
+    double dip = 0.0;  // [°] counter-clockwise from +x
+    double dipDeviation = 0.0;  // [°]
+    double spacing = 0.0;  // [m]
+    double spacingDeviation = 0.0;  // [m]
+    std::optional<double> traceLength;  // [m]; null: right through
+    double traceLengthDeviation = 0.0;  // [m]
+    double bridge = 0.0;  // [m]
+    double bridgeDeviation = 0.0;  // [m]
+    std::optional<double> stagger = 0.0;  // null: at random
+    Point origin{0.0, 0.0};  // [m]
+    int seed = 1;
+    std::optional<std::string> jointMaterial;  // null: the domain's
+    std::optional<std::string> region;  // null: the whole domain
+
+    bool operator==(const SceneJointSet&) const = default;
+};
+
+enum class ProfileKind { Circle, DShape, Horseshoe, Arched, Polygon };
+
+/// A tunnel by the few numbers of its profile.
+struct SceneTunnel {
+    std::string name;
+    ProfileKind profile = ProfileKind::Circle;
+    Point center{0.0, 0.0};  // of the bounding box [m]; not of a polygon
+    double diameter = 0.0;  // [m]
+    double width = 0.0, height = 0.0;  // [m]
+    double wallHeight = 0.0, rise = 0.0;  // [m]
+    std::vector<Point> points;  // [m]
+
+    bool operator==(const SceneTunnel&) const = default;
+};
+
+/// A part of the section that joint sets and Voronoi cells refer to.
+struct SceneRegion {
+    std::string name;
+    std::vector<Point> points;  // [m], either way round
+
+    bool operator==(const SceneRegion&) const = default;
+};
+
+/// Voronoi cells over a region.
+struct SceneVoronoi {
+    double size = 0.0;  // of a cell, about [m]
+    int seed = 1;
+    std::optional<std::string> region;  // null: the whole domain
+    std::optional<std::string> jointMaterial;  // null: the domain's
+
+    bool operator==(const SceneVoronoi&) const = default;
+};
+
 enum class Fix { All, X, Y, XY };
 
-/// Holds a whole block (`blockAt`, fix all) or one point of a block (`point`, fix x, y or xy).
+/// Holds a whole block (`blockAt`, fix all), one point of a block (`point`, fix x, y or xy), or what lies on a side of
+/// the domain: whole blocks (fix all) or the corners of their faces there.
 struct Support {
     std::optional<Point> blockAt;  // [m]
     std::optional<Point> point;  // [m]
+    std::optional<BoundarySide> boundary;
     Fix fix = Fix::All;
 
     bool operator==(const Support&) const = default;
@@ -317,8 +418,28 @@ struct Bolt {
     std::optional<double> spacingOutOfPlane;  // [m]; null: the thickness
     double pretension = 0.0;  // [N] that the plate pulls the head to when the bolt is installed
     std::optional<std::vector<Anchor>> anchors;  // null: those of the type
+    int pattern = -1;  // the scene's pattern that `cutScene` made it from; no file says it
 
     bool operator==(const Bolt&) const = default;
+};
+
+/// Bolts at equal lengths along the wall of a tunnel, as geometry/bolt_pattern.h lays them out: P.1, P.2, …
+struct ScenePattern {
+    std::string name;
+    std::string type;
+    std::string tunnel;
+    Point from{0.0, 0.0}, to{0.0, 0.0};  // nearest places of the wall [m]
+    Way way = Way::CounterClockwise;
+    double spacing = 0.0;  // along the wall [m]
+    double offset = 0.0;  // [m]
+    double length = 0.0;  // of a bolt [m]
+    double angleFromWall = 90.0;  // [°]
+    std::optional<int> divisions;  // null: chosen by the program
+    PlateKind plate = PlateKind::Spring;
+    std::optional<double> spacingOutOfPlane;  // [m]; null: the thickness
+    double pretension = 0.0;  // [N]
+
+    bool operator==(const ScenePattern&) const = default;
 };
 
 enum class BoltQuantity {
@@ -382,11 +503,19 @@ struct Scene {
     Analysis analysis;
     std::vector<std::pair<std::string, Material>> materials;
     std::vector<std::pair<std::string, JointMaterial>> jointMaterials;
+    std::optional<SceneDomain> domain;
+    Cutting cutting;
+    std::vector<SceneJoint> joints;
+    std::vector<SceneJointSet> jointSets;
+    std::optional<SceneVoronoi> voronoi;
+    std::vector<SceneRegion> regions;
+    std::vector<SceneTunnel> tunnels;
     std::vector<Block> blocks;
     std::vector<Support> supports;
     std::optional<InSituStress> inSituStress;
     std::vector<BoltType> boltTypes;  // the scene's own and the built-in ones that its bolts use; `like` followed
     std::vector<Bolt> bolts;
+    std::vector<ScenePattern> boltPatterns;
     std::vector<Stage> stages;
     std::vector<Monitor> monitors;
     std::vector<std::string> quantities;

@@ -32,6 +32,9 @@ inline constexpr std::array<std::string_view, 2> afterCurveWords{"last", "zero"}
 inline constexpr std::array<std::string_view, 2> onFailureWords{"none", "bolt-lost"};
 inline constexpr std::array<std::string_view, 2> ruptureRuleWords{"independent", "interaction"};
 inline constexpr std::array<std::string_view, 3> plateKindWords{"none", "spring", "block"};
+inline constexpr std::array<std::string_view, 5> boundarySideWords{"left", "right", "bottom", "top", "all"};
+inline constexpr std::array<std::string_view, 5> profileKindWords{"circle", "d-shape", "horseshoe", "arched", "polygon"};
+inline constexpr std::array<std::string_view, 2> wayWords{"ccw", "cw"};
 
 constexpr Words wordsOf(Plane) { return planeWords; }
 constexpr Words wordsOf(Integration) { return integrationWords; }
@@ -48,6 +51,9 @@ constexpr Words wordsOf(AfterCurve) { return afterCurveWords; }
 constexpr Words wordsOf(OnFailure) { return onFailureWords; }
 constexpr Words wordsOf(RuptureRule) { return ruptureRuleWords; }
 constexpr Words wordsOf(PlateKind) { return plateKindWords; }
+constexpr Words wordsOf(BoundarySide) { return boundarySideWords; }
+constexpr Words wordsOf(ProfileKind) { return profileKindWords; }
+constexpr Words wordsOf(Way) { return wayWords; }
 constexpr Words wordsOf(BoltQuantity) { return boltQuantityWords; }
 
 }  // namespace keyblock

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rows of the section: the domain and what cuts it into blocks.
+#include "geometry/joint_set.h"
+#include "solver/scene/field_rows.h"
+
+namespace keyblock {
+
+namespace {
+
+constexpr int largestSeed = 2147483647;
+
+}  // namespace
+
+const Structure& structureOf(const SceneDomain*) {
+    static const Structure structure{
+        "domain",
+        "A region that is cut into blocks. Without joints it is one block.",
+        defaultsOf<SceneDomain>(),
+        {
+            row<&SceneDomain::boundary>("boundary", "Corners, either way round, the first not repeated.",
+                                        {.unit = "m", .required = true}),
+            row<&SceneDomain::material>("material", "Name of its material.", {.required = true}),
+            row<&SceneDomain::jointMaterial>("joint_material",
+                                             "Name of the joint material of its boundary, and of joints that name "
+                                             "none; null: the first of `joint_materials`."),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const Cutting*) {
+    static const Structure structure{
+        "cutting",
+        "Limits of the cut. `keyblock check` tells which were used, and what was merged, trimmed and dropped.",
+        defaultsOf<Cutting>(),
+        {
+            row<&Cutting::tolerance>("tolerance",
+                                     "What is closer than this meets; null: 1e-6 of the longer side of the domain.",
+                                     {.unit = "m", .range = above(0)}),
+            row<&Cutting::minArea>("min_area",
+                                   "Smaller blocks join a neighbour; null: 1e-7 of the longer side squared; 0: none.",
+                                   {.unit = "m²", .range = atLeast(0)}),
+            row<&Cutting::minWidth>("min_width",
+                                    "Narrower blocks (2·area / perimeter) join a neighbour; null: 1e-4 of the longer "
+                                    "side, at least ten tolerances; 0: none.",
+                                    {.unit = "m", .range = atLeast(0)}),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const SceneJoint*) {
+    static const Structure structure{
+        "joint",
+        "One joint along a line of points.",
+        defaultsOf<SceneJoint>(),
+        {
+            row<&SceneJoint::name>("name", "Names the joint.", {.required = true}),
+            row<&SceneJoint::points>("points", "The line, two points or more.", {.unit = "m", .required = true}),
+            row<&SceneJoint::jointMaterial>("joint_material",
+                                            "Name of the joint material of its faces; null: the domain's."),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const SceneJointSet*) {
+    static const Only withLength{.key = "trace_length"};
+    static const Structure structure{
+        "joint set",
+        "Parallel lines that carry traces with bridges of rock between them; spacings, lengths and bridges are "
+        "log-normal, the dip normal.",
+        defaultsOf<SceneJointSet>(),
+        {
+            row<&SceneJointSet::name>("name", "Names the set.", {.required = true}),
+            row<&SceneJointSet::dip>("dip", "Apparent dip in the section, counter-clockwise from +x.",
+                                     {.unit = "°", .range = within(-360, 360), .required = true}),
+            row<&SceneJointSet::dipDeviation>("dip_deviation", "Standard deviation of the dip, trace by trace.",
+                                              {.unit = "°", .range = within(0, largestDipDeviation)}),
+            row<&SceneJointSet::spacing>("spacing", "Mean distance between lines, normal to them.",
+                                         {.unit = "m", .range = above(0), .required = true}),
+            row<&SceneJointSet::spacingDeviation>("spacing_deviation", "Its standard deviation.",
+                                                  {.unit = "m", .range = atLeast(0)}),
+            row<&SceneJointSet::traceLength>("trace_length", "Mean length of a trace; null: right through.",
+                                             {.unit = "m", .range = above(0)}),
+            row<&SceneJointSet::traceLengthDeviation>("trace_length_deviation", "Its standard deviation.",
+                                                      {.unit = "m", .range = atLeast(0), .only = withLength}),
+            row<&SceneJointSet::bridge>("bridge", "Mean length of rock between two traces of a line.",
+                                        {.unit = "m", .range = atLeast(0), .only = withLength}),
+            row<&SceneJointSet::bridgeDeviation>("bridge_deviation", "Its standard deviation.",
+                                                 {.unit = "m", .range = atLeast(0), .only = withLength}),
+            row<&SceneJointSet::stagger>("stagger",
+                                         "By which share of length and bridge each line is set on against the last; "
+                                         "null: at random.",
+                                         {.only = withLength}),
+            row<&SceneJointSet::origin>("origin", "The middle of the first trace lies here.", {.unit = "m"}),
+            row<&SceneJointSet::seed>("seed", "Names one draw of all that scatters.",
+                                      {.range = within(0, largestSeed)}),
+            row<&SceneJointSet::jointMaterial>("joint_material",
+                                               "Name of the joint material of its faces; null: the domain's."),
+            row<&SceneJointSet::region>("region", "Name of the region that it is confined to; null: none."),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const SceneRegion*) {
+    static const Structure structure{
+        "region",
+        "A part of the section. It cuts nothing by itself.",
+        defaultsOf<SceneRegion>(),
+        {
+            row<&SceneRegion::name>("name", "Names the region.", {.required = true}),
+            row<&SceneRegion::points>("points", "Corners, either way round, the first not repeated.",
+                                      {.unit = "m", .required = true}),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const SceneVoronoi*) {
+    static const Structure structure{
+        "voronoi",
+        "Convex cells of about one size without direction. The outline of their region is a joint too.",
+        defaultsOf<SceneVoronoi>(),
+        {
+            row<&SceneVoronoi::size>("size", "Their mean area is about the square of this.",
+                                     {.unit = "m", .range = above(0), .required = true}),
+            row<&SceneVoronoi::seed>("seed", "Names one draw of their places.", {.range = within(0, largestSeed)}),
+            row<&SceneVoronoi::region>("region", "Name of the region that they fill; null: the whole domain."),
+            row<&SceneVoronoi::jointMaterial>("joint_material",
+                                              "Name of the joint material of their faces; null: the domain's."),
+        }};
+    return structure;
+}
+
+const Structure& structureOf(const SceneTunnel*) {
+    static const Only round{.key = "profile", .words = {"circle"}};
+    static const Only wide{.key = "profile", .words = {"d-shape", "horseshoe", "arched"}};
+    static const Only high{.key = "profile", .words = {"d-shape", "horseshoe"}};
+    static const Only arched{.key = "profile", .words = {"arched"}};
+    static const Only drawn{.key = "profile", .words = {"polygon"}};
+    static const Only centred{.key = "profile", .words = {"circle", "d-shape", "horseshoe", "arched"}};
+    static const Structure structure{
+        "tunnel",
+        "An opening in the domain. Where its outline alone parts rock, the two sides are held together as intact rock; "
+        "one that no stage excavates is open from the start.",
+        defaultsOf<SceneTunnel>(),
+        {
+            row<&SceneTunnel::name>("name", "Names the tunnel.", {.required = true}),
+            row<&SceneTunnel::profile>("profile",
+                                       "A circle; a semicircle on straight walls; three arcs on a flat floor; a segment "
+                                       "of a circle on straight walls; or a polygon.",
+                                       {.required = true}),
+            row<&SceneTunnel::center>("center", "Middle of the bounding box.", {.unit = "m", .only = centred}),
+            row<&SceneTunnel::diameter>("diameter", "Diameter.", {.unit = "m", .range = atLeast(0), .only = round}),
+            row<&SceneTunnel::width>("width", "Width.", {.unit = "m", .range = atLeast(0), .only = wide}),
+            row<&SceneTunnel::height>("height", "Height, floor to crown.",
+                                      {.unit = "m", .range = atLeast(0), .only = high}),
+            row<&SceneTunnel::wallHeight>("wall_height", "Height of the straight walls.",
+                                          {.unit = "m", .range = atLeast(0), .only = arched}),
+            row<&SceneTunnel::rise>("rise", "Height of the arch over its chord.",
+                                    {.unit = "m", .range = atLeast(0), .only = arched}),
+            row<&SceneTunnel::points>("points", "Corners, either way round.", {.unit = "m", .only = drawn}),
+        }};
+    return structure;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A block is one ring of corners. Where the cut leaves a block with an opening in
+// it, two level cuts from the opening to what lies left and right of it part the
+// block; their faces are intact rock (theory, "Cut scenes").
+#include "solver/scene/scene_cut.h"
+
+#include "geometry/polygon.h"
+#include "solver/scene/number_text.h"
+#include "solver/scene/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace keyblock {
+namespace {
+
+std::vector<Point> pointsOf(const Cut& cut, const CutRing& ring) {
+    std::vector<Point> points;
+    for (int vertex : ring.vertices) points.push_back(cut.vertices[static_cast<std::size_t>(vertex)]);
+    return points;
+}
+
+using Rings = std::vector<std::vector<Point>>;
+
+Rings ringsOf(const Cut& cut, const CutBlock& block) {
+    Rings rings{pointsOf(cut, block.outer)};
+    for (const CutRing& hole : block.holes) rings.push_back(pointsOf(cut, hole));
+    return rings;
+}
+
+/// Where the level line through y crosses the rings' edges, rising [m].
+std::vector<double> crossingsAt(const Rings& rings, double y) {
+    std::vector<double> places;
+    for (const std::vector<Point>& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+            if ((a.y() > y) == (b.y() > y)) continue;
+            places.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+        }
+    std::sort(places.begin(), places.end());
+    return places;
+}
+
+/// A place well inside: the middle of the widest part of the level line half-way between the two heights of corners
+/// that lie farthest apart.
+Point placeInside(const Rings& rings) {
+    std::vector<double> heights;
+    for (const std::vector<Point>& ring : rings)
+        for (const Point& p : ring) heights.push_back(p.y());
+    std::sort(heights.begin(), heights.end());
+    double y = heights.front(), gap = -1.0;
+    for (std::size_t i = 0; i + 1 < heights.size(); ++i)
+        if (heights[i + 1] - heights[i] > gap) gap = heights[i + 1] - heights[i], y = heights[i] + 0.5 * gap;
+    const std::vector<double> places = crossingsAt(rings, y);
+    double x = 0.0, width = -1.0;
+    for (std::size_t i = 0; i + 1 < places.size(); i += 2)
+        if (places[i + 1] - places[i] > width) width = places[i + 1] - places[i], x = places[i] + 0.5 * width;
+    return {x, y};
+}
+
+/// The nearest place of the rings but one to the left (way −1) or right (way 1) of `from`.
+Point acrossFrom(const Rings& rings, std::size_t but, const Point& from, double way) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+        if (r == but) continue;
+        for (std::size_t i = 0; i < rings[r].size(); ++i) {
+            const Point &a = rings[r][i], &b = rings[r][(i + 1) % rings[r].size()];
+            if (std::max(a.y(), b.y()) < from.y() || std::min(a.y(), b.y()) > from.y()) continue;
+            const double rise = b.y() - a.y();
+            const double x = rise == 0.0 ? (way * a.x() < way * b.x() ? a.x() : b.x())
+                                         : a.x() + (from.y() - a.y()) / rise * (b.x() - a.x());
+            if (way * (x - from.x()) >= 0.0) nearest = std::min(nearest, way * (x - from.x()));
+        }
+    }
+    return {from.x() + way * nearest, from.y()};
+}
+
+/// Two level cuts from each opening of a block, at its corners farthest left and right.
+void addSplits(const Cut& cut, const CutBlock& block, int source, std::vector<CutTrace>& traces) {
+    const Rings rings = ringsOf(cut, block);
+    for (std::size_t hole = 1; hole < rings.size(); ++hole)
+        for (double way : {-1.0, 1.0}) {
+            const Point corner = *std::max_element(rings[hole].begin(), rings[hole].end(), [&](auto& a, auto& b) {
+                return std::pair(way * a.x(), a.y()) < std::pair(way * b.x(), b.y());
+            });
+            const Point end = acrossFrom(rings, hole, corner, way);
+            if (end.allFinite() && end != corner) traces.push_back({corner, end, source});
+        }
+}
+
+/// The side of the domain that an edge of a block lies on, run counter-clockwise.
+BoundarySide sideOf(const Point& from, const Point& to) {
+    constexpr double slack = 1e-9;  // an edge at 45° does not change sides by round-off
+    const Point outward = -turnLeft(to - from);
+    if (std::abs(outward.y()) >= std::abs(outward.x()) * (1.0 - slack))
+        return outward.y() > 0.0 ? BoundarySide::Top : BoundarySide::Bottom;
+    return outward.x() > 0.0 ? BoundarySide::Right : BoundarySide::Left;
+}
+
+/// Makes the scene's blocks of those of the cut.
+class Builder {
+public:
+    Builder(const Scene& scene, const Cut& cut, const SceneTraces& traces, SceneCut& result)
+        : scene_(scene), cut_(cut), traces_(traces), result_(result) {
+        for (const SceneTunnel& tunnel : scene.tunnels) outlines_.push_back(outline(tunnelProfile(shapeOf(tunnel))));
+    }
+
+    void add(const CutBlock& block) {
+        const int tunnel = tunnelOf(block);
+        if (tunnel == open) {
+            ++result_.open;
+            return;
+        }
+        Block& made = result_.scene.blocks.emplace_back();
+        made.points = pointsOf(cut_, block.outer);
+        made.material = scene_.domain->material;
+        made.jointMaterial = scene_.domain->jointMaterial;
+        made.tunnel = tunnel;
+        for (std::size_t e = 0; e < block.outer.sources.size(); ++e)
+            made.faces.push_back(faceOn(block.outer.sources[e], made.points[e],
+                                        made.points[(e + 1) % made.points.size()]));
+        used_.insert(block.outer.vertices.begin(), block.outer.vertices.end());
+        ++result_.blocks;
+        result_.edges += static_cast<int>(made.points.size());
+        result_.area += block.area;
+        result_.vertices = static_cast<int>(used_.size());
+    }
+
+private:
+    static constexpr int open = -2;
+
+    int tunnelOf(const CutBlock& block) const {
+        if (outlines_.empty()) return -1;
+        const Point inside = placeInside(ringsOf(cut_, block));
+        int first = -1;
+        for (std::size_t t = 0; t < outlines_.size(); ++t) {
+            if (locate(outlines_[t], inside, 0.0) == Side::Outside) continue;
+            if (isOpenFromStart(scene_, scene_.tunnels[t])) return open;
+            if (first < 0) first = static_cast<int>(t);
+        }
+        return first;
+    }
+
+    CutFace faceOn(int source, const Point& from, const Point& to) const {
+        CutFace face;
+        if (source == borderSource) {
+            face.joint = jointOf(scene_, {});
+            face.side = sideOf(from, to);
+            return face;
+        }
+        face.joint = traces_.sources[static_cast<std::size_t>(source)].joint;
+        if (source < static_cast<int>(scene_.joints.size() + scene_.jointSets.size())) face.source = source;
+        return face;
+    }
+
+    const Scene& scene_;
+    const Cut& cut_;
+    const SceneTraces& traces_;
+    SceneCut& result_;
+    std::vector<std::vector<Point>> outlines_;
+    std::set<int> used_;
+};
+
+/// Cuts until no block has an opening; one round of splits parts them all but where the cut's rounding closes one.
+Cut cutWithoutOpenings(const Scene& scene, SceneTraces& traces, int& splits) {
+    constexpr int mostRounds = 8;
+    const std::vector<CutDomain> domains{{0, scene.domain->boundary}};
+    const int source = static_cast<int>(traces.sources.size());
+    Cut cut = cutIntoBlocks(domains, traces.traces, cutSettings(scene));
+    traces.sources.push_back({"intact rock", intactJoint});
+    const std::vector<CutNote> notes = cut.notes;  // of what the scene draws, not of the splits
+    for (int round = 0; round < mostRounds; ++round) {
+        const std::size_t before = traces.traces.size();
+        for (const CutBlock& block : cut.blocks) addSplits(cut, block, source, traces.traces);
+        if (traces.traces.size() == before) break;
+        splits += static_cast<int>(traces.traces.size() - before);
+        cut = cutIntoBlocks(domains, traces.traces, cutSettings(scene));
+    }
+    cut.notes = notes;
+    return cut;
+}
+
+void cutDomain(const Scene& scene, SceneCut& result) {
+    SceneTraces traces = tracesOf(scene);
+    const Cut cut = cutWithoutOpenings(scene, traces, result.split);
+    Builder builder(scene, cut, traces, result);
+    for (const CutBlock& block : cut.blocks) builder.add(block);
+    result.notes = cut.notes;
+    result.tolerance = cut.tolerance, result.minArea = cut.minArea, result.minWidth = cut.minWidth;
+    for (TraceSource& source : traces.sources) result.sources.push_back(std::move(source.text));
+    result.scene.domain.reset();
+    result.scene.joints.clear();
+    result.scene.jointSets.clear();
+    result.scene.voronoi.reset();
+}
+
+void layOutPattern(const Scene& scene, int index, std::vector<Bolt>& bolts) {
+    const ScenePattern& pattern = scene.boltPatterns[static_cast<std::size_t>(index)];
+    const SceneTunnel& tunnel = scene.tunnels[static_cast<std::size_t>(findTunnel(scene, pattern.tunnel))];
+    int number = 0;
+    for (const PatternBolt& laid : layOut(tunnelProfile(shapeOf(tunnel)), patternOf(pattern))) {
+        Bolt& bolt = bolts.emplace_back();
+        bolt.name = pattern.name + "." + std::to_string(++number);
+        bolt.type = pattern.type;
+        bolt.farEnd = laid.farEnd;
+        bolt.head = laid.head;
+        bolt.divisions = pattern.divisions;
+        bolt.plate = pattern.plate;
+        bolt.spacingOutOfPlane = pattern.spacingOutOfPlane;
+        bolt.pretension = pattern.pretension;
+        bolt.pattern = index;
+    }
+}
+
+bool isLaidOut(const Scene& scene) {
+    return std::any_of(scene.bolts.begin(), scene.bolts.end(), [](const Bolt& bolt) { return bolt.pattern >= 0; });
+}
+
+}  // namespace
+
+bool needsCut(const Scene& scene) {
+    return scene.domain.has_value() || (!scene.boltPatterns.empty() && !isLaidOut(scene));
+}
+
+SceneCut cutScene(const Scene& scene) {
+    SceneCut result;
+    result.scene = scene;
+    if (scene.domain) cutDomain(scene, result);
+    for (std::size_t i = 0; i < scene.boltPatterns.size() && !isLaidOut(scene); ++i)
+        layOutPattern(scene, static_cast<int>(i), result.scene.bolts);
+    return result;
+}
+
+std::string_view wordOf(CutNoteKind kind) {
+    switch (kind) {
+        case CutNoteKind::MergedTrace: return "merged trace";
+        case CutNoteKind::MovedEnd: return "moved end";
+        case CutNoteKind::PulledEnd: return "pulled end";
+        case CutNoteKind::TrimmedEnd: return "trimmed end";
+        case CutNoteKind::TrimmedStretch: return "trimmed stretch";
+        case CutNoteKind::DroppedShort: return "dropped short trace";
+        case CutNoteKind::DroppedOutside: return "dropped outside trace";
+        case CutNoteKind::DroppedLoose: return "dropped loose trace";
+        case CutNoteKind::DroppedNotFinite: return "dropped trace that is not finite";
+        case CutNoteKind::DroppedDomain: return "dropped domain";
+        case CutNoteKind::MergedSliver: return "merged sliver";
+        case CutNoteKind::MergedUnsound: return "merged unsound block";
+        case CutNoteKind::KeptSliver: return "kept sliver";
+    }
+    return "";
+}
+
+std::string noteText(const SceneCut& cut, const CutNote& note) {
+    const auto name = [&](int source) {
+        return source >= 0 && static_cast<std::size_t>(source) < cut.sources.size()
+                   ? cut.sources[static_cast<std::size_t>(source)] : std::string("the boundary");
+    };
+    const std::string metres = shortest(note.measure) + " m", area = shortest(note.measure) + " m²";
+    switch (note.kind) {
+        case CutNoteKind::MergedTrace:
+            return metres + " of " + name(note.source) + " lie on " + name(note.other) + ", which has the faces";
+        case CutNoteKind::MovedEnd: return "an end of " + name(note.source) + " moved by " + metres + " to meet a corner";
+        case CutNoteKind::PulledEnd:
+            return "an end of " + name(note.source) + " went on by " + metres + " to meet " + name(note.other);
+        case CutNoteKind::TrimmedEnd:
+            return "the last " + metres + " of " + name(note.source) + " end in rock and bound no block";
+        case CutNoteKind::TrimmedStretch: return metres + " of " + name(note.source) + " bound no block";
+        case CutNoteKind::DroppedShort:
+            return "a trace of " + name(note.source) + ", " + metres + " long, is within the tolerance";
+        case CutNoteKind::DroppedOutside:
+            return "a trace of " + name(note.source) + ", " + metres + " long, lies outside the domain";
+        case CutNoteKind::DroppedLoose:
+            return "a trace of " + name(note.source) + ", " + metres + " long, bounds no block";
+        case CutNoteKind::DroppedNotFinite: return "a trace of " + name(note.source) + " is not finite";
+        case CutNoteKind::DroppedDomain: return "the domain has no area";
+        case CutNoteKind::MergedSliver:
+            return "a block of " + area + " is below a limit and joined its neighbour over " + name(note.source);
+        case CutNoteKind::MergedUnsound:
+            return "a block of " + area + " would cross itself and joined its neighbour over " + name(note.source);
+        case CutNoteKind::KeptSliver: return "a block of " + area + " is below a limit but has no neighbour";
+    }
+    return "";
+}
+
+}  // namespace keyblock

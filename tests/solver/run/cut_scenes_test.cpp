@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Scenes with a domain: what they are cut to, which joint material is on which
+// face, and that they come to rest as blocks given one by one do.
+#include "solver/scene/scene_cut.h"
+
+#include "geometry/polygon.h"
+#include "solver/engine/model.h"
+#include "solver/run/run.h"
+#include "solver/scene/check.h"
+#include "solver/scene/lookup.h"
+#include "solver/scene/solved_blocks.h"
+#include "solver/verify/readings.h"
+#include "tests/solver/run/small_stages.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace keyblock {
+namespace {
+
+SceneJoint line(const std::string& name, const Point& from, const Point& to) {
+    SceneJoint joint;
+    joint.name = name;
+    joint.points = {from, to};
+    return joint;
+}
+
+Support side(BoundarySide which, Fix fix) {
+    Support support;
+    support.boundary = which;
+    support.fix = fix;
+    return support;
+}
+
+/// A square of 2 m with a cross in it, on a floor that is held.
+Scene crossed() {
+    Scene scene = emptyScene(10e9, 0.2, 30.0);
+    scene.domain = SceneDomain{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, scene.materials.front().first, {}};
+    scene.joints = {line("level", {-1, 0}, {1, 0}), line("upright", {0, -1}, {0, 1})};
+    scene.supports = {side(BoundarySide::Bottom, Fix::XY)};
+    scene.analysis.gravity = {0.0, -gravity};
+    scene.stages = {test::settle()};
+    scene.output.frames = 1;
+    return scene;
+}
+
+/// Two joint sets and an open d-shaped tunnel in a square of 20 m.
+Scene drift() {
+    Scene scene = emptyScene(10e9, 0.2, 35.0);
+    const double half = 10.0;
+    scene.domain =
+        SceneDomain{{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, scene.materials.front().first, {}};
+    SceneJointSet steep, flat;
+    steep.name = "steep", steep.dip = 80.0, steep.spacing = 4.0, steep.origin = {1.0, 0.0};
+    flat.name = "flat", flat.dip = -5.0, flat.spacing = 4.0, flat.origin = {0.0, 1.0};
+    scene.jointSets = {steep, flat};
+    SceneTunnel tunnel;
+    tunnel.name = "drift", tunnel.profile = ProfileKind::DShape, tunnel.width = 4.0, tunnel.height = 4.0;
+    scene.tunnels = {tunnel};
+    scene.supports = {side(BoundarySide::Bottom, Fix::XY), side(BoundarySide::Left, Fix::X),
+                      side(BoundarySide::Right, Fix::X)};
+    scene.analysis.gravity = {0.0, -gravity};
+    scene.stages = {test::settle()};
+    scene.output.frames = 1;
+    return scene;
+}
+
+double areaOf(const SceneTunnel&) {
+    // walls 4 × 2 and the polygon of 16 edges that stands for a semicircle of radius 2
+    return 4.0 * 2.0 + 16.0 * 0.5 * 4.0 * std::sin(M_PI / 16.0);
+}
+
+std::string errorsOf(const Scene& scene) {
+    std::string text;
+    for (const Problem& problem : checkScene(scene))
+        if (problem.severity == Severity::Error) text += oneLine(problem) + "\n";
+    return text;
+}
+
+/// Names of the joint materials on all faces between two places, by the block that holds the first.
+std::set<int> jointsOn(const SceneCut& cut, const Point& inside, const Point& onFace) {
+    std::set<int> joints;
+    const Block& block = cut.scene.blocks.at(static_cast<std::size_t>(blockAt(cut.scene, inside)));
+    for (std::size_t e = 0; e < block.points.size(); ++e) {
+        const Point &a = block.points[e], &b = block.points[(e + 1) % block.points.size()];
+        if (std::abs(cross(b - a, onFace - a)) < 1e-9 * (b - a).norm() && (onFace - a).dot(onFace - b) < 0.0)
+            joints.insert(block.faces[e].joint);
+    }
+    return joints;
+}
+
+TEST(CutScene, PartsASquareWithACrossIntoFour) {
+    const Scene scene = crossed();
+    EXPECT_EQ(errorsOf(scene), "");
+    const SceneCut cut = cutScene(scene);
+    ASSERT_EQ(cut.scene.blocks.size(), 4u);
+    EXPECT_EQ(cut.blocks, 4);
+    EXPECT_EQ(cut.vertices, 9);
+    EXPECT_NEAR(cut.area, 4.0, 1e-12);
+    EXPECT_EQ(blockNames(cut.scene), (std::vector<std::string>{"b1", "b2", "b3", "b4"}));
+    for (const Block& block : cut.scene.blocks) EXPECT_NEAR(signedArea(block.points), 1.0, 1e-12);
+    EXPECT_EQ(cutScene(cut.scene).scene, cut.scene);
+}
+
+TEST(CutScene, DoesNotDependOnTheOrderOfJoints) {
+    Scene scene = crossed(), turned = scene;
+    std::swap(turned.joints[0], turned.joints[1]);
+    std::reverse(turned.joints[0].points.begin(), turned.joints[0].points.end());
+    const SceneCut first = cutScene(scene), second = cutScene(turned);
+    ASSERT_EQ(first.scene.blocks.size(), second.scene.blocks.size());
+    for (std::size_t b = 0; b < first.scene.blocks.size(); ++b)
+        EXPECT_EQ(first.scene.blocks[b].points, second.scene.blocks[b].points);
+}
+
+TEST(CutScene, SettlesUnderItsWeight) {
+    const Solved solved = solve(crossed());
+    ASSERT_EQ(solved.results.stages.size(), 1u);
+    EXPECT_EQ(solved.results.stages[0].outcome, Outcome::Equilibrium);
+    const Frame& frame = solved.results.frames.back();
+    double weight = 0.0, floor = 0.0;
+    for (const BlockState& block : frame.blocks) weight += block.weight;
+    for (const ContactFrame& contact : frame.contacts)
+        if (std::abs(contact.position.y()) < 1e-3) floor += contact.normalForce;
+    EXPECT_NEAR(floor, 0.5 * weight, 1e-3 * weight);  // the upper half stands on the lower
+}
+
+TEST(CutScene, SettlesAsTheSameBlocksOneByOne) {
+    const Scene scene = crossed();
+    Scene blocks = cutScene(scene).scene;
+    for (Block& block : blocks.blocks) block.faces.clear();
+    blocks.supports.clear();
+    for (double x : {-1.0, 0.0, 1.0})
+        for (double y : {-1.0}) {
+            Support support;
+            support.point = Point(x == 0.0 ? -1e-6 : x, y);
+            support.fix = Fix::XY;
+            blocks.supports.push_back(support);
+        }
+    blocks.supports.push_back(blocks.supports.back());
+    blocks.supports.back().point = Point(1e-6, -1.0);
+    const Solved one = solve(scene), other = solve(blocks);
+    const Frame &a = one.results.frames.back(), &b = other.results.frames.back();
+    ASSERT_EQ(a.blocks.size(), b.blocks.size());
+    for (std::size_t i = 0; i < a.blocks.size(); ++i)
+        EXPECT_NEAR((a.blocks[i].displacement - b.blocks[i].displacement).norm(), 0.0,
+                    1e-3 * a.blocks[i].displacement.norm());
+}
+
+TEST(CutScene, GivesEveryFaceTheMaterialOfItsTrace) {
+    Scene scene = crossed();
+    scene.jointMaterials = {{"rough", {}}, {"weak", {}}, {"edge", {}}};
+    scene.jointMaterials[0].second.frictionAngle = 40.0;
+    scene.jointMaterials[1].second.frictionAngle = 10.0;
+    scene.joints[0].jointMaterial = "weak";
+    scene.domain->jointMaterial = "edge";
+    const SceneCut cut = cutScene(scene);
+    EXPECT_EQ(jointsOn(cut, {0.5, 0.5}, {0.5, 0.0}), (std::set<int>{1}));
+    EXPECT_EQ(jointsOn(cut, {0.5, -0.5}, {0.5, 0.0}), (std::set<int>{1}));
+    EXPECT_EQ(jointsOn(cut, {0.5, 0.5}, {0.0, 0.5}), (std::set<int>{2}));  // names none: the domain's
+    EXPECT_EQ(jointsOn(cut, {0.5, 0.5}, {1.0, 0.5}), (std::set<int>{2}));
+    const Solved solved = solve(scene);
+    for (const ContactFrame& contact : solved.results.frames.back().contacts) {
+        const bool level = std::abs(contact.position.y()) < 1e-3;
+        const bool middle = level && std::abs(contact.position.x()) < 1e-3;
+        if (!middle) {
+            EXPECT_EQ(contact.jointMaterial, level ? 1 : 2) << contact.position.transpose();
+        }
+    }
+}
+
+TEST(CutScene, LeavesAnOpenTunnelOut) {
+    const Scene scene = drift();
+    EXPECT_EQ(errorsOf(scene), "");
+    const SceneCut cut = cutScene(scene);
+    double area = 0.0;
+    for (const Block& block : cut.scene.blocks) area += signedArea(block.points);
+    EXPECT_NEAR(area, 400.0 - areaOf(scene.tunnels[0]), 1e-9);
+    EXPECT_NEAR(cut.area, area, 1e-9);
+    EXPECT_GT(cut.open, 0);
+    EXPECT_LT(blockAt(cut.scene, {0.0, 0.1}), 0);
+    EXPECT_GT(cut.scene.blocks.size(), 20u);
+}
+
+TEST(CutScene, SettlesRoundAnOpenTunnel) {
+    const Solved solved = solve(drift());
+    ASSERT_EQ(solved.results.stages.size(), 1u);
+    EXPECT_NE(solved.results.stages[0].outcome, Outcome::Failed) << solved.results.stages[0].message;
+    for (const BlockState& block : solved.results.frames.back().blocks) {
+        EXPECT_TRUE(block.centroid.allFinite());
+        for (double stress : block.stress) EXPECT_TRUE(std::isfinite(stress));
+    }
+}
+
+TEST(CutScene, PartsABlockRoundAnOpeningByIntactFaces) {
+    Scene scene = drift();
+    scene.jointSets.clear();
+    const SceneCut cut = cutScene(scene);
+    EXPECT_EQ(cut.scene.blocks.size(), 2u);
+    EXPECT_EQ(cut.split, 2);
+    double area = 0.0;
+    for (const Block& block : cut.scene.blocks) {
+        area += signedArea(block.points);
+        EXPECT_FALSE(crossesItself(block.points, 1e-9));
+        EXPECT_EQ(std::count_if(block.faces.begin(), block.faces.end(),
+                                [](const CutFace& face) { return face.joint == intactJoint && !face.side; }) > 2, true);
+    }
+    EXPECT_NEAR(area, 400.0 - areaOf(scene.tunnels[0]), 1e-9);
+    // held together where they were parted: the upper half would else slide down if it were pushed along
+    scene.supports = {side(BoundarySide::Bottom, Fix::XY)};
+    scene.analysis.gravity = {40.0 * gravity, 0.0};
+    const Solved solved = solve(scene);
+    EXPECT_EQ(solved.results.stages[0].outcome, Outcome::Equilibrium);
+    int bonded = 0;
+    for (const ContactFrame& contact : solved.results.frames.back().contacts)
+        if (contact.jointMaterial == intactJoint) bonded += contact.state == ContactState::Bonded;
+    EXPECT_GE(bonded, 4);
+}
+
+TEST(CutScene, HoldsEveryCornerOnASideOnce) {
+    Scene scene = crossed();
+    scene.supports.push_back(side(BoundarySide::Left, Fix::X));
+    const Model model = makeModel(cutScene(scene).scene);
+    EXPECT_EQ(model.held.size(), 4u + 3u);  // four at the bottom; of the left side's four one is held there already
+    scene.supports = {side(BoundarySide::Bottom, Fix::All)};
+    const Model fixed = makeModel(cutScene(scene).scene);
+    EXPECT_EQ(std::count_if(fixed.blocks.begin(), fixed.blocks.end(), [](const BlockModel& b) { return b.fixed; }), 2);
+}
+
+TEST(CutScene, PutsExplicitBlocksFirst) {
+    Scene scene = crossed();
+    scene.blocks = {boxBlock("", {2, -1}, {3, 1})};
+    EXPECT_EQ(errorsOf(scene), "");
+    const SceneCut cut = cutScene(scene);
+    EXPECT_EQ(blockNames(cut.scene), (std::vector<std::string>{"b1", "b2", "b3", "b4", "b5"}));
+    EXPECT_TRUE(cut.scene.blocks[0].faces.empty());
+    EXPECT_NEAR(signedArea(cut.scene.blocks[0].points), 2.0, 1e-12);
+}
+
+TEST(CutScene, LaysPatternsOutFromTheWall) {
+    Scene scene = drift();
+    scene.boltTypes = {linearType(barArea(), 200e9)};
+    ScenePattern pattern;
+    pattern.name = "P", pattern.type = scene.boltTypes[0].name, pattern.tunnel = "drift";
+    pattern.from = {2.0, 0.0}, pattern.to = {-2.0, 0.0}, pattern.spacing = M_PI / 2.0, pattern.length = 2.4;
+    scene.boltPatterns = {pattern};
+    EXPECT_EQ(errorsOf(scene), "");
+    const SceneCut cut = cutScene(scene);
+    ASSERT_EQ(cut.scene.bolts.size(), 5u);  // half the crown's circle is 2π
+    EXPECT_EQ(cut.scene.bolts[0].name, "P.1");
+    EXPECT_EQ(cut.scene.bolts[4].name, "P.5");
+    EXPECT_NEAR((cut.scene.bolts[2].head - Point(0.0, 2.0)).norm(), 0.0, 1e-9);
+    EXPECT_NEAR((cut.scene.bolts[2].farEnd - Point(0.0, 4.4)).norm(), 0.0, 1e-9);
+    for (const Bolt& bolt : cut.scene.bolts) {
+        EXPECT_NEAR(lengthOf(bolt), 2.4, 1e-9);
+        EXPECT_EQ(bolt.pattern, 0);
+        EXPECT_GE(blockWithPoint(cut.scene, bolt.head), 0);
+    }
+}
+
+TEST(CutScene, MakesTheSameBytesAgain) {
+    Scene scene = drift();
+    scene.jointSets[0].spacingDeviation = 1.0;
+    const SceneCut first = cutScene(scene), second = cutScene(scene);
+    EXPECT_EQ(first.scene, second.scene);
+}
+
+}  // namespace
+}  // namespace keyblock
