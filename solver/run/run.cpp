@@ -124,13 +124,15 @@ private:
 
     /// Bolts and blocks that go and come. \return what the blocks gave to those that stay.
     std::vector<WallForce> changePresence() {
-        for (const std::string& name : stage().remove) removeBolt(model_, now_.state, boltNamed(scene_, name));
+        for (const std::string& name : stage().remove)
+            for (int bolt : boltsNamed(scene_, name)) removeBolt(model_, now_.state, bolt);
         std::vector<int> rows;
         for (int block : excavatedBlocks(scene_, stage()))
             for (int row = model_.firstOf[block]; row < model_.firstOf[block + 1]; ++row) rows.push_back(row);
         std::vector<WallForce> walls = excavate(model_, now_.state, rows);
         loads_.forgetAbsent(now_.state);
-        for (const std::string& name : stage().install) installBolt(model_, now_.state, boltNamed(scene_, name));
+        for (const std::string& name : stage().install)
+            for (int bolt : boltsNamed(scene_, name)) installBolt(model_, now_.state, bolt);
         return walls;
     }
 

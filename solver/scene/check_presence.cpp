@@ -16,15 +16,21 @@ namespace keyblock {
 
 namespace {
 
+/// Of tunnels and of blocks.
 std::vector<std::string> blockNames(const Scene& scene) {
     std::vector<std::string> names;
+    for (const SceneTunnel& tunnel : scene.tunnels)
+        names.push_back(tunnel.name);
     for (int block = 0; block < static_cast<int>(scene.blocks.size()); ++block)
         names.push_back(displayName(scene, block));
     return names;
 }
 
+/// Of patterns and of bolts.
 std::vector<std::string> boltNames(const Scene& scene) {
     std::vector<std::string> names;
+    for (const ScenePattern& pattern : scene.boltPatterns)
+        names.push_back(pattern.name);
     for (const Bolt& bolt : scene.bolts)
         names.push_back(bolt.name);
     return names;
@@ -73,9 +79,17 @@ void checkRelaxation(const Stage& stage, bool anyBefore, const std::string& poin
 }  // namespace
 
 void checkPresence(CheckContext& context) {
+    if (!context.isCut)
+        return;  // not all names are known
     const Scene& scene = context.scene;
-    Names excavated("block", blockNames(scene), context.report), installed("bolt", boltNames(scene), context.report),
+    Names excavated("tunnel or block", blockNames(scene), context.report), installed("bolt", boltNames(scene), context.report),
         removed("bolt", boltNames(scene), context.report);
+    const auto removeOnce = [&](const Bolt& bolt, const std::string& name, const Stage& stage, const std::string& at) {
+        if (isInstalledLater(scene, bolt) && !installed.has(bolt.name))
+            context.report.error(at, "the bolt " + inQuotes(name) + " is not installed yet",
+                                 "Remove it in a later stage than the one that installs it");
+        removed.once(bolt.name, stage.name, "is removed", at);
+    };
     bool any = false;
     for (std::size_t i = 0; i < scene.stages.size(); ++i) {
         const Stage& stage = scene.stages[i];
@@ -91,15 +105,14 @@ void checkPresence(CheckContext& context) {
         each(stage.remove, "remove", [&](const std::string& name, const std::string& at) {
             if (!removed.exists(name, at))
                 return;
-            const Bolt& bolt = scene.bolts[static_cast<std::size_t>(boltNamed(scene, name))];
-            if (isInstalledLater(scene, bolt) && !installed.has(name))
-                context.report.error(at, "the bolt " + inQuotes(name) + " is not installed yet",
-                                     "Remove it in a later stage than the one that installs it");
-            removed.once(name, stage.name, "is removed", at);
+            for (int bolt : boltsNamed(scene, name))
+                removeOnce(scene.bolts[static_cast<std::size_t>(bolt)], name, stage, at);
         });
         each(stage.install, "install", [&](const std::string& name, const std::string& at) {
-            if (installed.exists(name, at))
-                installed.once(name, stage.name, "is installed", at);
+            if (!installed.exists(name, at))
+                return;
+            for (int bolt : boltsNamed(scene, name))
+                installed.once(scene.bolts[static_cast<std::size_t>(bolt)].name, stage.name, "is installed", at);
         });
         checkRelaxation(stage, any, pointer, context.report);
         any = any || !stage.excavate.empty();

@@ -166,11 +166,14 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::motions>("motions", "Prescribed displacements."),
             row<&Stage::loads>("loads", "Forces and pressures."),
             row<&Stage::set>("set", "Strengths of joints that change at the start of this stage."),
-            row<&Stage::excavate>("excavate", "Names of blocks that are taken out at the start of this stage."),
+            row<&Stage::excavate>("excavate",
+                                  "Names of tunnels, and of blocks, that are taken out at the start of this stage. A "
+                                  "tunnel that no stage excavates is open from the start."),
             row<&Stage::install>("install",
-                                 "Names of bolts that are installed at the start of this stage, unstressed in the rock "
-                                 "as it is then. A bolt that no stage installs is there from the start."),
-            row<&Stage::remove>("remove", "Names of bolts that are taken away at the start of this stage."),
+                                 "Names of bolts and patterns that are installed at the start of this stage, unstressed "
+                                 "in the rock as it is then. What no stage installs is there from the start."),
+            row<&Stage::remove>("remove",
+                                "Names of bolts and patterns that are taken away at the start of this stage."),
             row<&Stage::zeroDisplacements>("zero_displacements",
                                            "Counts displacements of blocks, monitors and motions from the start of "
                                            "this stage."),

@@ -7,24 +7,42 @@
 #include <algorithm>
 
 namespace keyblock {
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The name of the bolt's pattern; null where it was given one by one.
+const std::string* patternOf(const Scene& scene, const Bolt& bolt) {
+    return bolt.pattern < 0 ? nullptr : &scene.boltPatterns[static_cast<std::size_t>(bolt.pattern)].name;
+}
+
+}  // namespace
 
 std::vector<int> excavatedBlocks(const Scene& scene, const Stage& stage) {
     std::vector<int> blocks;
     for (int block = 0; !stage.excavate.empty() && block < static_cast<int>(scene.blocks.size()); ++block)
-        if (std::find(stage.excavate.begin(), stage.excavate.end(), displayName(scene, block)) != stage.excavate.end())
+        if (const int tunnel = scene.blocks[static_cast<std::size_t>(block)].tunnel;
+            contains(stage.excavate, displayName(scene, block)) ||
+            (tunnel >= 0 && contains(stage.excavate, scene.tunnels[static_cast<std::size_t>(tunnel)].name)))
             blocks.push_back(block);
     return blocks;
 }
 
-int boltNamed(const Scene& scene, const std::string& name) {
-    const auto found = std::find_if(scene.bolts.begin(), scene.bolts.end(),
-                                    [&](const Bolt& bolt) { return bolt.name == name; });
-    return found == scene.bolts.end() ? -1 : static_cast<int>(found - scene.bolts.begin());
+std::vector<int> boltsNamed(const Scene& scene, const std::string& name) {
+    std::vector<int> found;
+    for (std::size_t i = 0; i < scene.bolts.size(); ++i) {
+        const std::string* pattern = patternOf(scene, scene.bolts[i]);
+        if (scene.bolts[i].name == name || (pattern && *pattern == name)) found.push_back(static_cast<int>(i));
+    }
+    return found;
 }
 
 bool isInstalledLater(const Scene& scene, const Bolt& bolt) {
     return std::any_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) {
-        return std::find(stage.install.begin(), stage.install.end(), bolt.name) != stage.install.end();
+        const std::string* pattern = patternOf(scene, bolt);
+        return contains(stage.install, bolt.name) || (pattern && contains(stage.install, *pattern));
     });
 }
 

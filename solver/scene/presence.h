@@ -12,13 +12,14 @@
 
 namespace keyblock {
 
-/// Blocks of the scene that the stage takes out, by index; names that nothing has are left out.
+/// Blocks of the scene that the stage takes out, by index: those that it names, and those in tunnels that it names.
+/// Names that nothing has are left out. \pre the scene is cut.
 std::vector<int> excavatedBlocks(const Scene& scene, const Stage& stage);
 
-/// Index of the bolt of that name; −1 when there is none.
-int boltNamed(const Scene& scene, const std::string& name);
+/// Bolts of that name or of the pattern of that name, by rising index. \pre the scene is cut.
+std::vector<int> boltsNamed(const Scene& scene, const std::string& name);
 
-/// True where some stage installs the bolt: it is not there before.
+/// True where some stage installs the bolt, by its own name or that of its pattern: it is not there before.
 bool isInstalledLater(const Scene& scene, const Bolt& bolt);
 
 /// Stress in situ at a place of the scene [Pa]; zero where the scene has none.

@@ -98,7 +98,11 @@ int jointOf(const Scene& scene, const std::optional<std::string>& name) {
     return found == scene.jointMaterials.end() ? builtInJoint : static_cast<int>(found - scene.jointMaterials.begin());
 }
 
-bool isOpenFromStart(const Scene&, const SceneTunnel&) { return true; }
+bool isOpenFromStart(const Scene& scene, const SceneTunnel& tunnel) {
+    return std::none_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) {
+        return std::find(stage.excavate.begin(), stage.excavate.end(), tunnel.name) != stage.excavate.end();
+    });
+}
 
 SceneTraces tracesOf(const Scene& scene) {
     Collector out;
