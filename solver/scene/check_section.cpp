@@ -27,8 +27,10 @@ constexpr double mostBolts = 10000.0;  // of a pattern
 constexpr double coarsestTolerance = 0.01;  // of the domain's size, as the cut allows
 
 void tell(const std::optional<ShapeProblem>& problem, const std::string& pointer, CheckReport& report) {
-    if (!problem)
-        return;
+    if (!problem || std::any_of(report.problems.begin(), report.problems.end(), [&](const Problem& told) {
+            return told.pointer == under(pointer, problem->field);
+        }))
+        return;  // the range of the field has said so
     std::string remedy = problem->remedy;
     if (!remedy.empty())
         remedy.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(remedy.front())));

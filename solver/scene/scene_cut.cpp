@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A block is one ring of corners. Where the cut leaves a block with an opening in
-// it, two level cuts from the opening to what lies left and right of it part the
-// block; their faces are intact rock (theory, "Cut scenes").
+// it, two cuts from the opening to what lies left and right of it part the block; their faces are intact rock (theory, "Cut scenes").
 #include "solver/scene/scene_cut.h"
 
 #include "geometry/polygon.h"
@@ -62,13 +61,17 @@ Point placeInside(const Rings& rings) {
     return {x, y};
 }
 
-/// The nearest place of the rings but one to the left (way −1) or right (way 1) of `from`.
+/// How much a split falls on its way: level ones would lie along the level bolts of a tunnel's springing line.
+constexpr double fall = 0.137;
+
+/// The nearest place of the rings but one on the falling way to the left (way −1) or right (way 1) of `from`.
 Point acrossFrom(const Rings& rings, std::size_t but, const Point& from, double way) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < rings.size(); ++r) {
         if (r == but) continue;
         for (std::size_t i = 0; i < rings[r].size(); ++i) {
-            const Point &a = rings[r][i], &b = rings[r][(i + 1) % rings[r].size()];
+            const auto sheared = [&](const Point& p) { return Point(p.x(), p.y() + way * fall * (p.x() - from.x())); };
+            const Point a = sheared(rings[r][i]), b = sheared(rings[r][(i + 1) % rings[r].size()]);
             if (std::max(a.y(), b.y()) < from.y() || std::min(a.y(), b.y()) > from.y()) continue;
             const double rise = b.y() - a.y();
             const double x = rise == 0.0 ? (way * a.x() < way * b.x() ? a.x() : b.x())
@@ -76,16 +79,16 @@ Point acrossFrom(const Rings& rings, std::size_t but, const Point& from, double 
             if (way * (x - from.x()) >= 0.0) nearest = std::min(nearest, way * (x - from.x()));
         }
     }
-    return {from.x() + way * nearest, from.y()};
+    return {from.x() + way * nearest, from.y() - fall * nearest};
 }
 
-/// Two level cuts from each opening of a block, at its corners farthest left and right.
+/// Two cuts from each opening of a block, at its corners farthest left and right, the lowest of these.
 void addSplits(const Cut& cut, const CutBlock& block, int source, std::vector<CutTrace>& traces) {
     const Rings rings = ringsOf(cut, block);
     for (std::size_t hole = 1; hole < rings.size(); ++hole)
         for (double way : {-1.0, 1.0}) {
             const Point corner = *std::max_element(rings[hole].begin(), rings[hole].end(), [&](auto& a, auto& b) {
-                return std::pair(way * a.x(), a.y()) < std::pair(way * b.x(), b.y());
+                return std::pair(way * a.x(), -a.y()) < std::pair(way * b.x(), -b.y());
             });
             const Point end = acrossFrom(rings, hole, corner, way);
             if (end.allFinite() && end != corner) traces.push_back({corner, end, source});

@@ -248,7 +248,7 @@ const std::vector<BrokenScene>& brokenScenes() {
         {"voronoi-unknown-region", "/voronoi/region", "roof"},
         {"region-repeats-corner", "/regions/0/points/3", "repeats"},
         {"tunnel-without-profile", "/tunnels/0/profile", "profile"},
-        {"tunnel-unknown-profile", "/tunnels/0/profile", "horseshoe"},
+        {"tunnel-unknown-profile", "/tunnels/0/profile", "circle"},
         {"tunnel-too-low", "/tunnels/0/height", "half the width"},
         {"tunnel-diameter-of-d-shape", "/tunnels/0/diameter", "circle"},
         {"pattern-unknown-tunnel", "/bolt_patterns/0/tunnel", "drift"},

@@ -51,7 +51,7 @@ Scene crossed() {
 
 /// Two joint sets and an open d-shaped tunnel in a square of 20 m.
 Scene drift() {
-    Scene scene = emptyScene(10e9, 0.2, 35.0);
+    Scene scene = emptyScene(10e9, 0.2, 60.0);
     const double half = 10.0;
     scene.domain =
         SceneDomain{{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, scene.materials.front().first, {}};
@@ -189,7 +189,7 @@ TEST(CutScene, LeavesAnOpenTunnelOut) {
 TEST(CutScene, SettlesRoundAnOpenTunnel) {
     const Solved solved = solve(drift());
     ASSERT_EQ(solved.results.stages.size(), 1u);
-    EXPECT_NE(solved.results.stages[0].outcome, Outcome::Failed) << solved.results.stages[0].message;
+    EXPECT_EQ(solved.results.stages[0].outcome, Outcome::Equilibrium) << solved.results.stages[0].message;
     for (const BlockState& block : solved.results.frames.back().blocks) {
         EXPECT_TRUE(block.centroid.allFinite());
         for (double stress : block.stress) EXPECT_TRUE(std::isfinite(stress));
