@@ -10,6 +10,7 @@
 #include "solver/run/run.h"
 #include "solver/scene/check.h"
 #include "solver/scene/lookup.h"
+#include "solver/scene/presence.h"
 #include "solver/scene/solved_blocks.h"
 #include "solver/verify/readings.h"
 #include "tests/solver/run/small_stages.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace keyblock {
@@ -70,9 +72,10 @@ Scene drift() {
     return scene;
 }
 
+/// Of the drift's polygon [m²].
 double areaOf(const SceneTunnel&) {
     // walls 4 × 2 and the polygon of 16 edges that stands for a semicircle of radius 2
-    return 4.0 * 2.0 + 16.0 * 0.5 * 4.0 * std::sin(M_PI / 16.0);
+    return 4.0 * 2.0 + 16.0 * 0.5 * 4.0 * std::sin(std::numbers::pi / 16.0);
 }
 
 std::string errorsOf(const Scene& scene) {
@@ -82,7 +85,7 @@ std::string errorsOf(const Scene& scene) {
     return text;
 }
 
-/// Names of the joint materials on all faces between two places, by the block that holds the first.
+/// Joint materials of the faces through `onFace` of the block that holds `inside`.
 std::set<int> jointsOn(const SceneCut& cut, const Point& inside, const Point& onFace) {
     std::set<int> joints;
     const Block& block = cut.scene.blocks.at(static_cast<std::size_t>(blockAt(cut.scene, inside)));
@@ -246,7 +249,7 @@ TEST(CutScene, LaysPatternsOutFromTheWall) {
     scene.boltTypes = {linearType(barArea(), 200e9)};
     ScenePattern pattern;
     pattern.name = "P", pattern.type = scene.boltTypes[0].name, pattern.tunnel = "drift";
-    pattern.from = {2.0, 0.0}, pattern.to = {-2.0, 0.0}, pattern.spacing = M_PI / 2.0, pattern.length = 2.4;
+    pattern.from = {2.0, 0.0}, pattern.to = {-2.0, 0.0}, pattern.spacing = std::numbers::pi / 2.0, pattern.length = 2.4;
     scene.boltPatterns = {pattern};
     EXPECT_EQ(errorsOf(scene), "");
     const SceneCut cut = cutScene(scene);
@@ -260,6 +263,34 @@ TEST(CutScene, LaysPatternsOutFromTheWall) {
         EXPECT_EQ(bolt.pattern, 0);
         EXPECT_GE(blockWithPoint(cut.scene, bolt.head), 0);
     }
+}
+
+TEST(CutScene, KeepsATunnelUntilItIsExcavated) {
+    Scene scene = drift();
+    scene.jointSets.clear();
+    scene.boltTypes = {linearType(barArea(), 200e9)};
+    ScenePattern pattern;
+    pattern.name = "P", pattern.type = scene.boltTypes[0].name, pattern.tunnel = "drift";
+    pattern.from = {2.0, 0.0}, pattern.to = {-2.0, 0.0}, pattern.spacing = std::numbers::pi / 2.0, pattern.length = 2.4;
+    scene.boltPatterns = {pattern};
+    scene.stages.push_back(test::settle());
+    scene.stages[1].name = "excavate";
+    scene.stages[1].excavate = {"drift"};
+    scene.stages[1].install = {"P"};
+    EXPECT_EQ(errorsOf(scene), "");
+    const SceneCut cut = cutScene(scene);
+    EXPECT_NEAR(cut.area, 400.0, 1e-9);
+    EXPECT_EQ(cut.open, 0);
+    const std::vector<int> gone = excavatedBlocks(cut.scene, scene.stages[1]);
+    ASSERT_EQ(gone.size(), 1u);
+    EXPECT_NEAR(signedArea(cut.scene.blocks[static_cast<std::size_t>(gone[0])].points), areaOf(scene.tunnels[0]),
+                1e-9);
+    EXPECT_EQ(boltsNamed(cut.scene, "P").size(), 5u);
+    EXPECT_EQ(boltsNamed(cut.scene, "P.3"), (std::vector<int>{2}));
+    for (const Bolt& bolt : cut.scene.bolts) EXPECT_TRUE(isInstalledLater(cut.scene, bolt));
+    const Solved solved = solve(scene);
+    ASSERT_EQ(solved.results.stages.size(), 2u);
+    for (const StageResult& stage : solved.results.stages) EXPECT_EQ(stage.outcome, Outcome::Equilibrium);
 }
 
 TEST(CutScene, MakesTheSameBytesAgain) {
