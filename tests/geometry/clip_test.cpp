@@ -7,6 +7,7 @@
 
 #include "geometry/angle.h"
 #include "geometry/polygon.h"
+#include "tests/geometry/intervals.h"
 
 #include <gtest/gtest.h>
 
@@ -16,21 +17,6 @@
 
 namespace keyblock {
 namespace {
-
-using Polygon = std::vector<Point>;
-using Intervals = std::vector<std::pair<double, double>>;
-
-constexpr double tolerance = 1e-9;
-const Polygon square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-const Polygon comb{{0, 0}, {5, 0}, {5, 2}, {4, 2}, {4, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-
-void expectIntervals(const Intervals& found, const Intervals& expected) {
-    ASSERT_EQ(found.size(), expected.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        EXPECT_NEAR(found[i].first, expected[i].first, 1e-12) << "interval " << i;
-        EXPECT_NEAR(found[i].second, expected[i].second, 1e-12) << "interval " << i;
-    }
-}
 
 TEST(DirectionOf, IsExactAtQuarterTurns) {
     for (const int turns : {-8, -4, 0, 4, 1000}) {

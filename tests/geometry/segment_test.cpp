@@ -4,27 +4,14 @@
 // Feet, crossings, and bolts through blocks.
 #include "geometry/segment.h"
 
+#include "tests/geometry/intervals.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 namespace keyblock {
 namespace {
-
-using Polygon = std::vector<Point>;
-using Intervals = std::vector<std::pair<double, double>>;
-
-constexpr double tolerance = 1e-9;
-const Polygon square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-const Polygon comb{{0, 0}, {5, 0}, {5, 2}, {4, 2}, {4, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-
-void expectIntervals(const Intervals& found, const Intervals& expected) {
-    ASSERT_EQ(found.size(), expected.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        EXPECT_NEAR(found[i].first, expected[i].first, 1e-12) << "interval " << i;
-        EXPECT_NEAR(found[i].second, expected[i].second, 1e-12) << "interval " << i;
-    }
-}
 
 TEST(Foot, RunsFromZeroToOneAndBeyond) {
     EXPECT_DOUBLE_EQ(footParameter({1, 1}, {3, 1}, {2, 7}), 0.5);
