@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
@@ -75,8 +76,10 @@ std::string brokenAreas(const CutInput& input, const Cut& cut) {
     for (const CutDomain& domain : input.domains) ofDomains[domain.id] += std::abs(signedArea(domain.outline));
     for (const CutBlock& block : cut.blocks) {
         ofBlocks[block.domain] += block.area;
-        // corners far from the origin are rounded more coarsely
-        rounding[block.domain] += 5e-16 * farthest * std::sqrt(block.area);
+        // a corner is rounded by at most half its last digit in x and in y; an area changes by no more than that way
+        // times the perimeter
+        const double perimeter = 2.0 * block.area / block.width, lastHalf = 0.5 * std::numeric_limits<double>::epsilon();
+        rounding[block.domain] += std::sqrt(2.0) * lastHalf * farthest * perimeter;
     }
     for (const auto& [id, area] : ofDomains) {
         const double allowed = 1e-12 * area + (farthest > 100.0 * sizeOf(input) ? rounding[id] : 0.0);
