@@ -27,15 +27,10 @@ constexpr double sameForces = 1e-6;  // of the largest
 constexpr Isometry turn{false, 37.0 * std::numbers::pi / 180.0};
 constexpr Isometry mirror{true, 0.0};
 
-/// Bars that flow along their whole length while hundreds of points stick and slip: the last digits decide which goes
-/// first, and mirrored forces differ by up to 1e-3 on the way (help page "Pull and shear at an angle").
-constexpr std::string_view series = "angle-";
-
 std::vector<std::string> sampleNames() {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(KEYBLOCK_SAMPLES_DIR))
         if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-    std::erase_if(names, [](const std::string& name) { return name.starts_with(series); });
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -68,7 +63,12 @@ class Seen : public testing::TestWithParam<std::string> {};
 /// Rock of 6e13 Pa has contact springs of 2.4e15 N/m: the last digit of a place is half a newton there.
 const std::map<std::string, std::string> knownToDiffer{{"guillotine", "4e-6 of the largest force, which is round-off"}};
 
+/// Not the same, by what was measured in a mirror (help page "Pull and shear at an angle"): a defect that is told here.
+constexpr std::string_view series = "angle-";
+
 TEST_P(Seen, TurnedAndInAMirrorIsTheSame) {
+    if (GetParam().starts_with(series))
+        GTEST_SKIP() << "mirrored it may differ by 1e-3 of the largest force, and takes minutes at this tolerance";
     const Scene scene = strictSample(GetParam());
     const Results own = runInMemory(scene);
     for (const Isometry& isometry : {turn, mirror}) {
