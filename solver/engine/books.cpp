@@ -55,9 +55,13 @@ void bookStep(const Model& model, State& state, const StepProblem& problem, cons
         if (known(problem, i)) state.energy.external -= driven[i] * d[i];
     std::vector<double> after;
     linkStrains(problem, d, after);
-    for (std::size_t i = 0; i < after.size(); ++i)
-        state.energy.damped +=
-            lawLoss(problem.links[i].law, problem.links[i].strain, after[i], ruleOf(problem, problem.links[i]));
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const Link& link = problem.links[i];
+        state.energy.damped += lawLoss(link.law, link.strain, after[i], ruleOf(problem, link));
+        if (link.shift == 0.0) continue;
+        const double force = respondOverStep(link.law, link.strain, after[i], ruleOf(problem, link)).force;
+        state.energy.external += link.law.share * force * link.shift;  // of what dilates
+    }
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const Eigen::Vector3d strain = d.segment<3>(6 * static_cast<Eigen::Index>(i) + 3);
         state.energy.damped += (factors.elastic - 0.5) * model.blocks[i].area * model.thickness *
@@ -134,7 +138,10 @@ void StaticBooks::book(State& end, const LoadPoint& at, const Eigen::VectorXd& m
         while (!sameLink(start.links.at(s), link)) ++s;  // the same links but for chords, in the same order
         const bool met = isMet(link, end);
         const PathStart from = startOf(model_, link, start.links[s], startLimits[s], met, end);
-        const PathWork path = pathWork(link.law, from, link.strain);
+        const PathWork path = pathWork(link.law, from, link.strain + link.shift);
+        if (link.shift != 0.0)
+            end.energy.external += 0.5 * link.law.share * link.shift *
+                                   (from.force + respond(link.law, link.strain + link.shift).force);
         ++s;
         problem.slipForce[i] = path.slipForce;
         bookSurplus(path.surplus);

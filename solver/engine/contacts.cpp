@@ -101,6 +101,16 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     return findContacts(model, blocks, before, {margin, first, nullptr, nullptr});
 }
 
+void meetDilated(const State& state, std::vector<Contact>& contacts) {
+    if (state.openings.empty()) return;
+    for (Contact& c : contacts) {
+        const double opening = state.openings[static_cast<std::size_t>(c.joint)] - c.dilation;
+        if (opening == 0.0) continue;
+        c.dilation += opening;
+        if (c.gap > c.gapOffset) c.gapOffset = std::min(c.gap, c.gapOffset + opening);
+    }
+}
+
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
                    double margin, const Eigen::VectorXd& path) {
     const std::vector<Contact> now = findContacts(model, blocks, contacts, {margin, false, &path, nullptr});

@@ -30,6 +30,9 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, double margin, bool first);
 
+/// Contacts that were just found in a dilated joint stand where its faces are by now; none carries force by that.
+void meetDilated(const State& state, std::vector<Contact>& contacts);
+
 /// False where a corner comes in by another edge than it was looked for, now that its path is known.
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
                    double margin, const Eigen::VectorXd& path);

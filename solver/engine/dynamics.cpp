@@ -149,7 +149,11 @@ void DynamicStage::forget(const Eigen::VectorXd& held, State& state) const {
 /// Loads where the scheme takes them, motions where the step ends.
 LoadPoint DynamicStage::loadsOver(double time, double dt, double share) const {
     LoadPoint at = loadsAt_(time + share * dt);
-    if (share < 1.0) at.motions = loadsAt_(time + dt).motions;
+    if (share < 1.0) {
+        const LoadPoint end = loadsAt_(time + dt);
+        at.motions = end.motions;
+        at.openings = end.openings;
+    }
     return at;
 }
 
@@ -177,6 +181,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         trial.state = state;
         trial.state.contacts = findContacts(model, state.blocks, state.contacts,
                                             {2.0 * margin, false, &path, &trial.state.energy.released});
+        meetDilated(state, trial.state.contacts);
         StepProblem problem = buildStep(model, trial.state, loads_, at, options);
         Eigen::VectorXd d = guess;
         const SolveReport report = solveStep(engine_, problem, trial.state, d, model.analysis.tolerance);

@@ -68,6 +68,7 @@ LoadPoint between(const LoadPoint& a, const LoadPoint& b, double share) {
     point.pressures = mix(a.pressures, b.pressures, share);
     point.motions = mix(a.motions, b.motions, share);
     point.walls = mix(a.walls, b.walls, share);
+    point.openings = mix(a.openings, b.openings, share);
     return point;
 }
 

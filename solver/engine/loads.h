@@ -54,6 +54,7 @@ struct LoadPoint {
     double gravity = 0.0;  // factor
     Point acceleration{0.0, 0.0};  // force per mass beside gravity [m/s²]
     std::vector<double> forces, pressures, motions, walls;  // rows of Loads
+    std::vector<double> openings;  // of joints since the start of the run, by rows of Model::joints; empty: none [m]
 };
 
 /// \param share 0 at `a`, 1 at `b`.

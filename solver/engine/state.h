@@ -35,6 +35,7 @@ struct Contact {
     int joint = -1;  // row of Model::joints
     double lockPlace = 0.0;  // where along the edge the corner was locked [0 … 1]
     double gapOffset = 0.0;  // gap at which the normal force vanishes [m]
+    double dilation = 0.0;  // of its joint that this has taken up [m]
     double slipOffset = 0.0;  // slip at which the shear force vanishes [m]
     double slip = 0.0;  // accumulated sliding [m]
     double limit = 0.0;  // friction limit last used [N]
@@ -124,6 +125,7 @@ struct State {
     std::vector<Contact> contacts;
     std::vector<GlueState> glue;  // a row per glued edge of the model
     std::vector<BoltMotion> bolts;
+    std::vector<double> openings;  // dilation of joints so far, by rows of Model::joints; empty: none [m]
     std::vector<double> acceleration;  // of every unknown, where the scheme carries them; else empty
     EnergyLedger energy;
     double startEnergy = 0.0;  // stored before anything moved [J]

@@ -73,6 +73,7 @@ public:
             const Eigen::VectorXd* known = paths > 0 ? &path : nullptr;
             state.contacts = findContacts(model_, state.blocks, state.contacts,
                                           {2.0 * moveLimit_, false, known, &state.energy.released});
+            meetDilated(state, state.contacts);
             const bool lock = step < lockedSteps && state.step == 0 && unloaded(state);
             StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, lock});
             if (!lock && balanced(state, problem, step)) {
@@ -125,6 +126,7 @@ private:
         state.contacts =
             findContacts(model_, state.blocks, state.contacts,
                          {2.0 * moveLimit_, false, nullptr, &state.energy.released});
+        meetDilated(state, state.contacts);
         StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, false});
         books.book(state, at, moved, problem);
         acceptStep(model_, state, problem, Eigen::VectorXd::Zero(problem.unknowns()));

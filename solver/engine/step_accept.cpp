@@ -18,6 +18,8 @@ constexpr double slidingShare = 1e-6;  // of its limit: an anchored point under 
 void acceptContact(const Link& link, double force, Contact& c) {
     if (link.kind == LinkKind::Normal) {
         c.normalForce = -force;
+        c.gapOffset -= link.shift;
+        c.dilation -= link.shift;
         return;
     }
     c.shearForce = force;
@@ -237,6 +239,7 @@ void acceptStep(const Model& model, State& state, const StepProblem& problem, co
         else if (link.kind != LinkKind::Support && link.kind != LinkKind::Glue && link.kind != LinkKind::Drag)
             acceptBoltLink(link, strains[i], forces[i], curve, model.bolts[link.owner], state.bolts[link.owner]);
     }
+    if (!problem.openings.empty()) state.openings = problem.openings;
     moveBodies(model, state, d);
     relock(model, state, problem, forces);
     yieldAcross(model, state, problem, forces);

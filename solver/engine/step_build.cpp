@@ -141,6 +141,7 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
     prescribe(model, state, loads, at, problem);
     problem.links.reserve(2 * (state.contacts.size() + model.held.size()) + 3 * model.glue.size() +
                           linksANode * static_cast<std::size_t>(model.nodes));
+    problem.openings = at.openings;
     addContactLinks(model, state, options.frictionLocked, problem, lookAhead(options));
     problem.moves = options.inertia != Inertia::Static && options.inertia != Inertia::None;
     if (problem.moves) problem.ownForce = ownForces(model, problem, external);

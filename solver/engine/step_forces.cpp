@@ -50,7 +50,7 @@ void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vect
     const auto one = [&](std::size_t i) {
         const Link& link = problem.links[i];
         const int wa = problem.width(link.a);
-        double e = link.strain + link.ga.head(wa).dot(d.segment(problem.first(link.a), wa));
+        double e = link.strain + link.shift + link.ga.head(wa).dot(d.segment(problem.first(link.a), wa));
         if (link.b >= 0) {
             const int wb = problem.width(link.b);
             e += link.gb.head(wb).dot(d.segment(problem.first(link.b), wb));

@@ -21,12 +21,13 @@ namespace keyblock {
 enum class LinkKind { Normal, Friction, Glue, Support, AnchorNormal, AnchorSlip, Axial, Bend, Shear, Chord, PlateNormal, PlateShear,
                       Drag };
 
-/// strain(D) = strain + ga·D[a] + gb·D[b]
+/// strain(D) = strain + shift + ga·D[a] + gb·D[b]
 struct Link {
     LinkKind kind = LinkKind::Normal;
     int a = -1, b = -1;  // bodies; b may be −1
     Vector6 ga = Vector6::Zero(), gb = Vector6::Zero();  // a node uses the first three
     double strain = 0.0;
+    double shift = 0.0;  // added to the strain by what dilates over the step [m]
     Law law;
     int owner = -1;  // contact, or bolt
     int part = -1;  // node or element of the bolt
@@ -58,6 +59,7 @@ struct StepProblem {
     Eigen::VectorXd value;
     Eigen::VectorXd weight;  // 1/length for moments and strains, so that all residuals are forces
     double floorForce = 0.0;  // [N] smallest reference force
+    std::vector<double> openings;  // of joints where the step ends: LoadPoint::openings
     double externalForce = 0.0;  // summed |external| [N]
     bool moves = false;  // a step in motion: every body is judged by its own forces
     std::vector<double> ownForce;  // per body in motion: of its loads, and a floor [N]

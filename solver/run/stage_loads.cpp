@@ -177,6 +177,7 @@ void StageLoads::begin(int stage, State& state) {
     }
     for (int row = 0; row < static_cast<int>(this->stage().loads.size()); ++row) addLoad(row, state);
     for (int row = 0; row < static_cast<int>(this->stage().motions.size()); ++row) addMotion(row, state);
+    if (!this->stage().dilations.empty()) memory_.start.openings.resize(model_.joints.size(), 0.0);
     memory_.start.time = 0.0;
     memory_.start.acceleration = {0.0, 0.0};  // ends with the stage that has it
 }
@@ -223,6 +224,13 @@ double StageLoads::zeroOf(const PrescribedMotion& motion) const {
     return memory_.zero.empty() ? 0.0 : motion.axis.dot(memory_.zero[block] - model_.blocks[block].centroid);
 }
 
+/// Joints that open over this stage, beside what they did before.
+void StageLoads::addOpenings(double time, LoadPoint& point) const {
+    for (const Dilation& dilation : stage().dilations)
+        for (std::size_t joint = 0; joint < scene_.jointMaterials.size(); ++joint)
+            if (scene_.jointMaterials[joint].first == dilation.joint) point.openings[joint] += dilation.rate * time;
+}
+
 LoadPoint StageLoads::at(double time) const {
     LoadPoint point = memory_.start;
     point.time = time;
@@ -240,6 +248,7 @@ LoadPoint StageLoads::at(double time) const {
         const Table& table = stage().motions[static_cast<std::size_t>(memory_.motionSources[i].row)].table;
         point.motions[i] = zeroOf(memory_.loads.motions[i]) + valueAt(table, time);
     }
+    addOpenings(time, point);
     for (std::size_t i = 0; i < point.walls.size(); ++i)
         point.walls[i] += std::clamp(time, 0.0, 1.0) * (wallAtEnd(i) - point.walls[i]);
     return point;
@@ -267,6 +276,7 @@ std::vector<double> StageLoads::turns() const {
 
 bool StageLoads::varies() const {
     const std::vector<const Table*> all = tables();
+    if (!stage().dilations.empty()) return true;
     for (std::size_t i = 0; i < memory_.start.walls.size(); ++i)
         if (wallAtEnd(i) != memory_.start.walls[i]) return true;
     return std::any_of(all.begin(), all.end(), [](const Table* table) { return changes(*table); });

@@ -68,6 +68,7 @@ private:
     void addForce(const PointForce& force, int row);
     void addPressure(int row, const State& state);
     double wallAtEnd(std::size_t wall) const;
+    void addOpenings(double time, LoadPoint& point) const;
     void addMotion(int row, State& state);
     void replace(const Load& load, int block);
     int blockHolding(const State& state, const Point& place) const;

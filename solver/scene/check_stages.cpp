@@ -183,12 +183,29 @@ void checkScheme(const Stage& stage, const std::string& pointer, CheckContext& c
                              "Integrate by \"shi\" or \"backward-euler\", or take the iteration \"convex\"");
 }
 
+void checkDilations(const Stage& stage, const std::string& pointer, CheckContext& context) {
+    std::vector<std::string_view> names;
+    for (const auto& [name, material] : context.scene.jointMaterials)
+        names.push_back(name);
+    for (std::size_t i = 0; i < stage.dilations.size(); ++i) {
+        const std::string& joint = stage.dilations[i].joint;
+        const std::string at = under(under(under(pointer, "dilations"), i), "joint");
+        if (std::find(names.begin(), names.end(), joint) == names.end())
+            context.report.error(at, "there is no joint material " + inQuotes(joint), suggestion(joint, names));
+        for (std::size_t before = 0; before < i; ++before)
+            if (stage.dilations[before].joint == joint)
+                context.report.error(at, "the joint " + inQuotes(joint) + " already opens in this stage",
+                                     "Give one rate");
+    }
+}
+
 void checkStage(std::size_t index, const std::string& pointer, CheckContext& context) {
     const Stage& stage = context.scene.stages[index];
     checkTimes(stage, pointer, context.report);
     checkStrengthChanges(stage, pointer, context);
     checkAccelerations(stage, pointer, context);
     checkScheme(stage, pointer, context);
+    checkDilations(stage, pointer, context);
     Taken moved;
     for (std::size_t i = 0; i < stage.motions.size(); ++i)
         checkMotion(stage.motions[i], i, index, under(under(pointer, "motions"), i), moved, context);

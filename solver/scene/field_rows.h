@@ -28,6 +28,7 @@ const Structure& structureOf(const BoltType*);
 const Structure& structureOf(const CellSettings*);
 const Structure& structureOf(const Cutting*);
 const Structure& structureOf(const Damping*);
+const Structure& structureOf(const Dilation*);
 const Structure& structureOf(const Expected*);
 const Structure& structureOf(const InSituStress*);
 const Structure& structureOf(const InitialVelocity*);

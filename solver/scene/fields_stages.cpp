@@ -155,6 +155,20 @@ const Structure& structureOf(const StrengthChange*) {
     return structure;
 }
 
+const Structure& structureOf(const Dilation*) {
+    static const Structure structure{
+        "dilation",
+        "A joint whose faces are driven apart: the gap at which its contacts carry nothing grows at a rate, whatever "
+        "resists it.",
+        defaultsOf<Dilation>(),
+        {
+            row<&Dilation::joint>("joint", "Name of the joint material whose contacts open.", {.required = true}),
+            row<&Dilation::rate>("rate", "How fast it opens; over a whole static stage, how far.",
+                                 {.unit = "m/s, or m", .required = true}),
+        }};
+    return structure;
+}
+
 const Structure& structureOf(const Stage*) {
     static const Structure structure{
         "stage",
@@ -165,6 +179,7 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::kind>("kind", "Static or dynamic."),
             row<&Stage::motions>("motions", "Prescribed displacements."),
             row<&Stage::loads>("loads", "Forces and pressures."),
+            row<&Stage::dilations>("dilations", "Joints that open over this stage."),
             row<&Stage::set>("set", "Strengths of joints that change at the start of this stage."),
             row<&Stage::excavate>("excavate",
                                   "Names of tunnels, and of blocks, that are taken out at the start of this stage. A "

@@ -298,6 +298,14 @@ struct Until {
     bool operator==(const Until&) const = default;
 };
 
+/// Opens every contact of a joint material, as a joint that swells or a wedge that is driven in.
+struct Dilation {
+    std::string joint;  // name of the joint material
+    double rate = 0.0;  // [m/s], or [m] over a static stage
+
+    bool operator==(const Dilation&) const = default;
+};
+
 enum class StageKind { Static, Dynamic };
 
 struct Stage {
@@ -305,6 +313,7 @@ struct Stage {
     StageKind kind = StageKind::Static;
     std::vector<Motion> motions;
     std::vector<Load> loads;
+    std::vector<Dilation> dilations;
     std::vector<StrengthChange> set;  // at the start of the stage, for this and all later ones
     std::vector<std::string> excavate;  // names of blocks that go at the start of the stage
     std::vector<std::string> install, remove;  // names of bolts that come or go at the start of the stage
