@@ -41,11 +41,19 @@ struct WallForce {
     Point force{0.0, 0.0};  // [N] over the whole thickness
 };
 
+/// Acts against the velocity of its point of the block.
+struct Dashpot {
+    int block = -1;
+    Point place{0.0, 0.0};  // in the block's frame at the start, from its centroid [m]
+    Point damping{0.0, 0.0};  // along x and y [N s/m]
+};
+
 struct Loads {
     std::vector<PointForce> forces;
     std::vector<EdgePressure> pressures;
     std::vector<PrescribedMotion> motions;
     std::vector<WallForce> walls;
+    std::vector<Dashpot> dashpots;  // in motion only
 };
 
 /// How much acts at a moment: factors of the loads, displacements since the start of the run [m].

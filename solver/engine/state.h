@@ -120,9 +120,19 @@ struct EnergyLedger {
     double friction = 0.0, plastic = 0.0, released = 0.0, damped = 0.0, external = 0.0;
 };
 
+/// What a stage has made of a held point.
+struct HeldState {
+    bool quiet = false;  // on a viscous boundary: it holds no more
+    Point force{0.0, 0.0};  // that it gave when it ceased to [N]
+    Point offset{0.0, 0.0};  // where it gives its preload, beside where it was at the start [m]
+
+    bool operator==(const HeldState&) const = default;
+};
+
 struct State {
     std::vector<BlockMotion> blocks;
     std::vector<Contact> contacts;
+    std::vector<HeldState> held;  // a row per held point of the model; empty: as at the start
     std::vector<GlueState> glue;  // a row per glued edge of the model
     std::vector<BoltMotion> bolts;
     std::vector<double> openings;  // dilation of joints so far, by rows of Model::joints; empty: none [m]

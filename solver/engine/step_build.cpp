@@ -6,6 +6,7 @@
 #include "solver/engine/step_build.h"
 
 #include "solver/engine/glue.h"
+#include "solver/engine/viscous_boundary.h"
 
 #include <cmath>
 
@@ -102,9 +103,10 @@ double displacementAlong(const Model& model, const State& state, const Prescribe
 }
 
 void addHeldPoints(const Model& model, const State& state, StepProblem& problem) {
-    for (const HeldPoint& held : model.held) {
+    for (std::size_t h = 0; h < model.held.size(); ++h) {
+        const HeldPoint& held = model.held[h];
         const BlockMotion& block = state.blocks[held.block];
-        if (block.absent) continue;
+        if (block.absent || (!state.held.empty() && state.held[h].quiet)) continue;
         const Point now = materialPoint(block, held.place);
         const Point moved = now - (model.blocks[held.block].centroid + held.place);
         const Eigen::Matrix<double, 2, 6> t = displacementMatrix(block, now);
@@ -117,6 +119,7 @@ void addHeldPoints(const Model& model, const State& state, StepProblem& problem)
             link.strain = moved[axis];
             link.law.stiffness = held.stiffness;
             link.law.offset = held.preload[axis] / held.stiffness;
+            if (!state.held.empty()) link.law.offset += state.held[h].offset[axis];
         }
     }
 }
@@ -149,6 +152,7 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
     addHeldPoints(model, state, problem);
     for (std::size_t b = 0; b < model.bolts.size(); ++b) addBoltLinks(model, state, static_cast<int>(b), problem);
     if (options.damping != Damping{}) addDamping(model, state, options, problem);
+    if (problem.moves && !loads.dashpots.empty()) addDashpots(model, state, loads, options, problem);
     return problem;
 }
 

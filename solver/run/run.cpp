@@ -12,6 +12,7 @@
 #include "solver/engine/in_situ.h"
 #include "solver/engine/joint_change.h"
 #include "solver/engine/presence.h"
+#include "solver/engine/viscous_boundary.h"
 #include "solver/results/history.h"
 #include "solver/run/checkpoint.h"
 #include "solver/run/run_limit.h"
@@ -113,6 +114,7 @@ private:
         const std::vector<WallForce> walls = changePresence();
         loads_.begin(now_.stage, now_.state);
         if (isStatic()) loads_.hold(walls);
+        setBoundaries();
         if (!stage().set.empty()) changeJoints(scene_, now_.stage, model_, now_.state);
         if (stage().zeroDisplacements) observation_.zero(now_.state);
         watch_.beginStage(now_.state);
@@ -134,6 +136,14 @@ private:
         for (const std::string& name : stage().install)
             for (int bolt : boltsNamed(scene_, name)) installBolt(model_, now_.state, bolt);
         return walls;
+    }
+
+    /// Sides that let waves out in this stage, and none that did before.
+    void setBoundaries() {
+        holdAgain(model_, now_.state);
+        const Sides sides = sidesOf(stage());
+        if (sides.any()) loads_.quieten(dashpotsOn(model_, now_.state, sides), letGo(model_, now_.state, sides));
+        else loads_.quieten({}, {});
     }
 
     void setStrengths() {

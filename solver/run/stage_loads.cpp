@@ -190,10 +190,21 @@ void StageLoads::hold(const std::vector<WallForce>& walls) {
     }
 }
 
+void StageLoads::quieten(const std::vector<Dashpot>& dashpots, const std::vector<WallForce>& kept) {
+    std::vector<char> drop;
+    for (int stage : memory_.wallStages) drop.push_back(stage < 0);
+    dropRows(drop, memory_.loads.walls, memory_.wallStages, memory_.start.walls);
+    memory_.loads.dashpots = dashpots;
+    hold(kept);
+    for (std::size_t i = memory_.wallStages.size() - kept.size(); i < memory_.wallStages.size(); ++i)
+        memory_.wallStages[i] = -1;
+}
+
 /// Share of a wall's force that still acts at the stage's end.
 double StageLoads::wallAtEnd(std::size_t wall) const {
     const double now = memory_.start.walls[wall];
     if (stage().kind == StageKind::Dynamic) return now;
+    if (memory_.wallStages[wall] < 0) return now;
     const bool own = memory_.wallStages[wall] == memory_.stage;
     if (!own && !stage().relaxation) return now;
     return std::min(now, 1.0 - stage().relaxation.value_or(1.0));

@@ -23,7 +23,7 @@ struct LoadMemory {
     Loads loads;
     LoadPoint start;  // what acted when the stage began
     std::vector<LoadSource> forceSources, pressureSources, motionSources;  // rows of Loads
-    std::vector<int> wallStages;  // that excavated, per row of Loads::walls
+    std::vector<int> wallStages;  // that excavated, per row of Loads::walls; −1: of a viscous boundary
     std::vector<Point> zero;  // centroids at the last `zero_displacements`; empty: those of the start
 };
 
@@ -39,6 +39,9 @@ public:
 
     /// Holds what excavated rock gave, to be let go over this stage and later ones. \pre a static stage has begun.
     void hold(const std::vector<WallForce>& walls);
+
+    /// Viscous boundaries of this stage, and the forces of what held them before, which stay as long as they do.
+    void quieten(const std::vector<Dashpot>& dashpots, const std::vector<WallForce>& kept);
 
     /// Forgets loads and motions of what is not there any more.
     void forgetAbsent(const State& state);

@@ -43,6 +43,14 @@ DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage) {
     return settings;
 }
 
+Sides sidesOf(const Stage& stage) {
+    const auto names = [&](std::string_view side) {
+        return std::any_of(stage.viscousBoundaries.begin(), stage.viscousBoundaries.end(),
+                           [&](const std::string& name) { return name == side || name == "all"; });
+    };
+    return {names("left"), names("right"), names("bottom"), names("top")};
+}
+
 std::vector<double> incrementTimes(const Stage& stage, const StageLoads& loads) {
     std::vector<double> times{0.0};
     if (!loads.varies() && !stage.increments) return times;

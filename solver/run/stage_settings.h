@@ -7,6 +7,7 @@
 
 #include "solver/engine/dynamics.h"
 #include "solver/engine/statics.h"
+#include "solver/engine/viscous_boundary.h"
 #include "solver/run/stage_loads.h"
 
 #include <vector>
@@ -19,6 +20,9 @@ DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
 /// Pseudo-times at which the increments of a static stage end: 0 for what it puts on at once, then the increments, with
 /// every turn of a table among them. \param loads begun for that stage.
 std::vector<double> incrementTimes(const Stage& stage, const StageLoads& loads);
+
+/// Viscous sides of a stage.
+Sides sidesOf(const Stage& stage);
 
 /// Gives a block, all cells of it, the velocity of one body.
 void setVelocity(const Scene& scene, const Model& model, const InitialVelocity& initial, State& state);

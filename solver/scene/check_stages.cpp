@@ -199,6 +199,15 @@ void checkDilations(const Stage& stage, const std::string& pointer, CheckContext
     }
 }
 
+void checkSides(const Stage& stage, const std::string& pointer, CheckReport& report) {
+    static const std::vector<std::string_view> words{"left", "right", "bottom", "top", "all"};
+    for (std::size_t i = 0; i < stage.viscousBoundaries.size(); ++i)
+        if (std::find(words.begin(), words.end(), stage.viscousBoundaries[i]) == words.end())
+            report.error(under(under(pointer, "viscous_boundaries"), i),
+                         "there is no side " + inQuotes(stage.viscousBoundaries[i]),
+                         suggestion(stage.viscousBoundaries[i], words));
+}
+
 void checkStage(std::size_t index, const std::string& pointer, CheckContext& context) {
     const Stage& stage = context.scene.stages[index];
     checkTimes(stage, pointer, context.report);
@@ -206,6 +215,7 @@ void checkStage(std::size_t index, const std::string& pointer, CheckContext& con
     checkAccelerations(stage, pointer, context);
     checkScheme(stage, pointer, context);
     checkDilations(stage, pointer, context);
+    checkSides(stage, pointer, context.report);
     Taken moved;
     for (std::size_t i = 0; i < stage.motions.size(); ++i)
         checkMotion(stage.motions[i], i, index, under(under(pointer, "motions"), i), moved, context);

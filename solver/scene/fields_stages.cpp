@@ -213,6 +213,11 @@ const Structure& structureOf(const Stage*) {
                                 {.range = within(0, 1), .only = dynamicOnly}),
             row<&Stage::initialVelocities>("initial_velocities", "Velocities of blocks at the start of the stage.",
                                            {.only = dynamicOnly}),
+            row<&Stage::viscousBoundaries>("viscous_boundaries",
+                                           "Sides of the box round all blocks that let waves out in this stage: "
+                                           "`left`, `right`, `bottom`, `top` or `all`. What held points gave there "
+                                           "stays as a force.",
+                                           {.only = dynamicOnly}),
             row<&Stage::baseAcceleration>("base_acceleration",
                                           "Acceleration of the ground, which all that is held follows. Displacements "
                                           "and velocities are told relative to the ground.",

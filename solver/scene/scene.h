@@ -329,6 +329,7 @@ struct Stage {
     std::optional<Integration> integration;  // null: that of the analysis
     std::optional<double> rhoInf;  // null: that of the analysis
     std::vector<InitialVelocity> initialVelocities;
+    std::vector<std::string> viscousBoundaries;  // left, right, bottom, top, all: sides that let waves out
     std::optional<Acceleration> baseAcceleration;  // of the ground, which everything that is held follows
     std::optional<Acceleration> bodyAcceleration;  // force per mass, beside gravity
 
