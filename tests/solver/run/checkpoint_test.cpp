@@ -96,6 +96,24 @@ TEST(Checkpoints, ADynamicRunGoesOn) { expectTheSameFromEveryCheckpoint(sliding(
 
 TEST(Checkpoints, ARunOfManyStagesGoesOn) { expectTheSameFromEveryCheckpoint(staged(), 6); }
 
+/// Rock that goes, bolts that come and go, joints that dilate and sides that let waves out are there again as they were.
+TEST(Checkpoints, ARunWhoseRockAndBoltsComeAndGoGoesOn) {
+    Scene scene = tearing();
+    const std::string bolt = scene.bolts[0].name;
+    Stage first, second, third = dynamic(0.3, 1e-3), fourth;
+    first.name = "install";
+    first.install = {bolt};
+    first.dilations = {{scene.jointMaterials[0].first, 1e-3}};
+    second.name = "excavate";
+    second.excavate = {"right"};
+    second.relaxation = 0.3;
+    third.viscousBoundaries = {"right"};
+    fourth.name = "remove";
+    fourth.remove = {bolt};
+    scene.stages = {first, second, third, fourth};
+    expectTheSameFromEveryCheckpoint(scene, 4);
+}
+
 /// What the stages set of the joints and what the schemes carry from step to step is there again.
 TEST(Checkpoints, ARunWhoseJointsAndSchemesChangeGoesOn) {
     Scene scene = sliding(0.3);
