@@ -151,6 +151,7 @@ double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, c
     }
     const bool touches = std::abs(contact.gap) <= touching * model.tolerance;
     contact.joint = governingJoint(model, blocks, contact, first && touches);
+    contact.opening = openingBetween(model, contact);
     const JointModel& joint = model.joints[contact.joint];
     contact.length = hasStiffness(joint) ? stiffLength(model, blocks, contact)
                                          : sharedFace(model, blocks, contact).length;

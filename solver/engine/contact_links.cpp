@@ -68,7 +68,7 @@ public:
         const bool rigid = augmented(model_, c);
         Link& normal = link(LinkKind::Normal, edge.outward, gapOf(state_.blocks, c));
         normal.law = {c.bonded ? LawKind::Linear : LawKind::Gap, k.normal, open, 0.0, nullptr, {}, 1.0, rigid};
-        if (!problem_.openings.empty()) normal.shift = c.dilation - problem_.openings[c.joint];
+        if (!problem_.openings.empty()) normal.shift = c.dilation - openingOf(problem_.openings, c);
         const bool locked = frictionLocked_ || c.bonded;
         const double limit = frictionLocked_ ? std::numeric_limits<double>::infinity() : c.limit;
         Link& friction = link(LinkKind::Friction, edge.along, slipOf(state_.blocks, c));

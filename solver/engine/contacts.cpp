@@ -104,7 +104,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 void meetDilated(const State& state, std::vector<Contact>& contacts) {
     if (state.openings.empty()) return;
     for (Contact& c : contacts) {
-        const double opening = state.openings[static_cast<std::size_t>(c.joint)] - c.dilation;
+        const double opening = openingOf(state.openings, c) - c.dilation;
         if (opening == 0.0) continue;
         c.dilation += opening;
         if (c.gap > c.gapOffset) c.gapOffset = std::min(c.gap, c.gapOffset + opening);
@@ -174,6 +174,26 @@ int governingJoint(const Model& model, const std::vector<BlockMotion>& blocks, c
     };
     const int own = weakerJoint(model, jointOn(a, edges[0]), jointOn(a, edges[1]));
     return weakerJoint(model, own, jointOn(b, c.edge));
+}
+
+int openingBetween(const Model& model, const Contact& c) {
+    const std::vector<int> &a = model.blocks[c.blockA].faceOpenings, &b = model.blocks[c.blockB].faceOpenings;
+    if (a.empty() || b.empty()) return -1;
+    const auto corner = static_cast<std::size_t>(c.corner);
+    const int opening = b[static_cast<std::size_t>(c.edge)];
+    return a[corner] == opening || a[(corner + a.size() - 1) % a.size()] == opening ? opening : -1;
+}
+
+double openingOf(const std::vector<double>& openings, const Contact& c) {
+    const double own = c.opening < 0 ? 0.0 : openings[static_cast<std::size_t>(c.opening)];
+    return openings[static_cast<std::size_t>(c.joint)] + own;
+}
+
+double widestOpening(const State& state) {
+    double widest = 0.0;
+    if (state.openings.empty()) return widest;
+    for (const Contact& c : state.contacts) widest = std::max(widest, c.dilation);
+    return widest;
 }
 
 double gapOf(const std::vector<BlockMotion>& blocks, const Contact& c) {

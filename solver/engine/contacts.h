@@ -50,6 +50,15 @@ Edge edgeOf(const std::vector<Point>& corners, int index);
 /// \return a row of Model::joints
 int governingJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact, bool first);
 
+/// Row of State::openings of the joint or set that the edge and the corner's faces beside it are on; −1: none.
+int openingBetween(const Model& model, const Contact& contact);
+
+/// How far the contact's joint is driven apart: by its material and by its name [m].
+double openingOf(const std::vector<double>& openings, const Contact& contact);
+
+/// The widest that a contact has been driven apart, by which more a search must reach [m].
+double widestOpening(const State& state);
+
 /// Springs of one contact [N/m].
 struct ContactSprings {
     double normal = 0.0, shear = 0.0;

@@ -180,7 +180,8 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
     for (int paths = 0;;) {
         trial.state = state;
         trial.state.contacts = findContacts(model, state.blocks, state.contacts,
-                                            {2.0 * margin, false, &path, &trial.state.energy.released});
+                                            {2.0 * margin + widestOpening(state), false, &path,
+                                             &trial.state.energy.released});
         meetDilated(state, trial.state.contacts);
         StepProblem problem = buildStep(model, trial.state, loads_, at, options);
         Eigen::VectorXd d = guess;
@@ -195,7 +196,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
             continue;
         }
         if (paths < mostPaths && move > pathShare * smallestSize(model) &&
-            !entrancesHold(model, state.blocks, trial.state.contacts, 2.0 * margin, d)) {
+            !entrancesHold(model, state.blocks, trial.state.contacts, 2.0 * margin + widestOpening(state), d)) {
             path = d;
             ++paths;
             continue;

@@ -45,7 +45,8 @@ struct WallForce {
 struct Dashpot {
     int block = -1;
     Point place{0.0, 0.0};  // in the block's frame at the start, from its centroid [m]
-    Point damping{0.0, 0.0};  // along x and y [N s/m]
+    Point across{1.0, 0.0};  // normal to the side
+    double pressure = 0.0, shear = 0.0;  // across and along the side [N s/m]
 };
 
 struct Loads {
@@ -62,7 +63,7 @@ struct LoadPoint {
     double gravity = 0.0;  // factor
     Point acceleration{0.0, 0.0};  // force per mass beside gravity [m/s²]
     std::vector<double> forces, pressures, motions, walls;  // rows of Loads
-    std::vector<double> openings;  // of joints since the start of the run, by rows of Model::joints; empty: none [m]
+    std::vector<double> openings;  // since the start of the run, as State::openings; empty: none [m]
 };
 
 /// \param share 0 at `a`, 1 at `b`.

@@ -81,7 +81,9 @@ std::vector<int> turnsOf(const BlockModel& block) {
         const Point in = shape[i] - shape[(i + n - 1) % n], out = shape[(i + 1) % n] - shape[i];
         const bool bends = std::abs(cross(in, out)) > straight * in.norm() * out.norm();
         const int before = (i + n - 1) % n;
-        const bool differs = jointOfFace(block, i) != jointOfFace(block, before);
+        const std::vector<int>& openings = block.faceOpenings;
+        const bool differs = jointOfFace(block, i) != jointOfFace(block, before) ||
+                             (!openings.empty() && openings[i] != openings[before]);
         if (bends || differs || (!inner.empty() && inner[i] != inner[before])) turns.push_back(i);
     }
     return turns;
@@ -91,6 +93,34 @@ std::vector<int> turnsOf(const BlockModel& block) {
 int jointRow(const Scene& scene, int joint) {
     const int materials = static_cast<int>(scene.jointMaterials.size());
     return joint == intactJoint ? materials + 1 : joint == builtInJoint ? materials : joint;
+}
+
+/// Row of State::openings of a joint or set by its place in the scene.
+int openingRow(const Scene& scene, int source) {
+    return source < 0 ? -1 : static_cast<int>(scene.jointMaterials.size()) + 2 + source;
+}
+
+/// The last row of State::openings that a stage asks for by the name of a joint; −1: none does.
+int lastOpening(const Scene& scene) {
+    int last = -1;
+    for (const Stage& stage : scene.stages)
+        for (const Dilation& dilation : stage.dilations) last = std::max(last, dilation.source);
+    return openingRow(scene, last);
+}
+
+bool letsWavesOut(const Scene& scene) {
+    return std::any_of(scene.stages.begin(), scene.stages.end(),
+                       [](const Stage& stage) { return !stage.viscousBoundaries.empty(); });
+}
+
+/// What stages that dilate joints or let waves out need of the faces of a cut block.
+void setFaces(const Scene& scene, const std::vector<CutFace>& faces, BlockModel& model) {
+    const int last = lastOpening(scene);
+    for (const CutFace& face : faces) {
+        const int row = openingRow(scene, face.source);
+        if (last >= 0) model.faceOpenings.push_back(row <= last ? row : -1);
+        if (letsWavesOut(scene)) model.faceSides.push_back(face.side);
+    }
 }
 
 BlockModel blockModel(const Scene& scene, const Point& origin, const SolvedBlock& solved) {
@@ -121,6 +151,7 @@ BlockModel blockModel(const Scene& scene, const Point& origin, const SolvedBlock
     model.jointMaterial = jointRow(scene, jointMaterialIndex(scene, block));
     if (!plate && !solved.cell)
         for (const CutFace& face : block.faces) model.faceJoints.push_back(jointRow(scene, face.joint));
+    if (!plate && !solved.cell) setFaces(scene, block.faces, model);
     model.turns = turnsOf(model);
     return model;
 }
@@ -134,8 +165,7 @@ void holdBoundary(const Scene& scene, const Support& support, Model& model, Boun
         const std::vector<CutFace>& faces = scene.blocks[b].faces;
         const int row = model.firstOf[b], corners = static_cast<int>(faces.size());
         for (int e = 0; e < corners; ++e) {
-            const std::optional<BoundarySide>& side = faces[static_cast<std::size_t>(e)].side;
-            if (!side || (*support.boundary != BoundarySide::All && *support.boundary != *side)) continue;
+            if (!isOnSide(faces[static_cast<std::size_t>(e)], *support.boundary)) continue;
             if (support.fix == Fix::All) model.blocks[row].fixed = true;
             for (int corner : {e, (e + 1) % corners})
                 if (support.fix != Fix::All) {
@@ -492,6 +522,9 @@ Model makeModel(const Scene& scene) {
     for (const SolvedBlock& block : solved.blocks) model.blocks.push_back(blockModel(scene, model.origin, block));
     for (const SharedEdge& edge : solved.glued) model.glue.push_back(glueModel(scene, model, edge));
     model.joints = jointRows(scene.jointMaterials);
+    model.openings = std::max(static_cast<int>(model.joints.size()), lastOpening(scene) + 1);
+    model.hasSides = std::any_of(model.blocks.begin(), model.blocks.end(),
+                                 [](const BlockModel& block) { return !block.faceSides.empty(); });
     holdSupports(scene, model);
     preloadHeldPoints(scene, model);
     for (std::size_t i = 0; i < scene.bolts.size(); ++i) {

@@ -37,6 +37,9 @@ struct BlockModel {
     Stress initialStress{};  // [Pa]
     int jointMaterial = -1;  // row of Model::joints
     std::vector<int> faceJoints;  // the same for the face on each edge; empty: all have that one
+    std::vector<int> faceOpenings;  // row of `State::openings` of the joint or set that the face is on, −1: none;
+                                    // empty: nothing dilates by such a name
+    std::vector<std::optional<BoundarySide>> faceSides;  // of the domain; empty: not cut, or no side lets waves out
     int rock = -1;  // the scene's block that it is, or is a cell of; of a plate, the one that it lies against
     bool cell = false;
     int plateOf = -1;  // bolt whose plate it is
@@ -154,6 +157,8 @@ struct Model {
     std::vector<int> firstOf;  // row where each block of the scene begins, then where the plates do
     std::vector<GlueModel> glue;
     std::vector<JointModel> joints;  // the scene's, then the built-in one, then intact rock
+    int openings = 0;  // rows of `State::openings`: of `joints`, then of joints and sets by their place in the scene
+    bool hasSides = false;  // of a domain, by `faceSides`
     std::vector<HeldPoint> held;
     std::vector<BoltModel> bolts;
     int nodes = 0;

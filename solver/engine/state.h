@@ -33,6 +33,7 @@ struct BlockMotion {
 struct Contact {
     int blockA = -1, corner = -1, blockB = -1, edge = -1;
     int joint = -1;  // row of Model::joints
+    int opening = -1;  // row of State::openings of the joint or set that both its faces are on; −1: none
     double lockPlace = 0.0;  // where along the edge the corner was locked [0 … 1]
     double gapOffset = 0.0;  // gap at which the normal force vanishes [m]
     double dilation = 0.0;  // of its joint that this has taken up [m]
@@ -135,7 +136,7 @@ struct State {
     std::vector<HeldState> held;  // a row per held point of the model; empty: as at the start
     std::vector<GlueState> glue;  // a row per glued edge of the model
     std::vector<BoltMotion> bolts;
-    std::vector<double> openings;  // dilation of joints so far, by rows of Model::joints; empty: none [m]
+    std::vector<double> openings;  // dilation of joint materials (rows of Model::joints), then joints; empty: none [m]
     std::vector<double> acceleration;  // of every unknown, where the scheme carries them; else empty
     EnergyLedger energy;
     double startEnergy = 0.0;  // stored before anything moved [J]

@@ -72,7 +72,7 @@ public:
         for (int step = 0; step < settings_.maxSteps; ++step) {
             const Eigen::VectorXd* known = paths > 0 ? &path : nullptr;
             state.contacts = findContacts(model_, state.blocks, state.contacts,
-                                          {2.0 * moveLimit_, false, known, &state.energy.released});
+                                          {searchMargin(state), false, known, &state.energy.released});
             meetDilated(state, state.contacts);
             const bool lock = step < lockedSteps && state.step == 0 && unloaded(state);
             StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, lock});
@@ -98,7 +98,7 @@ public:
                 break;
             }
             if (paths < mostPaths && move > pathShare * moveLimit_ &&
-                !entrancesHold(model_, state.blocks, state.contacts, 2.0 * moveLimit_, d)) {
+                !entrancesHold(model_, state.blocks, state.contacts, searchMargin(state), d)) {
                 path = d;
                 ++paths;
                 continue;
@@ -121,11 +121,14 @@ public:
     }
 
 private:
+    /// How far the search for contacts reaches [m].
+    double searchMargin(const State& state) const { return 2.0 * moveLimit_ + widestOpening(state); }
+
     /// Takes over where the moving blocks had got to: history and energy of their way, whatever does not balance.
     void acceptMoving(State& state, const LoadPoint& at, const Eigen::VectorXd& moved, const StaticBooks& books) {
         state.contacts =
             findContacts(model_, state.blocks, state.contacts,
-                         {2.0 * moveLimit_, false, nullptr, &state.energy.released});
+                         {searchMargin(state), false, nullptr, &state.energy.released});
         meetDilated(state, state.contacts);
         StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, false});
         books.book(state, at, moved, problem);

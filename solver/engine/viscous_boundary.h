@@ -13,19 +13,12 @@
 
 namespace keyblock {
 
-/// Which sides of the box round all blocks.
-struct Sides {
-    bool left = false, right = false, bottom = false, top = false;
-
-    bool any() const { return left || right || bottom || top; }
-};
-
-/// Two dashpots a face on the sides: density · wave speed · area, of pressure waves across the side and of shear waves
-/// along it.
-std::vector<Dashpot> dashpotsOn(const Model& model, const State& state, const Sides& sides);
+/// Two dashpots a face on the sides of the domain, or of the box round all blocks where there is none: density · wave
+/// speed · area, of pressure waves across the side and of shear waves along it.
+std::vector<Dashpot> dashpotsOn(const Model& model, const State& state, const std::vector<BoundarySide>& sides);
 
 /// Held points on the sides let go. \return the forces that they gave, to be kept.
-std::vector<WallForce> letGo(const Model& model, State& state, const Sides& sides);
+std::vector<WallForce> letGo(const Model& model, State& state, const std::vector<BoundarySide>& sides);
 
 /// Points that were let go hold again, where they are and with the force that they gave.
 void holdAgain(const Model& model, State& state);

@@ -141,8 +141,8 @@ private:
     /// Sides that let waves out in this stage, and none that did before.
     void setBoundaries() {
         holdAgain(model_, now_.state);
-        const Sides sides = sidesOf(stage());
-        if (sides.any()) loads_.quieten(dashpotsOn(model_, now_.state, sides), letGo(model_, now_.state, sides));
+        const std::vector<BoundarySide> sides = viscousSides(stage());
+        if (!sides.empty()) loads_.quieten(dashpotsOn(model_, now_.state, sides), letGo(model_, now_.state, sides));
         else loads_.quieten({}, {});
     }
 

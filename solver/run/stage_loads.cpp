@@ -177,7 +177,7 @@ void StageLoads::begin(int stage, State& state) {
     }
     for (int row = 0; row < static_cast<int>(this->stage().loads.size()); ++row) addLoad(row, state);
     for (int row = 0; row < static_cast<int>(this->stage().motions.size()); ++row) addMotion(row, state);
-    if (!this->stage().dilations.empty()) memory_.start.openings.resize(model_.joints.size(), 0.0);
+    if (!this->stage().dilations.empty()) memory_.start.openings.resize(model_.openings, 0.0);
     memory_.start.time = 0.0;
     memory_.start.acceleration = {0.0, 0.0};  // ends with the stage that has it
 }
@@ -237,9 +237,12 @@ double StageLoads::zeroOf(const PrescribedMotion& motion) const {
 
 /// Joints that open over this stage, beside what they did before.
 void StageLoads::addOpenings(double time, LoadPoint& point) const {
-    for (const Dilation& dilation : stage().dilations)
-        for (std::size_t joint = 0; joint < scene_.jointMaterials.size(); ++joint)
+    for (const Dilation& dilation : stage().dilations) {
+        const std::size_t byName = model_.joints.size() + static_cast<std::size_t>(std::max(0, dilation.source));
+        if (dilation.source >= 0) point.openings[byName] += dilation.rate * time;
+        for (std::size_t joint = 0; joint < scene_.jointMaterials.size() && dilation.source < 0; ++joint)
             if (scene_.jointMaterials[joint].first == dilation.joint) point.openings[joint] += dilation.rate * time;
+    }
 }
 
 LoadPoint StageLoads::at(double time) const {

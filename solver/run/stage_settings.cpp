@@ -4,6 +4,7 @@
 
 #include "solver/scene/acceleration.h"
 #include "solver/scene/lookup.h"
+#include "solver/scene/words.h"
 
 #include <algorithm>
 
@@ -43,12 +44,13 @@ DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage) {
     return settings;
 }
 
-Sides sidesOf(const Stage& stage) {
-    const auto names = [&](std::string_view side) {
-        return std::any_of(stage.viscousBoundaries.begin(), stage.viscousBoundaries.end(),
-                           [&](const std::string& name) { return name == side || name == "all"; });
-    };
-    return {names("left"), names("right"), names("bottom"), names("top")};
+std::vector<BoundarySide> viscousSides(const Stage& stage) {
+    std::vector<BoundarySide> sides;
+    for (const std::string& name : stage.viscousBoundaries) {
+        const auto word = std::find(boundarySideWords.begin(), boundarySideWords.end(), name);
+        sides.push_back(static_cast<BoundarySide>(word - boundarySideWords.begin()));
+    }
+    return sides;
 }
 
 std::vector<double> incrementTimes(const Stage& stage, const StageLoads& loads) {

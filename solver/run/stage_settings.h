@@ -7,7 +7,6 @@
 
 #include "solver/engine/dynamics.h"
 #include "solver/engine/statics.h"
-#include "solver/engine/viscous_boundary.h"
 #include "solver/run/stage_loads.h"
 
 #include <vector>
@@ -21,8 +20,8 @@ DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
 /// every turn of a table among them. \param loads begun for that stage.
 std::vector<double> incrementTimes(const Stage& stage, const StageLoads& loads);
 
-/// Viscous sides of a stage.
-Sides sidesOf(const Stage& stage);
+/// Viscous sides of a stage. \pre the scene was checked without errors.
+std::vector<BoundarySide> viscousSides(const Stage& stage);
 
 /// Gives a block, all cells of it, the velocity of one body.
 void setVelocity(const Scene& scene, const Model& model, const InitialVelocity& initial, State& state);

@@ -136,10 +136,6 @@ void checkBlockSupport(const Support& support, const std::string& pointer, Check
         context.fixed[static_cast<std::size_t>(block)] = true;
 }
 
-bool lieOn(const Support& support, const CutFace& face) {
-    return face.side && (*support.boundary == BoundarySide::All || *support.boundary == *face.side);
-}
-
 void checkBoundarySupport(const Support& support, const std::string& pointer, CheckContext& context) {
     if (!context.document.domain)
         return context.report.error(under(pointer, "boundary"), "the scene has no domain whose boundary could be held",
@@ -147,7 +143,7 @@ void checkBoundarySupport(const Support& support, const std::string& pointer, Ch
     bool any = false;
     for (std::size_t b = 0; b < context.scene.blocks.size(); ++b)
         for (const CutFace& face : context.scene.blocks[b].faces) {
-            if (!lieOn(support, face))
+            if (!isOnSide(face, *support.boundary))
                 continue;
             any = true;
             if (support.fix == Fix::All)

@@ -11,6 +11,7 @@
 #include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
 #include "solver/scene/suggest.h"
+#include "solver/scene/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -183,15 +184,35 @@ void checkScheme(const Stage& stage, const std::string& pointer, CheckContext& c
                              "Integrate by \"shi\" or \"backward-euler\", or take the iteration \"convex\"");
 }
 
+// True where the cut left a face that satisfies the question.
+template <typename Question>
+bool someFace(const CheckContext& context, const Question& question) {
+    return std::any_of(context.scene.blocks.begin(), context.scene.blocks.end(), [&](const Block& block) {
+        return std::any_of(block.faces.begin(), block.faces.end(), question);
+    });
+}
+
+void checkDilated(const std::string& joint, const std::string& pointer, CheckContext& context) {
+    std::vector<std::string_view> names = namesOf(context.document.joints);
+    for (const auto& more : {namesOf(context.document.jointSets), namesOf(context.document.jointMaterials)})
+        names.insert(names.end(), more.begin(), more.end());
+    std::erase(names, std::string_view());
+    if (joint.empty())
+        return;  // the table of fields has said so
+    if (std::find(names.begin(), names.end(), joint) == names.end())
+        return context.report.error(pointer, "there is no joint, joint set or joint material " + inQuotes(joint),
+                                    suggestion(joint, names));
+    const int source = traceSource(context.document, joint);
+    if (source >= 0 && context.isCut && !someFace(context, [&](const CutFace& face) { return face.source == source; }))
+        context.report.warning(pointer, "no face of a block lies on " + inQuotes(joint) + ", so nothing opens",
+                               "See the notes on the cut, or leave it out");
+}
+
 void checkDilations(const Stage& stage, const std::string& pointer, CheckContext& context) {
-    std::vector<std::string_view> names;
-    for (const auto& [name, material] : context.scene.jointMaterials)
-        names.push_back(name);
     for (std::size_t i = 0; i < stage.dilations.size(); ++i) {
         const std::string& joint = stage.dilations[i].joint;
         const std::string at = under(under(under(pointer, "dilations"), i), "joint");
-        if (std::find(names.begin(), names.end(), joint) == names.end())
-            context.report.error(at, "there is no joint material " + inQuotes(joint), suggestion(joint, names));
+        checkDilated(joint, at, context);
         for (std::size_t before = 0; before < i; ++before)
             if (stage.dilations[before].joint == joint)
                 context.report.error(at, "the joint " + inQuotes(joint) + " already opens in this stage",
@@ -199,13 +220,20 @@ void checkDilations(const Stage& stage, const std::string& pointer, CheckContext
     }
 }
 
-void checkSides(const Stage& stage, const std::string& pointer, CheckReport& report) {
-    static const std::vector<std::string_view> words{"left", "right", "bottom", "top", "all"};
-    for (std::size_t i = 0; i < stage.viscousBoundaries.size(); ++i)
-        if (std::find(words.begin(), words.end(), stage.viscousBoundaries[i]) == words.end())
-            report.error(under(under(pointer, "viscous_boundaries"), i),
-                         "there is no side " + inQuotes(stage.viscousBoundaries[i]),
-                         suggestion(stage.viscousBoundaries[i], words));
+void checkSides(const Stage& stage, const std::string& pointer, CheckContext& context) {
+    const std::vector<std::string_view> words(boundarySideWords.begin(), boundarySideWords.end());
+    for (std::size_t i = 0; i < stage.viscousBoundaries.size(); ++i) {
+        const std::string& name = stage.viscousBoundaries[i];
+        const std::string at = under(under(pointer, "viscous_boundaries"), i);
+        const auto word = std::find(words.begin(), words.end(), name);
+        const auto side = static_cast<BoundarySide>(word - words.begin());
+        if (word == words.end())
+            context.report.error(at, "there is no side " + inQuotes(name), suggestion(name, words));
+        else if (context.document.domain && context.isCut &&
+                 !someFace(context, [&](const CutFace& face) { return isOnSide(face, side); }))
+            context.report.error(at, "no block has a face on that side of the domain",
+                                 "Give another side: an edge belongs to the one that its outward normal points to");
+    }
 }
 
 void checkStage(std::size_t index, const std::string& pointer, CheckContext& context) {
@@ -215,7 +243,7 @@ void checkStage(std::size_t index, const std::string& pointer, CheckContext& con
     checkAccelerations(stage, pointer, context);
     checkScheme(stage, pointer, context);
     checkDilations(stage, pointer, context);
-    checkSides(stage, pointer, context.report);
+    checkSides(stage, pointer, context);
     Taken moved;
     for (std::size_t i = 0; i < stage.motions.size(); ++i)
         checkMotion(stage.motions[i], i, index, under(under(pointer, "motions"), i), moved, context);

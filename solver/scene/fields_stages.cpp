@@ -162,7 +162,8 @@ const Structure& structureOf(const Dilation*) {
         "resists it.",
         defaultsOf<Dilation>(),
         {
-            row<&Dilation::joint>("joint", "Name of the joint material whose contacts open.", {.required = true}),
+            row<&Dilation::joint>("joint", "Name of a joint or a joint set: what it parts opens. Where none has that "
+                                   "name, of a joint material: all its contacts open.", {.required = true}),
             row<&Dilation::rate>("rate", "How fast it opens; over a whole static stage, how far.",
                                  {.unit = "m/s, or m", .required = true}),
         }};
@@ -179,7 +180,9 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::kind>("kind", "Static or dynamic."),
             row<&Stage::motions>("motions", "Prescribed displacements."),
             row<&Stage::loads>("loads", "Forces and pressures."),
-            row<&Stage::dilations>("dilations", "Joints that open over this stage."),
+            row<&Stage::dilations>("dilations",
+                                   "Joints that open over this stage; what a joint opens by its own name and by that "
+                                   "of its material adds up."),
             row<&Stage::set>("set", "Strengths of joints that change at the start of this stage."),
             row<&Stage::excavate>("excavate",
                                   "Names of tunnels, and of blocks, that are taken out at the start of this stage. A "
@@ -214,9 +217,9 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::initialVelocities>("initial_velocities", "Velocities of blocks at the start of the stage.",
                                            {.only = dynamicOnly}),
             row<&Stage::viscousBoundaries>("viscous_boundaries",
-                                           "Sides of the box round all blocks that let waves out in this stage: "
-                                           "`left`, `right`, `bottom`, `top` or `all`. What held points gave there "
-                                           "stays as a force.",
+                                           "Sides of the domain, or where there is none of the box round all blocks, "
+                                           "that let waves out in this stage: `left`, `right`, `bottom`, `top` or "
+                                           "`all`. What held points gave there stays as a force.",
                                            {.only = dynamicOnly}),
             row<&Stage::baseAcceleration>("base_acceleration",
                                           "Acceleration of the ground, which all that is held follows. Displacements "

@@ -114,6 +114,20 @@ double distanceAlong(const Monitor& monitor, double length) {
     return length - monitor.atFromHead.value_or(0.0);
 }
 
+int traceSource(const Scene& scene, std::string_view name) {
+    if (name.empty()) return -1;
+    const auto isIt = [&](const auto& item) { return item.name == name; };
+    const auto joint = std::find_if(scene.joints.begin(), scene.joints.end(), isIt);
+    if (joint != scene.joints.end()) return static_cast<int>(joint - scene.joints.begin());
+    const auto set = std::find_if(scene.jointSets.begin(), scene.jointSets.end(), isIt);
+    if (set == scene.jointSets.end()) return -1;
+    return static_cast<int>(scene.joints.size()) + static_cast<int>(set - scene.jointSets.begin());
+}
+
+bool isOnSide(const CutFace& face, BoundarySide side) {
+    return face.side && (side == BoundarySide::All || side == *face.side);
+}
+
 std::string boltPointer(const Scene& scene, std::size_t bolt) {
     const int pattern = scene.bolts[bolt].pattern;
     return pattern < 0 ? under("/bolts", bolt) : under("/bolt_patterns", static_cast<std::size_t>(pattern));

@@ -63,6 +63,13 @@ double distanceAlong(const BoltPlace& place, double length);
 /// Metres from the far end at which a monitor looks at a bolt of `length` [m]; its head when it names no place.
 double distanceAlong(const Monitor& monitor, double length);
 
+/// `CutFace::source` of the joint of that name, else of the joint set; −1: neither.
+/// \pre the scene is not cut yet.
+int traceSource(const Scene& scene, std::string_view name);
+
+/// True where the face lies on that side of the domain; on any, where all are asked for.
+bool isOnSide(const CutFace& face, BoundarySide side);
+
 /// Where a scene file says a bolt: `/bolts/N`, or `/bolt_patterns/N` of one that a pattern gives.
 std::string boltPointer(const Scene& scene, std::size_t bolt);
 

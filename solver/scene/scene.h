@@ -298,10 +298,12 @@ struct Until {
     bool operator==(const Until&) const = default;
 };
 
-/// Opens every contact of a joint material, as a joint that swells or a wedge that is driven in.
+/// Opens what lies on a joint or a joint set, or every contact of a joint material, as a joint that swells or a wedge
+/// that is driven in.
 struct Dilation {
-    std::string joint;  // name of the joint material
+    std::string joint;  // name of a joint, else of a joint set, else of a joint material
     double rate = 0.0;  // [m/s], or [m] over a static stage
+    int source = -1;  // `CutFace::source` of the joint or set, by `cutScene`; −1: a joint material; no file says it
 
     bool operator==(const Dilation&) const = default;
 };

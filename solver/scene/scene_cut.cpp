@@ -6,6 +6,7 @@
 #include "solver/scene/scene_cut.h"
 
 #include "geometry/polygon.h"
+#include "solver/scene/lookup.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/shapes.h"
 
@@ -187,6 +188,12 @@ Cut cutWithoutOpenings(const Scene& scene, SceneTraces& traces, int& splits) {
     return cut;
 }
 
+/// Joints lose their names with the cut, faces keep their places: what dilates is found by these.
+void findDilated(const Scene& scene, std::vector<Stage>& stages) {
+    for (Stage& stage : stages)
+        for (Dilation& dilation : stage.dilations) dilation.source = traceSource(scene, dilation.joint);
+}
+
 void cutDomain(const Scene& scene, SceneCut& result) {
     SceneTraces traces = tracesOf(scene);
     const Cut cut = cutWithoutOpenings(scene, traces, result.split);
@@ -195,6 +202,7 @@ void cutDomain(const Scene& scene, SceneCut& result) {
     result.notes = cut.notes;
     result.tolerance = cut.tolerance, result.minArea = cut.minArea, result.minWidth = cut.minWidth;
     for (TraceSource& source : traces.sources) result.sources.push_back(std::move(source.text));
+    findDilated(scene, result.scene.stages);
     result.scene.domain.reset();
     result.scene.joints.clear();
     result.scene.jointSets.clear();

@@ -96,7 +96,7 @@ TEST(Checkpoints, ADynamicRunGoesOn) { expectTheSameFromEveryCheckpoint(sliding(
 
 TEST(Checkpoints, ARunOfManyStagesGoesOn) { expectTheSameFromEveryCheckpoint(staged(), 6); }
 
-/// Rock that goes, bolts that come and go, joints that dilate and sides that let waves out are there again as they were.
+/// Rock that goes, bolts that come and go, joints that dilate, sides that let waves out are there again as they were.
 TEST(Checkpoints, ARunWhoseRockAndBoltsComeAndGoGoesOn) {
     Scene scene = tearing();
     const std::string bolt = scene.bolts[0].name;

@@ -87,5 +87,85 @@ TEST(Dilation, WhatOneStageOpenedStaysForTheNext) {
     EXPECT_NEAR(forceInJoint(solved.results.frames.back()), drawn(), 1e-4 * drawn());
 }
 
+SceneJoint upright(const std::string& name, double x) {
+    SceneJoint joint;
+    joint.name = name;
+    joint.points = {{x, 0.0}, {x, 1.0}};
+    return joint;
+}
+
+constexpr double modulus = 10e9, length = 2.0, wedge = 1e-5;  // [Pa, m, m]
+
+/// A bar 2 m × 1 m of the domain, held at both ends, with joints across it; nothing goes aside.
+Scene heldBar(const std::vector<SceneJoint>& joints) {
+    Scene scene = emptyScene(modulus, 0.0, 30.0);
+    scene.domain = SceneDomain{{{0, 0}, {length, 0}, {length, 1}, {0, 1}}, scene.materials.front().first, {}};
+    scene.joints = joints;
+    for (BoundarySide side : {BoundarySide::Left, BoundarySide::Right}) {
+        Support support;
+        support.boundary = side;
+        support.fix = Fix::XY;
+        scene.supports.push_back(support);
+    }
+    scene.stages = {test::settle()};
+    return scene;
+}
+
+/// Force in the bar once a joint of it is driven apart by δ: δ over the give of rock, of two held ends and of joints,
+/// each of two springs.
+double forceOf(double delta, const Scene& scene, int joints) {
+    const double spring = scene.analysis.penaltyRatio * modulus * scene.analysis.thickness;
+    return delta / (length / (modulus * scene.analysis.thickness) + (2.0 + joints) / (2.0 * spring));
+}
+
+/// What the contacts across x carry.
+double forceAt(const Frame& frame, double x) {
+    double force = 0.0;
+    for (const ContactFrame& contact : frame.contacts)
+        if (std::abs(contact.position.x() - x) < 0.01) force += contact.normalForce;
+    return force;
+}
+
+TEST(Dilation, AJointOfADomainOpensByItsName) {
+    Scene scene = heldBar({upright("fault", 1.0)});
+    scene.stages[0].dilations = {{"fault", wedge}};
+    const Solved solved = solve(scene);
+    ASSERT_EQ(solved.results.stages[0].outcome, Outcome::Equilibrium) << solved.results.stages[0].message;
+    const double expected = forceOf(wedge, scene, 1);
+    EXPECT_NEAR(forceAt(solved.results.frames.back(), 1.0), expected, 1e-4 * expected);
+    EXPECT_NEAR(solved.results.frames.back().blocks[0].stress[0], -expected / scene.analysis.thickness,
+                1e-4 * expected / scene.analysis.thickness);
+    // strain is taken as small, so energies are as good as it is
+    EXPECT_LT(std::abs(solved.results.frames.back().energy.balanceError), wedge / length);
+}
+
+TEST(Dilation, AJointSetOpensByItsName) {
+    Scene scene = heldBar({});
+    SceneJointSet set;
+    set.name = "steep", set.dip = 90.0, set.spacing = 5.0, set.origin = {1.0, 0.0};
+    scene.jointSets = {set};
+    scene.stages[0].dilations = {{"steep", wedge}};
+    const double expected = forceOf(wedge, scene, 1);
+    EXPECT_NEAR(forceAt(solve(scene).results.frames.back(), 1.0), expected, 1e-4 * expected);
+}
+
+/// Of two joints of one material, one opens by its name and both by that of the material; both together add up.
+TEST(Dilation, TheNameOfAJointIsNotThatOfItsMaterial) {
+    const std::vector<SceneJoint> joints{upright("first", 0.5), upright("second", 1.5)};
+    const std::string material = heldBar({}).jointMaterials[0].first;
+    const std::vector<std::pair<std::vector<Dilation>, double>> cases{
+        {{{"first", wedge}}, 1.0},
+        {{{material, wedge}}, 2.0},
+        {{{"second", wedge}, {material, 0.5 * wedge}}, 2.0},
+    };
+    for (const auto& [dilations, times] : cases) {
+        Scene scene = heldBar(joints);
+        scene.stages[0].dilations = dilations;
+        const Frame frame = solve(scene).results.frames.back();
+        const double expected = forceOf(times * wedge, scene, 2);
+        for (double x : {0.5, 1.5}) EXPECT_NEAR(forceAt(frame, x), expected, 1e-4 * expected) << dilations[0].joint;
+    }
+}
+
 }  // namespace
 }  // namespace keyblock

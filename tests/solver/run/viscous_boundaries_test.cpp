@@ -4,6 +4,8 @@
 // Sides that let waves out.
 #include "solver/run/run.h"
 
+#include "solver/engine/viscous_boundary.h"
+#include "solver/scene/scene_cut.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
 #include "tests/solver/run/small_stages.h"
@@ -104,6 +106,41 @@ TEST(ViscousBoundaries, TheReactionOfTheStaticStateStays) {
         EXPECT_LT(std::abs(solved.results.stages[static_cast<std::size_t>(stage)].health.balanceError), 1e-6);
     }
     EXPECT_LT(lastOf(1).blocks[0].velocity.norm(), 1e-6);
+}
+
+/// Impedance over the faces of a side of a domain whose right side slants; only what holds that side lets go.
+TEST(ViscousBoundaries, StandOnTheSideOfTheDomain) {
+    Scene scene = bar();
+    scene.blocks.clear();
+    scene.domain = SceneDomain{{{0, 0}, {4, 0}, {3, 2}, {0, 2}}, scene.materials.front().first, {}};
+    SceneJoint level;
+    level.name = "level";
+    level.points = {{0.0, 1.0}, {4.0, 1.0}};
+    scene.joints = {level};
+    for (BoundarySide side : {BoundarySide::Left, BoundarySide::Right}) {
+        Support support;
+        support.boundary = side;
+        support.fix = Fix::X;
+        scene.supports.push_back(support);
+    }
+    Stage stage = test::dynamic(0.01, 1e-4);
+    stage.viscousBoundaries = {"right"};
+    scene.stages = {stage};
+    const Model model = makeModel(cutScene(scene).scene);
+    State state = makeState(model);
+    const std::vector<Dashpot> dashpots = dashpotsOn(model, state, {BoundarySide::Right});
+    ASSERT_EQ(dashpots.size(), 4u);  // two a face of either block
+    double pressure = 0.0, shear = 0.0;
+    for (const Dashpot& dashpot : dashpots) {
+        pressure += dashpot.pressure, shear += dashpot.shear;
+        EXPECT_LT((dashpot.across - Point(2.0, 1.0).normalized()).norm(), 1e-12);
+    }
+    const double all = density * speed * std::sqrt(5.0) * scene.analysis.thickness;
+    EXPECT_NEAR(pressure, all, 1e-9 * all);
+    EXPECT_NEAR(shear, all / std::sqrt(2.0), 1e-9 * all);  // ν = 0: c_p/c_s = √2
+    EXPECT_EQ(letGo(model, state, {BoundarySide::Right}).size(), 4u);
+    EXPECT_EQ(letGo(model, state, {BoundarySide::All}).size(), 8u);
+    EXPECT_EQ(dashpotsOn(model, state, {BoundarySide::Left, BoundarySide::Right}).size(), 8u);
 }
 
 }  // namespace
