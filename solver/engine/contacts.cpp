@@ -41,10 +41,18 @@ std::vector<Contact> candidatesOf(const CandidateSearch& search, int a, int b) {
     return found;
 }
 
-/// Two corners at one place, each on an edge that ends at the other.
+/// Two corners at one place, each on an edge that ends at the other. Between faces that meet, only how far apart they
+/// are along them counts: across, they may stand open or, in a soft joint, lie well inside each other.
 bool sameCorners(const CandidateSearch& search, const Contact& x, const Contact& y) {
+    if (x.blockA != y.blockB) return false;
     const Point &px = search.blocks[x.blockA].corners[x.corner], &py = search.blocks[y.blockA].corners[y.corner];
-    return x.blockA == y.blockB && (px - py).norm() <= 2.0 * search.slack(x.blockA, x.blockB);
+    const double near = 2.0 * search.slack(x.blockA, x.blockB);
+    if ((px - py).norm() <= near) return true;
+    const Edge ofX = edgeOf(search.blocks[x.blockB].corners, x.edge);
+    const Edge ofY = edgeOf(search.blocks[y.blockB].corners, y.edge);
+    const bool meet = ofX.outward.dot(ofY.outward) < 0.0 && std::abs(cross(ofX.along, ofY.along)) <= angleSlack;
+    const bool ends = std::abs(ofX.outward.dot(py - ofX.start)) <= near;
+    return meet && ends && std::abs(ofX.along.dot(px - py)) <= near;
 }
 
 void dropDoubles(const CandidateSearch& search, std::vector<Contact>& found) {

@@ -76,6 +76,28 @@ TEST(JointStiffness, ClosesBySigmaOverKnAndShearsByTauOverKs) {
         }
 }
 
+/// Equal faces, whose corners meet, soft enough to lie well inside each other: in increments and in motion they are one
+/// joint, not two.
+TEST(JointStiffness, OfEqualFacesIsThatOfOneJoint) {
+    const double closure = 1e-3;
+    Scene scene = boxOnBase(1.0, 1.0, rigidRock);
+    scene.blocks[0] = boxBlock("base", {0, -1}, {1, 0});
+    scene.supports[0].blockAt = Point(0.5, -0.5);
+    scene.jointMaterials[0].second.normalStiffness = 1e6 / closure;
+    scene.stages = {settle(), dynamic(0.02, 1e-3)};
+    scene.stages[0].increments = 100;
+    press(scene, {0.0, -1e6}, {0.5, 0.0});
+    std::swap(scene.stages[0].loads, scene.stages[1].loads);
+    scene.stages[0].loads[0].table = {{0.0, 0.0}, {1.0, 1.0}};
+    const Results results = runInMemory(scene);
+    expectDone(results);
+    for (const Frame& frame : results.frames) {
+        const double loaded = frame.stage == 0 ? frame.time : 1.0;
+        EXPECT_EQ(frame.contacts.size(), loaded > 0.0 ? 2u : 0u);
+        EXPECT_NEAR(frame.blocks[1].displacement.y(), -closure * loaded, 1e-4 * closure);
+    }
+}
+
 TEST(JointStiffness, ShearFollowsFromTheRatioWhereOnlyTheNormalOneIsGiven) {
     Scene scene = boxOnBase(1.0, 3.0, rigidRock);
     scene.jointMaterials[0].second.normalStiffness = 2e9;
