@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `check`: everything that is wrong with a scene and what its domain is cut
-// into, nothing run.
+// The verb `check`: everything that is wrong with a scene, what its domain is cut
+// into and what will be modelled of it, nothing run.
+#include "app/cli/census_listing.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"
@@ -10,6 +11,7 @@
 #include "solver/scene/number_text.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace keyblock::cli {
 
@@ -64,16 +66,28 @@ void tellCut(const SceneCut& cut, bool all) {
     tellNotes(cut, all);
 }
 
+/// Of a scene without errors that has something to be modelled.
+std::optional<Census> censusOf(const SceneReading& reading) {
+    const SceneCut* cut = reading.cut ? &*reading.cut : nullptr;
+    if (!reading.scene || (cut ? cut->scene : *reading.scene).blocks.empty())
+        return std::nullopt;
+    return takeCensus(cut ? cut->scene : *reading.scene, cut);
+}
+
 }  // namespace
 
 ExitCode perform(const CheckOptions& options) {
     const SceneReading reading = readSceneFile(options.scene, options.overrides);
-    if (options.json)
-        print(checkJson(reading));
-    else
-        tell(options.scene, reading.problems);
-    if (reading.cut && !options.json)
+    const std::optional<Census> census = censusOf(reading);
+    if (options.json) {
+        print(checkJson(reading, census));
+        return hasErrors(reading.problems) ? Invalid : Done;
+    }
+    tell(options.scene, reading.problems);
+    if (reading.cut)
         tellCut(*reading.cut, options.all);
+    if (census)
+        print(censusLines(*census));
     return hasErrors(reading.problems) ? Invalid : Done;
 }
 

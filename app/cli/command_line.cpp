@@ -65,7 +65,8 @@ void addRun(CLI::App& app, RunOptions& options) {
 }
 
 void addCheck(CLI::App& app, CheckOptions& options) {
-    CLI::App* verb = app.add_subcommand("check", "Tell everything that is wrong with a scene; nothing is run");
+    CLI::App* verb = app.add_subcommand("check", "Tell what is wrong with a scene, what will be modelled of it and what "
+                                                 "a run may take; nothing is run");
     verb->add_option("SCENE.json", options.scene, "The scene")->required()->type_name("");
     addOverrides(verb, options.overrides);
     verb->add_flag("--all", options.all, "List all that was changed when the domain was cut, not ten of each kind");

@@ -124,9 +124,45 @@ Json cutJson(const SceneCut& cut) {
             {"reports", reports}};
 }
 
+Json estimateJson(const CostEstimate& estimate) {
+    Json stages = Json::array();
+    for (const StageCost& stage : estimate.stages)
+        stages.push_back({{"name", stage.name},
+                          {"steps", stage.steps},
+                          {"passes", stage.passes},
+                          {"least", stage.least},
+                          {"most", stage.most}});
+    return {{"seconds", estimate.seconds},
+            {"seconds_least", estimate.secondsLeast},
+            {"seconds_most", estimate.secondsMost},
+            {"memory_MB", estimate.memory / 1e6},
+            {"pass_seconds", estimate.passSeconds},
+            {"step_seconds", estimate.stepSeconds},
+            {"stages", stages},
+            {"assumes", estimate.assumes}};
+}
+
+Json censusJson(const Census& census) {
+    const CensusCounts& counts = census.counts;
+    Json leftOut = Json::array();
+    for (const LeftOut& part : census.leftOut)
+        leftOut.push_back({{"what", part.what}, {"why", part.why}, {"saves", part.saves}});
+    return {{"blocks", counts.blocks},
+            {"cells", counts.cells},
+            {"plates", counts.plates},
+            {"fixed", counts.fixed},
+            {"contacts", counts.contacts},
+            {"bolts", counts.bolts},
+            {"nodes", counts.nodes},
+            {"unknowns",
+             {{"blocks", counts.blockUnknowns}, {"plates", counts.plateUnknowns}, {"bolts", counts.boltUnknowns}}},
+            {"left_out", leftOut},
+            {"estimate", estimateJson(census.estimate)}};
+}
+
 }  // namespace
 
-std::string checkJson(const SceneReading& reading) {
+std::string checkJson(const SceneReading& reading, const std::optional<Census>& census) {
     Json list = Json::array();
     for (const Problem& problem : reading.problems)
         list.push_back({{"severity", wordOf(problem.severity)},
@@ -137,6 +173,8 @@ std::string checkJson(const SceneReading& reading) {
     Json answer{{"problems", list}};
     if (reading.cut && !reading.cut->sources.empty())
         answer["cut"] = cutJson(*reading.cut);
+    if (census)
+        answer["census"] = censusJson(*census);
     return dumped(answer, 2);
 }
 

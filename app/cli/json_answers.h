@@ -7,6 +7,7 @@
 
 #include "solver/files/run_store.h"
 #include "solver/files/scene_file.h"
+#include "solver/run/census.h"
 #include "solver/scene/problem.h"
 #include "solver/verify/verify.h"
 
@@ -18,8 +19,10 @@ namespace keyblock::cli {
 
 /// `problems[] {severity, pointer, line, message, remedy}`; a line that is not known is null. Of a domain that could be
 /// cut also `cut {blocks, vertices, edges, area_m2, tolerance_m, min_area_m2, min_width_m, open_blocks, splits,
-/// reports[] {kind, x_m, y_m, message}}`.
-std::string checkJson(const SceneReading& reading);
+/// reports[] {kind, x_m, y_m, message}}`; of a scene without errors `census {blocks, cells, plates, fixed, contacts,
+/// bolts, nodes, unknowns {blocks, plates, bolts}, left_out[] {what, why, saves}, estimate {seconds, seconds_least,
+/// seconds_most, memory_MB, pass_seconds, step_seconds, stages[] {name, steps, passes, least, most}, assumes[]}}`.
+std::string checkJson(const SceneReading& reading, const std::optional<Census>& census);
 
 /// `scene_hash, stages[] {name, kind, outcome, time_s, steps}, frames, events {kind: count}, health {…}`; what is not
 /// known yet of a stage that has not ended is null.

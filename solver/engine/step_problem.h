@@ -139,6 +139,9 @@ public:
     SolveReport solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                       const std::function<bool()>& stopAsked);
 
+    /// Entries of the last factor, zeros that it stores included.
+    double factorEntries() const { return system_.factorEntries(); }
+
 private:
     SolveReport minimise(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                          const std::function<bool()>& stopAsked);

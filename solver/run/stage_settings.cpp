@@ -11,7 +11,6 @@
 namespace keyblock {
 namespace {
 
-constexpr int usualIncrements = 100;
 constexpr double longestTimeStep = 1e-3;  // [s], where a stage gives none
 constexpr double fewestSteps = 200.0;  // of a dynamic stage that gives no time step
 

@@ -13,6 +13,9 @@
 
 namespace keyblock {
 
+/// Increments of a static stage in which something changes, where it gives no number.
+inline constexpr int usualIncrements = 100;
+
 StaticSettings staticSettings(const Scene& scene, const Stage& stage);
 DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
 

@@ -54,6 +54,27 @@ TEST_F(Files, CheckAnswersInJson) {
     EXPECT_FALSE(problem.at("remedy").get<std::string>().empty());
 }
 
+TEST_F(Files, CheckTellsWhatIsModelledOfASoundScene) {
+    putPullScene();
+    const nlohmann::json census =
+        nlohmann::json::parse(keyblock({"check", "pull.json", "--json"}).out).at("census");
+    EXPECT_EQ(census.at("blocks"), 2);
+    EXPECT_EQ(census.at("fixed"), 1);
+    EXPECT_EQ(census.at("contacts"), 2);
+    EXPECT_EQ(census.at("unknowns").at("blocks"), 6);
+    EXPECT_EQ(census.at("unknowns").at("bolts"), 3 * census.at("nodes").get<int>());
+    for (const nlohmann::json& part : census.at("left_out"))
+        for (const char* key : {"what", "why", "saves"})
+            EXPECT_FALSE(part.at(key).get<std::string>().empty());
+    EXPECT_GT(census.at("estimate").at("seconds"), 0.0);
+    EXPECT_GT(census.at("estimate").at("memory_MB"), 0.0);
+    const std::string told = keyblock({"check", "pull.json"}).out;
+    for (const char* part : {"modelled: ", "2 blocks (1 held whole), 6 unknowns", "left out:", "a run may take "})
+        EXPECT_NE(told.find(part), std::string::npos) << part;
+    const Ended wrong = keyblock({"check", "pull.json", "--json", "--set", "materials.rock.density=-5"});
+    EXPECT_FALSE(nlohmann::json::parse(wrong.out).contains("census"));
+}
+
 TEST_F(Files, WhatIsNoRunStoreIsRefused) {
     putPullScene();
     put("empty.kbrun", "");

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/census_listing.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace keyblock::cli {
+
+namespace {
+
+std::string counted(int count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// Two digits are more than an estimate has.
+std::string rough(double value) {
+    std::array<char, 64> buffer{};
+    const double size = value > 0.0 ? std::pow(10.0, std::floor(std::log10(value)) - 1.0) : 1.0;
+    const double rounded = std::round(value / size) * size;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded, std::chars_format::fixed,
+                                   size >= 1.0 ? 0 : static_cast<int>(std::lround(-std::log10(size))));
+    return {buffer.data(), end.ptr};
+}
+
+std::string duration(double seconds) {
+    if (seconds < 120.0)
+        return rough(seconds) + " s";
+    if (seconds < 7200.0)
+        return rough(seconds / 60.0) + " min";
+    return rough(seconds / 3600.0) + " h";
+}
+
+std::string partLines(const CensusCounts& counts) {
+    std::string lines = "modelled: " + counted(counts.unknowns(), "unknown") + "\n";
+    const auto line = [&](int count, const std::string& what, const std::string& detail, int unknowns) {
+        if (count == 0)
+            return;
+        lines += "  " + counted(count, what) + detail;
+        if (unknowns >= 0)
+            lines += ", " + counted(unknowns, "unknown");
+        lines += '\n';
+    };
+    const bool some = counts.cells > 0 && counts.cells < counts.blocks;
+    const std::string cells = some ? " (" + counted(counts.cells, "cell") + " among them)" : "";
+    const std::string held = counts.fixed > 0 ? " (" + std::to_string(counts.fixed) + " held whole)" : "";
+    line(counts.blocks, counts.cells == counts.blocks ? "cell" : "block", cells + held, counts.blockUnknowns);
+    line(counts.plates, "plate", counts.plates == 1 ? " that is a block" : " that are blocks", counts.plateUnknowns);
+    line(counts.bolts, "bolt",
+         " of " + counted(counts.nodes, "node") + " (" + std::to_string(counts.realAnchors) + " held along it)",
+         counts.boltUnknowns);
+    line(counts.contacts, "contact", " at the start", -1);
+    line(counts.gluedEdges, "glued edge", " between cells", -1);
+    line(counts.heldPoints, "held point", "", -1);
+    return lines;
+}
+
+std::string estimateLines(const CostEstimate& estimate) {
+    std::string lines = "a run may take " + duration(estimate.seconds) + " (" + duration(estimate.secondsLeast) +
+                        " to " + duration(estimate.secondsMost) + ") and " + rough(estimate.memory / 1e6) + " MB\n";
+    for (const StageCost& stage : estimate.stages)
+        lines += "  " + stage.name + ": " + rough(stage.steps) + " steps, " + rough(stage.passes) + " passes (" +
+                 rough(stage.least) + " to " + rough(stage.most) + ")\n";
+    lines += "  a pass takes " + rough(1e3 * estimate.passSeconds) + " ms, what is around it " +
+             rough(1e3 * estimate.stepSeconds) + " ms\n";
+    for (const std::string& sentence : estimate.assumes)
+        lines += "  " + sentence + '\n';
+    return lines;
+}
+
+}  // namespace
+
+std::string censusLines(const Census& census) {
+    std::string lines = partLines(census.counts) + "left out:\n";
+    for (const LeftOut& part : census.leftOut)
+        lines += "  " + part.what + ": " + part.why + " (saves " + part.saves + ")\n";
+    if (!census.estimate.stages.empty())
+        lines += estimateLines(census.estimate);
+    return lines;
+}
+
+}  // namespace keyblock::cli

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Everything of the scene is counted as there at once, whichever stage brings it or
+// takes it away: that is the largest system that a step can have.
+#include "solver/run/census.h"
+
+#include "solver/engine/bolt_topology.h"
+#include "solver/engine/contacts.h"
+
+#include <algorithm>
+
+namespace keyblock {
+namespace {
+
+State startWithAll(const Model& model) {
+    State start = makeState(model);
+    start.contacts = findContacts(model, start.blocks, {}, model.size * 1e-3, true);
+    placeBolts(model, start);
+    return start;
+}
+
+}  // namespace
+
+CensusCounts countParts(const Model& model, const State& start) {
+    CensusCounts counts;
+    for (const BlockModel& block : model.blocks) {
+        const bool plate = block.plateOf >= 0;
+        ++(plate ? counts.plates : counts.blocks);
+        counts.cells += block.cell ? 1 : 0;
+        counts.fixed += block.fixed ? 1 : 0;
+        if (!block.fixed) (plate ? counts.plateUnknowns : counts.blockUnknowns) += 6;
+    }
+    for (const BoltModel& bolt : model.bolts) {
+        const int nodes = static_cast<int>(bolt.s.size());
+        counts.nodes += nodes;
+        counts.boltUnknowns += (bolt.bends ? 3 : 2) * nodes;
+        counts.realAnchors += static_cast<int>(
+            std::count_if(bolt.anchors.begin(), bolt.anchors.end(), [](const AnchorModel& a) { return a.real; }));
+    }
+    counts.bolts = static_cast<int>(model.bolts.size());
+    counts.heldPoints = static_cast<int>(model.held.size());
+    counts.contacts = static_cast<int>(start.contacts.size());
+    counts.gluedEdges = static_cast<int>(model.glue.size());
+    return counts;
+}
+
+Census takeCensus(const Scene& scene, const SceneCut* cut) {
+    const Model model = makeModel(scene);
+    const State start = startWithAll(model);
+    Census census;
+    census.counts = countParts(model, start);
+    census.leftOut = leftOutOf(scene, cut, model, census.counts);
+    census.estimate = estimateCost(scene, model, start, census.counts);
+    return census;
+}
+
+}  // namespace keyblock

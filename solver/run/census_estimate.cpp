@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a run may take. How long a pass and a step of this very scene last is timed;
+// how many there will be is taken from runs of the samples and of jointed rock, and
+// said with the range in which those lay. The clock is looked at here alone and
+// decides nothing but what is told.
+#include "solver/run/census.h"
+
+#include "solver/engine/contacts.h"
+#include "solver/engine/limits.h"
+#include "solver/engine/step_build.h"
+#include "solver/run/stage_settings.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double enoughTime = 0.05;  // [s] of timing
+constexpr int fewestRounds = 2;  // of timing, after one that fixes the pattern
+
+// Passes, from the samples (2 to 3 an increment without releases, 5 to 10 a release, 1.0 to 1.6 a step of time) and
+// from jointed rock of 50 to 460 blocks under gravity (2e3 to 7e4 a search, 20 to 35 a step of time).
+constexpr double passesAnIncrement = 3.0, passesARelease = 7.0, passesATimeStep = 1.3;
+constexpr double passesARockSearch = 2000.0, passesARockStep = 8.0;
+constexpr double releasedShare = 0.7;  // of what can let go
+constexpr int rock = 20;  // free blocks with three contacts each that may slide: so many are jointed rock
+
+constexpr double startSeconds = 0.03;  // of the program and its run store
+constexpr double frameSeconds = 1e-3;  // to keep a frame
+constexpr double programMemory = 14e6;  // [bytes] of the program and its libraries
+
+double secondsSince(const Clock::time_point& start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Times steps of the scene where it stands, all of it there.
+class Timing {
+public:
+    Timing(const Model& model, const State& start) : model_(model), state_(start) {}
+
+    void measure(CostEstimate& estimate) {
+        round();
+        pass_ = step_ = 0.0;
+        int rounds = 0;
+        const auto start = Clock::now();
+        while (rounds < fewestRounds || secondsSince(start) < enoughTime) {
+            round();
+            ++rounds;
+        }
+        estimate.passSeconds = pass_ / rounds;
+        estimate.stepSeconds = step_ / rounds;
+        estimate.factorEntries = solver_.factorEntries();
+        estimate.memory = programMemory + problemMemory_ + 12.0 * estimate.factorEntries;
+    }
+
+private:
+    /// One step of one pass: search, links, factor and solution, and what accepts it.
+    void round() {
+        auto from = Clock::now();
+        State trial = state_;
+        trial.contacts = findContacts(model_, trial.blocks, state_.contacts, model_.size * 1e-3, false);
+        LoadPoint at;
+        at.gravity = 1.0;
+        StepOptions options;
+        options.inertia = Inertia::Shi;
+        options.dt = 1e-3;
+        StepProblem problem = buildStep(model_, trial, Loads{}, at, options);
+        for (double& value : problem.load) value += problem.floorForce;  // something to solve for
+        step_ += secondsSince(from);
+        Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
+        from = Clock::now();
+        solver_.solve(problem, d, {1e-15, 0, false}, {});
+        pass_ += secondsSince(from);
+        from = Clock::now();
+        d.setZero();
+        acceptStep(model_, trial, problem, d);
+        heldLimits(model_, trial);
+        step_ += secondsSince(from);
+        problemMemory_ = memoryOf(problem);
+    }
+
+    /// Links twice (of the step and of its books), what a pass sums, and five copies of the state: the last, the trial,
+    /// the start of an increment, the checkpoint and its bytes.
+    double memoryOf(const StepProblem& problem) const {
+        const double links = static_cast<double>(problem.links.size());
+        double state = static_cast<double>(state_.contacts.size() * sizeof(Contact));
+        for (const BlockMotion& block : state_.blocks)
+            state += static_cast<double>(sizeof(BlockMotion) + block.corners.size() * sizeof(Point));
+        for (const BoltMotion& bolt : state_.bolts)
+            state += static_cast<double>(bolt.nodes.size() * (sizeof(BoltNode) + sizeof(BoltElementState)));
+        const double bodies = problem.blocks + problem.nodes;
+        const double pairs = bodies + 0.5 * links;
+        return 2.0 * links * sizeof(Link) + pairs * (36.0 * 24.0 + 36.0 * 4.0) + bodies * 600.0 + 5.0 * state;
+    }
+
+    const Model& model_;
+    const State& state_;
+    StepSolver solver_;
+    double pass_ = 0.0, step_ = 0.0;
+    double problemMemory_ = 0.0;
+};
+
+/// What decides how many passes there will be.
+struct Nature {
+    int releases = 0;  // that may come one after another
+    bool jointed = false;  // rock whose joints may slide
+    bool shears = false;  // a joint may shear steel that forms hinges
+};
+
+Nature natureOf(const Model& model, const State& start, const CensusCounts& counts) {
+    Nature nature;
+    const std::vector<Limit> limits = heldLimits(model, start);
+    nature.releases = static_cast<int>(std::count_if(limits.begin(), limits.end(), [](const Limit& limit) {
+        return limit.kind == LimitKind::Bond || limit.kind == LimitKind::Yield || limit.kind == LimitKind::JointBond;
+    }));
+    const auto slides = [](const Contact& c) { return !c.bonded; };
+    const int free = counts.blocks - counts.cells - counts.fixed;
+    nature.jointed =
+        free >= rock && std::count_if(start.contacts.begin(), start.contacts.end(), slides) >= 3 * free;
+    nature.shears = std::any_of(model.bolts.begin(), model.bolts.end(), [](const BoltModel& bolt) {
+        return bolt.hinges && !bolt.joints.empty();
+    });
+    return nature;
+}
+
+StageCost staticCost(double increments, const Nature& nature, bool loaded) {
+    StageCost cost;
+    cost.steps = increments;
+    const double quiet = passesAnIncrement * increments;
+    const double releases = loaded ? passesARelease * releasedShare * nature.releases : 0.0;
+    cost.passes = quiet + releases;
+    cost.least = quiet / 2.0;
+    cost.most = nature.shears && loaded ? 50.0 * cost.passes : 4.0 * cost.passes;
+    if (!nature.jointed) return cost;
+    cost.passes += passesARockSearch;
+    cost.most += 100.0 * passesARockSearch;
+    return cost;
+}
+
+StageCost dynamicCost(double steps, const Nature& nature) {
+    StageCost cost;
+    cost.steps = steps;
+    cost.passes = steps * (nature.jointed ? passesARockStep : passesATimeStep);
+    cost.least = 0.9 * steps;
+    cost.most = (nature.jointed ? 6.0 : 3.0) * cost.passes;
+    return cost;
+}
+
+/// The stages one after another, as the run's loop asks for their increments; walls of excavated rock count as a load
+/// that changes.
+void addStages(const Scene& scene, const Model& model, State state, const Nature& nature, CostEstimate& estimate) {
+    LoadMemory memory;
+    StageLoads loads(model, scene, memory);
+    bool walls = false;
+    for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+        Stage stage = scene.stages[i];
+        loads.begin(static_cast<int>(i), state);
+        StageCost cost;
+        if (stage.kind == StageKind::Static) {
+            walls = walls || !stage.excavate.empty();
+            if (!stage.excavate.empty() || (walls && stage.relaxation))
+                stage.increments = stage.increments.value_or(usualIncrements);
+            const auto increments = static_cast<double>(incrementTimes(stage, loads).size());
+            cost = staticCost(increments, nature, increments > 1.0);
+        } else {
+            cost = dynamicCost(stage.duration / dynamicSettings(scene, stage).timeStep, nature);
+        }
+        loads.end(loads.at(stage.kind == StageKind::Static ? 1.0 : stage.duration));
+        cost.name = stage.name;
+        estimate.stages.push_back(cost);
+    }
+}
+
+void addAssumptions(const Nature& nature, CostEstimate& estimate) {
+    const auto say = [&](bool applies, std::string text) {
+        if (applies) estimate.assumes.push_back(std::move(text));
+    };
+    say(true, "Steps and passes last as timed now, on this machine, with everything of the scene there at once.");
+    say(nature.releases > 0, "Of " + std::to_string(nature.releases) +
+                                 " bonds, joints and elements that can let go, 0.7 do in each static stage that loads, "
+                                 "7 passes each.");
+    say(nature.shears, "Bolts are pulled; where joints shear them until hinges form, it takes up to 50 times as long.");
+    say(nature.jointed, "Rock whose joints slide takes 2000 passes to come to rest, and may take 100 times that or "
+                        "none; in motion 8 passes a step, and up to 50.");
+}
+
+}  // namespace
+
+CostEstimate estimateCost(const Scene& scene, const Model& model, const State& start, const CensusCounts& counts) {
+    CostEstimate estimate;
+    const Nature nature = natureOf(model, start, counts);
+    Timing(model, start).measure(estimate);
+    addStages(scene, model, start, nature, estimate);
+    addAssumptions(nature, estimate);
+    const double each = estimate.passSeconds + estimate.stepSeconds;
+    double steps = 0.0;
+    for (const StageCost& stage : estimate.stages) {
+        estimate.seconds += stage.passes * each;
+        estimate.secondsLeast += stage.least * each;
+        estimate.secondsMost += stage.most * each;
+        steps += stage.steps;
+    }
+    const double others = startSeconds + frameSeconds * std::min<double>(steps, scene.output.frames);
+    estimate.seconds += others;
+    estimate.secondsLeast = 0.5 * (estimate.secondsLeast + others);
+    estimate.secondsMost = 2.0 * (estimate.secondsMost + others);
+    return estimate;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a scene is made of, against counts by hand; what it leaves out; and that the
+// estimate follows from what it says it does. How long runs really take is no test.
+#include "solver/run/census.h"
+
+#include "solver/files/scene_file.h"
+#include "solver/verify/scenes.h"
+#include "tests/solver/run/small_stages.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+Census censusOf(const Scene& scene) {
+    const SceneCut cut = cutScene(scene);
+    return takeCensus(cut.scene, &cut);
+}
+
+Scene sample(const std::string& name) {
+    return *readSceneFile(std::string(KEYBLOCK_SAMPLES_DIR) + "/" + name + ".json").scene;
+}
+
+const LeftOut* find(const Census& census, const std::string& what) {
+    const auto found = std::find_if(census.leftOut.begin(), census.leftOut.end(),
+                                    [&](const LeftOut& part) { return part.what == what; });
+    return found == census.leftOut.end() ? nullptr : &*found;
+}
+
+/// A block that is held and one that is pulled, with one face between them, and a bolt of 59 elements.
+TEST(Census, OfTheRebarIsWhatIsCountedByHand) {
+    const Census census = censusOf(sample("rebar-stated"));
+    const CensusCounts& counts = census.counts;
+    EXPECT_EQ(counts.blocks, 2);
+    EXPECT_EQ(counts.fixed, 1);
+    EXPECT_EQ(counts.blockUnknowns, 6);
+    EXPECT_EQ(counts.bolts, 1);
+    EXPECT_EQ(counts.nodes, 60);
+    EXPECT_EQ(counts.realAnchors, 60);
+    EXPECT_EQ(counts.boltUnknowns, 180);
+    EXPECT_EQ(counts.contacts, 2);  // both ends of the face
+    EXPECT_EQ(counts.unknowns(), 186);
+    ASSERT_TRUE(find(census, "what motions prescribe"));
+    EXPECT_EQ(find(census, "what motions prescribe")->saves, "2 unknowns");  // along the axis, and the rotation
+    EXPECT_TRUE(find(census, "plates"));
+    EXPECT_TRUE(find(census, "motion in time"));
+    EXPECT_FALSE(find(census, "bolts"));
+}
+
+/// 4 rows of 40 cells: between rows 3 × 40 edges are glued, between columns 4 × 39.
+TEST(Census, OfTheCantileverIsWhatIsCountedByHand) {
+    const Census census = censusOf(sample("cantilever"));
+    EXPECT_EQ(census.counts.blocks, 160);
+    EXPECT_EQ(census.counts.cells, 160);
+    EXPECT_EQ(census.counts.gluedEdges, 3 * 40 + 4 * 39);
+    EXPECT_EQ(census.counts.blockUnknowns, 960);
+    EXPECT_EQ(census.counts.contacts, 0);
+    EXPECT_TRUE(find(census, "bolts"));
+    EXPECT_FALSE(find(census, "stress that differs within a block"));
+}
+
+TEST(Census, CountsAPlateThatIsABlock) {
+    const CensusCounts counts = censusOf(sample("plate-block")).counts;
+    EXPECT_EQ(counts.blocks, 2);
+    EXPECT_EQ(counts.plates, 1);
+    EXPECT_EQ(counts.plateUnknowns, 6);
+    EXPECT_EQ(counts.contacts, 4);  // two under the plate, two between the blocks
+    EXPECT_EQ(counts.boltUnknowns, 3 * 61);
+}
+
+SceneJoint line(const std::string& name, const Point& from, const Point& to) {
+    SceneJoint joint;
+    joint.name = name;
+    joint.points = {from, to};
+    return joint;
+}
+
+/// A strip of 4 m × 1 m cut by uprights into five, the second of which is a tunnel that is open from the start.
+Scene strip() {
+    Scene scene = emptyScene(10e9, 0.2, 30.0);
+    scene.domain = SceneDomain{{{0, 0}, {4, 0}, {4, 1}, {0, 1}}, scene.materials.front().first, {}};
+    for (double x : {1.0, 2.0, 3.0, 3.5}) scene.joints.push_back(line("at " + std::to_string(x), {x, 0}, {x, 1}));
+    SceneTunnel tunnel;
+    tunnel.name = "opening";
+    tunnel.profile = ProfileKind::Polygon;
+    tunnel.points = {{1, 0}, {2, 0}, {2, 1}, {1, 1}};
+    scene.tunnels = {tunnel};
+    Support support;
+    support.boundary = BoundarySide::Bottom;
+    support.fix = Fix::XY;
+    scene.supports = {support};
+    scene.stages = {test::settle()};
+    return scene;
+}
+
+/// Blocks from 0 to 1, 2 to 3, 3 to 3.5 and 3.5 to 4: two faces between them, each with two contacts, and four faces at
+/// the bottom, each held at both ends.
+TEST(Census, OfACutSceneIsWhatIsCountedByHand) {
+    const Census census = censusOf(strip());
+    EXPECT_EQ(census.counts.blocks, 4);
+    EXPECT_EQ(census.counts.blockUnknowns, 24);
+    EXPECT_EQ(census.counts.contacts, 4);
+    EXPECT_EQ(census.counts.heldPoints, 8);
+    ASSERT_TRUE(find(census, "rock in tunnels"));
+    EXPECT_EQ(find(census, "rock in tunnels")->saves, "1 block of six unknowns");
+}
+
+TEST(Census, LeavesOutNothingThatIsAskedFor) {
+    Scene scene = strip();
+    scene.analysis.contact = ContactMethod::AugmentedLagrangian;
+    scene.analysis.gravity = {0.0, -gravity};
+    scene.analysis.damping.mass = 0.1;
+    scene.inSituStress = InSituStress{};
+    scene.jointMaterials[0].second.cohesion = 1e5;
+    Stage stage = test::dynamic(0.1, 1e-3);
+    stage.viscousBoundaries = {"left"};
+    stage.dilations = {{scene.joints[1].name, 1e-3}};
+    scene.stages.push_back(stage);
+    const Census census = censusOf(scene);
+    for (const char* what : {"forces that keep contacts closed exactly", "weight", "damping", "joints that dilate",
+                             "stress before excavation", "sides that let waves out", "motion in time",
+                             "searches for equilibrium", "bonds of joints that fail"})
+        EXPECT_FALSE(find(census, what)) << what;
+}
+
+/// Steps are those that the run will make.
+TEST(Census, EstimatesFromTheStepsOfEveryStage) {
+    Scene scene = test::boxOnBase(20.0, 30.0);
+    Stage loaded = test::settle();
+    loaded.increments = 7;
+    scene.stages = {test::settle(), loaded, test::dynamic(0.5, 1e-3)};
+    const CostEstimate estimate = censusOf(scene).estimate;
+    ASSERT_EQ(estimate.stages.size(), 3u);
+    EXPECT_EQ(estimate.stages[0].steps, 1.0);
+    EXPECT_EQ(estimate.stages[1].steps, 8.0);
+    EXPECT_NEAR(estimate.stages[2].steps, 500.0, 1e-9);
+    double passes = 0.0;
+    for (const StageCost& stage : estimate.stages) {
+        EXPECT_LE(stage.least, stage.passes);
+        EXPECT_GE(stage.most, stage.passes);
+        passes += stage.passes;
+    }
+    EXPECT_GE(estimate.seconds, passes * estimate.passSeconds);
+    EXPECT_LE(estimate.secondsLeast, estimate.seconds);
+    EXPECT_GE(estimate.secondsMost, estimate.seconds);
+    EXPECT_GT(estimate.passSeconds, 0.0);
+    EXPECT_GT(estimate.memory, 1e6);
+    EXPECT_FALSE(estimate.assumes.empty());
+}
+
+TEST(Census, OfASceneWithoutStagesHasNothingToRun) {
+    Scene scene = test::boxOnBase(20.0, 30.0);
+    scene.stages.clear();
+    EXPECT_TRUE(censusOf(scene).estimate.stages.empty());
+}
+
+}  // namespace
+}  // namespace keyblock
