@@ -15,6 +15,8 @@ namespace keyblock {
 namespace {
 
 constexpr double cellSlack = 1e-3;  // of a cell: so far apart glue may hold two
+constexpr double endShare = 0.01;  // of the element at an end of the bar: so far in it is looked which way it runs
+constexpr int several = -2;  // on faces of more than one block
 constexpr double bookedShare = 1e-10;  // of the bolt: embedded lengths that changed less change no energy
 
 /// Length of `pieces` that lies in `stretches` and between `from` and `to` [m].
@@ -87,9 +89,18 @@ private:
 
     Side sideOf(int block, const Point& x) const { return locate(state_.blocks[block].corners, x, model_.tolerance); }
 
-    /// Inside one block, or on the free face of just one.
+    /// Inside one block, or on the free face of just one. An end of the bar that lies on a joint belongs to the block
+    /// that the bar runs into.
     int find(int n, int before) const {
         const Point& x = motion_.nodes[n].x;
+        const int there = findAt(n, x, before);
+        if (there != several) return there;
+        if (n > 0 && n + 1 < nodes()) return -1;
+        const Point& next = motion_.nodes[n == 0 ? 1 : n - 1].x;
+        return std::max(-1, findAt(n, x + endShare * (next - x), before));
+    }
+
+    int findAt(int n, const Point& x, int before) const {
         if (before >= 0 && state_.blocks[before].absent) before = -1;
         if (before >= 0 && sideOf(before, x) == Side::Inside) return before;
         if (before >= 0 && model_.blocks[before].cell)
@@ -106,7 +117,7 @@ private:
             onFace = b;
             ++faces;
         }
-        return faces == 1 ? onFace : -1;
+        return faces == 1 ? onFace : faces > 1 ? several : -1;
     }
 
     /// Within the same block: a bonded node stays with its cell, another goes to the one that it is inside;

@@ -33,6 +33,25 @@ double longestAtJoints(const BoltModel& bolt) {
     return longest;
 }
 
+/// Anchors of the bolt that are named by their place and have a node there that is in no rock.
+void checkAnchorNodes(const Scene& scene, std::size_t index, const BoltModel& bolt, std::vector<Problem>& problems) {
+    const std::vector<Anchor>& anchors = anchorsOf(scene, scene.bolts[index]);
+    for (std::size_t n = 0; n < bolt.s.size(); ++n) {
+        const int entry = bolt.anchors[n].entry;
+        if (!bolt.anchors[n].real || bolt.startBlock[n] >= 0 || !anchors[static_cast<std::size_t>(entry)].at) continue;
+        const std::string place = boltPointer(scene, index);
+        Problem problem;
+        problem.severity = Severity::Warning;
+        problem.pointer = scene.bolts[index].anchors
+                              ? under(under(under(place, "anchors"), static_cast<std::size_t>(entry)), "at")
+                              : under(place, "type");
+        problem.message = "the anchor of bolt " + bolt.name + " at " + millimetres(bolt.s[n]) +
+                          " from its far end lies on a joint, in a gap or outside the rock: it holds nothing there";
+        problem.remedy = "move the anchor or the bolt, so that the anchor lies in a block";
+        problems.push_back(std::move(problem));
+    }
+}
+
 }  // namespace
 
 std::vector<Problem> checkMeshes(const Scene& scene) {
@@ -41,6 +60,7 @@ std::vector<Problem> checkMeshes(const Scene& scene) {
     const Model model = makeModel(scene);
     for (std::size_t i = 0; i < scene.bolts.size(); ++i) {
         const BoltModel& bolt = model.bolts[i];
+        checkAnchorNodes(scene, i, bolt, problems);
         if (!scene.bolts[i].divisions || !bolt.bends) continue;
         const double fine = bolt.dowelLength / 8.0, longest = longestAtJoints(bolt);
         const bool node = std::any_of(bolt.joints.begin(), bolt.joints.end(),

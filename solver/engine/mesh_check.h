@@ -12,8 +12,9 @@
 
 namespace keyblock {
 
-/// A warning for every bolt whose given elements at a joint are longer than an eighth of the length over which a
-/// dowel bends, or that has a node on a joint (theory, "Divisions"). Automatic divisions never are.
+/// A warning for every anchor named by its place whose node lies on a joint or in a gap, where it holds nothing; and for
+/// every bolt whose given elements at a joint are longer than an eighth of the length over which a dowel bends, or that
+/// has a node on a joint (theory, "Divisions"). Automatic divisions never are or do.
 /// \pre the scene has no error.
 std::vector<Problem> checkMeshes(const Scene& scene);
 

@@ -39,6 +39,45 @@ bool runsThroughRock(const Bolt& bolt, const CheckContext& context) {
     return false;
 }
 
+/// Stretch of a bolt, from its far end [m], along an edge of a block.
+struct AlongFace {
+    int block = -1;
+    double from = 0.0, to = 0.0;
+};
+
+/// The first stretch that lies along a face, longer than the tolerance; block −1 where there is none.
+AlongFace alongFace(const Bolt& bolt, const CheckContext& context) {
+    const double length = lengthOf(bolt);
+    const Point axis = (bolt.head - bolt.farEnd) / length;
+    AlongFace found;
+    for (std::size_t i = 0; i < context.scene.blocks.size(); ++i) {
+        const std::vector<Point>& points = context.scene.blocks[i].points;
+        for (std::size_t e = 0; context.sound[i] && e < points.size(); ++e) {
+            const Point p = points[e] - bolt.farEnd, q = points[(e + 1) % points.size()] - bolt.farEnd;
+            if (std::max(std::abs(cross(axis, p)), std::abs(cross(axis, q))) > context.tolerance) continue;
+            const double from = std::max(0.0, std::min(axis.dot(p), axis.dot(q)));
+            const double to = std::min(length, std::max(axis.dot(p), axis.dot(q)));
+            if (to - from <= 2.0 * context.tolerance || (found.block >= 0 && found.from <= from)) continue;
+            found = {static_cast<int>(i), from, to};
+        }
+    }
+    return found;
+}
+
+/// False where the bolt lies along a face, which is told.
+bool checkAlongFaces(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
+    const AlongFace along = alongFace(bolt, context);
+    if (along.block < 0)
+        return true;
+    context.report.error(pointer,
+                         nameOf(bolt) + " lies along a face of the block " +
+                             inQuotes(displayName(context.scene, along.block)) + " from " + shortest(along.from) +
+                             " m to " + shortest(along.to) + " m of its length, where no rock can be told to hold it",
+                         "Move or turn it by more than " + shortest(2.0 * context.tolerance) +
+                             " m, into the rock on one side");
+    return false;
+}
+
 double distanceToRock(const Point& place, const CheckContext& context) {
     if (blockWithPoint(context.scene, place) >= 0)
         return 0.0;
@@ -70,6 +109,8 @@ bool checkPosition(const Bolt& bolt, const std::string& pointer, CheckContext& c
                              "Give two different points");
         return false;
     }
+    if (!checkAlongFaces(bolt, pointer, context))
+        return true;
     if (runsThroughRock(bolt, context))
         checkHead(bolt, pointer, context);
     else if (context.allSound())
