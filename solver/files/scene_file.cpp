@@ -90,12 +90,38 @@ void readRecords(Scene& scene, const JsonNode& root, const std::filesystem::path
     }
 }
 
-// True when an error is told of the same place, of something inside it, or of what it lies in.
+// The row of the place in the table of fields; null where it is not a field.
+const Field* fieldAt(const std::string& pointer) {
+    const Structure* structure = &sceneStructure();
+    const Field* field = nullptr;
+    for (std::size_t from = 1; from < pointer.size();) {
+        const std::size_t end = std::min(pointer.find('/', from), pointer.size());
+        const bool isItem = field && (field->kind == FieldKind::List || field->kind == FieldKind::Map);
+        if (field && hasChildren(*field))
+            structure = &field->children.structure();
+        field = isItem ? nullptr : findField(*structure, pointer.substr(from, end - from));
+        if (!field && !isItem)
+            return nullptr;
+        from = end + 1;
+    }
+    return field;
+}
+
+// True when the error is of the key that decides whether the problem's belongs there at all.
+bool decides(const Problem& error, const Problem& problem) {
+    const Field* field = fieldAt(problem.pointer);
+    const std::size_t parent = problem.pointer.rfind('/');
+    return field && !field->only.key.empty() &&
+           error.pointer == under(problem.pointer.substr(0, parent), field->only.key);
+}
+
+// True when an error is told of the same place, of something inside it, of what it lies in, or of what decides on it.
 bool isExplained(const Problem& problem, const Problems& errors) {
     return std::any_of(errors.begin(), errors.end(), [&](const Problem& error) {
         const bool haveBothAPlace = !problem.pointer.empty() && !error.pointer.empty();
         return haveBothAPlace &&
-               (isWithin(problem.pointer, error.pointer) || isWithin(error.pointer, problem.pointer));
+               (isWithin(problem.pointer, error.pointer) || isWithin(error.pointer, problem.pointer) ||
+                decides(error, problem));
     });
 }
 

@@ -130,7 +130,8 @@ private:
             for (int bolt : boltsNamed(scene_, name)) removeBolt(model_, now_.state, bolt);
         std::vector<int> rows;
         for (int block : excavatedBlocks(scene_, stage()))
-            for (int row = model_.firstOf[block]; row < model_.firstOf[block + 1]; ++row) rows.push_back(row);
+            for (int row = model_.firstOf[block]; row < model_.firstOf[block + 1]; ++row)
+                if (!now_.state.blocks[row].absent) rows.push_back(row);
         std::vector<WallForce> walls = excavate(model_, now_.state, rows);
         loads_.forgetAbsent(now_.state);
         for (const std::string& name : stage().install)

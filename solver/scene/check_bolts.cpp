@@ -192,6 +192,7 @@ void checkBolts(CheckContext& context) {
     checkNamesDiffer(
         bolts.size(), [&](std::size_t i) { return bolts[i].name; },
         [&](std::size_t i) { return under(boltPointer(context.scene, i), "name"); }, "bolt", context.report);
+    checkBoltNames(context);
     for (std::size_t i = 0; i < bolts.size(); ++i) {
         const std::string pointer = boltPointer(context.scene, i);
         const BoltType* type = checkType(bolts[i], pointer, context);

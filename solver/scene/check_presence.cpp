@@ -99,8 +99,15 @@ void checkPresence(CheckContext& context) {
                 check(names[n], under(under(pointer, key), n));
         };
         each(stage.excavate, "excavate", [&](const std::string& name, const std::string& at) {
-            if (excavated.exists(name, at))
-                excavated.once(name, stage.name, "is excavated", at);
+            if (!excavated.exists(name, at))
+                return;
+            excavated.once(name, stage.name, "is excavated", at);
+            Stage alone;
+            alone.excavate = {name};
+            if (excavatedBlocks(scene, alone).empty())
+                context.report.warning(at,
+                                       "no block lies in the tunnel " + inQuotes(name) + ", so nothing is excavated",
+                                       "Draw it larger or into the domain, or leave it out");
         });
         each(stage.remove, "remove", [&](const std::string& name, const std::string& at) {
             if (!removed.exists(name, at))

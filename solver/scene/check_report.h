@@ -51,6 +51,9 @@ void checkValue(const Field& field, const FieldValue& value, const std::string& 
 /// document.
 void checkSection(CheckContext& context);
 
+/// No bolt, given or laid out by a pattern, has the name of a pattern.
+void checkBoltNames(CheckContext& context);
+
 /// Outline of a block, a domain or a region: corners enough, none twice, an area, no crossing. False when not.
 /// \param what for people, e.g. `the block`
 bool checkOutline(const std::vector<Point>& points, const std::string& pointer, std::string_view what,

@@ -180,6 +180,17 @@ void checkPattern(const ScenePattern& pattern, const std::string& pointer, Check
                                "Give a smaller offset");
 }
 
+/// A name that stages call must not mean two things.
+void checkNameIsFree(const std::string& name, const std::string& pointer, const std::vector<std::string_view>& others,
+                     const std::string& list, const std::string& what, CheckContext& context) {
+    const auto found = std::find(others.begin(), others.end(), name);
+    if (!name.empty() && found != others.end())
+        context.report.error(pointer,
+                             "the name " + inQuotes(name) + " is that of a " + what + " (" +
+                                 under(list, static_cast<std::size_t>(found - others.begin())) + ")",
+                             "Give it a name of its own: stages call both by their names");
+}
+
 void checkNames(CheckContext& context) {
     const Scene& scene = context.scene;
     const auto differ = [&](const auto& items, const std::string& list, std::string_view what) {
@@ -192,6 +203,9 @@ void checkNames(CheckContext& context) {
     differ(scene.regions, "/regions", "region");
     differ(scene.tunnels, "/tunnels", "tunnel");
     differ(scene.boltPatterns, "/bolt_patterns", "bolt pattern");
+    for (std::size_t i = 0; i < scene.blocks.size(); ++i)
+        checkNameIsFree(scene.blocks[i].name, under(under("/blocks", i), "name"), namesOf(scene.tunnels), "/tunnels",
+                        "tunnel", context);
 }
 
 /// Pairs of traces that cross, counted until they are too many.
@@ -227,6 +241,13 @@ void checkAmount(double traces, CheckContext& context) {
 }
 
 }  // namespace
+
+void checkBoltNames(CheckContext& context) {
+    const Scene& scene = context.scene;
+    for (std::size_t i = 0; i < scene.bolts.size(); ++i)
+        checkNameIsFree(scene.bolts[i].name, under(boltPointer(scene, i), "name"), namesOf(scene.boltPatterns),
+                        "/bolt_patterns", "bolt pattern", context);
+}
 
 void checkSection(CheckContext& context) {
     const Scene& scene = context.scene;

@@ -22,11 +22,13 @@ const std::string* patternOf(const Scene& scene, const Bolt& bolt) {
 
 std::vector<int> excavatedBlocks(const Scene& scene, const Stage& stage) {
     std::vector<int> blocks;
-    for (int block = 0; !stage.excavate.empty() && block < static_cast<int>(scene.blocks.size()); ++block)
-        if (const int tunnel = scene.blocks[static_cast<std::size_t>(block)].tunnel;
-            contains(stage.excavate, displayName(scene, block)) ||
-            (tunnel >= 0 && contains(stage.excavate, scene.tunnels[static_cast<std::size_t>(tunnel)].name)))
-            blocks.push_back(block);
+    for (int block = 0; !stage.excavate.empty() && block < static_cast<int>(scene.blocks.size()); ++block) {
+        const std::vector<int>& tunnels = scene.blocks[static_cast<std::size_t>(block)].tunnels;
+        const bool inTunnel = std::any_of(tunnels.begin(), tunnels.end(), [&](int tunnel) {
+            return contains(stage.excavate, scene.tunnels[static_cast<std::size_t>(tunnel)].name);
+        });
+        if (inTunnel || contains(stage.excavate, displayName(scene, block))) blocks.push_back(block);
+    }
     return blocks;
 }
 

@@ -124,7 +124,7 @@ struct Block {
     std::optional<CellSettings> subBlocks;  // null: one block with one stress
     // of blocks that `cutScene` made; no file says it
     std::vector<CutFace> faces{};  // a row per edge, counter-clockwise; empty: not cut
-    int tunnel = -1;  // the scene's tunnel that it lies in
+    std::vector<int> tunnels{};  // the scene's that it lies in
 
     bool operator==(const Block&) const = default;
 };

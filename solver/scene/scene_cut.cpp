@@ -114,8 +114,8 @@ public:
     }
 
     void add(const CutBlock& block) {
-        const int tunnel = tunnelOf(block);
-        if (tunnel == open) {
+        const std::vector<int> tunnels = tunnelsOf(block);
+        if (std::any_of(tunnels.begin(), tunnels.end(), [&](int t) { return isOpen(t); })) {
             ++result_.open;
             return;
         }
@@ -123,7 +123,7 @@ public:
         made.points = pointsOf(cut_, block.outer);
         made.material = scene_.domain->material;
         made.jointMaterial = scene_.domain->jointMaterial;
-        made.tunnel = tunnel;
+        made.tunnels = tunnels;
         for (std::size_t e = 0; e < block.outer.sources.size(); ++e)
             made.faces.push_back(faceOn(block.outer.sources[e], made.points[e],
                                         made.points[(e + 1) % made.points.size()]));
@@ -135,18 +135,16 @@ public:
     }
 
 private:
-    static constexpr int open = -2;
+    bool isOpen(int tunnel) const { return isOpenFromStart(scene_, scene_.tunnels[static_cast<std::size_t>(tunnel)]); }
 
-    int tunnelOf(const CutBlock& block) const {
-        if (outlines_.empty()) return -1;
+    /// Where outlines overlap, as of a pilot and the drift that it is widened to, rock lies in several.
+    std::vector<int> tunnelsOf(const CutBlock& block) const {
+        if (outlines_.empty()) return {};
         const Point inside = placeInside(ringsOf(cut_, block));
-        int first = -1;
-        for (std::size_t t = 0; t < outlines_.size(); ++t) {
-            if (locate(outlines_[t], inside, 0.0) == Side::Outside) continue;
-            if (isOpenFromStart(scene_, scene_.tunnels[t])) return open;
-            if (first < 0) first = static_cast<int>(t);
-        }
-        return first;
+        std::vector<int> found;
+        for (std::size_t t = 0; t < outlines_.size(); ++t)
+            if (locate(outlines_[t], inside, 0.0) != Side::Outside) found.push_back(static_cast<int>(t));
+        return found;
     }
 
     CutFace faceOn(int source, const Point& from, const Point& to) const {

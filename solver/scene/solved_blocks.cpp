@@ -94,7 +94,6 @@ SolvedBlocks solvedBlocks(const Scene& scene) {
         SolvedBlock& solved = all.blocks.emplace_back();
         solved.name = displayName(scene, block);
         solved.block = block;
-        solved.tunnel = scene.blocks[i].tunnel;
         solved.points = relative(scene.blocks[i].points, all.origin);
     }
     all.firstOf.push_back(static_cast<int>(all.blocks.size()));

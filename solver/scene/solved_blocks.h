@@ -18,7 +18,6 @@ struct SolvedBlock {
     std::string name;  // the block's; of a cell BLOCK:1, BLOCK:2, …; of a plate BOLT:plate
     int block = -1;  // the scene's block that it is, or is cut from; of a plate, the one that it lies against
     bool cell = false;  // cut from that block
-    int tunnel = -1;  // the scene's tunnel that it lies in
     int plateOf = -1;  // bolt whose plate it is
     std::vector<Point> points;  // from `SolvedBlocks::origin` [m]
     std::vector<char> inner;  // a row per edge: glued from end to end; empty: none

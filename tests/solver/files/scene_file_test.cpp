@@ -151,6 +151,16 @@ TEST(SceneFile, WarnsOfASceneWithoutStages) {
     EXPECT_EQ(reading.problems[0].severity, Severity::Warning);
 }
 
+TEST(SceneFile, AMisspeltProfileIsOneProblem) {
+    const SceneReading reading = readSceneText(R"({"format": "keyblock-scene", "version": 1,
+        "materials": {"rock": {"density": 2700, "youngs_modulus": 1e10, "poissons_ratio": 0.2}},
+        "domain": {"boundary": [[-9, -9], [9, -9], [9, 9], [-9, 9]], "material": "rock"},
+        "tunnels": [{"name": "T", "profile": "d-shap", "center": [0, 0], "width": 4, "height": 4}],
+        "stages": [{"name": "a"}]})", "scene.json");
+    ASSERT_EQ(reading.problems.size(), 1u) << reading.problems[1].pointer;
+    EXPECT_EQ(reading.problems[0].pointer, "/tunnels/0/profile");
+}
+
 TEST(SceneFile, TellsEverythingAtOnceWithLines) {
     const std::string text = R"({
 "format": "keyblock-scene",

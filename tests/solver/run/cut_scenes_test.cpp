@@ -293,6 +293,65 @@ TEST(CutScene, KeepsATunnelUntilItIsExcavated) {
     for (const StageResult& stage : solved.results.stages) EXPECT_EQ(stage.outcome, Outcome::Equilibrium);
 }
 
+/// Through joints, which are bonded: what goes is the profile, to the last sliver, and what stays comes to rest.
+TEST(CutScene, ExcavatesATunnelThroughJointSets) {
+    Scene scene = drift();
+    scene.jointMaterials[0].second.cohesion = scene.jointMaterials[0].second.tensileStrength = 1e9;
+    scene.stages.push_back(test::settle());
+    scene.stages[1].name = "excavate";
+    scene.stages[1].excavate = {"drift"};
+    scene.stages[1].increments = 4;
+    EXPECT_EQ(errorsOf(scene), "");
+    const SceneCut cut = cutScene(scene);
+    EXPECT_NEAR(cut.area, 400.0, 1e-9);
+    const std::vector<int> gone = excavatedBlocks(cut.scene, scene.stages[1]);
+    EXPECT_GT(gone.size(), 1u);
+    double area = 0.0;
+    for (int block : gone) area += signedArea(cut.scene.blocks[static_cast<std::size_t>(block)].points);
+    EXPECT_NEAR(area, areaOf(scene.tunnels[0]), 1e-9);
+    const Solved solved = solve(scene);
+    ASSERT_EQ(solved.results.stages.size(), 2u);
+    for (const StageResult& stage : solved.results.stages) {
+        EXPECT_EQ(stage.outcome, Outcome::Equilibrium) << stage.message;
+        EXPECT_LT(std::abs(stage.health.balanceError), 1e-3);
+    }
+    const Frame& last = solved.results.frames.back();
+    for (int block : gone)
+        for (const ContactFrame& contact : last.contacts)
+            EXPECT_TRUE(contact.blockA != block && contact.blockB != block) << block;
+}
+
+/// A pilot that is widened: in whichever order the two are listed, each takes what is left of it when its turn comes.
+TEST(CutScene, RockInTwoTunnelsGoesWithTheFirstThatIsExcavated) {
+    Scene scene = drift();
+    scene.jointSets.clear();
+    SceneTunnel pilot = scene.tunnels[0];
+    pilot.name = "pilot", pilot.width = 2.0, pilot.height = 2.0, pilot.center = scene.tunnels[0].center;
+    scene.stages = {test::settle(), test::settle(), test::settle()};
+    scene.stages[1].name = "pilot", scene.stages[1].excavate = {"pilot"};
+    scene.stages[2].name = "widen", scene.stages[2].excavate = {"drift"};
+    scene.stages[1].increments = scene.stages[2].increments = 4;
+    for (const bool pilotFirst : {true, false}) {
+        Scene both = scene;
+        both.tunnels.insert(pilotFirst ? both.tunnels.begin() : both.tunnels.end(), pilot);
+        EXPECT_EQ(errorsOf(both), "");
+        const SceneCut cut = cutScene(both);
+        const auto areaOfAll = [&](const Stage& stage) {
+            double area = 0.0;
+            for (int block : excavatedBlocks(cut.scene, stage))
+                area += signedArea(cut.scene.blocks[static_cast<std::size_t>(block)].points);
+            return area;
+        };
+        EXPECT_NEAR(areaOfAll(both.stages[1]), 0.25 * areaOf(scene.tunnels[0]), 1e-9);  // of half its size
+        EXPECT_NEAR(areaOfAll(both.stages[2]), areaOf(scene.tunnels[0]), 1e-9);
+        const Solved solved = solve(both);
+        ASSERT_EQ(solved.results.stages.size(), 3u);
+        for (const StageResult& stage : solved.results.stages)
+            EXPECT_EQ(stage.outcome, Outcome::Equilibrium) << stage.message;
+        EXPECT_LT(std::abs(solved.results.stages[2].health.balanceError), 1e-3);
+    }
+}
+
 TEST(CutScene, MakesTheSameBytesAgain) {
     Scene scene = drift();
     scene.jointSets[0].spacingDeviation = 1.0;
