@@ -58,11 +58,16 @@ private:
                 std::abs(element.shearForce) / (motion_.strengthFactor * bolt_.shearStrength));
     }
 
-    /// By the moment that the element would have as an elastic one: that passes the limit, its own moment does not.
+    /// By the moment that the element would have as an elastic one under the limit it had, and by the one that it has
+    /// under the limit that its axial force leaves it now. Without a limit to speak of, ends turn as they like: then
+    /// their rotation says nothing (theory, "Plastic hinges").
     void addHinge(int e) {
         const BoltElementState& element = motion_.elements[e];
-        const double limit = std::max(element.bendLimit, leastMoment * hingeForce(bolt_, motion_));
-        add(LimitKind::Hinge, e, bendStiffness(bolt_, e) * std::abs(element.bend) / limit);
+        const double least = leastMoment * hingeForce(bolt_, motion_);
+        const double elastic = bendStiffness(bolt_, e) * std::abs(element.bend);
+        const double reached = element.bendLimit > least ? elastic / element.bendLimit : 0.0;
+        const double left = std::max(hingeLimit(bolt_, motion_, e), least);
+        add(LimitKind::Hinge, e, std::max(reached, std::min(elastic, element.bendLimit) / left));
     }
 
     void addPlate() {

@@ -91,7 +91,8 @@ struct BoltNode {
 struct BoltElementState {
     BackboneState steel;
     double strain = 0.0, axialForce = 0.0, shearForce = 0.0, moment1 = 0.0, moment2 = 0.0;  // last accepted, per bolt
-    double bend = 0.0, bendLimit = 0.0;  // the beam's p1 [rad] and the limit of its force [N m], last accepted
+    double bend = 0.0;  // the beam's p1 over what was plastic of it when the last accepted step began [rad]
+    double bendLimit = 0.0;  // of its force in that step [N m]
     double hingeBend = 0.0, hingeSway = 0.0;  // p1 and p2 at which their forces vanish [rad]
     bool yielded = false;
     bool hinged = false;

@@ -46,7 +46,7 @@ void acceptBoltLink(const Link& link, double strain, double force, const Backbon
         case LinkKind::Bend: {
             BoltElementState& e = motion.elements[link.part];
             e.moment1 = force;
-            e.bend = strain;
+            e.bend = strain - link.law.offset;
             e.bendLimit = link.law.limit;
             return;
         }
