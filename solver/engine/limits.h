@@ -24,6 +24,11 @@ struct Limit {
     double ratio = 0.0;  // of what acts to what holds
 };
 
+/// True where both are about the same thing, whatever their ratios.
+inline bool sameLimit(const Limit& a, const Limit& b) {
+    return a.kind == b.kind && a.owner == b.owner && a.part == b.part;
+}
+
 /// Every limit that is still held, in the order in which ties are broken:
 /// bolts, then nodes and elements, then joints.
 std::vector<Limit> heldLimits(const Model& model, const State& state);

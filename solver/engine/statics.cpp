@@ -11,6 +11,7 @@
 #include "solver/engine/bolt_topology.h"
 #include "solver/engine/books.h"
 #include "solver/engine/contacts.h"
+#include "solver/engine/limit_search.h"
 #include "solver/engine/multipliers.h"
 #include "solver/engine/pretension.h"
 #include "solver/engine/resticks.h"
@@ -258,7 +259,7 @@ private:
                 ending = toFirstLimit(std::move(trial), to);
                 progress_.least = 1.0 - locateShare;  // the one that was located
             }
-            return ending.ending == Ending::Done ? follow() : ending;
+            return ending.ending == Ending::Done ? followUnlessAtLimit() : ending;
         }
     }
 
@@ -279,6 +280,14 @@ private:
         progress_.done = to;
     }
 
+    /// What was found at its limit lets go first: under the shares that nodes have then it may be under it again.
+    /// But an anchored point is judged under its new share: it may have left the rock.
+    StepEnding followUnlessAtLimit() {
+        const std::optional<Limit> next = limit();
+        const bool first = next && next->kind != LimitKind::Bond && next->kind != LimitKind::CurveEnd;
+        return first ? StepEnding{} : follow();
+    }
+
     /// Gives nodes the blocks and shares they have now, and finds the equilibrium that goes with them.
     StepEnding follow() {
         const double small = followShare * engine_.model.size;
@@ -293,15 +302,14 @@ private:
 
     /// Cuts the increment where the first limit is reached: `over` is the state at `to`, past it.
     StepEnding toFirstLimit(State over, double to) {
-        double low = progress_.done, high = to;
-        std::vector<Limit> atLow = heldLimits(engine_.model, state_);
+        LimitSearch search(progress_.done, heldLimits(engine_.model, state_), to, heldLimits(engine_.model, over));
         for (int tries = 0;; ++tries) {
-            const double share = firstCrossing(atLow, heldLimits(engine_.model, over));
-            const double middle = low + (tries % 3 == 2 ? 0.5 : share) * (high - low);
+            const double middle = search.next();
             State trial = state_;
             const StepEnding ending = equilibrium(trial, middle);
             if (ending.ending != Ending::Done) return ending;
-            const auto worst = worstLimit(heldLimits(engine_.model, trial), 0.0);
+            std::vector<Limit> limits = heldLimits(engine_.model, trial);
+            const auto worst = worstLimit(limits, 0.0);
             const double off = worst ? worst->ratio - 1.0 : -1.0;
             const bool exact = std::abs(off) <= reachedShare;
             const bool goodEnough = std::abs(off) <= locateShare && tries > 12;
@@ -309,31 +317,13 @@ private:
                 accept(std::move(trial), middle);
                 return {};
             }
-            if (off > 0.0) {
-                high = middle;
-                over = std::move(trial);
-            } else {
-                low = middle;
-                atLow = heldLimits(engine_.model, trial);
-            }
-            if (tries > mostTries || high - low <= narrowest) {  // the limit is passed in a jump
-                accept(std::move(over), high);
+            if (off > 0.0) over = std::move(trial);
+            search.take(middle, std::move(limits), off > 0.0);
+            if (tries > mostTries || search.width() <= narrowest) {  // the limit is passed in a jump
+                accept(std::move(over), search.high());
                 return {};
             }
         }
-    }
-
-    /// Share of the way at which the first of the limits that are over at the end passes 1, taken as straight lines.
-    static double firstCrossing(const std::vector<Limit>& start, const std::vector<Limit>& end) {
-        double first = 1.0;
-        for (const Limit& limit : end) {
-            if (limit.ratio <= 1.0) continue;
-            const auto same =
-                std::find_if(start.begin(), start.end(), [&](const Limit& l) { return isSame(l, limit); });
-            const double before = same == start.end() ? 0.0 : std::min(same->ratio, 1.0);
-            first = std::min(first, (1.0 - before) / (limit.ratio - before));
-        }
-        return first;
     }
 
     /// The largest overload lets go, alone; the next is judged at the equilibrium without it.
@@ -341,12 +331,16 @@ private:
         const std::vector<Limit> limits = heldLimits(engine_.model, state_);
         const Limit released = worstLimit(limits, progress_.least).value();
         noteCauses(limits);
-        progress_.least = 1.0 - reachedShare;
+        progress_.least = 1.0 - tieShare;
         const double time = reached().time;
         progress_.lastRelease =
             releaseAndTell(engine_.model, state_, released, time, causeOf(released), observer_);
+        if (!changesForces(engine_.model, released)) {
+            observer_.afterEvent(state_, time);
+            return followUnlessAtLimit();
+        }
         const std::optional<State> sliding = ifSliding(state_);
-        StepEnding ending = changesForces(engine_.model, released) ? balanceAgain() : StepEnding{};
+        StepEnding ending = balanceAgain();
         ending.cause = progress_.lastRelease;
         if (ending.ending != Ending::Done) return ending;
         observer_.afterEvent(state_, time);
@@ -374,12 +368,8 @@ private:
 
     long causeOf(const Limit& limit) const {
         const auto same = std::find_if(progress_.passed.begin(), progress_.passed.end(),
-                                       [&](const PassedLimit& p) { return isSame(p.limit, limit); });
+                                       [&](const PassedLimit& p) { return sameLimit(p.limit, limit); });
         return same == progress_.passed.end() ? progress_.lastRelease : same->cause;
-    }
-
-    static bool isSame(const Limit& a, const Limit& b) {
-        return a.kind == b.kind && a.owner == b.owner && a.part == b.part;
     }
 
     Engine& engine_;
