@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Every sample in a mirror, and turned by 37° with its gravity: the same forces
-// to 1e-6 of the largest, and the same events in the same order.
+// to 1e-6 of the largest, and the same events in the same order. The ten bars under
+// pull and shear at an angle take minutes at this tolerance: three are in the suite,
+// all of them where KEYBLOCK_SERIES is set:
+//   KEYBLOCK_SERIES=1 build/dev/tests/properties_tests --gtest_filter='*angle*'
 #include "tests/properties/isometry.h"
 
 #include "solver/files/scene_file.h"
@@ -11,11 +14,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <numbers>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace keyblock {
@@ -27,10 +30,17 @@ constexpr double sameForces = 1e-6;  // of the largest
 constexpr Isometry turn{false, 37.0 * std::numbers::pi / 180.0};
 constexpr Isometry mirror{true, 0.0};
 
+bool isLeftOut(const std::string& name) {
+    if (!name.starts_with("angle-") || std::getenv("KEYBLOCK_SERIES")) return false;
+    return name != "angle-rebar-40" && name != "angle-dbolt-20" && name != "angle-rebar-00";
+}
+
 std::vector<std::string> sampleNames() {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(KEYBLOCK_SAMPLES_DIR))
-        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+    for (const auto& entry : fs::directory_iterator(KEYBLOCK_SAMPLES_DIR)) {
+        const std::string name = entry.path().stem().string();
+        if (entry.path().extension() == ".json" && !isLeftOut(name)) names.push_back(name);
+    }
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -63,12 +73,7 @@ class Seen : public testing::TestWithParam<std::string> {};
 /// Rock of 6e13 Pa has contact springs of 2.4e15 N/m: the last digit of a place is half a newton there.
 const std::map<std::string, std::string> knownToDiffer{{"guillotine", "4e-6 of the largest force, which is round-off"}};
 
-/// Not the same, by what was measured in a mirror (help page "Pull and shear at an angle"): a defect that is told here.
-constexpr std::string_view series = "angle-";
-
 TEST_P(Seen, TurnedAndInAMirrorIsTheSame) {
-    if (GetParam().starts_with(series))
-        GTEST_SKIP() << "mirrored it may differ by 1e-3 of the largest force, and takes minutes at this tolerance";
     const Scene scene = strictSample(GetParam());
     const Results own = runInMemory(scene);
     for (const Isometry& isometry : {turn, mirror}) {
