@@ -58,12 +58,12 @@ double offsetOf(double center, double size) {
 class Cutter {
 public:
     Cutter(std::span<const CutDomain> domains, std::span<const CutTrace> traces, const CutSettings& settings)
-        : keepStraight_(settings.keepStraight) {
+        : settings_(settings) {
         takeDomains(domains);
         takeTraces(traces);
         if (domains_.empty()) return;
         setFrame();
-        setLimits(settings);
+        setTolerance();
     }
 
     Cut cut() {
@@ -134,12 +134,26 @@ private:
         for (CutNote& note : cut_.notes) note.place -= origin_;
     }
 
-    void setLimits(const CutSettings& settings) {
-        const auto atLeastZero = [](double value) { return value > 0.0 ? value : 0.0; };
-        const double wanted = atLeastZero(settings.tolerance.value_or(1e-6 * size_));
+    static double atLeastZero(double value) { return value > 0.0 ? value : 0.0; }
+
+    void setTolerance() {
+        const double wanted = atLeastZero(settings_.tolerance.value_or(1e-6 * size_));
         cut_.tolerance = std::min(std::max(wanted, 64.0 * epsilon * farthest_), 0.01 * size_);
-        cut_.minArea = atLeastZero(settings.minArea.value_or(1e-7 * size_ * size_));
-        cut_.minWidth = atLeastZero(settings.minWidth.value_or(std::max(1e-4 * size_, 10.0 * cut_.tolerance)));
+    }
+
+    /// What is given, or shares of the mean face and of its side.
+    void setLeastFaces(const FaceGroups& groups) {
+        double area = 0.0;
+        int faces = 0;
+        for (int face = 1; face < map_.faces; ++face) {
+            if (groups.domainOf(face) < 0) continue;
+            area += groups.area(face);
+            ++faces;
+        }
+        const double mean = faces > 0 ? area / faces : 0.0;
+        cut_.minArea = atLeastZero(settings_.minArea.value_or(1e-3 * mean));
+        const double width = std::max(1e-2 * std::sqrt(mean), 10.0 * cut_.tolerance);
+        cut_.minWidth = atLeastZero(settings_.minWidth.value_or(width));
     }
 
     void clean() {
@@ -167,9 +181,10 @@ private:
 
     void cutFaces() {
         FaceGroups groups(map_);
+        setLeastFaces(groups);
         noteLooseEnds(groups);
         for (const Sliver& sliver : joinSlivers(groups, map_.faces, cut_.minArea, cut_.minWidth)) noteSliver(sliver);
-        RingTracer tracer(map_, groups, sources_, keepStraight_ ? -1.0 : roundOff());
+        RingTracer tracer(map_, groups, sources_, settings_.keepStraight ? -1.0 : roundOff());
         Blocks blocks;
         std::vector<int> unsound;
         for (int face = 1; face < map_.faces; ++face)
@@ -338,7 +353,7 @@ private:
         }
     }
 
-    bool keepStraight_;
+    CutSettings settings_;
     std::vector<CutDomain> domains_;
     std::vector<CutTrace> traces_;
     Box box_;

@@ -34,11 +34,12 @@ struct CutTrace {
     int source = 0;  // 0 or more; several traces may have the same. Where traces coincide, the lower one wins.
 };
 
-/// Limits. An empty one takes a default relative to the scene's size, the longer side of the box of all domains.
+/// Limits. An empty one takes a default relative to the scene: the longer side of the box of all domains, or the faces.
 struct CutSettings {
     std::optional<double> tolerance;  // what is closer than this meets [m]; 1e-6 of the size
-    std::optional<double> minArea;  // smaller faces join a neighbour [m²]; 1e-7 of the size squared; 0 merges none
-    std::optional<double> minWidth;  // narrower faces do [m]; the larger of 1e-4 of the size and 10 tolerances; 0: none
+    std::optional<double> minArea;  // smaller faces join a neighbour [m²]; 1e-3 of the mean face; 0 merges none
+    std::optional<double> minWidth;  // narrower faces do [m]; the larger of 1e-2 of the mean face's side and
+                                    // 10 tolerances; 0: none
     bool keepStraight = false;  // keep vertices where edges go straight on: neighbours then share whole edges
 };
 

@@ -39,11 +39,11 @@ const Structure& structureOf(const Cutting*) {
                                      "What is closer than this meets; null: 1e-6 of the longer side of the domain.",
                                      {.unit = "m", .range = above(0)}),
             row<&Cutting::minArea>("min_area",
-                                   "Smaller blocks join a neighbour; null: 1e-7 of the longer side squared; 0: none.",
+                                   "Smaller blocks join a neighbour; null: 1e-3 of the mean of all; 0: none.",
                                    {.unit = "m²", .range = atLeast(0)}),
             row<&Cutting::minWidth>("min_width",
-                                    "Narrower blocks (2·area / perimeter) join a neighbour; null: 1e-4 of the longer "
-                                    "side, at least ten tolerances; 0: none.",
+                                    "Narrower blocks (2·area / perimeter) join a neighbour; null: 1e-2 of the side of the "
+                                    "mean of all, at least ten tolerances; 0: none.",
                                     {.unit = "m", .range = atLeast(0)}),
         }};
     return structure;

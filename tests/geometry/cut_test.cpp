@@ -84,8 +84,8 @@ TEST(Cut, WithoutTracesADomainIsABlock) {
     EXPECT_DOUBLE_EQ(cut.blocks[0].width, 1.0);  // 2·4 / 8
     EXPECT_TRUE(cut.notes.empty());
     EXPECT_DOUBLE_EQ(cut.tolerance, 2e-6);
-    EXPECT_DOUBLE_EQ(cut.minArea, 4e-7);
-    EXPECT_DOUBLE_EQ(cut.minWidth, 2e-4);
+    EXPECT_DOUBLE_EQ(cut.minArea, 4e-3);  // 1e-3 of the mean face
+    EXPECT_DOUBLE_EQ(cut.minWidth, 2e-2);
 }
 
 TEST(Cut, ACrossGivesFourEqualBlocks) {
@@ -353,6 +353,7 @@ TEST(Cut, FarFromTheOriginTheBlocksAreTheSame) {
     std::uniform_int_distribution<int> lattice(-1024, 1024);  // places that shift without round-off
     const auto place = [&] { return Point(lattice(random) / 1024.0, lattice(random) / 1024.0); };
     for (int i = 0; i < 60; ++i) input.traces.push_back({place(), place(), i % 3});
+    input.settings.minArea = 4e-7, input.settings.minWidth = 2e-4;
     const std::vector<double> here = areas(cutIntoBlocks(input));
     const Point shift(4194304.0, -1048576.0);
     for (Point& p : input.domains[0].outline) p += shift;
