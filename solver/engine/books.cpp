@@ -3,6 +3,7 @@
 #include "solver/engine/books.h"
 
 #include "solver/engine/contact_candidates.h"
+#include "solver/engine/friction_limits.h"
 
 #include <algorithm>
 #include <cmath>

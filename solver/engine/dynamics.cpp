@@ -92,7 +92,8 @@ StepEnding DynamicStage::preload(State& state) {
         StepProblem problem = buildStep(model, trial, loads_, loadsAt_(0.0), {Inertia::Static, dt, round == 0});
         keepTouching(model, trial, problem);
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
-        const SolveReport report = solveStep(engine_, problem, trial, d, model.analysis.tolerance);
+        const SolveReport report =
+            solveStep(engine_, problem, trial, d, {.tolerance = model.analysis.tolerance, .convex = true});
         if (report.stopped) return {Ending::Stopped, "", {}};
         if (!report.converged) break;  // what was found so far is a fair start
         takePreload(model, trial, problem, d);
@@ -185,7 +186,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         meetDilated(state, trial.state.contacts);
         StepProblem problem = buildStep(model, trial.state, loads_, at, options);
         Eigen::VectorXd d = guess;
-        const SolveReport report = solveStep(engine_, problem, trial.state, d, model.analysis.tolerance);
+        const SolveReport report = solveStep(engine_, problem, trial.state, d, {.tolerance = model.analysis.tolerance});
         worst_ = report.worst;
         if (report.stopped) return Attempt::Stopped;
         if (!report.converged) return Attempt::TooLong;

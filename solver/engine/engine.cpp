@@ -53,9 +53,11 @@ void settleMultipliers(Engine& engine, StepProblem& problem, State& state, Eigen
 
 }  // namespace
 
-SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, double tolerance) {
+SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, const StepNeeds& needs) {
     const Analysis& analysis = engine.model.analysis;
-    const SolveSettings settings{tolerance, analysis.maxPasses, analysis.iteration == Iteration::OpenClose};
+    const bool openClose = analysis.iteration == Iteration::OpenClose && !needs.convex;
+    const int passes = (openClose ? 1 : needs.patience) * analysis.maxPasses;
+    const SolveSettings settings{needs.tolerance, passes, needs.farthest, openClose};
     SolveReport report = engine.solver.solve(problem, d, settings, engine.stopAsked);
     if (usesMultipliers(engine.model)) settleMultipliers(engine, problem, state, d, settings, report);
     ++engine.health.steps;

@@ -10,6 +10,7 @@
 #include "solver/results/results.h"
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -52,8 +53,16 @@ public:
 long releaseAndTell(const Model& model, State& state, const Limit& limit, double time, long cause,
                     StepObserver& observer);
 
+/// How a step is to be solved, beside what the scene asks for.
+struct StepNeeds {
+    double tolerance = 1e-4;  // over the forces at play
+    int patience = 1;  // times the scene's passes, in the convex form
+    double farthest = std::numeric_limits<double>::infinity();  // move of a body at which it is given up [m]
+    bool convex = false;  // whatever iteration the scene asks for
+};
+
 /// Solves one step and counts it. Friction limits used are kept in the state's contacts.
-SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, double tolerance);
+SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, const StepNeeds& needs);
 
 /// √area of the smallest block [m].
 double smallestSize(const Model& model);

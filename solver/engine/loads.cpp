@@ -72,6 +72,11 @@ LoadPoint between(const LoadPoint& a, const LoadPoint& b, double share) {
     return point;
 }
 
+bool isSameLoad(const LoadPoint& a, const LoadPoint& b) {
+    return a.gravity == b.gravity && a.acceleration == b.acceleration && a.forces == b.forces &&
+           a.pressures == b.pressures && a.motions == b.motions && a.walls == b.walls;
+}
+
 Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                               double& total) {
     ForceSum sum(model, state);

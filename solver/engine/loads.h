@@ -69,6 +69,9 @@ struct LoadPoint {
 /// \param share 0 at `a`, 1 at `b`.
 LoadPoint between(const LoadPoint& a, const LoadPoint& b, double share);
 
+/// True where the same acts at both, whenever that is.
+bool isSameLoad(const LoadPoint& a, const LoadPoint& b);
+
 /// Generalised forces of gravity, forces, pressures and excavated walls on every unknown. \return summed magnitudes [N] in `total`.
 Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                               double& total);

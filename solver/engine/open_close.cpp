@@ -6,6 +6,7 @@
 // and repeat until none changes. It may go round for ever; then the step is
 // cut. Kept as a reference for the convex step, whose mechanics are the same.
 #include "solver/engine/balance.h"
+#include "solver/engine/friction_limits.h"
 #include "solver/engine/step_problem.h"
 
 #include <algorithm>
@@ -81,7 +82,7 @@ SolveReport StepSolver::openClose(StepProblem& problem, Eigen::VectorXd& d, cons
             return report;
         }
         const StepProblem frozen = held(problem, states);
-        if (!direction(frozen, d, netForce(frozen, d), 0.0, report, towards)) return report;
+        if (!direction(frozen, d, netForce(frozen, d), {}, report, towards)) return report;
         d += towards;
         correctFrictionLimits(problem, d);
         const Balance balance(problem, d, mayBeRoundOff);

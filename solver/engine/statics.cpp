@@ -11,6 +11,7 @@
 #include "solver/engine/bolt_topology.h"
 #include "solver/engine/books.h"
 #include "solver/engine/contacts.h"
+#include "solver/engine/friction_limits.h"
 #include "solver/engine/limit_search.h"
 #include "solver/engine/multipliers.h"
 #include "solver/engine/pretension.h"
@@ -38,6 +39,8 @@ constexpr int mostPaths = 2;  // times that a pseudo-step is done again because 
 constexpr double swingCut = 0.3;  // of a pseudo-step, where steps go to and fro
 constexpr double fadingSwing = 0.7;  // of the step before: such a swing dies out by itself
 constexpr double noSwing = 1e3;  // over round-off: shorter moves are noise
+constexpr double lostShare = 30.0;  // of the longest move: a body that flies so far while a step is solved is let go
+constexpr int morePasses = 5;  // times those of a step in motion: shorter pseudo-steps settle friction no sooner
 constexpr int mostRounds = 6;
 constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, when joints take up the run's first forces
 constexpr int mostTries = 60;  // to locate an event
@@ -69,13 +72,13 @@ public:
         std::string message;
         int worst = -1;
         Eigen::VectorXd path;
-        int paths = 0;
+        int paths = 0, taken = 0;
         for (int step = 0; step < settings_.maxSteps; ++step) {
             const Eigen::VectorXd* known = paths > 0 ? &path : nullptr;
             state.contacts = findContacts(model_, state.blocks, state.contacts,
                                           {searchMargin(state), false, known, &state.energy.released});
             meetDilated(state, state.contacts);
-            const bool lock = step < lockedSteps && state.step == 0 && unloaded(state);
+            const bool lock = taken < lockedSteps && state.step == 0 && unloaded(state);
             StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, lock});
             if (!lock && balanced(state, problem, step)) {
                 Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
@@ -85,13 +88,14 @@ public:
                 return {};
             }
             Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
-            const SolveReport report = solveStep(engine_, problem, state, d, tolerance_);
+            const StepNeeds needs{tolerance_, morePasses, lostShare * moveLimit_, false};
+            const SolveReport report = solveStep(engine_, problem, state, d, needs);
             if (report.stopped) return {Ending::Stopped, "", {}};
             worst = report.worst;
-            const double move = report.converged ? largestMove(model_, problem, d) : 0.0;
+            const double move = report.converged || report.lost ? largestMove(model_, problem, d) : 0.0;
             if (!report.converged || move > moveLimit_) {
                 ++engine_.health.stepCuts;
-                dt_ *= report.converged ? std::clamp(0.9 * std::sqrt(moveLimit_ / move), 0.01, 0.9) : 0.3;
+                dt_ *= move > moveLimit_ ? std::clamp(0.9 * std::sqrt(moveLimit_ / move), 0.01, 0.9) : 0.3;
                 if (dt_ >= shortestStep * longest_) continue;
                 ending = Ending::Failed;
                 message = report.singular ? nameOfBody(model_, worst) + " is held by nothing"
@@ -105,11 +109,12 @@ public:
                 continue;
             }
             paths = 0;
+            ++taken;
             moveBodies(model_, state, d);
             moved += d;
             if (!lock) lastMove_ = move;
             drifts_ = lastStep_.size() > 0 && d.dot(lastStep_) > 0.5 * d.norm() * lastStep_.norm();
-            dt_ = swings(d, move) ? swingCut * dt_ : std::min(2.0 * dt_, longest_);
+            dt_ = swings(d, move) ? swingCut * dt_ : longer(move);
             lastStep_ = d;
             if (!farBlocks(places, state).empty()) break;
         }
@@ -161,6 +166,12 @@ private:
         if (lastMove_ <= roundOff()) return true;
         const bool stalls = residual_ > 0.9 * before;
         return stalls && !drifts_ && residualNorm(problem, net) <= placeNoise(problem, 0.25 * roundOff());
+    }
+
+    /// The next pseudo-step: twice as long, but not so long that what falls freely would go too far in it.
+    double longer(double move) const {
+        const double room = move > 0.0 ? std::sqrt(0.9 * moveLimit_ / move) : 2.0;
+        return std::min(std::clamp(room, 1.0, 2.0) * dt_, longest_);
     }
 
     /// Steps to and fro that do not get shorter: what turns with the bodies is stiffer or softer than a step can see.
@@ -244,7 +255,8 @@ private:
             const double to = progress_.done + step >= 1.0 - 1e-12 ? 1.0 : progress_.done + step;
             State trial = state_;
             StepEnding ending = equilibrium(trial, to);
-            if (ending.ending == Ending::NoEquilibrium && step > finestIncrement * whole) {
+            const bool less = step > finestIncrement * whole && !isSameLoad(a_, b_);
+            if (ending.ending == Ending::NoEquilibrium && less && (to < 1.0 || standsAtFirst(whole))) {
                 step *= 0.5;
                 continue;
             }
@@ -261,6 +273,14 @@ private:
             }
             return ending.ending == Ending::Done ? followUnlessAtLimit() : ending;
         }
+    }
+
+    /// Where there is no equilibrium at the end of a load that has not begun yet: is there one under next to nothing
+    /// of it? What slides under that slides under any share of it.
+    bool standsAtFirst(double whole) {
+        if (progress_.done > 0.0) return true;
+        State trial = state_;
+        return equilibrium(trial, finestIncrement * whole).ending != Ending::NoEquilibrium;
     }
 
     /// Prescribed moves longer than a pseudo-step may be are taken in pieces.

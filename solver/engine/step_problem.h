@@ -12,6 +12,7 @@
 #include "solver/engine/model.h"
 
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -72,12 +73,14 @@ struct StepProblem {
 struct SolveSettings {
     double tolerance = 1e-4;
     int maxPasses = 40;
+    double farthest = std::numeric_limits<double>::infinity();  // move of a body at which it is given up [m]
     bool openClose = false;  // by the classical iteration
 };
 
 struct SolveReport {
     bool converged = false;
     bool stopped = false;
+    bool lost = false;  // given up because a body went too far
     double residual = 0.0;  // over the reference force
     int passes = 0;
     int factorizations = 0;
@@ -119,17 +122,16 @@ double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net, int*
 /// The same of one body [N].
 double bodyResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body);
 
-/// The limit that belongs to the other link's force, before shares.
-double limitFrom(const LimitPair& pair, double force);
-
-/// Sets every limit that follows another force to what the forces at `d` allow.
-void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d);
-
 /// Force that round-off alone leaves unbalanced at `d`: its digits times the springs [N].
 double roundOffForce(const StepProblem& problem, const Eigen::VectorXd& d);
 
 /// Force that appears where every place is off by `length` [N].
 double placeNoise(const StepProblem& problem, double length);
+
+/// Shares of a law's stiffness that no tangent is taken as less than.
+struct LawFloor {
+    double bolts = 0.0, joints = 0.0;
+};
 
 /// Keeps what is worth keeping between steps: the pattern of the matrix and its symbolic factor.
 class StepSolver {
@@ -147,12 +149,12 @@ private:
                          const std::function<bool()>& stopAsked);
     SolveReport openClose(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                           const std::function<bool()>& stopAsked);
-    /// Newton's direction from `d`, where the net force is `net`; no law of a bolt is taken as softer than
-    /// `floor` of its stiffness. \return false where the matrix is singular.
+    /// Newton's direction from `d`, where the net force is `net`; no law is taken as softer than its
+    /// floor. \return false where the matrix is singular.
     bool direction(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net,
-                   double floor, SolveReport& report, Eigen::VectorXd& towards);
+                   const LawFloor& floor, SolveReport& report, Eigen::VectorXd& towards);
     void fixPattern(const StepProblem& problem);
-    void assemble(const StepProblem& problem, const std::vector<double>& strains, double floor);
+    void assemble(const StepProblem& problem, const std::vector<double>& strains, const LawFloor& floor);
     int equationOf(int unknown) const { return equations_[static_cast<std::size_t>(unknown)]; }
 
     LinearSystem system_;

@@ -6,6 +6,7 @@
 #include "solver/engine/step_problem.h"
 
 #include "solver/engine/balance.h"
+#include "solver/engine/friction_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,8 @@ namespace {
 
 constexpr double quietStart = 1e-9;  // a start this well balanced needs no solve
 constexpr int lineSearchSweeps = 30;
-constexpr int patience = 12;  // passes before a step is helped over flat laws
+constexpr int patience = 2, boltPatience = 12;  // passes before a step is helped over flat laws of joints, and of bolts
+constexpr double flatMatters = 1e-6;  // of the forces at play, unbalanced: joints are helped over no less
 constexpr double lowestFloor = 1e-6, highestFloor = 0.1;  // of a law's stiffness
 
 /// Slope of the energy along `direction`, from arrays of strains and their rates.
@@ -79,12 +81,17 @@ double lineSearch(const LineSlope& slope) {
     return low > 0.0 ? low : high;
 }
 
-/// Where laws are flat a step of Newton's goes far and is stopped early by the first law that is not: then the laws of
-/// bolts are told stiffer than they are, until steps go through again.
+/// Where laws are flat, of open joints too, a step of Newton's goes far and is stopped early by the first law that is
+/// not: then laws are told stiffer than they are, until steps go through again.
 double nextFloor(double floor, double stepLength) {
     if (stepLength < 0.05) return std::clamp(10.0 * floor, lowestFloor, highestFloor);
     if (stepLength > 0.5) return floor > lowestFloor ? 0.1 * floor : 0.0;
     return floor;
+}
+
+/// Nearly balanced, what is left of joints is friction at its limit to the last digits, where blocks slide to and fro.
+LawFloor floorFrom(double floor, int passes, double residual) {
+    return {passes > boltPatience ? floor : 0.0, residual > flatMatters ? floor : 0.0};
 }
 
 std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
@@ -97,6 +104,18 @@ std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
     return pairs;
 }
 
+/// Longest translation by what is not prescribed [m].
+double farthestMove(const StepProblem& problem, const Eigen::VectorXd& d) {
+    double farthest = 0.0;
+    for (int body = 0; body < problem.blocks + problem.nodes; ++body) {
+        const int at = problem.first(body);
+        const auto known = problem.known.begin() + at;
+        if (known[0] || known[1]) continue;
+        farthest = std::max(farthest, d.segment<2>(at).norm());
+    }
+    return farthest;
+}
+
 Balance judge(const StepProblem& problem, const Eigen::VectorXd& d, SolveReport& report) {
     Balance balance(problem, d, report.passes);
     report.residual = balance.residual();
@@ -105,30 +124,6 @@ Balance judge(const StepProblem& problem, const Eigen::VectorXd& d, SolveReport&
 }
 
 }  // namespace
-
-double limitFrom(const LimitPair& pair, double force) {
-    const double part = pair.factor * force;
-    switch (pair.rule) {
-        case LimitPair::Rule::Push: return pair.base + std::max(0.0, -part);
-        case LimitPair::Rule::Clamp: return pair.base + std::abs(part);
-    }
-    return pair.base;
-}
-
-void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d) {
-    if (problem.limitPairs.empty()) return;
-    std::vector<double> strains;
-    linkStrains(problem, d, strains);
-    for (const LimitPair& pair : problem.limitPairs) {
-        Law& limited = problem.links[static_cast<std::size_t>(pair.limited)].law;
-        if (limited.kind == LawKind::Constant && pair.rule != LimitPair::Rule::Push) continue;  // held as a preload
-        const auto at = static_cast<std::size_t>(pair.from);
-        const Link& from = problem.links[at];
-        // under a mean force friction obeys the mean push, so that a knock's impulses keep Coulomb's ratio
-        const double force = respondOverStep(from.law, from.strain, strains[at], ruleOf(problem, from)).force;
-        limited.limit = limitFrom(pair, force);
-    }
-}
 
 double roundOffForce(const StepProblem& problem, const Eigen::VectorXd& d) {
     constexpr double digits = 8.0 * std::numeric_limits<double>::epsilon();
@@ -196,7 +191,8 @@ void StepSolver::fixPattern(const StepProblem& problem) {
     }
 }
 
-void StepSolver::assemble(const StepProblem& problem, const std::vector<double>& strains, double floor) {
+void StepSolver::assemble(const StepProblem& problem, const std::vector<double>& strains,
+                          const LawFloor& floor) {
     system_.clear();
     const auto values = system_.values();
     const auto add = [&](int first, int second, const auto& block) {
@@ -215,8 +211,8 @@ void StepSolver::assemble(const StepProblem& problem, const std::vector<double>&
     for (std::size_t i = 0; i < problem.links.size(); ++i) {
         const Link& link = problem.links[i];
         const double tangent = respond(problem, link, strains[i]).tangent;
-        const double least = link.part >= 0 ? floor * link.law.stiffness : 0.0;  // bolts only
-        const double k = link.law.share * std::max(tangent, least);
+        const double least = link.part >= 0 ? floor.bolts : floor.joints;
+        const double k = link.law.share * std::max(tangent, least * link.law.stiffness);
         if (k == 0.0) continue;
         const auto ga = link.ga.head(problem.width(link.a));
         add(link.a, link.a, (k * ga * ga.transpose()).eval());
@@ -229,7 +225,7 @@ void StepSolver::assemble(const StepProblem& problem, const std::vector<double>&
 }
 
 bool StepSolver::direction(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net,
-                           double floor, SolveReport& report, Eigen::VectorXd& towards) {
+                           const LawFloor& floor, SolveReport& report, Eigen::VectorXd& towards) {
     std::vector<double> strains;
     linkStrains(problem, d, strains);
     assemble(problem, strains, floor);
@@ -262,6 +258,7 @@ SolveReport StepSolver::minimise(StepProblem& problem, Eigen::VectorXd& d, const
                                  const std::function<bool()>& stopAsked) {
     SolveReport report;
     Eigen::VectorXd towards;
+    LimitRounds rounds;
     double floor = 0.0;
     for (; report.passes <= settings.maxPasses; ++report.passes) {
         if (stopAsked && stopAsked()) {
@@ -272,15 +269,23 @@ SolveReport StepSolver::minimise(StepProblem& problem, Eigen::VectorXd& d, const
         if (!std::isfinite(report.residual)) return report;
         const double tolerance = report.passes == 0 ? std::min(quietStart, settings.tolerance) : settings.tolerance;
         if (balance.within(tolerance)) {  // under the limits assumed: now under the true ones
-            correctFrictionLimits(problem, d);
+            rounds.correct(problem, d);
             balance = judge(problem, d, report);
             report.converged = balance.within(tolerance);
             if (report.converged) return report;
+            if (rounds.mix(problem)) balance = judge(problem, d, report);
         }
-        if (!direction(problem, d, balance.net(), floor, report, towards)) return report;
+        const LawFloor floors = floorFrom(floor, report.passes, report.residual);
+        if (!direction(problem, d, balance.net(), floors, report, towards)) {
+            floor = std::max(floor, lowestFloor);
+            if (!direction(problem, d, balance.net(), {floor, floor}, report, towards)) return report;
+        }
         const double stepLength = lineSearch(LineSlope(problem, d, towards));
         d += stepLength * towards;
-        if (report.passes >= patience) floor = nextFloor(floor, stepLength);
+        if (report.passes < patience) continue;
+        floor = nextFloor(floor, stepLength);
+        report.lost = farthestMove(problem, d) > settings.farthest;
+        if (report.lost) return report;
     }
     return report;
 }

@@ -359,5 +359,26 @@ TEST(CutScene, MakesTheSameBytesAgain) {
     EXPECT_EQ(first.scene, second.scene);
 }
 
+/// Two sets in a square that is held at its sides and foot, some 100 blocks.
+Scene jointed(double friction) {
+    Scene scene = drift();
+    scene.tunnels.clear();
+    for (SceneJointSet& set : scene.jointSets) set.spacing = 2.0;
+    scene.jointMaterials.front().second.frictionAngle = friction;
+    return scene;
+}
+
+/// From cold and by the defaults, whatever the friction; energy closes.
+TEST(JointedRock, SettlesUnderItsWeight) {
+    for (const double friction : {20.0, 30.0, 60.0}) {
+        SCOPED_TRACE(friction);
+        const Scene scene = jointed(friction);
+        const Results results = runInMemory(scene);
+        ASSERT_EQ(results.stages.size(), 1u);
+        EXPECT_EQ(results.stages[0].outcome, Outcome::Equilibrium);
+        EXPECT_LT(std::abs(results.frames.back().energy.balanceError), 1e-2);
+    }
+}
+
 }  // namespace
 }  // namespace keyblock
