@@ -113,7 +113,7 @@ private:
         setStrengths();
         const std::vector<WallForce> walls = changePresence();
         loads_.begin(now_.stage, now_.state);
-        if (isStatic()) loads_.hold(walls);
+        if (isStatic() || stage().relaxation) loads_.hold(walls);
         setBoundaries();
         if (!stage().set.empty()) changeJoints(scene_, now_.stage, model_, now_.state);
         if (stage().zeroDisplacements) observation_.zero(now_.state);

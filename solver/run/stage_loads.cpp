@@ -203,7 +203,7 @@ void StageLoads::quieten(const std::vector<Dashpot>& dashpots, const std::vector
 /// Share of a wall's force that still acts at the stage's end.
 double StageLoads::wallAtEnd(std::size_t wall) const {
     const double now = memory_.start.walls[wall];
-    if (stage().kind == StageKind::Dynamic) return now;
+    if (stage().kind == StageKind::Dynamic && !stage().relaxation) return now;
     if (memory_.wallStages[wall] < 0) return now;
     const bool own = memory_.wallStages[wall] == memory_.stage;
     if (!own && !stage().relaxation) return now;
@@ -263,8 +263,9 @@ LoadPoint StageLoads::at(double time) const {
         point.motions[i] = zeroOf(memory_.loads.motions[i]) + valueAt(table, time);
     }
     addOpenings(time, point);
-    for (std::size_t i = 0; i < point.walls.size(); ++i)
-        point.walls[i] += std::clamp(time, 0.0, 1.0) * (wallAtEnd(i) - point.walls[i]);
+    const double whole = stage().kind == StageKind::Dynamic ? stage().duration : 1.0;
+    const double share = whole > 0.0 ? std::clamp(time / whole, 0.0, 1.0) : 1.0;
+    for (std::size_t i = 0; i < point.walls.size(); ++i) point.walls[i] += share * (wallAtEnd(i) - point.walls[i]);
     return point;
 }
 

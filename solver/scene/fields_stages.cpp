@@ -200,11 +200,11 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::increments>("increments", "Parts of pseudo-time 0 … 1; null: chosen by the program.",
                                     {.range = within(1, 1e6), .only = staticOnly}),
             row<&Stage::relaxation>("relaxation",
-                                    "Share of the forces that excavated rock gave to its walls which is released by "
-                                    "the end of the stage; the rest is held by later stages until one of them "
-                                    "releases it. Null: all of what this stage excavates. Dynamic stages release at "
-                                    "once what they excavate.",
-                                    {.range = within(0, 1), .only = staticOnly}),
+                                    "Share of the forces that excavated rock gave to its walls which is released "
+                                    "evenly by the end of the stage; the rest is held by later stages until one of "
+                                    "them releases it. Null: all of what this stage excavates, at once in a dynamic "
+                                    "stage.",
+                                    {.range = within(0, 1)}),
             row<&Stage::duration>("duration", "How long the stage lasts.",
                                   {.unit = "s", .range = atLeast(0), .only = dynamicOnly}),
             row<&Stage::timeStep>("time_step", "Longest step; null: chosen by the program.",

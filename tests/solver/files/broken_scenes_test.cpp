@@ -199,7 +199,6 @@ const std::vector<BrokenScene>& brokenScenes() {
         {"excavate-unknown", "/stages/0/excavate/0", "Did you mean 'right'?"},
         {"excavate-twice", "/stages/1/excavate/0", "already"},
         {"motion-of-excavated", "/stages/1/motions/0/block_at", "is excavated"},
-        {"relaxation-of-dynamic", "/stages/0/relaxation", "'static'"},
         {"relaxation-beyond-all", "/stages/0/relaxation", "out of range"},
         {"install-unknown", "/stages/0/install/0", "there is no bolt"},
         {"bolt-named-as-pattern", "/bolts/0/name", "that of a bolt pattern (/bolt_patterns/0)"},

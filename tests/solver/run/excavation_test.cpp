@@ -100,6 +100,21 @@ TEST(Excavation, WhatIsNotReleasedIsHeldUntilALaterStageReleasesIt) {
     EXPECT_NEAR(forceBetween(frameAt(solved, 4, 1.0), 1, 4), 0.5 * weight, 1e-6 * weight);
 }
 
+/// In motion, over a second: slow beside the lid on its columns, which swings by the force's rate over ω > 1000/s.
+TEST(Excavation, ADynamicStageWithARelaxationReleasesEvenly) {
+    Scene scene = columns();
+    Stage slow = test::dynamic(1.0, 1e-3);
+    slow.excavate = {"middle"};
+    slow.relaxation = 1.0;
+    scene.stages = {settle(), slow};
+    const Solved solved = solve(scene);
+    const double before = forceBetween(frameAt(solved, 0, 1.0), 2, 4);
+    for (double time : {0.25, 0.5, 0.75, 1.0})
+        EXPECT_NEAR(forceBetween(frameAt(solved, 1, time), 1, 4), 0.5 * (weight - (1.0 - time) * before),
+                    1e-3 * weight)
+            << time;
+}
+
 /// In motion it goes at once: a lid on nothing falls.
 TEST(Excavation, InADynamicStageNothingIsHeld) {
     Scene scene = columns();
