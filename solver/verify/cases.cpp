@@ -9,7 +9,7 @@ namespace {
 std::vector<Case> allGroups() {
     std::vector<Case> all;
     for (const auto& group : {blockCases(), contactCases(), schemeCases(), shakenCases(), cellCases(), plateCases(),
-                              beamCases(), bondCases(), slidingBoltCases(), pullOutCases(), dowelCases(),
+                              roofCases(), beamCases(), bondCases(), slidingBoltCases(), pullOutCases(), dowelCases(),
                               stepCases()})
         all.insert(all.end(), group.begin(), group.end());
     return all;

@@ -14,6 +14,7 @@ std::vector<Case> blockCases();
 std::vector<Case> schemeCases();
 std::vector<Case> cellCases();
 std::vector<Case> plateCases();
+std::vector<Case> roofCases();
 std::vector<Case> shakenCases();
 std::vector<Case> contactCases();
 std::vector<Case> beamCases();

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Blocks in a roof that the stress of the rock holds: where they begin to fall.
+// The scenes are a domain cut by joints under stress in situ.
+#include "solver/verify/checks.h"
+#include "solver/verify/groups.h"
+#include "solver/verify/readings.h"
+#include "solver/verify/scenes.h"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <tuple>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double unitWeight = 26e3;  // [N/m³]
+
+/// Rock from the roof line y = 0 up to `top` between `left` and `right`, cut by joints, under −`stress` along x.
+Scene roofScene(double left, double right, double top, double stress, double frictionAngle) {
+    Scene scene = emptyScene(rigidRock, 0.25, frictionAngle);
+    scene.analysis.gravity = {0.0, -gravity};
+    scene.materials[0].second.density = unitWeight / gravity;
+    SceneDomain domain;
+    domain.boundary = {{left, 0.0}, {right, 0.0}, {right, top}, {left, top}};
+    domain.material = "rock";
+    domain.jointMaterial = "joint";
+    scene.domain = domain;
+    InSituStress inSitu;
+    inSitu.sxx = -stress;
+    scene.inSituStress = inSitu;
+    Stage stage;
+    stage.name = "gravity";
+    scene.stages = {stage};
+    return scene;
+}
+
+SceneJoint joint(const std::string& name, const std::vector<Point>& points) {
+    SceneJoint joint;
+    joint.name = name;
+    joint.points = points;
+    return joint;
+}
+
+void holdSide(Scene& scene, BoundarySide side) {
+    Support support;
+    support.boundary = side;
+    scene.supports.push_back(support);
+}
+
+/// 1 where the roof holds, 0 where it collapses, NaN where the run ends otherwise.
+double holds(const Scene& scene) {
+    const Results results = solve(scene).results;
+    if (results.stages.empty()) return std::nan("");
+    const Outcome outcome = results.stages.back().outcome;
+    return outcome == Outcome::Equilibrium ? 1.0 : outcome == Outcome::Collapse ? 0.0 : std::nan("");
+}
+
+/// Where `stands` changes from 0 at `low` to 1 at `high`, to within `width`; NaN where it does not.
+double boundary(double low, double high, double width, const std::function<double(double)>& stands) {
+    if (stands(low) != 0.0 || stands(high) != 1.0) return std::nan("");
+    while (high - low > width) {
+        const double middle = 0.5 * (low + high), found = stands(middle);
+        if (std::isnan(found)) return found;
+        (found == 1.0 ? high : low) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/// A column 1 m wide and 2 m high between two walls that are held.
+Scene plugScene(double stress, double frictionAngle) {
+    Scene scene = roofScene(-2.0, 3.0, 2.0, stress, frictionAngle);
+    scene.joints = {joint("left", {{0.0, 0.0}, {0.0, 2.0}}), joint("right", {{1.0, 0.0}, {1.0, 2.0}})};
+    holdSide(scene, BoundarySide::Left);
+    holdSide(scene, BoundarySide::Right);
+    return scene;
+}
+
+/// The walls are upright and stay where they are, so the stress on them does too: γ·b·h = 2·σh·h·tan φ, whatever h is.
+std::vector<CaseResult> plug() {
+    Checks checks("roof plug");
+    const double stress = 50e3, width = 1.0;
+    const double expected = std::atan(unitWeight * width / (2.0 * stress)) / degree;
+    checks.absolute("closed form [°]", expected, 14.574, 1e-3);
+    const double found = boundary(10.0, 20.0, 0.01, [&](double phi) { return holds(plugScene(stress, phi)); });
+    checks.absolute("friction angle below which it falls [°]", found, expected, 0.3);
+    return checks.take();
+}
+
+constexpr double halfAngle = 20.0, prismFriction = 40.0;  // [°]
+constexpr double halfBase = 1.0;  // [m]
+
+double prismHeight() { return halfBase / std::tan(halfAngle * degree); }
+
+Scene prismScene(double stiffnessRatio, double stress) {
+    Scene scene = roofScene(-3.0, 3.0, 4.0, stress, prismFriction);
+    JointMaterial& material = scene.jointMaterials[0].second;
+    material.normalStiffness = 10e9;
+    material.shearStiffness = stiffnessRatio * 10e9;
+    scene.joints = {joint("prism", {{-halfBase, 0.0}, {0.0, prismHeight()}, {halfBase, 0.0}})};
+    holdSide(scene, BoundarySide::Top);
+    return scene;
+}
+
+/// Stress that just holds the prism (Crawford and Bray 1983; Brady and Brown). At first each face, at α from the
+/// vertical, carries H·cos α across and H·sin α along it, H = σh·h. A sinking by u takes kn·u·sin α from the one and adds
+/// ks·u·cos α to the other, and friction is passed where W is
+///     2·H·(ks·cos²α + kn·sin²α)·sin(φ − α) / (ks·cos α·cos φ + kn·sin α·sin φ).
+double prismStress(double ratio) {
+    const double a = halfAngle * degree, f = prismFriction * degree;
+    const double weight = unitWeight * halfBase * prismHeight();
+    const double stiffness = ratio * std::cos(a) * std::cos(a) + std::sin(a) * std::sin(a);
+    const double lost = ratio * std::cos(a) * std::cos(f) + std::sin(a) * std::sin(f);
+    return weight * lost / (2.0 * stiffness * std::sin(f - a)) / prismHeight();
+}
+
+std::vector<CaseResult> prism() {
+    Checks checks("roof prism");
+    checks.relative("weight [N]", unitWeight * halfBase * prismHeight(), 71.43e3, 1e-3);
+    for (const auto& [ratio, text, published] :
+         {std::tuple{1.0, "1", 35.72e3}, {0.4, "0.4", 41.05e3}, {0.1, "0.1", 54.04e3}}) {
+        const std::string where = std::string(" at Ks/Kn ") + text + " [Pa]";
+        checks.relative("closed form" + where, prismStress(ratio), published, 1e-3);
+        const double found =
+            boundary(20e3, 80e3, 50.0, [ratio = ratio](double stress) { return holds(prismScene(ratio, stress)); });
+        checks.relative("stress that just holds it" + where, found, published, 0.05);
+    }
+    return checks.take();
+}
+
+}  // namespace
+
+std::vector<Case> roofCases() {
+    return {
+        {"roof prism", "A prism in a roof held by stress in situ, with joints of three stiffness ratios.", prism},
+        {"roof plug", "An upright block in a roof held by friction on its walls alone.", plug},
+    };
+}
+
+}  // namespace keyblock
