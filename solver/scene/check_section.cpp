@@ -135,7 +135,7 @@ double checkVoronoi(CheckContext& context) {
         return 0.0;
     const double cells = voronoiEstimate(*region, voronoi.size);
     if (cells <= mostTraces)
-        return 3.0 * cells;  // a cell has six edges, each with another
+        return cells;  // three traces each, which meet at their ends only
     context.report.error("/voronoi/size",
                          "cells of " + shortest(voronoi.size) + " m are about " + shortest(std::round(cells)) +
                              ", and more than " + shortest(mostTraces) + " are not cut",
