@@ -380,5 +380,22 @@ TEST(JointedRock, SettlesUnderItsWeight) {
     }
 }
 
+/// A thousand cells of 1 m².
+TEST(JointedRock, AThousandCellsSettle) {
+    Scene scene = drift();
+    scene.tunnels.clear();
+    scene.jointSets.clear();
+    const double half = 16.0;
+    scene.domain->boundary = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+    SceneVoronoi cells;
+    cells.size = 1.0;
+    scene.voronoi = cells;
+    scene.jointMaterials.front().second.frictionAngle = 30.0;
+    const Results results = runInMemory(scene);
+    ASSERT_GT(results.frames.back().blocks.size(), 900u);
+    EXPECT_EQ(results.stages[0].outcome, Outcome::Equilibrium);
+    EXPECT_LT(std::abs(results.frames.back().energy.balanceError), 1e-2);
+}
+
 }  // namespace
 }  // namespace keyblock
