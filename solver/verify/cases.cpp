@@ -9,7 +9,7 @@ namespace {
 std::vector<Case> allGroups() {
     std::vector<Case> all;
     for (const auto& group : {blockCases(), contactCases(), schemeCases(), shakenCases(), cellCases(), plateCases(),
-                              roofCases(), waveCases(), beamCases(), bondCases(), slidingBoltCases(),
+                              roofCases(), toppleCases(), waveCases(), beamCases(), bondCases(), slidingBoltCases(),
                               pullOutCases(), dowelCases(), stepCases()})
         all.insert(all.end(), group.begin(), group.end());
     return all;

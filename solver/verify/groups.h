@@ -15,6 +15,7 @@ std::vector<Case> schemeCases();
 std::vector<Case> cellCases();
 std::vector<Case> plateCases();
 std::vector<Case> roofCases();
+std::vector<Case> toppleCases();
 std::vector<Case> waveCases();
 std::vector<Case> shakenCases();
 std::vector<Case> contactCases();

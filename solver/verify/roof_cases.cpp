@@ -3,13 +3,13 @@
 //
 // Blocks in a roof that the stress of the rock holds: where they begin to fall.
 // The scenes are a domain cut by joints under stress in situ.
+#include "solver/verify/boundary.h"
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
 
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <string>
 #include <tuple>
@@ -61,17 +61,6 @@ double holds(const Scene& scene) {
     return outcome == Outcome::Equilibrium ? 1.0 : outcome == Outcome::Collapse ? 0.0 : std::nan("");
 }
 
-/// Where `stands` changes from 0 at `low` to 1 at `high`, to within `width`; NaN where it does not.
-double boundary(double low, double high, double width, const std::function<double(double)>& stands) {
-    if (stands(low) != 0.0 || stands(high) != 1.0) return std::nan("");
-    while (high - low > width) {
-        const double middle = 0.5 * (low + high), found = stands(middle);
-        if (std::isnan(found)) return found;
-        (found == 1.0 ? high : low) = middle;
-    }
-    return 0.5 * (low + high);
-}
-
 /// A column 1 m wide and 2 m high between two walls that are held.
 Scene plugScene(double stress, double frictionAngle) {
     Scene scene = roofScene(-2.0, 3.0, 2.0, stress, frictionAngle);
@@ -87,7 +76,7 @@ std::vector<CaseResult> plug() {
     const double stress = 50e3, width = 1.0;
     const double expected = std::atan(unitWeight * width / (2.0 * stress)) / degree;
     checks.absolute("closed form [°]", expected, 14.574, 1e-3);
-    const double found = boundary(10.0, 20.0, 0.01, [&](double phi) { return holds(plugScene(stress, phi)); });
+    const double found = boundaryOf(10.0, 20.0, 0.01, [&](double phi) { return holds(plugScene(stress, phi)); });
     checks.absolute("friction angle below which it falls [°]", found, expected, 0.3);
     return checks.take();
 }
@@ -127,7 +116,7 @@ std::vector<CaseResult> prism() {
         const std::string where = std::string(" at Ks/Kn ") + text + " [Pa]";
         checks.relative("closed form" + where, prismStress(ratio), published, 1e-3);
         const double found =
-            boundary(20e3, 80e3, 50.0, [ratio = ratio](double stress) { return holds(prismScene(ratio, stress)); });
+            boundaryOf(20e3, 80e3, 50.0, [ratio = ratio](double stress) { return holds(prismScene(ratio, stress)); });
         checks.relative("stress that just holds it" + where, found, published, 0.05);
     }
     return checks.take();

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A slope of columns that topple onto one another and push its toe out. The
+// columns' limit equilibrium is worked out beside it.
+#include "solver/verify/boundary.h"
+#include "solver/verify/checks.h"
+#include "solver/verify/groups.h"
+#include "solver/verify/readings.h"
+#include "solver/verify/scenes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double baseDip = 30.0 * degree, unitWeight = 25e3;  // [N/m³]
+constexpr double width = 10.0, rise = 1.0;  // [m] of a column; of its base over the next one's below
+constexpr std::array<double, 16> heights{4,  8,  12, 16, 20, 24, 28, 32,
+                                         36, 40, 34, 28, 22, 16, 10, 4};  // [m] from the toe up
+constexpr int columns = static_cast<int>(heights.size());
+constexpr double watched = 1.5;  // [s]
+constexpr double moving = 0.05;  // [m/s] then: what holds has come to rest but for a hundredth of this or less
+
+/// Top of a column above the lowest base, square to the bases [m].
+double topOf(int n) { return rise * n + heights[static_cast<std::size_t>(n)]; }
+
+/// Force that the toe needs from outside at a friction of `tangent`, over the unit weight (Goodman and Bray 1976). From
+/// the crest down each column hands on what would else topple it about its lower corner or let it slide, whichever is
+/// more; neighbours touch at the lower of their tops with friction passed, a toppling column stands on its corner.
+double forceAtToe(double tangent) {
+    const double s = std::sin(baseDip), c = std::cos(baseDip);
+    double push = 0.0;
+    for (int n = columns - 1; n >= 0; --n) {
+        const double height = heights[static_cast<std::size_t>(n)], weight = width * height, base = rise * n;
+        const double slides = push - weight * (c * tangent - s) / (1.0 - tangent * tangent);
+        double topples = 0.0;
+        if (n > 0) {
+            const double above = n + 1 < columns ? std::min(topOf(n), topOf(n + 1)) - base : 0.0;
+            const double below = std::min(topOf(n), topOf(n - 1)) - base;
+            topples = (push * (above - width * tangent) + 0.5 * weight * (height * s - width * c)) / below;
+        }
+        push = n > 0 ? std::max({topples, slides, 0.0}) : slides;
+    }
+    return push;
+}
+
+/// Friction at which the toe needs no force [°].
+double criticalAngle() {
+    double low = 35.0, high = 42.0;
+    while (high - low > 1e-6) {
+        const double middle = 0.5 * (low + high);
+        (forceAtToe(std::tan(middle * degree)) > 0.0 ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/// The columns stand upright on steps that are held; gravity is turned by the dip of the bases instead.
+Scene slopeScene(double frictionAngle) {
+    Scene scene = emptyScene(60e9, 0.25, frictionAngle);
+    scene.analysis.gravity = {-gravity * std::sin(baseDip), -gravity * std::cos(baseDip)};
+    scene.materials[0].second.density = unitWeight / gravity;
+    for (int n = 0; n < columns; ++n) {
+        const double left = width * n, base = rise * n;
+        const double from = n == 0 ? -3.0 * width : left;  // the toe slides out on the lowest step
+        scene.blocks.push_back(boxBlock("step " + std::to_string(n + 1), {from, -2.0 * width}, {left + width, base}));
+        Support support;
+        support.blockAt = Point(left + 0.5 * width, -width);
+        scene.supports.push_back(support);
+    }
+    for (int n = 0; n < columns; ++n)
+        scene.blocks.push_back(boxBlock(std::to_string(n + 1), {width * n, rise * n}, {width * (n + 1), topOf(n)}));
+    Stage stage;
+    stage.name = "gravity";
+    stage.kind = StageKind::Dynamic;
+    stage.duration = watched;
+    stage.timeStep = 0.01;
+    scene.stages = {stage};
+    scene.output.frames = 10;
+    return scene;
+}
+
+/// The columns at the end; none where the run did not get there.
+std::vector<BlockState> columnsAtEnd(double frictionAngle) {
+    const Results results = solve(slopeScene(frictionAngle)).results;
+    if (results.stages.empty() || results.stages.back().outcome != Outcome::Duration) return {};
+    const std::vector<BlockState>& all = results.frames.back().blocks;
+    return {all.end() - columns, all.end()};
+}
+
+/// 1 where the slope comes to rest, 0 where it goes on moving.
+double stands(double frictionAngle) {
+    const std::vector<BlockState> all = columnsAtEnd(frictionAngle);
+    if (all.empty()) return std::nan("");
+    double fastest = 0.0;
+    for (const BlockState& column : all) fastest = std::max(fastest, column.velocity.norm());
+    return fastest < moving ? 1.0 : 0.0;
+}
+
+enum class Way { Stands, Slides, Topples, Neither };
+
+Way wayOf(const BlockState& column) {
+    const double turned = std::abs(column.rotation), moved = column.displacement.norm();
+    if (turned > 0.5 * degree) return Way::Topples;
+    if (turned > 0.05 * degree) return Way::Neither;
+    return moved > 0.1 ? Way::Slides : moved < 0.01 ? Way::Stands : Way::Neither;
+}
+
+/// Number of columns that move as limit equilibrium has it: the lowest three slide, the highest three stand.
+double asExpected(double frictionAngle) {
+    const std::vector<BlockState> all = columnsAtEnd(frictionAngle);
+    int found = 0;
+    for (int n = 0; n < static_cast<int>(all.size()); ++n) {
+        const Way expected = n < 3 ? Way::Slides : n < 13 ? Way::Topples : Way::Stands;
+        found += wayOf(all[static_cast<std::size_t>(n)]) == expected ? 1 : 0;
+    }
+    return found;
+}
+
+/// Gravity is switched on and the motion watched; Shi's scheme takes the swing out of what holds.
+std::vector<CaseResult> slope() {
+    Checks checks("toppling slope");
+    const double published = std::atan(0.7854) / degree;
+    checks.absolute("limit equilibrium [°]", criticalAngle(), published, 0.05);
+    const double found = boundaryOf(36.0, 40.0, 0.25, stands);
+    checks.absolute("friction angle below which it fails [°]", found, published, 2.0);
+    checks.absolute("columns of 16 that stand, topple and slide as they should, at 37.25°", asExpected(37.25), 16.0,
+                    0.0);
+    return checks.take();
+}
+
+}  // namespace
+
+std::vector<Case> toppleCases() {
+    return {{"toppling slope", "Sixteen columns on steps topple and push the toe of the slope out.", slope}};
+}
+
+}  // namespace keyblock
