@@ -49,6 +49,7 @@ const Structure& sceneStructure() {
                                     "Numbers of interest: `max|min|last MONITOR[.ux|.uy]`, `max|min|last "
                                     "BOLT.QUANTITY`, `first KIND MONITOR[.ux|.uy]` (just before the first such "
                                     "event)."),
+            row<&Scene::safety>("safety", "How the factor of safety is looked for."),
             row<&Scene::output>("output", "What a run keeps."),
             row<&Scene::limits>("limits", "Where a run ends even if its stages do not."),
         }};

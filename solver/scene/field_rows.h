@@ -40,6 +40,7 @@ const Structure& structureOf(const Motion*);
 const Structure& structureOf(const Output*);
 const Structure& structureOf(const Plate*);
 const Structure& structureOf(const RunLimits*);
+const Structure& structureOf(const Safety*);
 const Structure& structureOf(const SceneDomain*);
 const Structure& structureOf(const SceneJoint*);
 const Structure& structureOf(const SceneJointSet*);

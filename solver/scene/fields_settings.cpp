@@ -118,6 +118,23 @@ const Structure& structureOf(const Monitor*) {
     return structure;
 }
 
+const Structure& structureOf(const Safety*) {
+    static const Structure structure{
+        "safety",
+        "How `keyblock safety` looks for the factor of safety: the factor by which strengths are divided when the static "
+        "stages no longer find equilibrium. `keyblock run` does not read it.",
+        defaultsOf<Safety>(),
+        {
+            row<&Safety::reduce>("reduce",
+                                 "What is divided: `joints` (tan of the friction angles, cohesion, tensile strength), "
+                                 "`bonds` (strength of the anchors of bolts) or `both`. Rock that only an outline "
+                                 "parts, steel and face plates keep theirs."),
+            row<&Safety::tolerance>("tolerance", "Between the factor that stands and the one that does not.",
+                                    {.range = within(1e-6, 1)}),
+        }};
+    return structure;
+}
+
 const Structure& structureOf(const Output*) {
     static const Structure structure{
         "output",

@@ -490,6 +490,17 @@ struct RunLimits {
     bool operator==(const RunLimits&) const = default;
 };
 
+/// What a factor of safety divides: the strength of joints, of the anchors of bolts, or of both.
+enum class Reduce { Joints, Bonds, Both };
+
+/// How a factor of safety is looked for; no ordinary run reads it.
+struct Safety {
+    Reduce reduce = Reduce::Joints;
+    double tolerance = 0.01;  // of the factor
+
+    bool operator==(const Safety&) const = default;
+};
+
 struct Expected {
     std::string quantity;  // as in `quantities`
     double value = 0.0;  // SI
@@ -531,6 +542,7 @@ struct Scene {
     std::vector<Stage> stages;
     std::vector<Monitor> monitors;
     std::vector<std::string> quantities;
+    Safety safety;
     Output output;
     RunLimits limits;
 
