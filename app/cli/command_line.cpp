@@ -34,6 +34,7 @@ struct Options {
     CheckOptions check;
     InfoOptions info;
     ExportOptions exported;
+    SafetyOptions safety;
     VerifyOptions verify;
     BoltsOptions bolts;
 };
@@ -45,12 +46,9 @@ void addOverrides(CLI::App* verb, std::vector<std::string>& overrides) {
         ->take_all();
 }
 
-void addRun(CLI::App& app, RunOptions& options) {
-    CLI::App* verb = app.add_subcommand("run", "Run a scene and keep what comes out in a run store");
-    verb->add_option("SCENE.json", options.scene, "The scene")->required()->type_name("");
-    verb->add_option("--out", options.out, "The run store; default: the scene's name, beside it")
-        ->type_name("RUN.kbrun");
-    addOverrides(verb, options.overrides);
+/// Of verbs that run scenes.
+template <typename VerbOptions>
+void addThreadsAndProgress(CLI::App* verb, VerbOptions& options) {
     verb->add_option("--threads", options.threads, "Threads; never changes a result; default: all the machine has")
         ->type_name("N")
         ->check(CLI::Range(1, mostThreads).description(""));
@@ -59,6 +57,15 @@ void addRun(CLI::App& app, RunOptions& options) {
             "How to tell progress on standard error; json: one object a line; default: bar on a terminal, else none")
         ->type_name("bar|json|none")
         ->check(progressProblem);
+}
+
+void addRun(CLI::App& app, RunOptions& options) {
+    CLI::App* verb = app.add_subcommand("run", "Run a scene and keep what comes out in a run store");
+    verb->add_option("SCENE.json", options.scene, "The scene")->required()->type_name("");
+    verb->add_option("--out", options.out, "The run store; default: the scene's name, beside it")
+        ->type_name("RUN.kbrun");
+    addOverrides(verb, options.overrides);
+    addThreadsAndProgress(verb, options);
     CLI::Option* resume = verb->add_flag("--resume", options.resume,
                                          "Go on with a run that was interrupted; without one, start at the beginning");
     verb->add_flag("--overwrite", options.overwrite, "Replace a run store that is there")->excludes(resume);
@@ -97,6 +104,16 @@ void addExport(CLI::App& app, ExportOptions& options) {
                      "contacts, all for the others")
         ->type_name("STAGE:TIME|last|all");
     verb->add_option("--out", options.out, "The file to write")->required()->type_name("FILE.csv");
+}
+
+void addSafety(CLI::App& app, SafetyOptions& options) {
+    CLI::App* verb = app.add_subcommand("safety", "Find the factor of safety of a static scene by strength reduction");
+    verb->add_option("SCENE.json", options.scene, "The scene; its 'safety' says what is reduced, and how closely")
+        ->required()
+        ->type_name("");
+    addOverrides(verb, options.overrides);
+    addThreadsAndProgress(verb, options);
+    verb->add_flag("--json", options.json, "Answer in JSON");
 }
 
 void addVerify(CLI::App& app, VerifyOptions& options) {
@@ -163,6 +180,8 @@ Command commandOf(const CLI::App& app, const Options& options) {
         return options.info;
     if (verb == "export")
         return options.exported;
+    if (verb == "safety")
+        return options.safety;
     if (verb == "verify")
         return options.verify;
     return options.bolts;
@@ -183,6 +202,7 @@ std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv)
     addCheck(app, options.check);
     addInfo(app, options.info);
     addExport(app, options.exported);
+    addSafety(app, options.safety);
     addVerify(app, options.verify);
     addBolts(app, options.bolts);
     requireKnownVerb(app, argc, argv);

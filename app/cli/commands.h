@@ -48,6 +48,14 @@ struct ExportOptions {
     std::filesystem::path out;
 };
 
+struct SafetyOptions {
+    std::filesystem::path scene;
+    std::vector<std::string> overrides;
+    int threads = 0;  // 0: as many as the machine has
+    ProgressKind progress = ProgressKind::Automatic;
+    bool json = false;
+};
+
 struct VerifyOptions {
     std::vector<std::string> names;  // empty: every case
     bool paper = false;  // the paper's tables instead of the cases
@@ -58,12 +66,14 @@ struct BoltsOptions {
     std::optional<std::string> name;
 };
 
-using Command = std::variant<RunOptions, CheckOptions, InfoOptions, ExportOptions, VerifyOptions, BoltsOptions>;
+using Command = std::variant<RunOptions, CheckOptions, InfoOptions, ExportOptions, SafetyOptions,
+                             VerifyOptions, BoltsOptions>;
 
 ExitCode perform(const RunOptions& options);
 ExitCode perform(const CheckOptions& options);
 ExitCode perform(const InfoOptions& options);
 ExitCode perform(const ExportOptions& options);
+ExitCode perform(const SafetyOptions& options);
 ExitCode perform(const VerifyOptions& options);
 ExitCode perform(const BoltsOptions& options);
 

@@ -8,6 +8,8 @@
 #include "app/cli/run_summary.h"
 #include "solver/results/chains.h"
 #include "solver/results/words.h"
+#include "solver/scene/solved_blocks.h"
+#include "solver/scene/words.h"
 
 #include <nlohmann/json.hpp>
 
@@ -211,6 +213,60 @@ std::string paperJson(std::span<const PaperTable> tables) {
     for (const PaperTable& table : tables)
         list.push_back(paperTableJson(table));
     return dumped({{"tables", list}}, 2);
+}
+
+namespace {
+
+std::string_view outcomeWord(const SafetyFactor& found) {
+    if (found.cutShort) return wordOf(*found.cutShort);
+    if (!found.upper) return "stands-at-1000";
+    return found.lower ? "bracketed" : "falls-at-0.001";
+}
+
+Json safetyRunJson(const Scene& scene, const SafetyRun& run) {
+    return {{"factor", run.factor},
+            {"stands", run.stands},
+            {"stage", stageName(scene, run.end.stage)},
+            {"outcome", wordOf(run.end.outcome)},
+            {"steps", run.end.steps},
+            {"message", run.end.message}};
+}
+
+Json modeJson(const Scene& scene, const FailureMode& mode) {
+    const std::vector<std::string> names = blockNames(scene);
+    Json blocks = Json::array(), joints = Json::array();
+    for (const MovingBlock& block : mode.blocks)
+        blocks.push_back({{"name", blockName(names, block.block)},
+                          {"movement", wordOf(block.movement)},
+                          {"displacement_m", {block.displacement.x(), block.displacement.y()}},
+                          {"rotation_rad", block.rotation}});
+    for (const MovingJoint& joint : mode.joints) {
+        const auto material = static_cast<std::size_t>(joint.jointMaterial);
+        const bool named = joint.jointMaterial >= 0 && material < scene.jointMaterials.size();
+        joints.push_back({{"blocks", {blockName(names, joint.blockA), blockName(names, joint.blockB)}},
+                          {"joint_material", named ? Json(scene.jointMaterials[material].first) : Json(nullptr)},
+                          {"x_m", joint.position.x()},
+                          {"y_m", joint.position.y()},
+                          {"slip_m", joint.slip},
+                          {"opening_m", joint.opening}});
+    }
+    return {{"blocks", blocks}, {"joints", joints}};
+}
+
+}  // namespace
+
+std::string safetyJson(const Scene& solved, const SafetyFactor& found) {
+    Json runs = Json::array();
+    for (const SafetyRun& run : found.runs)
+        runs.push_back(safetyRunJson(solved, run));
+    Json answer{{"reduce", wordsOf(solved.safety.reduce)[static_cast<std::size_t>(solved.safety.reduce)]},
+                {"tolerance", solved.safety.tolerance},
+                {"lower", orNull(found.lower)},
+                {"upper", orNull(found.upper)},
+                {"outcome", outcomeWord(found)},
+                {"runs", runs},
+                {"mode", found.mode ? modeJson(solved, *found.mode) : Json(nullptr)}};
+    return dumped(answer, 2);
 }
 
 std::string progressJson(const ProgressLine& line) {

@@ -8,6 +8,7 @@
 #include "solver/files/run_store.h"
 #include "solver/files/scene_file.h"
 #include "solver/run/census.h"
+#include "solver/run/safety.h"
 #include "solver/scene/problem.h"
 #include "solver/verify/verify.h"
 
@@ -33,6 +34,13 @@ std::string casesJson(std::span<const CaseResult> results);
 
 /// `tables[] {title, rows[] {quantity, unit, paper, reference, keyblock, tolerance, passed}}`.
 std::string paperJson(std::span<const PaperTable> tables);
+
+/// `reduce, tolerance, lower, upper, outcome, runs[] {factor, stands, stage, outcome, steps, message}, mode {blocks[]
+/// {name, movement, displacement_m, rotation_rad}, joints[] {blocks, joint_material, x_m, y_m, slip_m, opening_m}}`.
+/// `outcome`: `bracketed`, `stands-at-1000`, `falls-at-0.001`, `stopped` or `limit`; null: an end that was not found, the
+/// mode where everything stands, the material of joints without one.
+/// \param solved the scene as it was solved: cut.
+std::string safetyJson(const Scene& solved, const SafetyFactor& found);
 
 /// What is known of a run that goes on.
 struct ProgressLine {

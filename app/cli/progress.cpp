@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace keyblock::cli {
 
@@ -64,8 +65,19 @@ std::string eventText(const Scene& scene, const Event& event) {
 
 }  // namespace
 
-ProgressSink::ProgressSink(const Scene& scene, Sink& next, ProgressKind kind)
-    : scene_(scene), next_(next), kind_(kind), runStart_(Clock::now()), stageStart_(runStart_) {}
+ProgressKind chosenProgress(ProgressKind kind) {
+    if (kind != ProgressKind::Automatic)
+        return kind;
+    return errorIsTerminal() ? ProgressKind::Bar : ProgressKind::None;
+}
+
+ProgressSink::ProgressSink(const Scene& scene, Sink& next, ProgressKind kind, std::string label)
+    : scene_(scene),
+      next_(next),
+      kind_(kind),
+      label_(std::move(label)),
+      runStart_(Clock::now()),
+      stageStart_(runStart_) {}
 
 void ProgressSink::begin(const Scene& scene, const HistoryColumns& columns) {
     runStart_ = Clock::now();
@@ -120,7 +132,7 @@ ProgressSink::~ProgressSink() {
 void ProgressSink::tell() {
     lastTold_ = Clock::now();
     untold_ = false;
-    const ProgressLine line{stageName(scene_, progress_.stage),
+    const ProgressLine line{label_ + stageName(scene_, progress_.stage),
                             progress_.time,
                             progress_.fraction,
                             secondsLeft(secondsSince(runStart_), startFraction_.value_or(0.0), progress_.fraction),

@@ -17,13 +17,17 @@
 
 namespace keyblock::cli {
 
+/// What `Automatic` means here: a bar on a terminal, else nothing.
+ProgressKind chosenProgress(ProgressKind kind);
+
 using Clock = std::chrono::steady_clock;
 
 /// Passes everything on to another sink and tells progress beside it.
 class ProgressSink : public Sink {
 public:
+    /// \param label before the stage's name; may be empty.
     /// \pre `kind` is not `Automatic`; scene and sink outlive this.
-    ProgressSink(const Scene& scene, Sink& next, ProgressKind kind);
+    ProgressSink(const Scene& scene, Sink& next, ProgressKind kind, std::string label = {});
     /// Tells the last state, or takes the bar away.
     ~ProgressSink() override;
     ProgressSink(const ProgressSink&) = delete;
@@ -51,6 +55,7 @@ private:
     const Scene& scene_;
     Sink& next_;
     ProgressKind kind_;
+    std::string label_;
     Progress progress_;
     std::optional<double> startFraction_;  // done before this run began
     bool untold_ = false;

@@ -42,12 +42,6 @@ std::optional<SceneReading> runnableScene(const RunOptions& options) {
     return reading;
 }
 
-ProgressKind progressOf(const RunOptions& options) {
-    if (options.progress != ProgressKind::Automatic)
-        return options.progress;
-    return errorIsTerminal() ? ProgressKind::Bar : ProgressKind::None;
-}
-
 bool anyEnded(const std::vector<StageResult>& results, Outcome outcome) {
     return std::any_of(results.begin(), results.end(),
                        [&](const StageResult& result) { return result.outcome == outcome; });
@@ -78,7 +72,7 @@ void tellWhyItEnded(ExitCode code, const Scene& scene, const std::vector<StageRe
 std::vector<StageResult> runInto(RunStoreWriter& store, const SceneReading& read, const RunOptions& options,
                                  const std::optional<Checkpoint>& from, std::map<int, double>& stageSeconds) {
     const Scene& scene = *read.scene;
-    ProgressSink sink(scene, store, progressOf(options));
+    ProgressSink sink(scene, store, chosenProgress(options.progress));
     Control control;
     control.progress = [&](const Progress& progress) { sink.update(progress); };
     const StopSignals signals(control.stop);

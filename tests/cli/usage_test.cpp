@@ -22,7 +22,7 @@ protected:
 TEST_F(Usage, EveryVerbHasHelp) {
     const Ended whole = keyblock({"--help"});
     EXPECT_EQ(whole.code, 0);
-    for (const std::string verb : {"run", "check", "info", "export", "verify", "bolts"}) {
+    for (const std::string verb : {"run", "check", "info", "export", "safety", "verify", "bolts"}) {
         EXPECT_NE(whole.out.find("\n  " + verb + " "), std::string::npos) << verb;
         const Ended ended = keyblock({verb, "--help"});
         EXPECT_EQ(ended.code, 0) << verb;
@@ -34,7 +34,7 @@ TEST_F(Usage, EveryVerbHasHelp) {
 TEST_F(Usage, VersionIsTold) { EXPECT_EQ(keyblock({"--version"}).out.rfind("keyblock ", 0), 0U); }
 
 TEST_F(Usage, OnlyVerbsThatAreBuiltExist) {
-    for (const std::string verb : {"report", "sweep", "safety", "trade", "stress", "import"})
+    for (const std::string verb : {"report", "sweep", "trade", "stress", "import"})
         expectUsageError({verb}, "there is no verb '" + verb + "'");
     expectUsageError({}, "the verb is missing");
 }

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The verb `safety`: a line for every run as it is done, then the bracket and how
+// the scene fails. A scene that falls is a result; so is one that nothing brings down.
+#include "app/cli/commands.h"
+#include "app/cli/json_answers.h"
+#include "app/cli/output.h"
+#include "app/cli/progress.h"
+#include "app/cli/stop_signals.h"
+#include "app/cli/text_table.h"
+#include "solver/files/json_tree.h"
+#include "solver/files/overrides.h"
+#include "solver/files/scene_file.h"
+#include "solver/results/words.h"
+#include "solver/run/safety.h"
+#include "solver/run/strength_reduction.h"
+#include "solver/scene/solved_blocks.h"
+#include "solver/scene/words.h"
+
+#include <fstream>
+#include <iterator>
+
+namespace keyblock::cli {
+
+namespace {
+
+constexpr std::size_t mostTold = 10;  // blocks, and joints; --json has all
+const std::vector<TextColumn> runColumns{
+    {"factor", Align::Right, 9}, {"", Align::Left, 10}, {"stage", Align::Left, 16}, {"outcome", Align::Left, 11},
+    {"steps", Align::Right, 7}};
+
+/// File and line of what `checkSafety` found.
+void placeIn(std::vector<Problem>& problems, const SafetyOptions& options) {
+    std::ifstream file(options.scene, std::ios::binary);
+    JsonReading json = readJson(std::string(std::istreambuf_iterator<char>(file), {}));
+    std::vector<Problem> told;
+    if (json.root)
+        applyOverrides(*json.root, options.overrides, told);
+    for (Problem& problem : problems)
+        problem.line = json.root ? lineAt(*json.root, problem.pointer) : 0;
+    nameOrigins(problems, options.scene.string(), options.overrides);
+}
+
+/// The scene if it can be asked for its factor; else why not, on standard error.
+std::optional<SceneReading> askedScene(const SafetyOptions& options) {
+    SceneReading reading = readSceneFile(options.scene, options.overrides);
+    std::vector<Problem> problems = reading.problems;
+    if (reading.scene) {
+        problems = checkSafety(*reading.scene);
+        placeIn(problems, options);
+    }
+    for (const Problem& problem : problems)
+        if (problem.severity == Severity::Error)
+            printToError(oneLine(problem) + '\n');
+    if (hasErrors(problems))
+        return std::nullopt;
+    return reading;
+}
+
+TextRow runRow(const Scene& scene, const SafetyRun& run) {
+    return {shown(run.factor), run.stands ? "stands" : "fails", stageName(scene, run.end.stage),
+            std::string(wordOf(run.end.outcome)), std::to_string(run.end.steps)};
+}
+
+SafetyFactor search(const Scene& scene, const SafetyOptions& options, Control& control) {
+    const StopSignals signals(control.stop);
+    const auto trial = [&](const Scene& reduced, double factor, Sink& sink) {
+        ProgressSink progress(reduced, sink, chosenProgress(options.progress), "factor " + shown(factor) + ", ");
+        control.progress = [&](const Progress& now) { progress.update(now); };
+        keyblock::run(reduced, progress, control, {options.threads, nullptr});
+    };
+    const auto told = [&](const SafetyRun& run) {
+        if (!options.json)
+            print(textLine(runColumns, runRow(scene, run)));
+    };
+    return findSafetyFactor(scene, trial, told);
+}
+
+std::string answerLine(const SafetyFactor& found) {
+    if (found.lower && found.upper)
+        return "factor of safety between " + shown(*found.lower) + " (stands) and " + shown(*found.upper) +
+               " (fails)\n";
+    if (found.lower && *found.lower >= mostSafety)
+        return "stands even at a factor of " + shown(*found.lower) + ": what is reduced does not hold this scene\n";
+    if (found.upper && *found.upper <= leastSafety)
+        return "fails even at a factor of " + shown(*found.upper) + ": no strength of what is reduced can hold it\n";
+    if (found.lower)
+        return "factor of safety above " + shown(*found.lower) + " (stands)\n";
+    return found.upper ? "factor of safety below " + shown(*found.upper) + " (fails)\n" : "";
+}
+
+std::string blockTable(const std::vector<std::string>& names, const FailureMode& mode) {
+    std::vector<TextRow> rows;
+    for (const MovingBlock& block : mode.blocks)
+        if (rows.size() < mostTold)
+            rows.push_back({blockName(names, block.block), std::string(wordOf(block.movement)),
+                            shown(block.displacement.x()), shown(block.displacement.y()), shown(block.rotation)});
+    return textTable({{"moves most"},
+                      {""},
+                      {"ux, m", Align::Right},
+                      {"uy, m", Align::Right},
+                      {"turn, rad", Align::Right}},
+                     rows);
+}
+
+std::string jointTable(const std::vector<std::string>& names, const FailureMode& mode) {
+    std::vector<TextRow> rows;
+    for (const MovingJoint& joint : mode.joints)
+        if (rows.size() < mostTold)
+            rows.push_back({blockName(names, joint.blockA) + " on " + blockName(names, joint.blockB),
+                            shown(joint.position.x()), shown(joint.position.y()), shown(joint.slip),
+                            shown(joint.opening)});
+    return rows.empty() ? "" : "\n" + textTable({{"joint between"},
+                                                 {"x, m", Align::Right},
+                                                 {"y, m", Align::Right},
+                                                 {"slip, m", Align::Right},
+                                                 {"opening, m", Align::Right}},
+                                                rows);
+}
+
+/// A run that found equilibrium after all, but elsewhere, has no words of its own.
+std::string whyNot(const SafetyRun& run) {
+    if (run.end.outcome != Outcome::Equilibrium)
+        return run.end.message;
+    return "but only after a block had moved by more than " + shown(leftPlace) + " of its size";
+}
+
+/// Why the run at the upper end did not stand, in its own words, and what moved.
+std::string modeText(const Scene& solved, const SafetyFactor& found) {
+    std::string text;
+    for (const SafetyRun& run : found.runs)
+        if (run.factor == found.upper)
+            text = "\nat " + shown(run.factor) + ", stage '" + stageName(solved, run.end.stage) + "': " +
+                   std::string(wordOf(run.end.outcome)) + "; " + whyNot(run) + "\n";
+    if (!found.mode || found.mode->blocks.empty())
+        return text;
+    const std::vector<std::string> names = blockNames(solved);
+    return text + "\n" + blockTable(names, *found.mode) + jointTable(names, *found.mode);
+}
+
+ExitCode exitCodeOf(const SafetyFactor& found) {
+    if (!found.cutShort)
+        return Done;
+    return *found.cutShort == Outcome::Stopped ? Interrupted : LimitReached;
+}
+
+}  // namespace
+
+ExitCode perform(const SafetyOptions& options) {
+    const std::optional<SceneReading> read = askedScene(options);
+    if (!read)
+        return Invalid;
+    const Scene& scene = *read->scene;
+    const Scene& solved = read->cut ? read->cut->scene : scene;
+    if (!options.json)
+        print("reduced: " + std::string(wordsOf(scene.safety.reduce)[static_cast<std::size_t>(scene.safety.reduce)]) +
+              "\n\n" + textLine(runColumns, {"factor", "", "stage", "outcome", "steps"}));
+    Control control;
+    const SafetyFactor found = search(scene, options, control);
+    print(options.json ? safetyJson(solved, found) : "\n" + answerLine(found) + modeText(solved, found));
+    const ExitCode code = exitCodeOf(found);
+    if (code == Interrupted)
+        printErrorLine("interrupted; the bracket so far is told");
+    if (code == LimitReached)
+        printErrorLine("a limit of the scene was reached in one of the runs; raise 'limits' to go on");
+    return code;
+}
+
+}  // namespace keyblock::cli

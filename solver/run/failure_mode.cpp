@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Blocks are taken as rigid on their way: what deforms is small beside what
+// fails. A joint is judged by how its two blocks went at its contacts, because a
+// contact that has opened is no longer there to be asked.
+#include "solver/run/failure_mode.h"
+
+#include "geometry/segment.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double share = 0.1;  // of the largest movement, to be told
+constexpr double plumb = 0.984807753012208;  // cos 10°
+constexpr double onEdge = 1e-6;  // of the block: a corner may lie on two edges
+
+double sizeOf(const BlockState& block) {
+    double size = 0.0;
+    for (const Point& corner : block.points) size = std::max(size, (corner - block.centroid).norm());
+    return size;
+}
+
+bool isThere(const BlockState& block) { return block.area > 0.0; }
+
+Movement movementOf(const Point& displacement, double rotation, double size, const Point& down) {
+    if (displacement.norm() < 2.0 * size * std::abs(rotation)) return Movement::Topples;
+    const bool falls = displacement.dot(down) > plumb * displacement.norm() * down.norm() && down.norm() > 0.0;
+    return falls ? Movement::Falls : Movement::Slides;
+}
+
+/// Displacement of the point of a block that was at `place`.
+Point way(const BlockState& before, const BlockState& after, const Point& place) {
+    const Eigen::Rotation2Dd turn(after.rotation - before.rotation);
+    return after.centroid + turn * Point(place - before.centroid) - place;
+}
+
+/// Where the point of a block was that is at `place` now.
+Point placeBefore(const BlockState& before, const BlockState& after, const Point& place) {
+    const Eigen::Rotation2Dd turn(before.rotation - after.rotation);
+    return before.centroid + turn * Point(place - after.centroid);
+}
+
+/// Outward normal of the edge of `edges` at `place` that looks most towards `other`.
+/// \pre corners counter-clockwise.
+Point normalAt(const BlockState& edges, const Point& place, const Point& other) {
+    const std::vector<Point>& corners = edges.points;
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto away = [&](std::size_t i) {
+        return distanceToSegment(corners[i], corners[(i + 1) % corners.size()], place);
+    };
+    for (std::size_t i = 0; i < corners.size(); ++i) nearest = std::min(nearest, away(i));
+    Point best(0.0, 0.0);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (away(i) > nearest + onEdge * sizeOf(edges)) continue;
+        const Point along = (corners[(i + 1) % corners.size()] - corners[i]).normalized();
+        const Point normal(along.y(), -along.x());
+        if (best.isZero() || normal.dot(other - place) > best.dot(other - place)) best = normal;
+    }
+    return best;
+}
+
+double movement(const MovingJoint& joint) { return std::hypot(joint.slip, joint.opening); }
+
+/// Sorts by movement, largest first, and leaves out what moves less than a tenth of it.
+template <typename Row, typename Measure>
+void keepLargest(std::vector<Row>& rows, const Measure& measure) {
+    std::ranges::stable_sort(rows, [&](const Row& a, const Row& b) { return measure(a) > measure(b); });
+    const double least = rows.empty() ? 0.0 : share * measure(rows.front());
+    std::erase_if(rows, [&](const Row& row) { return measure(row) < least || measure(row) == 0.0; });
+}
+
+void add(MovingJoint& joint, const ContactFrame& contact, const Point& place, const Frame& before, const Frame& after) {
+    const auto a = static_cast<std::size_t>(contact.blockA), b = static_cast<std::size_t>(contact.blockB);
+    const Point normal = normalAt(before.blocks[b], place, before.blocks[a].centroid);
+    const Point apart = way(before.blocks[a], after.blocks[a], place) - way(before.blocks[b], after.blocks[b], place);
+    const double slip = std::abs(cross(normal, apart)), opening = std::max(normal.dot(apart), 0.0);
+    if (joint.blockA < 0 || std::hypot(slip, opening) > movement(joint)) joint.position = place;
+    joint.blockA = std::min(contact.blockA, contact.blockB);
+    joint.blockB = std::max(contact.blockA, contact.blockB);
+    joint.jointMaterial = contact.jointMaterial;
+    joint.slip = std::max(joint.slip, slip);
+    joint.opening = std::max(joint.opening, opening);
+}
+
+/// Contacts of both frames: when a stage begins nothing may be pressed together yet, when it has failed no more.
+std::vector<MovingJoint> jointsBetween(const Frame& before, const Frame& after) {
+    std::map<std::pair<int, int>, MovingJoint> joints;
+    const auto look = [&](const Frame& frame) {
+        for (const ContactFrame& contact : frame.contacts) {
+            const auto a = static_cast<std::size_t>(contact.blockA), b = static_cast<std::size_t>(contact.blockB);
+            if (!isThere(before.blocks[a]) || !isThere(after.blocks[a]) || !isThere(before.blocks[b]) ||
+                !isThere(after.blocks[b]))
+                continue;
+            const Point place = &frame == &before
+                                    ? contact.position
+                                    : placeBefore(before.blocks[b], after.blocks[b], contact.position);
+            add(joints[std::minmax(contact.blockA, contact.blockB)], contact, place, before, after);
+        }
+    };
+    look(before);
+    look(after);
+    std::vector<MovingJoint> list;
+    for (const auto& [pair, joint] : joints) list.push_back(joint);
+    return list;
+}
+
+}  // namespace
+
+std::string_view wordOf(Movement movement) {
+    switch (movement) {
+        case Movement::Slides: return "slides";
+        case Movement::Falls: return "falls";
+        case Movement::Topples: break;
+    }
+    return "topples";
+}
+
+double farthestMovement(const Frame& before, const Frame& after) {
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < after.blocks.size(); ++i)
+        if (isThere(before.blocks[i]) && isThere(after.blocks[i]))
+            farthest = std::max(farthest, (after.blocks[i].centroid - before.blocks[i].centroid).norm() /
+                                              sizeOf(before.blocks[i]));
+    return farthest;
+}
+
+FailureMode failureMode(const Frame& before, const Frame& after, const Point& down) {
+    FailureMode mode;
+    for (std::size_t i = 0; i < after.blocks.size(); ++i) {
+        const BlockState &from = before.blocks[i], &to = after.blocks[i];
+        if (!isThere(from) || !isThere(to)) continue;
+        const Point displacement = to.centroid - from.centroid;
+        const double rotation = to.rotation - from.rotation;
+        mode.blocks.push_back(
+            {static_cast<int>(i), movementOf(displacement, rotation, sizeOf(to), down), displacement, rotation});
+    }
+    keepLargest(mode.blocks, [&](const MovingBlock& block) {
+        const BlockState& there = after.blocks[static_cast<std::size_t>(block.block)];
+        return block.displacement.norm() + std::abs(block.rotation) * sizeOf(there);
+    });
+    mode.joints = jointsBetween(before, after);
+    keepLargest(mode.joints, movement);
+    return mode;
+}
+
+}  // namespace keyblock

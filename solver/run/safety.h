@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Factor of safety by strength reduction: the scene is run again and again with
+// its strengths divided by a factor, until one that stands and one that does not
+// lie close together.
+#pragma once
+
+#include "solver/run/failure_mode.h"
+#include "solver/run/run.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace keyblock {
+
+/// Beyond these no bracket is looked for.
+inline constexpr double leastSafety = 1e-3, mostSafety = 1e3;
+
+/// A block that has moved farther in a stage, over its size (centroid to farthest corner), has left its place, whatever
+/// it came to rest on.
+inline constexpr double leftPlace = 0.1;
+
+/// One run with strengths divided by `factor`.
+struct SafetyRun {
+    double factor = 1.0;
+    bool stands = false;  // every stage ended in equilibrium, and no block had left its place
+    StageResult end;  // the stage that decides: the first that does not stand, else the last
+};
+
+struct SafetyFactor {
+    std::optional<double> lower;  // largest factor found to stand, below `upper`
+    std::optional<double> upper;  // least factor found not to stand, above `lower`
+    std::vector<SafetyRun> runs;  // in the order in which they were done
+    std::optional<FailureMode> mode;  // of the run at `upper`
+    std::optional<Outcome> cutShort;  // `Stopped` or `Limit`: the last run came to no answer
+};
+
+/// Runs a scene into a sink, as `run` does.
+using SafetyTrial = std::function<void(const Scene& reduced, double factor, Sink& sink)>;
+
+/// The factor to try next: 1, then doubled or halved until there are both ends, then their middle; none when they are
+/// `tolerance` apart, or at the last factor that is tried.
+std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optional<double> upper, double tolerance);
+
+/// Looks for the factor to `scene.safety.tolerance`.
+/// \pre `checkScene(scene)` and `checkSafety(scene)` found no error.
+/// \param told called after every run that came to an answer; may be empty.
+SafetyFactor findSafetyFactor(const Scene& scene, const SafetyTrial& trial,
+                              const std::function<void(const SafetyRun&)>& told = {});
+
+}  // namespace keyblock
