@@ -22,6 +22,8 @@ constexpr double pathShare = 1e-5;  // of the smallest block: a longer move may 
 constexpr int mostPaths = 2;  // times that a step is done again because it does
 constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
 constexpr int preloadRounds = 4;
+constexpr int preloadTries = 12;  // what was found by then is a fair start
+constexpr double preloadCut = 0.1;  // of the pseudo-step, where friction does not settle in it
 
 /// At its zero point, or past it and carrying.
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
@@ -41,18 +43,25 @@ void keepTouching(const Model& model, const State& state, StepProblem& problem) 
     }
 }
 
-/// Moves the contacts' zero points and the blocks' stress so that they carry the forces found, with nothing moved.
+/// Moves the contacts' zero points and the blocks' stress so that they carry the forces found, with nothing moved. What
+/// friction could not hold is not kept: it would let go at once, with an energy that came from nowhere.
 void takePreload(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d) {
     std::vector<double> strains;
     linkStrains(problem, d, strains);
+    double push = 0.0;
     for (std::size_t i = 0; i < strains.size(); ++i) {
         const Link& link = problem.links[i];
         if (link.law.stiffness <= 0.0) continue;
         const double force = respond(link.law, strains[i]).force;
-        if (link.kind == LinkKind::Normal)
+        if (link.kind == LinkKind::Normal) {
             carryNormal(model, state.contacts[static_cast<std::size_t>(link.owner)], link.strain, -force);
-        if (link.kind == LinkKind::Friction)
-            carryShear(model, state.contacts[static_cast<std::size_t>(link.owner)], link.strain, force);
+            push = std::max(0.0, -force);
+        }
+        if (link.kind == LinkKind::Friction) {
+            Contact& c = state.contacts[static_cast<std::size_t>(link.owner)];
+            const double most = c.bonded ? std::abs(force) : frictionOf(model, c) * push;
+            carryShear(model, c, link.strain, std::clamp(force, -most, most));
+        }
         if (link.kind == LinkKind::Glue)
             state.glue[static_cast<std::size_t>(link.owner)].offset[static_cast<std::size_t>(link.part)] =
                 link.strain - force / link.law.stiffness;
@@ -86,16 +95,20 @@ StepEnding DynamicStage::preload(State& state) {
     for (const BlockModel& block : model.blocks) mass = std::max(mass, block.mass);
     for (const Contact& c : state.contacts) stiffness = std::min(stiffness, contactSprings(model, c).normal);
     if (mass <= 0.0) return {};
-    const double dt = std::sqrt(2.0 * mass / (preloadInertia * stiffness));
+    double dt = std::sqrt(2.0 * mass / (preloadInertia * stiffness));
     State trial = state;
-    for (int round = 0; round < preloadRounds; ++round) {
+    for (int round = 0, tries = 0; round < preloadRounds && tries < preloadTries; ++tries) {
         StepProblem problem = buildStep(model, trial, loads_, loadsAt_(0.0), {Inertia::Static, dt, round == 0});
         keepTouching(model, trial, problem);
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
         const SolveReport report =
             solveStep(engine_, problem, trial, d, {.tolerance = model.analysis.tolerance, .convex = true});
         if (report.stopped) return {Ending::Stopped, "", {}};
-        if (!report.converged) break;  // what was found so far is a fair start
+        if (!report.converged) {
+            dt *= preloadCut;
+            continue;
+        }
+        ++round;
         takePreload(model, trial, problem, d);
     }
     state = std::move(trial);

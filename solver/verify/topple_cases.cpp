@@ -86,6 +86,12 @@ Scene slopeScene(double frictionAngle) {
     return scene;
 }
 
+/// What the energies of a slope that stands lack at the end, over the largest of them. Its steep friction carries
+/// shear from the first step, and nothing must let go there that was never put in.
+double energyLeft(double frictionAngle) {
+    return std::abs(solve(slopeScene(frictionAngle)).results.stages.back().health.balanceError);
+}
+
 /// The columns at the end; none where the run did not get there.
 std::vector<BlockState> columnsAtEnd(double frictionAngle) {
     const Results results = solve(slopeScene(frictionAngle)).results;
@@ -132,6 +138,7 @@ std::vector<CaseResult> slope() {
     checks.absolute("friction angle below which it fails [°]", found, published, 2.0);
     checks.absolute("columns of 16 that stand, topple and slide as they should, at 37.25°", asExpected(37.25), 16.0,
                     0.0);
+    checks.absolute("energy that the slope makes of nothing, at 60°", energyLeft(60.0), 0.0, 1e-6);
     return checks.take();
 }
 
