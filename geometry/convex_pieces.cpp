@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Ear clipping: a corner that turns left and whose triangle holds no other corner
+// is cut off, until nothing is left. Every simple polygon has such a corner; with
+// straight corners in it, the widest ear goes first, so that no triangle is made of
+// three corners on a line while another is to be had. Blocks have few corners.
+#include "geometry/convex_pieces.h"
+
+#include "geometry/orientation.h"
+#include "geometry/segment.h"
+
+#include <array>
+#include <numeric>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double straight = 1e-9;  // sine of a turn
+
+double turn(const Point& a, const Point& b, const Point& c) {
+    const Point in = b - a, out = c - b;
+    const double lengths = in.norm() * out.norm();
+    return lengths > 0.0 ? cross(in, out) / lengths : 0.0;
+}
+
+bool isConvex(std::span<const Point> polygon) {
+    const std::size_t n = polygon.size();
+    for (std::size_t i = 0; i < n; ++i)
+        if (turn(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]) < -straight) return false;
+    return true;
+}
+
+class Clipping {
+public:
+    explicit Clipping(std::span<const Point> polygon) : polygon_(polygon), left_(polygon.size()) {
+        std::iota(left_.begin(), left_.end(), 0);
+    }
+
+    std::vector<std::vector<int>> triangles() {
+        std::vector<std::vector<int>> pieces;
+        while (left_.size() >= 3) {
+            if (dropSpike()) continue;
+            const std::size_t ear = widestEar();
+            pieces.push_back({before(ear), left_[ear], after(ear)});
+            left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
+        }
+        return pieces;
+    }
+
+private:
+    const Point& at(int corner) const { return polygon_[static_cast<std::size_t>(corner)]; }
+    int before(std::size_t i) const { return left_[(i + left_.size() - 1) % left_.size()]; }
+    int after(std::size_t i) const { return left_[(i + 1) % left_.size()]; }
+
+    /// Takes away a corner that runs out and back, as is left where an outline touches itself.
+    bool dropSpike() {
+        for (std::size_t i = 0; i < left_.size(); ++i) {
+            if (at(before(i)) != at(after(i))) continue;
+            left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i));
+            left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i % left_.size()));
+            return true;
+        }
+        return false;
+    }
+
+    /// Of the corners that are no ears too, where there is no ear.
+    std::size_t widestEar() const {
+        std::size_t best = 0;
+        double width = -2.0;
+        bool found = false;
+        for (std::size_t i = 0; i < left_.size(); ++i) {
+            const double sine = turn(at(before(i)), at(left_[i]), at(after(i)));
+            const bool ear = sine > 0.0 && isEmpty(i);
+            if ((ear && !found) || (ear == found && sine > width)) {
+                best = i;
+                width = sine;
+                found = found || ear;
+            }
+        }
+        return best;
+    }
+
+    bool isEmpty(std::size_t ear) const {
+        const std::array<Point, 3> triangle{at(before(ear)), at(left_[ear]), at(after(ear))};
+        for (std::size_t i = 0; i < left_.size(); ++i) {
+            if (left_[i] == before(ear) || i == ear || left_[i] == after(ear)) continue;
+            if (reachesInto(triangle, i)) return false;
+        }
+        return true;
+    }
+
+    /// Whether a corner lies in the triangle or, where an outline touches itself on a corner of the triangle, has a side
+    /// that leaves into it.
+    bool reachesInto(const std::array<Point, 3>& triangle, std::size_t i) const {
+        const Point& p = at(left_[i]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (p != triangle[k]) continue;
+            const Point &from = triangle[(k + 2) % 3], &to = triangle[(k + 1) % 3];
+            const auto leaves = [&](const Point& q) { return orientation(p, to, q) > 0 && orientation(from, p, q) > 0; };
+            return leaves(at(before(i))) || leaves(at(after(i)));
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+            if (orientation(triangle[k], triangle[(k + 1) % 3], p) < 0) return false;
+        return true;
+    }
+
+    std::span<const Point> polygon_;
+    std::vector<int> left_;  // corners not cut off yet
+};
+
+}  // namespace
+
+std::vector<std::vector<int>> convexPieces(std::span<const Point> polygon) {
+    if (!isConvex(polygon)) return Clipping(polygon).triangles();
+    std::vector<int> all(polygon.size());
+    std::iota(all.begin(), all.end(), 0);
+    return {all};
+}
+
+}  // namespace keyblock
