@@ -94,16 +94,19 @@ std::string tableNames() {
 }
 
 void addExport(CLI::App& app, ExportOptions& options) {
-    CLI::App* verb = app.add_subcommand("export", "Write a table of a run as CSV");
+    CLI::App* verb = app.add_subcommand("export", "Write a table of a run as CSV, or the run for ParaView");
     verb->add_option("RUN.kbrun", options.run, "The run store")->required()->type_name("");
-    verb->add_option("--table", options.table, "Which table")->required()->type_name(tableNames());
+    verb->add_option("--table", options.table, "Which table")->type_name(tableNames());
+    verb->add_option("--vtk", options.vtk,
+                     "Instead of a table: time series of blocks, bolts and contacts (PVD, VTP), in this folder")
+        ->type_name("DIR");
     verb->add_option("--bolt", options.bolt, "Only this bolt (tables events and bolts)")->type_name("NAME");
     verb->add_option("--stage", options.stage, "Only this stage")->type_name("NAME");
     verb->add_option("--at", options.at,
                      "A moment: the nearest one kept, the last one or all; default: last for bolts, blocks and "
                      "contacts, all for the others")
         ->type_name("STAGE:TIME|last|all");
-    verb->add_option("--out", options.out, "The file to write")->required()->type_name("FILE.csv");
+    verb->add_option("--out", options.out, "The file to write a table to")->type_name("FILE.csv");
 }
 
 void addSafety(CLI::App& app, SafetyOptions& options) {

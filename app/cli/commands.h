@@ -41,7 +41,8 @@ struct InfoOptions {
 
 struct ExportOptions {
     std::filesystem::path run;
-    std::string table;
+    std::string table;  // empty: no table
+    std::optional<std::filesystem::path> vtk;  // the folder
     std::optional<std::string> bolt;
     std::optional<std::string> stage;
     std::optional<std::string> at;

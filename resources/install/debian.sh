@@ -4,14 +4,23 @@
 #
 # Installs what Keyblock is built with on Debian 12. It asks the package database
 # first, says what is missing, and needs root only then; with everything there it
-# is over in a blink. Safe to run again. Arguments are further packages.
+# is over in a blink. Safe to run again. Arguments are further packages; `readers`
+# stands for the programs by which tests read exported files again (2 GB, with
+# VTK), without which those tests are left out.
 set -eu
 export LC_ALL=C
+
+readers="libvtk9-dev"
+further=""
+for argument in "$@"; do
+    [ "$argument" != readers ] || argument=$readers
+    further="$further $argument"
+done
 
 packages="g++ cmake ninja-build ccache pkg-config
           libeigen3-dev libcgal-dev libsuitesparse-dev libopenblas-dev libtbb-dev
           nlohmann-json3-dev libcli11-dev libsqlite3-dev
-          libgtest-dev libbenchmark-dev $*"
+          libgtest-dev libbenchmark-dev$further"
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
     echo "This is no Debian: the build goes on and will say what it lacks. On Debian 12 it takes:" $packages >&2
