@@ -6,10 +6,10 @@
 .DEFAULT_GOAL := help
 .PHONY: help run test kills asan tsan bench fuzz clean packages
 
-SHOWN := build/release/rebar-stated.kbrun
+SHOWN := build/release/drift-bolted.kbrun
 
 help:
-	@echo "make run    build Keyblock, run the paper's rebar bolt, compare with the paper and the reference"
+	@echo "make run    build Keyblock, excavate, bolt and load a drift in two joint sets, compare with the paper and the reference"
 	@echo "make test   build and run all tests"
 	@echo "make kills  a hundred runs killed at random moments and fifty stopped; resumed, they end with the same bytes"
 	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
@@ -29,7 +29,8 @@ endef
 
 run: packages
 	$(call build,release)
-	build/release/keyblock run samples/rebar-stated.json --overwrite --out $(SHOWN)
+	build/release/keyblock run samples/drift-bolted.json --overwrite --out $(SHOWN)
+	build/release/keyblock info $(SHOWN)
 	build/release/keyblock verify --paper
 
 test: packages
