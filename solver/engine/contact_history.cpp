@@ -160,7 +160,7 @@ double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, c
         const auto isPlate = [&](int block) { return model.blocks[block].plateOf >= 0; };
         const bool holds = joint.cohesion > 0.0 || joint.tensileStrength > 0.0;
         contact.bonded = holds && !isPlate(contact.blockA) && !isPlate(contact.blockB) &&
-                         sharedFace(model, blocks, contact).length > 0.0;
+                         sharedFace(model, blocks, contact).length > model.tolerance;
     } else if (!first && contact.gap < 0.0 && !givesItself(model, contact)) {
         // found inside: it starts without force, else it would bring energy
         contact.gapOffset = contact.gap;

@@ -3,6 +3,7 @@
 #include "solver/engine/contacts.h"
 
 #include "geometry/grid.h"
+#include "solver/engine/bonded_corners.h"
 #include "solver/engine/contact_candidates.h"
 #include "solver/engine/contact_history.h"
 #include "solver/engine/parallel.h"
@@ -101,6 +102,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     std::sort(contacts.begin(), contacts.end(), comesBefore);
     const double ended = handOver(model, blocks, before, contacts);
     if (asked.released) *asked.released += std::accumulate(lost.begin(), lost.end(), ended);
+    dropHeldCorners(model, contacts);
     return contacts;
 }
 

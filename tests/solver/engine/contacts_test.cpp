@@ -64,6 +64,28 @@ TEST(Contacts, FourBlocksAtAPoint) {
     EXPECT_LE(found.between(1, 2), 1);
 }
 
+/// Bonds round the point hold the two that share no face, as long as they lead from one to the other.
+TEST(Contacts, BondsHoldCornersThatMeetNoFace) {
+    Scene scene = boxes({{{0, 0}, {1, 1}}, {{1, 0}, {2, 1}}, {{0, 1}, {1, 2}}, {{1, 1}, {2, 2}}});
+    scene.jointMaterials[0].second.cohesion = 1e6;
+    Found found(scene);
+    const auto across = [&] { return found.between(0, 3) + found.between(1, 2); };
+    const auto breakAtPoint = [&](int a, int b) {
+        for (Contact& c : found.contacts)
+            if (std::minmax(c.blockA, c.blockB) == std::minmax(a, b) && (c.position - Point(1, 1)).norm() < 1e-9)
+                c.bonded = false;
+        found.contacts = findContacts(found.model, found.state.blocks, found.contacts, 1e-3, false);
+    };
+    EXPECT_EQ(found.contacts.size(), 8u);
+    EXPECT_EQ(across(), 0);
+    breakAtPoint(0, 1);
+    EXPECT_EQ(across(), 0);
+    breakAtPoint(2, 3);
+    EXPECT_EQ(found.between(0, 3), 1);  // 0 and 2 hold together, and 1 and 3
+    EXPECT_EQ(found.between(1, 2), 1);
+    EXPECT_EQ(found.contacts.size(), 10u);
+}
+
 TEST(Contacts, LengthsOfAJointAddUpToIt) {
     Scene scene = boxes({{{0, 0}, {3, 1}}, {{1, 1}, {2, 2}}, {{2.5, 1}, {4.5, 2}}});
     scene.jointMaterials[0].second.cohesion = 1e6;
