@@ -114,11 +114,20 @@ struct Nature {
     bool shears = false;  // a joint may shear steel that forms hinges
 };
 
+/// A bond as strong as the rock is stiff: no strain that the model is for would break it.
+bool unbreakable(const Model& model, const State& state, const Limit& limit) {
+    const Contact& c = state.contacts[static_cast<std::size_t>(limit.owner)];
+    const JointModel& joint = model.joints[c.joint];
+    const double modulus = std::min(model.blocks[c.blockA].youngsModulus, model.blocks[c.blockB].youngsModulus);
+    return std::min(joint.cohesion, joint.tensileStrength) >= modulus;
+}
+
 Nature natureOf(const Model& model, const State& start, const CensusCounts& counts) {
     Nature nature;
     const std::vector<Limit> limits = heldLimits(model, start);
-    nature.releases = static_cast<int>(std::count_if(limits.begin(), limits.end(), [](const Limit& limit) {
-        return limit.kind == LimitKind::Bond || limit.kind == LimitKind::Yield || limit.kind == LimitKind::JointBond;
+    nature.releases = static_cast<int>(std::count_if(limits.begin(), limits.end(), [&](const Limit& limit) {
+        if (limit.kind == LimitKind::JointBond) return !unbreakable(model, start, limit);
+        return limit.kind == LimitKind::Bond || limit.kind == LimitKind::Yield;
     }));
     const auto slides = [](const Contact& c) { return !c.bonded; };
     const int free = counts.blocks - counts.cells - counts.fixed;
