@@ -14,6 +14,7 @@ std::vector<Case> blockCases();
 std::vector<Case> schemeCases();
 std::vector<Case> cellCases();
 std::vector<Case> plateCases();
+std::vector<Case> openingCases();
 std::vector<Case> roofCases();
 std::vector<Case> toppleCases();
 std::vector<Case> waveCases();
