@@ -27,13 +27,14 @@ std::pair<double, double> zeroPoints(const Contact& c, const ContactSprings& k) 
             c.slipOffset - (k.shear > 0.0 ? c.shearMultiplier / k.shear : 0.0)};
 }
 
-/// Blocks in the middle of the step that they would make, as rigid bodies, at the speed they have: strain rates may ring
-/// from step to step and say nothing of what comes.
-std::vector<BlockMotion> halfway(const Model& model, const State& state, double ahead) {
+/// Blocks in the middle of the step that they make or, as far as that is not known, would make at the speed they have;
+/// as rigid bodies: strain rates may ring from step to step and say nothing of what comes.
+std::vector<BlockMotion> halfway(const Model& model, const State& state, double ahead, const Eigen::VectorXd* path) {
     std::vector<BlockMotion> blocks = state.blocks;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         if (model.blocks[i].fixed) continue;
         Vector6 way = ahead * blocks[i].velocity;
+        if (path) way = 0.5 * path->segment<6>(6 * static_cast<Eigen::Index>(i));
         way.tail<3>().setZero();
         moveBlock(model.blocks[i], blocks[i], way);
     }
@@ -139,9 +140,11 @@ double contactEnergy(const Model& model, const std::vector<BlockMotion>& blocks,
            storedEnergy(friction, respond(friction, slipOf(blocks, c)).force);
 }
 
-void addContactLinks(const Model& model, const State& state, bool frictionLocked, StepProblem& problem, double ahead) {
-    const std::vector<BlockMotion> moved = ahead > 0.0 ? halfway(model, state, ahead) : std::vector<BlockMotion>{};
-    ContactLinks links(model, state, ahead > 0.0 ? moved : state.blocks, frictionLocked, problem);
+void addContactLinks(const Model& model, const State& state, bool frictionLocked, StepProblem& problem, double ahead,
+                     const Eigen::VectorXd* path) {
+    const bool on = ahead > 0.0 || path;
+    const std::vector<BlockMotion> moved = on ? halfway(model, state, ahead, path) : std::vector<BlockMotion>{};
+    ContactLinks links(model, state, on ? moved : state.blocks, frictionLocked, problem);
     for (std::size_t i = 0; i < state.contacts.size(); ++i) links.add(static_cast<int>(i));
 }
 

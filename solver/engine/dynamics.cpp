@@ -20,6 +20,8 @@ constexpr double locateShare = 1e-4;
 constexpr double nearShare = 1e-3;  // of the smallest block: contacts are always sought this far
 constexpr double pathShare = 1e-5;  // of the smallest block: a longer move may come in by another edge than it seemed
 constexpr int mostPaths = 2;  // times that a step is done again because it does
+constexpr double arcShare = 1e-2;  // of the forces at play: what the turning of blocks may add to a contact's
+constexpr int mostArcs = 4;  // times that a step is done again because it adds more
 constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
 constexpr int preloadRounds = 4;
 constexpr int preloadTries = 12;  // what was found by then is a fair start
@@ -69,6 +71,30 @@ void takePreload(const Model& model, State& state, const StepProblem& problem, c
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         state.blocks[i].preStress +=
             model.blocks[i].elasticity * d.segment<3>(6 * static_cast<Eigen::Index>(i) + 3);
+}
+
+/// Whether contacts carry what they would carry where the blocks really come to, on arcs and not on straight ways.
+bool arcsHold(const Model& model, std::vector<BlockMotion> blocks, const StepProblem& problem,
+              const std::vector<Contact>& contacts, const Eigen::VectorXd& d) {
+    double arc = 0.0;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const Vector6 way = d.segment<6>(6 * static_cast<Eigen::Index>(i));
+        arc = std::max(arc, model.blocks[i].size * way[2] * way[2]);
+        if (!model.blocks[i].fixed) moveBlock(model.blocks[i], blocks[i], way);
+    }
+    if (arc < model.tolerance) return true;
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    const double reference = referenceForce(problem, d, netForce(problem, d));
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const Link& link = problem.links[i];
+        if (!ofContact(link.kind)) continue;
+        const Contact& c = contacts[static_cast<std::size_t>(link.owner)];
+        const double strain = link.kind == LinkKind::Normal ? gapOf(blocks, c) + link.shift : slipOf(blocks, c);
+        const double off = respond(link.law, strain).force - respond(link.law, strains[i]).force;
+        if (std::abs(off) > arcShare * reference) return false;
+    }
+    return true;
 }
 
 /// Sums steps with what rounding took from the sum before, so that a million of them lose nothing (Kahan 1965).
@@ -183,7 +209,7 @@ double DynamicStage::predictedMove(const State& state, double dt, const DynamicP
 DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, double dt, DynamicPace& pace,
                                             Trial& trial) {
     const Model& model = engine_.model;
-    const StepOptions options{settings_.scheme, dt, false, settings_.rhoInf, settings_.damping};
+    StepOptions options{settings_.scheme, dt, false, settings_.rhoInf, settings_.damping};
     const LoadPoint at = loadsOver(time, dt, factorsOf(options).loadTime);
     const double least = nearShare * smallestSize(model);
     double margin = std::max(least, 2.0 * predictedMove(state, dt, pace));
@@ -191,7 +217,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         guess.segment<6>(6 * static_cast<Eigen::Index>(i)) = dt * state.blocks[i].velocity;
     Eigen::VectorXd path = guess;
-    for (int paths = 0;;) {
+    for (int paths = 0, arcs = 0;;) {
         trial.state = state;
         trial.state.contacts = findContacts(model, state.blocks, state.contacts,
                                             {2.0 * margin + widestOpening(state), false, &path,
@@ -213,6 +239,12 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
             !entrancesHold(model, state.blocks, trial.state.contacts, 2.0 * margin + widestOpening(state), d)) {
             path = d;
             ++paths;
+            continue;
+        }
+        if (arcs < mostArcs && !arcsHold(model, state.blocks, problem, trial.state.contacts, d)) {
+            guess = d;
+            options.path = &guess;
+            ++arcs;
             continue;
         }
         pace.lastMove = move;

@@ -145,7 +145,7 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
     problem.links.reserve(2 * (state.contacts.size() + model.held.size()) + 3 * model.glue.size() +
                           linksANode * static_cast<std::size_t>(model.nodes));
     problem.openings = at.openings;
-    addContactLinks(model, state, options.frictionLocked, problem, lookAhead(options));
+    addContactLinks(model, state, options.frictionLocked, problem, lookAhead(options), options.path);
     problem.moves = options.inertia != Inertia::Static && options.inertia != Inertia::None;
     if (problem.moves) problem.ownForce = ownForces(model, problem, external);
     addGlueLinks(model, state, problem.moves ? 0.5 * options.dt : 0.0, problem);

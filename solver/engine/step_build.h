@@ -16,9 +16,9 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
                       const StepOptions& options);
 
 /// Links of the contacts, in the order of the state's contacts: normal, then friction. Their directions and lever arms
-/// are those where the blocks will be `ahead` [s] at the speed they have.
+/// are those where the blocks will be `ahead` [s] at the speed they have; half way, where their path is known.
 void addContactLinks(const Model& model, const State& state, bool frictionLocked, StepProblem& problem,
-                     double ahead = 0.0);
+                     double ahead = 0.0, const Eigen::VectorXd* path = nullptr);
 
 /// Links of the points held by supports.
 void addHeldPoints(const Model& model, const State& state, StepProblem& problem);

@@ -30,6 +30,7 @@ struct StepOptions {
     bool frictionLocked = false;
     double rhoInf = 1.0;  // GeneralizedAlpha: spectral radius of modes much stiffer than the step
     Damping damping{};  // dynamic schemes only
+    const Eigen::VectorXd* path = nullptr;  // displacement over the step, where it is known already
 };
 
 /// d·D + v·(velocity) + a·(acceleration) at the step's start.

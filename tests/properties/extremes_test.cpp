@@ -8,6 +8,7 @@
 #include "solver/verify/scenes.h"
 #include "tests/solver/run/small_stages.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -214,6 +215,25 @@ TEST(Extremes, AHundredMetresASecond) {
     const Results results = ran(scene, Outcome::Duration);
     EXPECT_GT(lastBlock(results).centroid.y(), 0.0);
     EXPECT_LE(lastBlock(results).velocity.norm(), 101.0);
+}
+
+/// It turns by a twentieth of a radian and more in a step, and straight ways of its corners would end in the rock.
+TEST(Extremes, AStoneThatTumblesOntoTheFloorMakesNoEnergy) {
+    for (const Integration scheme : {Integration::Shi, Integration::Newmark, Integration::BackwardEuler})
+        for (const double spin : {-40.0, -20.0, 0.0, 20.0}) {
+            Scene scene = slab(35.0);
+            scene.materials[0].second.youngsModulus = 50e9;
+            scene.analysis.integration = scheme;
+            Block stone = boxBlock("stone", {-0.06, -0.06}, {0.06, 0.06});
+            for (Point& p : stone.points) p = Eigen::Rotation2Dd(0.35) * p + Point(0.0, 0.1);
+            scene.blocks.push_back(stone);
+            scene.stages = {dynamic(0.05, 1e-3)};
+            scene.stages[0].initialVelocities = {{{0.0, 0.1}, {1.0, -9.0}, spin}};
+            const Results results = runInMemory(scene);
+            expectFinite(results);
+            EXPECT_EQ(results.stages[0].outcome, Outcome::Duration) << results.stages[0].message;
+            EXPECT_LT(std::abs(results.stages[0].health.balanceError), 1e-2) << spin;  // of third order in the angle
+        }
 }
 
 /// A bar with friction along it between two blocks that are pulled 1 mm apart.
