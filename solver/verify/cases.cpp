@@ -9,8 +9,8 @@ namespace {
 std::vector<Case> allGroups() {
     std::vector<Case> all;
     for (const auto& group : {blockCases(), contactCases(), schemeCases(), shakenCases(), cellCases(), plateCases(),
-                              openingCases(), roofCases(), toppleCases(), waveCases(), beamCases(), bondCases(),
-                              slidingBoltCases(), pullOutCases(), dowelCases(), stepCases()})
+                              openingCases(), roofCases(), voussoirCases(), toppleCases(), waveCases(), beamCases(),
+                              bondCases(), slidingBoltCases(), pullOutCases(), dowelCases(), stepCases()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }

@@ -16,6 +16,7 @@ std::vector<Case> cellCases();
 std::vector<Case> plateCases();
 std::vector<Case> openingCases();
 std::vector<Case> roofCases();
+std::vector<Case> voussoirCases();
 std::vector<Case> toppleCases();
 std::vector<Case> waveCases();
 std::vector<Case> shakenCases();
