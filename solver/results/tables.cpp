@@ -6,6 +6,7 @@
 #include "solver/results/tables.h"
 
 #include "solver/results/csv.h"
+#include "solver/results/frame_quantities.h"
 #include "solver/results/words.h"
 
 #include <algorithm>
@@ -19,6 +20,13 @@ constexpr std::array<std::string_view, 6> words{"history", "events", "bolts", "b
 
 using Columns = std::vector<std::string_view>;
 
+template <typename Row>
+Columns withQuantities(Columns columns, std::span<const FrameQuantity<Row>> quantities) {
+    for (const FrameQuantity<Row>& quantity : quantities)
+        columns.push_back(quantity.column);
+    return columns;
+}
+
 /// The columns after `stage,time_s`.
 Columns columnsOf(TableKind kind, const HistoryColumns& history) {
     switch (kind) {
@@ -26,17 +34,11 @@ Columns columnsOf(TableKind kind, const HistoryColumns& history) {
             return {"step", "kind",          "bolt",          "node",           "element", "block",
                     "x_m",  "y_m",           "axial_force_N", "shear_force_N",  "anchor_force_N", "slip_m"};
         case TableKind::Bolts:
-            return {"bolt",   "node",  "s_m",           "x_m",           "y_m",       "block",          "anchor",
-                    "state",  "axial_force_N", "shear_force_N", "moment_Nm", "anchor_force_N", "slip_m"};
-        case TableKind::Blocks:
-            return {"block",  "x_m",    "y_m",        "ux_m",       "uy_m",    "rotation_rad", "sxx_Pa",
-                    "syy_Pa", "sxy_Pa", "vx_m_per_s", "vy_m_per_s", "area_m2", "weight_N"};
+            return withQuantities({"bolt", "node", "s_m", "x_m", "y_m", "block", "anchor", "state"}, boltQuantities());
+        case TableKind::Blocks: return withQuantities({"block", "x_m", "y_m"}, blockQuantities());
         case TableKind::Contacts:
-            return {"block_a", "block_b",        "joint_material", "x_m",           "y_m",
-                    "state",   "normal_force_N", "shear_force_N",  "penetration_m", "slip_m"};
-        case TableKind::Energy:
-            return {"kinetic_J", "strain_J",   "contact_J", "bolt_J",     "friction_J",
-                    "plastic_J", "released_J", "damped_J",  "external_J", "balance_error"};
+            return withQuantities({"block_a", "block_b", "joint_material", "x_m", "y_m", "state"}, contactQuantities());
+        case TableKind::Energy: return withQuantities({}, energyQuantities());
         case TableKind::History: break;
     }
     return {history.names.begin(), history.names.begin() + history.monitorValues};
@@ -51,6 +53,13 @@ void writeHeader(const Columns& columns, CsvWriter& csv) {
 
 void beginRow(CsvWriter& csv, const Scene& scene, const Moment& moment) {
     csv.text(stageName(scene, moment.stage)).number(moment.time);
+}
+
+template <typename Row>
+void endWithQuantities(CsvWriter& csv, const Row& row, std::span<const FrameQuantity<Row>> quantities) {
+    for (const FrameQuantity<Row>& quantity : quantities)
+        csv.number(quantity.value(row));
+    csv.endRow();
 }
 
 template <typename Timed>
@@ -101,8 +110,7 @@ void writeBoltRows(const RunSource& run, const Frame& frame, int bolt, CsvWriter
         csv.text(boltName(scene, bolt)).index(index++).number(node.s);
         csv.number(node.position.x()).number(node.position.y()).text(blockName(run.blockNames(), node.block));
         csv.text(anchorWord(node.real)).text(wordOf(node.state));
-        csv.number(node.axialForce).number(node.shearForce).number(node.moment);
-        csv.number(node.anchorForce).number(node.slip).endRow();
+        endWithQuantities(csv, node, boltQuantities());
     }
 }
 
@@ -118,9 +126,7 @@ void writeBlocks(const RunSource& run, const Frame& frame, const TableFilter&, C
         if (block.area == 0.0) continue;  // not there
         beginRow(csv, run.scene(), {frame.stage, frame.time});
         csv.text(blockName(run.blockNames(), index)).number(block.centroid.x()).number(block.centroid.y());
-        csv.number(block.displacement.x()).number(block.displacement.y()).number(block.rotation);
-        csv.number(block.stress[0]).number(block.stress[1]).number(block.stress[2]);
-        csv.number(block.velocity.x()).number(block.velocity.y()).number(block.area).number(block.weight).endRow();
+        endWithQuantities(csv, block, blockQuantities());
     }
 }
 
@@ -135,30 +141,27 @@ void writeContacts(const RunSource& run, const Frame& frame, const TableFilter&,
         csv.text(blockName(run.blockNames(), contact.blockA)).text(blockName(run.blockNames(), contact.blockB));
         csv.text(jointMaterialName(run.scene(), contact.jointMaterial));
         csv.number(contact.position.x()).number(contact.position.y()).text(wordOf(contact.state));
-        csv.number(contact.normalForce).number(contact.shearForce).number(contact.penetration);
-        csv.number(contact.slip).endRow();
+        endWithQuantities(csv, contact, contactQuantities());
     }
 }
 
-/// Writes the rows of the selected frames. Several frames may share a moment; of those the last one counts, unless
-/// all are asked for.
+/// Writes the rows of the selected frames.
 template <typename WriteFrame>
 void writeFrames(const RunSource& run, const TableFilter& filter, CsvWriter& csv, WriteFrame writeFrame) {
-    std::vector<std::size_t> indices = selected(momentsOf(run.frames()), filter, When::Last);
-    if (filter.when.value_or(When::Last) != When::All && !indices.empty())
-        indices = {indices.back()};
-    for (const std::size_t index : indices)
+    if (filter.when != When::All) {
+        if (const auto index = frameAt(run, filter))
+            writeFrame(run, run.frame(*index), filter, csv);
+        return;
+    }
+    for (const std::size_t index : selected(momentsOf(run.frames()), filter, When::All))
         writeFrame(run, run.frame(index), filter, csv);
 }
 
 void writeEnergy(const RunSource& run, const TableFilter& filter, CsvWriter& csv) {
     for (const std::size_t i : selected(momentsOf(run.frames()), filter, When::All)) {
         const FrameHead& frame = run.frames()[i];
-        const Energy& energy = frame.energy;
         beginRow(csv, run.scene(), {frame.stage, frame.time});
-        csv.number(energy.kinetic).number(energy.strain).number(energy.contact).number(energy.bolt);
-        csv.number(energy.friction).number(energy.plastic).number(energy.released).number(energy.damped);
-        csv.number(energy.external).number(energy.balanceError).endRow();
+        endWithQuantities(csv, frame.energy, energyQuantities());
     }
 }
 
@@ -174,6 +177,13 @@ std::optional<TableKind> tableKindOf(std::string_view word) {
 }
 
 bool hasBolts(TableKind kind) { return kind == TableKind::Bolts || kind == TableKind::Events; }
+
+std::optional<std::size_t> frameAt(const RunSource& run, const TableFilter& filter) {
+    const std::vector<std::size_t> indices = selected(momentsOf(run.frames()), filter, When::Last);
+    if (indices.empty())
+        return std::nullopt;
+    return indices.back();
+}
 
 void writeTable(TableKind kind, const RunSource& run, const TableFilter& filter, std::ostream& out) {
     CsvWriter csv(out);

@@ -26,6 +26,10 @@ std::optional<TableKind> tableKindOf(std::string_view word);
 /// Whether `filter.bolt` means anything to the table.
 bool hasBolts(TableKind kind);
 
+/// The one frame at the moment that the filter asks for, or the last of its stage or of the run. Several frames may
+/// share a moment: of those the last one counts. Nothing when no frame was kept.
+std::optional<std::size_t> frameAt(const RunSource& run, const TableFilter& filter);
+
 /// Writes header and rows. The tables of a frame (bolts, blocks, contacts) show the last one unless the filter says
 /// otherwise, the others every row.
 void writeTable(TableKind kind, const RunSource& run, const TableFilter& filter, std::ostream& out);

@@ -45,7 +45,7 @@ TEST(Tables, HaveTheHeadersOfTheContract) {
               "anchor_force_N,slip_m");
     EXPECT_EQ(lines(TableKind::Blocks)[0],
               "stage,time_s,block,x_m,y_m,ux_m,uy_m,rotation_rad,sxx_Pa,syy_Pa,sxy_Pa,vx_m_per_s,vy_m_per_s,area_m2,"
-              "weight_N");
+              "weight_N,displacement_m,speed_m_per_s,sigma1_compressive_Pa,sigma3_compressive_Pa");
     EXPECT_EQ(lines(TableKind::Contacts)[0],
               "stage,time_s,block_a,block_b,joint_material,x_m,y_m,state,normal_force_N,shear_force_N,penetration_m,"
               "slip_m");

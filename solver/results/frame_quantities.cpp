@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tables keep the signs of the results (tension positive); pictures show rock
+// stress with compression positive, as rock mechanics does, and say so.
+#include "solver/results/frame_quantities.h"
+
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+using OfBlock = const BlockState&;
+using OfContact = const ContactFrame&;
+using OfNode = const BoltNodeFrame&;
+using OfEnergy = const Energy&;
+
+constexpr QuantityDisplay millimetres(std::string_view title, std::string_view convention, bool isSigned) {
+    return {title, "mm", 1e3, convention, isSigned};
+}
+constexpr QuantityDisplay stress(std::string_view title, double factor, std::string_view convention, bool isSigned) {
+    return {title, "MPa", factor, convention, isSigned};
+}
+constexpr QuantityDisplay velocity(std::string_view title, std::string_view convention, bool isSigned) {
+    return {title, "m/s", 1.0, convention, isSigned};
+}
+constexpr QuantityDisplay force(std::string_view title, std::string_view convention, bool isSigned) {
+    return {title, "kN", 1e-3, convention, isSigned};
+}
+constexpr QuantityDisplay energy(std::string_view title) { return {title, "kJ", 1e-3, "", true}; }
+
+const FrameQuantity<BlockState> ofBlocks[]{
+    {"ux", "ux_m", [](OfBlock b) { return b.displacement.x(); }, millimetres("Displacement along x", "to the right +", true)},
+    {"uy", "uy_m", [](OfBlock b) { return b.displacement.y(); }, millimetres("Displacement along y", "upwards +", true)},
+    {"rotation", "rotation_rad", [](OfBlock b) { return b.rotation; },
+     {"Rotation", "mrad", 1e3, "counter-clockwise +", true}},
+    {"sxx", "sxx_Pa", [](OfBlock b) { return b.stress[0]; }, stress("Block stress σxx", -1e-6, "compression +", true)},
+    {"syy", "syy_Pa", [](OfBlock b) { return b.stress[1]; }, stress("Block stress σyy", -1e-6, "compression +", true)},
+    {"sxy", "sxy_Pa", [](OfBlock b) { return b.stress[2]; },
+     stress("Block stress σxy", 1e-6, "on a face to the right, upwards +", true)},
+    {"vx", "vx_m_per_s", [](OfBlock b) { return b.velocity.x(); }, velocity("Velocity along x", "to the right +", true)},
+    {"vy", "vy_m_per_s", [](OfBlock b) { return b.velocity.y(); }, velocity("Velocity along y", "upwards +", true)},
+    {"area", "area_m2", [](OfBlock b) { return b.area; }, {"Area", "m²", 1.0, "", false}},
+    {"weight", "weight_N", [](OfBlock b) { return b.weight; }, force("Weight", "", false)},
+    {"displacement", "displacement_m", [](OfBlock b) { return b.displacement.norm(); },
+     millimetres("Displacement", "length of the vector", false)},
+    {"velocity", "speed_m_per_s", [](OfBlock b) { return b.velocity.norm(); },
+     velocity("Velocity", "length of the vector", false)},
+    {"sigma1", "sigma1_compressive_Pa", [](OfBlock b) { return principalStress(b.stress).major; },
+     stress("Block stress σ₁", 1e-6, "major principal, compression +", false)},
+    {"sigma3", "sigma3_compressive_Pa", [](OfBlock b) { return principalStress(b.stress).minor; },
+     stress("Block stress σ₃", 1e-6, "minor principal, compression +", false)},
+};
+
+const FrameQuantity<ContactFrame> ofContacts[]{
+    {"normal_force", "normal_force_N", [](OfContact c) { return c.normalForce; },
+     force("Contact normal force", "compression +", false)},
+    {"contact_shear_force", "shear_force_N", [](OfContact c) { return c.shearForce; },
+     force("Contact shear force", "", true)},
+    {"penetration", "penetration_m", [](OfContact c) { return c.penetration; },
+     millimetres("Penetration", "corner inside +", true)},
+    {"contact_slip", "slip_m", [](OfContact c) { return c.slip; }, millimetres("Contact slip", "", true)},
+};
+
+const FrameQuantity<BoltNodeFrame> ofNodes[]{
+    {"axial_force", "axial_force_N", [](OfNode n) { return n.axialForce; }, force("Axial force N", "tension +", true)},
+    {"shear_force", "shear_force_N", [](OfNode n) { return n.shearForce; }, force("Shear force Q", "", true)},
+    {"moment", "moment_Nm", [](OfNode n) { return n.moment; }, {"Moment M", "N m", 1.0, "", true}},
+    {"anchor_force", "anchor_force_N", [](OfNode n) { return n.anchorForce; },
+     force("Bond force", "rock pulls towards the head +", true)},
+    {"slip", "slip_m", [](OfNode n) { return n.slip; }, millimetres("Slip", "rock towards the head +", true)},
+};
+
+const FrameQuantity<Energy> ofEnergy[]{
+    {"kinetic", "kinetic_J", [](OfEnergy e) { return e.kinetic; }, energy("kinetic")},
+    {"strain", "strain_J", [](OfEnergy e) { return e.strain; }, energy("strain of blocks")},
+    {"contact", "contact_J", [](OfEnergy e) { return e.contact; }, energy("contacts")},
+    {"bolt", "bolt_J", [](OfEnergy e) { return e.bolt; }, energy("bolts, elastic")},
+    {"friction", "friction_J", [](OfEnergy e) { return e.friction; }, energy("friction")},
+    {"plastic", "plastic_J", [](OfEnergy e) { return e.plastic; }, energy("plastic")},
+    {"released", "released_J", [](OfEnergy e) { return e.released; }, energy("released")},
+    {"damped", "damped_J", [](OfEnergy e) { return e.damped; }, energy("damped")},
+    {"external", "external_J", [](OfEnergy e) { return e.external; }, energy("external")},
+    {"balance_error", "balance_error", [](OfEnergy e) { return e.balanceError; },
+     {"balance error", "", 1.0, "over the largest term", true}},
+};
+
+}  // namespace
+
+std::span<const FrameQuantity<BlockState>> blockQuantities() { return ofBlocks; }
+std::span<const FrameQuantity<ContactFrame>> contactQuantities() { return ofContacts; }
+std::span<const FrameQuantity<BoltNodeFrame>> boltQuantities() { return ofNodes; }
+std::span<const FrameQuantity<Energy>> energyQuantities() { return ofEnergy; }
+
+PrincipalStress principalStress(const std::array<double, 3>& stress) {
+    const auto [sxx, syy, sxy] = stress;
+    const double mean = 0.5 * (sxx + syy);
+    const double radius = std::hypot(0.5 * (sxx - syy), sxy);
+    PrincipalStress principal{radius - mean, -mean - radius, {1.0, 0.0}};
+    if (radius == 0.0) return principal;
+    const double angle = 0.5 * std::atan2(-2.0 * sxy, syy - sxx);  // of the most compressive normal
+    principal.direction = Point(std::cos(angle), std::sin(angle));
+    return principal;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The one table of what can be read off a frame: a row gives a number of a block,
+// a contact or a node of a bolt its name, its column in the tables and the way
+// pictures show it. A new quantity is one row, and tables and pictures have it.
+#pragma once
+
+#include "solver/results/results.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace keyblock {
+
+/// How people are shown a number: title, unit, and what a positive one means.
+struct QuantityDisplay {
+    std::string_view title;  // Block stress σ₁
+    std::string_view unit;  // MPa
+    double factor = 1.0;  // shown = factor · SI; negative where the shown sign is the other one
+    std::string_view convention;  // of what is shown: compression +
+    bool isSigned = false;  // both signs are alike, and 0 is the middle of the colours
+};
+
+/// A number of a row of a frame.
+template <typename Row>
+struct FrameQuantity {
+    std::string_view name;  // as a person asks for it: sigma1
+    std::string_view column;  // in tables, with its SI unit: sigma1_compressive_Pa
+    double (*value)(const Row&);  // SI
+    QuantityDisplay display;
+};
+
+// Each list in the order of the table's columns.
+std::span<const FrameQuantity<BlockState>> blockQuantities();
+std::span<const FrameQuantity<ContactFrame>> contactQuantities();
+std::span<const FrameQuantity<BoltNodeFrame>> boltQuantities();
+std::span<const FrameQuantity<Energy>> energyQuantities();
+
+/// The row of that name; null when there is none.
+template <typename Row>
+const FrameQuantity<Row>* findQuantity(std::span<const FrameQuantity<Row>> rows, std::string_view name) {
+    for (const FrameQuantity<Row>& row : rows)
+        if (row.name == name) return &row;
+    return nullptr;
+}
+
+/// The names in the list, with commas between.
+template <typename Row>
+std::string namesOf(std::span<const FrameQuantity<Row>> rows) {
+    std::string names;
+    for (const FrameQuantity<Row>& row : rows) names += (names.empty() ? "" : ", ") + std::string(row.name);
+    return names;
+}
+
+/// Principal stresses in the plane, compression positive.
+struct PrincipalStress {
+    double major = 0.0, minor = 0.0;  // σ₁ ≥ σ₃ [Pa]
+    Point direction{1.0, 0.0};  // of σ₁, a unit vector; along x where both are equal
+};
+
+/// From sxx, syy, sxy [Pa], tension positive.
+PrincipalStress principalStress(const std::array<double, 3>& stress);
+
+}  // namespace keyblock
