@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/picture/captions.h"
+
+#include "solver/results/words.h"
+#include "solver/scene/words.h"
+#include "ui/picture/ticks.h"
+
+#include <algorithm>
+#include <map>
+
+namespace keyblock {
+
+namespace {
+
+constexpr std::size_t mostNamed = 3;  // of materials, joints and kinds of bolts
+
+void join(std::string& text, const std::string& part, const char* between) {
+    if (!part.empty()) text += (text.empty() ? "" : between) + part;
+}
+
+std::string rockText(const Scene& scene) {
+    std::string text;
+    for (std::size_t i = 0; i < scene.materials.size() && i < mostNamed; ++i) {
+        const auto& [name, material] = scene.materials[i];
+        join(text, name + " " + numberText(material.youngsModulus * 1e-9) + " GPa", ", ");
+    }
+    return text;
+}
+
+std::string jointText(const Scene& scene) {
+    std::string text;
+    for (std::size_t i = 0; i < scene.jointMaterials.size() && i < mostNamed; ++i) {
+        const auto& [name, joint] = scene.jointMaterials[i];
+        join(text, name + " φ " + numberText(joint.frictionAngle) + "°", ", ");
+    }
+    return text;
+}
+
+std::string boltText(const Scene& scene) {
+    std::map<std::pair<std::string, std::string>, int> kinds;  // type and length
+    for (const Bolt& bolt : scene.bolts)
+        ++kinds[{bolt.type, numberText((bolt.head - bolt.farEnd).norm())}];
+    std::string text;
+    for (const auto& [kind, count] : kinds) {
+        if (kinds.size() > mostNamed) return std::to_string(scene.bolts.size()) + " bolts";
+        join(text, std::to_string(count) + " " + kind.first + " of " + kind.second + " m", ", ");
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string timeText(const Scene& scene, int stage, double time) {
+    const bool dynamic = scene.stages[static_cast<std::size_t>(stage)].kind == StageKind::Dynamic;
+    return dynamic ? numberText(time) + " s" : numberText(time);
+}
+
+std::string titleOf(const RunSource& run, std::optional<std::size_t> frame) {
+    const Scene& scene = run.scene();
+    const std::string title = scene.title.empty() ? "Section" : scene.title;
+    if (!frame) return title + ", before the run";
+    const FrameHead& head = run.frames()[*frame];
+    const std::string stage = stageName(scene, head.stage), time = timeText(scene, head.stage, head.time);
+    if (scene.stages[static_cast<std::size_t>(head.stage)].kind == StageKind::Dynamic)
+        return title + ", stage " + stage + " at " + time;
+    return title + (head.time == 1.0 ? ", end of stage " + stage : ", stage " + stage + " at pseudo-time " + time);
+}
+
+std::string subtitleOf(const Scene& scene, double factor) {
+    std::string text;
+    join(text, rockText(scene), "; ");
+    join(text, jointText(scene), "; ");
+    join(text, boltText(scene), "; ");
+    join(text, factor == 1.0 ? "drawn to scale" : "displacements drawn " + numberText(factor) + " times", "; ");
+    return text + ".";
+}
+
+std::string analysisText(const Scene& scene) {
+    std::string text = scene.analysis.plane == Plane::Strain ? "plane strain" : "plane stress";
+    if (std::any_of(scene.stages.begin(), scene.stages.end(),
+                    [](const Stage& stage) { return stage.kind == StageKind::Dynamic; }))
+        text += " · " + std::string(wordsOf(scene.analysis.integration)[static_cast<std::size_t>(
+                            scene.analysis.integration)]);
+    return text;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The words above a picture: which scene at which moment, and of what it is made.
+#pragma once
+
+#include "solver/results/run_source.h"
+
+#include <string>
+
+namespace keyblock {
+
+/// "Drift with D-bolts, stage release at 0.212 s"; of a static stage its pseudo-time.
+std::string titleOf(const RunSource& run, std::optional<std::size_t> frame);
+
+/// A moment of a stage: "0.212 s", or the pseudo-time "0.21" of a static one.
+std::string timeText(const Scene& scene, int stage, double time);
+
+/// Rock, joints and bolts on one line, and how displacements are drawn.
+std::string subtitleOf(const Scene& scene, double factor);
+
+/// "plane strain · backward-euler"
+std::string analysisText(const Scene& scene);
+
+}  // namespace keyblock

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The colours of data. Two maps never meet: cool Slate fills blocks, hot Ember
+// draws bolts; Tide is for what has two signs. Lightness falls by nearly equal
+// steps, so that a map reads in grey too.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace keyblock {
+
+struct Colour {
+    std::uint8_t red = 0, green = 0, blue = 0;
+
+    bool operator==(const Colour&) const = default;
+};
+
+constexpr Colour rgb(std::uint32_t hex) {
+    return {static_cast<std::uint8_t>(hex >> 16), static_cast<std::uint8_t>(hex >> 8 & 0xff),
+            static_cast<std::uint8_t>(hex & 0xff)};
+}
+
+/// Nine stops from low to high, at equal distances.
+using ColourMap = std::array<Colour, 9>;
+
+inline constexpr ColourMap slate{rgb(0xF3EEE6), rgb(0xD2DED4), rgb(0xB4CBC4), rgb(0x97B6B5), rgb(0x7CA1A7),
+                                 rgb(0x628C99), rgb(0x4B768B), rgb(0x37607D), rgb(0x264A6E)};
+inline constexpr ColourMap ember{rgb(0xEAB745), rgb(0xE59C0E), rgb(0xDF8100), rgb(0xD66500), rgb(0xC84A00),
+                                 rgb(0xB63100), rgb(0xA01B16), rgb(0x870723), rgb(0x6D0027)};
+inline constexpr ColourMap tide{rgb(0x0B6EAC), rgb(0x508DBE), rgb(0x82ACD0), rgb(0xB4CCE2), rgb(0xF5EDE7),
+                                rgb(0xDFC3B0), rgb(0xCA9C7D), rgb(0xB5764B), rgb(0x9F5104)};
+
+/// The colour at `share` of the way from low to high, straight between the stops; the end colours outside 0 … 1.
+Colour colourAt(const ColourMap& map, double share);
+
+}  // namespace keyblock

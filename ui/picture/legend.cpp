@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/picture/legend.h"
+
+namespace keyblock {
+
+Colour LegendBar::colourOf(double shown) const {
+    return colourAt(*map, (shown - range.low) / (range.high - range.low));
+}
+
+}  // namespace keyblock

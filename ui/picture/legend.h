@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a coloured quantity means: title, unit, range, ticks, sign convention. The
+// range is the same in every frame of a run, so that two pictures can be compared;
+// a few hundredths of the rock's area, where slivers carry what nothing else does,
+// take the end colours and the bar says so.
+#pragma once
+
+#include "ui/picture/colour.h"
+#include "ui/picture/ticks.h"
+
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+struct LegendBar {
+    std::string title;
+    std::string unit;
+    const ColourMap* map = nullptr;
+    ValueRange range;  // in the unit shown
+    Ticks ticks;
+    bool goesBelow = false, goesAbove = false;  // values outside the range take the end colours
+    std::vector<std::string> notes;
+    std::vector<std::pair<double, std::string>> limits;  // capacities within the range, named
+
+    Colour colourOf(double shown) const;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/picture/section.h"
+
+#include "solver/results/words.h"
+#include "solver/scene/shapes.h"
+#include "solver/scene/solved_blocks.h"
+#include "ui/picture/captions.h"
+#include "ui/picture/deformed.h"
+#include "ui/picture/faces.h"
+#include "ui/picture/section_ranges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double margin = 0.3;  // around tunnels and bolts, of their extent
+constexpr double rim = 0.05;  // around a whole model, of its extent
+constexpr double nearlyAll = 0.6;  // of the model's area: then all of it is shown
+
+Box united(const Box& a, const Box& b) { return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)}; }
+double areaOf(const Box& box) { return (box.max - box.min).prod(); }
+
+class SectionBuilder {
+public:
+    SectionBuilder(const RunSource& run, const SectionRequest& request)
+        : run_(run), scene_(run.scene()), request_(request), solved_(solvedBlocks(scene_)),
+          before_(cornersBefore(solved_)) {
+        if (request.frame) frame_ = run.frame(*request.frame);
+        present_.assign(before_.size(), 1);
+        for (std::size_t b = 0; b < frame_.blocks.size(); ++b) present_[b] = frame_.blocks[b].area > 0.0;
+    }
+
+    SectionPicture build() {
+        picture_.factor = request_.factor;
+        picture_.title = titleOf(run_, request_.frame);
+        picture_.subtitle = subtitleOf(scene_, request_.factor);
+        if (request_.frame) {
+            const SectionLegends legends = sectionLegends(run_, request_, frame_);
+            picture_.blockLegend = legends.blocks;
+            picture_.boltLegend = legends.bolts;
+            events_ = eventsUntil(run_.events(), run_.frames()[*request_.frame]);
+            picture_.events = eventList(run_, events_, request_.mostEvents);
+        }
+        addBlocks();
+        addFaces();
+        addBolts();
+        chooseRibbon();
+        placeEvents();
+        chooseWindow();
+        return std::move(picture_);
+    }
+
+private:
+    std::vector<Point> drawnCorners(std::size_t block) const {
+        if (!request_.frame) return before_[block];
+        return deformed(before_[block], frame_.blocks[block].points, request_.factor);
+    }
+
+    void addBlocks() {
+        drawn_.resize(before_.size());
+        for (std::size_t b = 0; b < before_.size(); ++b) {
+            if (!present_[b]) continue;
+            drawn_[b] = drawnCorners(b);
+            BlockShape shape{static_cast<int>(b), solved_.blocks[b].name, drawn_[b], before_[b], {}, 0.0};
+            for (std::size_t i = 0; i < drawn_[b].size(); ++i)
+                shape.displaced = std::max(shape.displaced, (drawn_[b][i] - before_[b][i]).norm());
+            if (picture_.blockLegend)
+                shape.value = request_.blocks->value(frame_.blocks[b]) * request_.blocks->display.factor;
+            picture_.blocks.push_back(std::move(shape));
+        }
+    }
+
+    void addFaces() {
+        for (const FacePiece& piece : facePieces(scene_, solved_, before_, present_)) {
+            if (piece.kind == FaceKind::Joint) continue;
+            const auto& corners = drawn_[static_cast<std::size_t>(piece.block)];
+            const Point& a = corners[static_cast<std::size_t>(piece.edge)];
+            const Point along = corners[static_cast<std::size_t>(piece.edge + 1) % corners.size()] - a;
+            const LineShape line{a + piece.from * along, a + piece.to * along};
+            if (piece.kind == FaceKind::Wall) picture_.walls.push_back(line);
+            else if (piece.kind == FaceKind::Border) picture_.borders.push_back(line);
+            else picture_.seams.push_back(line);
+        }
+    }
+
+    void addBolts() {
+        for (std::size_t b = 0; b < scene_.bolts.size(); ++b) {
+            const Bolt& bolt = scene_.bolts[b];
+            BoltShape shape;
+            shape.bolt = static_cast<int>(b);
+            shape.name = bolt.name;
+            if (!request_.frame) {
+                shape.nodes = {bolt.farEnd, bolt.head};
+                shape.s = {0.0, (bolt.head - bolt.farEnd).norm()};
+                shape.broken = {0};
+            } else if (!frame_.bolts[b].nodes.empty()) {
+                fillBolt(bolt, frame_.bolts[b], shape);
+            } else {
+                continue;
+            }
+            picture_.bolts.push_back(std::move(shape));
+        }
+    }
+
+    void fillBolt(const Bolt& bolt, const BoltFrame& frame, BoltShape& shape) const {
+        shape.nodes = deformedNodes(bolt, frame, request_.factor);
+        for (const BoltNodeFrame& node : frame.nodes) shape.s.push_back(node.s);
+        for (std::size_t e = 0; e + 1 < frame.nodes.size(); ++e) {
+            shape.broken.push_back(frame.nodes[e].ruptured || frame.lost);
+            if (picture_.boltLegend)
+                shape.values.push_back(request_.bolts->value(frame.nodes[e]) * request_.bolts->display.factor);
+        }
+        shape.marks = marksOf(bolt, shape.bolt, frame, shape.nodes, events_);
+    }
+
+    /// Beside the bolt that was asked for, else beside the one with the largest value, unless all are nothing.
+    void chooseRibbon() {
+        double largest = 0.0;
+        for (std::size_t i = 0; i < picture_.bolts.size(); ++i) {
+            const BoltShape& shape = picture_.bolts[i];
+            if (request_.ribbon && *request_.ribbon != shape.bolt) continue;
+            for (std::size_t e = 0; e < shape.values.size(); ++e)
+                if (std::abs(shape.values[e]) > largest) {
+                    largest = std::abs(shape.values[e]);
+                    picture_.ribbon = Ribbon{i, e, {}, {}};
+                }
+        }
+        if (!picture_.ribbon) return;
+        const Bolt& bolt = scene_.bolts[static_cast<std::size_t>(picture_.bolts[picture_.ribbon->shape].bolt)];
+        for (const auto& [limit, name] : limitsOf(scene_, bolt, *request_.bolts))
+            if (!picture_.ribbon->limit && limit >= largest && limit <= 1.6 * largest) {
+                picture_.ribbon->limit = limit;
+                picture_.ribbon->limitName = name;
+            }
+    }
+
+    /// Events stand where their node or block is drawn now.
+    void placeEvents() {
+        for (EventEntry& entry : picture_.events.entries) {
+            for (const BlockShape& shape : picture_.blocks)
+                if (entry.bolt < 0 && entry.block == shape.block) entry.place = moments(shape.outline).centroid;
+            for (const BoltShape& shape : picture_.bolts) {
+                if (shape.bolt != entry.bolt) continue;
+                const int at = entry.node >= 0 ? entry.node : entry.element;
+                if (entry.kind == EventKind::PlateLoss || entry.kind == EventKind::BoltLoss)
+                    entry.place = shape.nodes.back();
+                else if (at >= 0 && static_cast<std::size_t>(at) < shape.nodes.size())
+                    entry.place = shape.nodes[static_cast<std::size_t>(at)];
+            }
+        }
+    }
+
+    void chooseWindow() {
+        if (picture_.blocks.empty()) return;
+        Box model = boxOf(picture_.blocks.front().before);
+        for (const auto& corners : before_) model = united(model, boxOf(corners));
+        Box drawn = model;
+        for (const BlockShape& shape : picture_.blocks) drawn = united(drawn, boxOf(shape.outline));
+        for (const BoltShape& shape : picture_.bolts) drawn = united(drawn, boxOf(shape.nodes));
+        const bool flung = areaOf(drawn) > 6.0 * areaOf(model);  // what was flung far away does not shrink the rest
+        picture_.model = flung ? model : drawn;
+        picture_.window = request_.whole ? withRim(picture_.model) : around(picture_.model);
+    }
+
+    Box around(const Box& model) const {
+        std::optional<Box> box;
+        const auto add = [&](const Box& more) { box = box ? united(*box, more) : more; };
+        for (const SceneTunnel& tunnel : scene_.tunnels) add(boxOf(outline(tunnelProfile(shapeOf(tunnel)))));
+        for (const BoltShape& shape : picture_.bolts) add(boxOf(shape.nodes));
+        if (!box) return withRim(model);
+        const Box wide = grown(*box, margin * (box->max - box->min).maxCoeff());
+        const Box shown{wide.min.cwiseMax(model.min), wide.max.cwiseMin(model.max)};
+        const bool empty = (shown.max.array() <= shown.min.array()).any();
+        return empty || areaOf(shown) > nearlyAll * areaOf(model) ? withRim(model) : shown;
+    }
+
+    /// Room for names and plates at the ends of bolts.
+    static Box withRim(const Box& model) { return grown(model, rim * (model.max - model.min).maxCoeff()); }
+
+    const RunSource& run_;
+    const Scene& scene_;
+    const SectionRequest& request_;
+    SolvedBlocks solved_;
+    std::vector<std::vector<Point>> before_, drawn_;
+    std::vector<char> present_;
+    Frame frame_;
+    std::vector<Event> events_;
+    SectionPicture picture_;
+};
+
+}  // namespace
+
+SectionPicture sectionPicture(const RunSource& run, const SectionRequest& request) {
+    return SectionBuilder(run, request).build();
+}
+
+}  // namespace keyblock

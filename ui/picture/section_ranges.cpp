@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/picture/section_ranges.h"
+
+#include "ui/picture/steel_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int mostTicks = 5;
+constexpr double shareOutside = 0.02;  // of the rock's area, at either end
+
+struct Gathered {
+    std::vector<Weighed> blocks, bolts;
+};
+
+void gather(const SectionRequest& request, const Frame& frame, Gathered& all) {
+    if (request.blocks)
+        for (const BlockState& block : frame.blocks)
+            if (block.area > 0.0)
+                all.blocks.push_back({request.blocks->value(block) * request.blocks->display.factor, block.area});
+    if (request.bolts)
+        for (const BoltFrame& bolt : frame.bolts)
+            for (std::size_t i = 0; i + 1 < bolt.nodes.size(); ++i)
+                all.bolts.push_back({request.bolts->value(bolt.nodes[i]) * request.bolts->display.factor, 1.0});
+}
+
+ValueRange extent(const std::vector<Weighed>& values) { return rangeWithout(values, 0.0); }
+
+/// The values of this frame, as fine as a tenth of the bar's ticks.
+std::string nowText(const ValueRange& now, const LegendBar& bar, const QuantityDisplay& display) {
+    const std::string low = numberText(now.low, bar.ticks.decimals + 1);
+    const std::string high = numberText(now.high, bar.ticks.decimals + 1);
+    return "now " + low + (low == high ? "" : " to " + high) + (display.unit.empty() ? "" : " ") +
+           std::string(display.unit);
+}
+
+LegendBar barOf(const QuantityDisplay& display) {
+    LegendBar bar;
+    bar.title = display.title;
+    bar.unit = display.unit;
+    bar.notes.emplace_back(display.convention);
+    return bar;
+}
+
+std::optional<LegendBar> blockLegend(const QuantityDisplay& display, const std::vector<Weighed>& all,
+                                     const std::vector<Weighed>& now) {
+    if (all.empty()) return std::nullopt;
+    LegendBar bar = barOf(display);
+    bar.map = display.isSigned ? &tide : &slate;
+    ValueRange range = rangeWithout(all, shareOutside);
+    if (range.low > 0.0) range.low = 0.0;
+    bar.range = display.isSigned ? roundedSymmetric(range, mostTicks) : roundedRange(range, mostTicks);
+    const ValueRange whole = extent(all);
+    bar.goesBelow = whole.low < bar.range.low;
+    bar.goesAbove = whole.high > bar.range.high;
+    bar.ticks = roundTicks(bar.range, mostTicks);
+    bar.notes.push_back(nowText(extent(now), bar, display));
+    return bar;
+}
+
+/// Bolts are coloured by size: Ember has one end that is far from the background.
+std::optional<LegendBar> boltLegend(const QuantityDisplay& display, const std::vector<Weighed>& all,
+                                    const std::vector<Weighed>& now,
+                                    const std::vector<std::pair<double, std::string>>& limits) {
+    if (all.empty()) return std::nullopt;
+    LegendBar bar = barOf(display);
+    if (display.isSigned) bar.notes.front() += bar.notes.front().empty() ? "coloured by size" : ", coloured by size";
+    bar.unit += display.unit.find('N') != std::string_view::npos ? " per bolt" : "";
+    bar.map = &ember;
+    const ValueRange whole = extent(all);
+    double high = std::max(std::abs(whole.low), std::abs(whole.high));
+    for (const auto& [limit, name] : limits)
+        if (limit > high && limit < 1.5 * high) high = limit;
+    bar.range = roundedRange({0.0, high}, mostTicks);
+    for (const auto& limit : limits)
+        if (limit.first <= bar.range.high) bar.limits.push_back(limit);
+    bar.ticks = roundTicks(bar.range, mostTicks);
+    bar.notes.push_back(nowText(extent(now), bar, display));
+    return bar;
+}
+
+/// Limits of all types that bolts of the scene are of, each once.
+std::vector<std::pair<double, std::string>> limitsOfAll(const Scene& scene, const SectionRequest& request) {
+    std::vector<std::pair<double, std::string>> all;
+    if (!request.bolts) return all;
+    for (const Bolt& bolt : scene.bolts)
+        for (const auto& limit : limitsOf(scene, bolt, *request.bolts))
+            if (std::find(all.begin(), all.end(), limit) == all.end()) all.push_back(limit);
+    return all;
+}
+
+}  // namespace
+
+std::vector<std::pair<double, std::string>> limitsOf(const Scene& scene, const Bolt& bolt,
+                                                     const FrameQuantity<BoltNodeFrame>& quantity) {
+    const BoltType* type = typeOf(scene, bolt);
+    if (!type || quantity.name != "axial_force") return {};
+    std::vector<std::pair<double, std::string>> limits;
+    const SteelLimits steel = steelLimits(*type);
+    if (steel.yield) limits.emplace_back(*steel.yield * quantity.display.factor, "yield");
+    if (steel.ultimate && steel.ultimate != steel.yield)
+        limits.emplace_back(*steel.ultimate * quantity.display.factor, "ultimate");
+    return limits;
+}
+
+SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request, const Frame& frame) {
+    Gathered all, now;
+    for (std::size_t i = 0; i < run.frames().size(); ++i) gather(request, run.frame(i), all);
+    gather(request, frame, now);
+    SectionLegends legends;
+    if (request.blocks) legends.blocks = blockLegend(request.blocks->display, all.blocks, now.blocks);
+    if (request.bolts)
+        legends.bolts = boltLegend(request.bolts->display, all.bolts, now.bolts, limitsOfAll(run.scene(), request));
+    return legends;
+}
+
+}  // namespace keyblock
