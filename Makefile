@@ -6,10 +6,10 @@
 .DEFAULT_GOAL := help
 .PHONY: help run test kills asan tsan bench fuzz clean packages
 
-SHOWN := build/release/drift-bolted.kbrun
+SHOWN := build/release/drift-bolted
 
 help:
-	@echo "make run    build Keyblock, excavate, bolt and load a drift in two joint sets, compare with the paper and the reference"
+	@echo "make run    build Keyblock, excavate, bolt and load a drift in two joint sets, draw it, compare with the paper"
 	@echo "make test   build and run all tests"
 	@echo "make kills  a hundred runs killed at random moments and fifty stopped; resumed, they end with the same bytes"
 	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
@@ -29,9 +29,12 @@ endef
 
 run: packages
 	$(call build,release)
-	build/release/keyblock run samples/drift-bolted.json --overwrite --out $(SHOWN)
-	build/release/keyblock info $(SHOWN)
+	build/release/keyblock run samples/drift-bolted.json --overwrite --out $(SHOWN).kbrun
+	build/release/keyblock info $(SHOWN).kbrun
+	build/release/keyblock export $(SHOWN).kbrun --figure section --out $(SHOWN).pdf
+	build/release/keyblock export $(SHOWN).kbrun --figure section --out $(SHOWN).png
 	build/release/keyblock verify --paper
+	@echo "The drift as a figure for a report: $(SHOWN).pdf, $(SHOWN).png"
 
 test: packages
 	$(call build,dev)

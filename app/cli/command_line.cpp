@@ -4,6 +4,7 @@
 // The only place that knows CLI11: it is slow to compile and stays alone here.
 #include "app/cli/command_line.h"
 
+#include "app/cli/figure_words.h"
 #include "app/cli/output.h"
 #include "solver/files/program_version.h"
 #include "solver/results/tables.h"
@@ -93,20 +94,51 @@ std::string tableNames() {
     return names;
 }
 
+std::string figureNames() {
+    std::string names;
+    for (const std::string_view word : figureWords())
+        names += (names.empty() ? "" : "|") + std::string(word);
+    return names;
+}
+
+void addFigureOptions(CLI::App* verb, ExportOptions& options) {
+    verb->add_option("--quantity", options.quantity, "What a figure shows; a wrong word lists the right ones")
+        ->type_name("NAME");
+    verb->add_option("--width", options.width, "Width of a figure; default 160")
+        ->type_name("MM")
+        ->check(CLI::Range(60.0, 500.0).description(""));
+    verb->add_option("--dpi", options.dpi, "Resolution of a PNG; default 300")
+        ->type_name("N")
+        ->check(CLI::Range(50, 1200).description(""));
+    verb->add_option("--deformed", options.deformed, "Draw displacements in a section this many times as large")
+        ->type_name("FACTOR")
+        ->check(CLI::Range(0.0, 1e6).description(""));
+    verb->add_flag("--whole", options.whole, "Show the whole model, not what surrounds tunnels and bolts");
+}
+
 void addExport(CLI::App& app, ExportOptions& options) {
-    CLI::App* verb = app.add_subcommand("export", "Write a table of a run as CSV, or the run for ParaView");
+    CLI::App* verb = app.add_subcommand("export", "Write a table of a run as CSV, a figure for a report, or the run for "
+                                                  "ParaView");
     verb->add_option("RUN.kbrun", options.run, "The run store")->required()->type_name("");
-    verb->add_option("--table", options.table, "Which table")->type_name(tableNames());
+    CLI::Option* table = verb->add_option("--table", options.table, "Which table")->type_name(tableNames());
+    CLI::Option* figure = verb->add_option("--figure", options.figure, "Which figure; its data come beside it as CSV")
+                              ->type_name(figureNames())
+                              ->excludes(table);
     verb->add_option("--vtk", options.vtk,
                      "Instead of a table: time series of blocks, bolts and contacts (PVD, VTP), in this folder")
-        ->type_name("DIR");
-    verb->add_option("--bolt", options.bolt, "Only this bolt (tables events and bolts)")->type_name("NAME");
+        ->type_name("DIR")
+        ->excludes(figure);
+    verb->add_option("--bolt", options.bolt, "Only this bolt (tables events and bolts); in a section, the one whose "
+                                             "forces stand beside it")
+        ->type_name("NAME");
     verb->add_option("--stage", options.stage, "Only this stage")->type_name("NAME");
     verb->add_option("--at", options.at,
-                     "A moment: the nearest one kept, the last one or all; default: last for bolts, blocks and "
-                     "contacts, all for the others")
+                     "A moment: the nearest one kept, the last one or all; default: last for bolts, blocks, "
+                     "contacts and figures, all for the others")
         ->type_name("STAGE:TIME|last|all");
-    verb->add_option("--out", options.out, "The file to write a table to")->type_name("FILE.csv");
+    addFigureOptions(verb, options);
+    verb->add_option("--out", options.out, "The file to write; of a figure, its ending says the format")
+        ->type_name("FILE.(csv|svg|pdf|png)");
 }
 
 void addSafety(CLI::App& app, SafetyOptions& options) {

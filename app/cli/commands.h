@@ -41,11 +41,17 @@ struct InfoOptions {
 
 struct ExportOptions {
     std::filesystem::path run;
-    std::string table;  // empty: no table
+    std::optional<std::string> table;  // one of these three
+    std::optional<std::string> figure;
     std::optional<std::filesystem::path> vtk;  // the folder
     std::optional<std::string> bolt;
     std::optional<std::string> stage;
     std::optional<std::string> at;
+    std::optional<std::string> quantity;  // of a figure, as all below
+    std::optional<double> width;  // [mm]
+    std::optional<int> dpi;
+    std::optional<double> deformed;  // factor on displacements
+    bool whole = false;
     std::filesystem::path out;
 };
 

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `export`: one table of a run as a CSV file, or a folder for ParaView,
-// whole or not at all.
+// The verb `export`: one table of a run as a CSV file, a figure, or a folder for
+// ParaView, whole or not at all.
 #include "app/cli/commands.h"
+#include "app/cli/export_figure.h"
 #include "app/cli/output.h"
 #include "solver/files/run_store.h"
 #include "solver/files/vtk_export.h"
@@ -15,30 +16,51 @@ namespace keyblock::cli {
 namespace {
 
 TableKind tableOf(const ExportOptions& options) {
-    const std::optional<TableKind> kind = tableKindOf(options.table);
+    const std::optional<TableKind> kind = tableKindOf(*options.table);
     if (!kind) {
         std::string names;
         for (const std::string_view word : tableWords())
             names += (names.empty() ? "" : ", ") + std::string(word);
-        throw UsageError("there is no table '" + options.table + "'; there are " + names);
+        throw UsageError("there is no table '" + *options.table + "'; there are " + names);
     }
     if (options.bolt && !hasBolts(*kind))
-        throw UsageError("table " + options.table + " is not by bolt; leave --bolt out");
+        throw UsageError("table " + *options.table + " is not by bolt; leave --bolt out");
     return *kind;
 }
 
-TableFilter filterOf(const RunStore& store, const ExportOptions& options) {
-    const TableFilterReading reading = readTableFilter(store.scene(), options.stage, options.bolt, options.at);
+/// What is said of a figure has no meaning for a table.
+void refuseFigureOptions(const ExportOptions& options) {
+    const auto refuse = [](bool given, const std::string& option) {
+        if (given)
+            throw UsageError(option + " is for figures; leave it out");
+    };
+    refuse(options.quantity.has_value(), "--quantity");
+    refuse(options.width.has_value(), "--width");
+    refuse(options.dpi.has_value(), "--dpi");
+    refuse(options.deformed.has_value(), "--deformed");
+    refuse(options.whole, "--whole");
+}
+
+TableFilter filterOf(const ExportOptions& options, const Scene& scene) {
+    const TableFilterReading reading = readTableFilter(scene, options.stage, options.bolt, options.at);
     if (!reading.filter)
         throw UsageError(reading.problem);
     return *reading.filter;
 }
 
 ExitCode exportVtk(const ExportOptions& options) {
-    if (!options.table.empty() || !options.out.empty() || options.bolt)
+    if (options.table || !options.out.empty() || options.bolt)
         throw UsageError("--vtk writes all of a run into its folder; leave --table, --out and --bolt out");
+    refuseFigureOptions(options);
     const RunStore store(options.run);
-    writeVtkFolder(store, filterOf(store, options), *options.vtk);
+    writeVtkFolder(store, filterOf(options, store.scene()), *options.vtk);
+    return Done;
+}
+
+ExitCode exportFigure(const ExportOptions& options) {
+    checkFigureOptions(options);
+    const RunStore store(options.run);
+    exportFigure(options, store, filterOf(options, store.scene()));
     return Done;
 }
 
@@ -47,11 +69,14 @@ ExitCode exportVtk(const ExportOptions& options) {
 ExitCode perform(const ExportOptions& options) {
     if (options.vtk)
         return exportVtk(options);
-    if (options.table.empty() || options.out.empty())
-        throw UsageError("say what to export: --table NAME --out FILE.csv, or --vtk DIR");
+    if (!(options.table || options.figure) || options.out.empty())
+        throw UsageError("say what to export: --table NAME or --figure NAME, with --out FILE, or --vtk DIR");
+    if (options.figure)
+        return exportFigure(options);
+    refuseFigureOptions(options);
     const TableKind kind = tableOf(options);
     const RunStore store(options.run);
-    const TableFilter filter = filterOf(store, options);
+    const TableFilter filter = filterOf(options, store.scene());
     writeWholeFile(options.out, [&](std::ostream& out) { writeTable(kind, store, filter, out); });
     return Done;
 }

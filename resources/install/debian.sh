@@ -10,7 +10,7 @@
 set -eu
 export LC_ALL=C
 
-readers="libvtk9-dev"
+readers="libvtk9-dev poppler-utils librsvg2-bin"
 further=""
 for argument in "$@"; do
     [ "$argument" != readers ] || argument=$readers
@@ -20,6 +20,7 @@ done
 packages="g++ cmake ninja-build ccache pkg-config
           libeigen3-dev libcgal-dev libsuitesparse-dev libopenblas-dev libtbb-dev
           nlohmann-json3-dev libcli11-dev libsqlite3-dev
+          qtbase5-dev libqt5svg5-dev libqcustomplot-dev fonts-inter
           libgtest-dev libbenchmark-dev$further"
 
 if ! command -v dpkg-query >/dev/null 2>&1; then

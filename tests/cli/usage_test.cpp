@@ -46,6 +46,8 @@ TEST_F(Usage, WrongOptionsAreTold) {
     expectUsageError({"run", "scene.json", "--threads", "many"}, "--threads");
     expectUsageError({"run", "scene.json", "--progress", "loud"}, "none of bar, json, none");
     expectUsageError({"export", "run.kbrun", "--out", "t.csv"}, "--table");
+    expectUsageError({"export", "run.kbrun", "--table", "energy", "--figure", "section", "--out", "t.csv"}, "--figure");
+    expectUsageError({"export", "run.kbrun", "--table", "energy", "--dpi", "100", "--out", "t.csv"}, "--dpi");
     expectUsageError({"export", "run.kbrun", "--table", "forces", "--out", "t.csv"}, "history, events, bolts");
     expectUsageError({"export", "run.kbrun", "--table", "energy", "--bolt", "B", "--out", "t.csv"}, "--bolt");
     expectUsageError({"verify", "--case", "no such case"}, "there is no case 'no such case'; there are ");

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/export_figure.h"
+
+#include "app/cli/figure_words.h"
+#include "app/cli/output.h"
+#include "solver/files/whole_file.h"
+
+#ifdef KEYBLOCK_HAS_FIGURES
+#include "ui/figure/figure.h"
+#endif
+
+#include <algorithm>
+#include <array>
+
+namespace keyblock::cli {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> endings{".svg", ".pdf", ".png"};  // in the order of `PaperFormat`
+
+/// Index of the figure's word.
+std::size_t kindOf(const ExportOptions& options) {
+    const auto words = figureWords();
+    const auto found = std::find(words.begin(), words.end(), *options.figure);
+    if (found != words.end())
+        return static_cast<std::size_t>(found - words.begin());
+    std::string names;
+    for (const std::string_view word : words)
+        names += (names.empty() ? "" : ", ") + std::string(word);
+    throw UsageError("there is no figure '" + *options.figure + "'; there are " + names);
+}
+
+/// Index of the format that the file's ending says.
+std::size_t formatOf(const ExportOptions& options) {
+    const auto found = std::find(endings.begin(), endings.end(), options.out.extension().string());
+    if (found == endings.end())
+        throw UsageError("'" + options.out.string() + "': a figure is written as .svg, .pdf or .png");
+    return static_cast<std::size_t>(found - endings.begin());
+}
+
+}  // namespace
+
+void checkFigureOptions(const ExportOptions& options) {
+#ifndef KEYBLOCK_HAS_FIGURES
+    throw UsageError("this program was built without figures; build it with Qt 5 and QCustomPlot, or export tables");
+#endif
+    kindOf(options);
+    if (const std::size_t format = formatOf(options); options.dpi && endings[format] != ".png")
+        throw UsageError("--dpi is for PNG; " + std::string(endings[format]) + " is as sharp as it is printed");
+    if (options.at == "all")
+        throw UsageError("a figure shows one moment; give --at STAGE:TIME or last");
+}
+
+#ifdef KEYBLOCK_HAS_FIGURES
+
+void exportFigure(const ExportOptions& options, const RunSource& run, const TableFilter& filter) {
+    FigureRequest request;
+    request.kind = static_cast<FigureKind>(kindOf(options));
+    request.format = static_cast<PaperFormat>(formatOf(options));
+    request.filter = filter;
+    request.quantity = options.quantity;
+    request.width = options.width.value_or(request.width);
+    request.dpi = options.dpi.value_or(request.dpi);
+    request.factor = options.deformed.value_or(request.factor);
+    request.whole = options.whole;
+    request.runName = options.run.stem().string();
+    try {
+        const Figure figure = paintFigure(run, request);
+        writeWholeFile(options.out, [&](std::ostream& out) { out << figure.bytes; });
+        for (const FigureData& data : figure.data) {
+            const std::string name = options.out.stem().string() + data.suffix + ".csv";
+            writeWholeFile(options.out.parent_path() / name, data.write);
+        }
+    } catch (const CannotDraw& problem) {
+        throw UsageError(problem.what());
+    }
+}
+
+#else
+
+void exportFigure(const ExportOptions& options, const RunSource&, const TableFilter&) { checkFigureOptions(options); }
+
+#endif
+
+}  // namespace keyblock::cli

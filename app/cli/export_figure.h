@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The part of `export` that paints.
+#pragma once
+
+#include "app/cli/commands.h"
+#include "solver/results/run_source.h"
+#include "solver/results/table_filter.h"
+
+namespace keyblock::cli {
+
+/// Writes the figure and, beside it, its data. \pre `options.figure` is set.
+/// \throws UsageError for what cannot be drawn, and in a build without figures.
+void exportFigure(const ExportOptions& options, const RunSource& run, const TableFilter& filter);
+
+/// Throws the usage errors that need no run.
+void checkFigureOptions(const ExportOptions& options);
+
+}  // namespace keyblock::cli

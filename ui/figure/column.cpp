@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/figure/column.h"
+
+#include "solver/results/words.h"
+#include "ui/figure/mark_ink.h"
+#include "ui/figure/paper.h"
+
+#include <QLinearGradient>
+#include <QPainter>
+
+namespace keyblock {
+
+namespace {
+
+using namespace paper_theme;
+
+constexpr double row = 3.3, noteRow = 2.9, barHeight = 2.3, tip = 1.5;  // [mm]
+
+QColor qt(const Colour& colour) { return {colour.red, colour.green, colour.blue}; }
+
+/// The bar's outline, with a triangle at ends beyond which there are values.
+std::vector<Point> outlineOf(const LegendBar& bar, const Point& at, double from, double to) {
+    std::vector<Point> points{at + Point(from, 0.0), at + Point(to, 0.0)};
+    if (bar.goesAbove) points.push_back(at + Point(to + tip, 0.5 * barHeight));
+    points.push_back(at + Point(to, barHeight));
+    points.push_back(at + Point(from, barHeight));
+    if (bar.goesBelow) points.push_back(at + Point(from - tip, 0.5 * barHeight));
+    return points;
+}
+
+void fillBar(Ink& ink, const LegendBar& bar, const Point& at, double from, double to) {
+    QLinearGradient gradient((at.x() + from) * unitsPerMm, 0.0, (at.x() + to) * unitsPerMm, 0.0);
+    for (std::size_t i = 0; i < bar.map->size(); ++i)
+        gradient.setColorAt(static_cast<double>(i) / static_cast<double>(bar.map->size() - 1), qt((*bar.map)[i]));
+    QPolygonF polygon;
+    for (const Point& point : outlineOf(bar, at, from, to))
+        polygon.push_back(QPointF(point.x() * unitsPerMm, point.y() * unitsPerMm));
+    ink.painter().setPen(Qt::NoPen);
+    ink.painter().setBrush(gradient);
+    ink.painter().drawPolygon(polygon);
+    ink.polygon(outlineOf(bar, at, from, to), {}, Stroke{0.13, black});
+}
+
+/// Names above the bar; one that would touch the name before it is left to its tick.
+void drawLimits(Ink& ink, const LegendBar& bar, const Point& at, const std::function<double(double)>& placeOf,
+                double width) {
+    double free = 0.0;
+    for (const auto& [value, name] : bar.limits) {
+        const double place = placeOf(value), half = 0.5 * textWidth(name, text_style::tick);
+        ink.line(at + Point(place, -0.8), at + Point(place, barHeight), {0.25, black});
+        const double centre = std::min(place, width - half);
+        if (centre - half < free) continue;
+        ink.text(at + Point(centre, -1.3), name, text_style::tick, Align::Centre);
+        free = centre + half + 0.3;
+    }
+}
+
+void drawBar(Ink& ink, const LegendBar& bar, const Point& corner, double width,
+             const std::vector<std::string>& notes) {
+    double y = corner.y() + 2.0;
+    ink.text({corner.x(), y}, bar.title + (bar.unit.empty() ? "" : " (" + bar.unit + ")"), text_style::heading);
+    y += bar.limits.empty() ? 1.4 : 4.4;
+    const double from = bar.goesBelow ? tip : 0.0, to = width - (bar.goesAbove ? tip : 0.0);
+    const auto placeOf = [&](double value) {
+        return from + (to - from) * (value - bar.range.low) / (bar.range.high - bar.range.low);
+    };
+    const Point at(corner.x(), y);
+    fillBar(ink, bar, at, from, to);
+    drawLimits(ink, bar, at, placeOf, width);
+    for (const double value : bar.ticks.values) {
+        const std::string label = numberText(value, bar.ticks.decimals);
+        const double half = 0.5 * textWidth(label, text_style::tick), place = placeOf(value);
+        ink.line(at + Point(place, barHeight), at + Point(place, barHeight + 0.7), {0.13, black});
+        ink.text(at + Point(std::clamp(place, half, width - half), barHeight + 3.0), label, text_style::tick,
+                 Align::Centre);
+    }
+    y += barHeight + 3.0;
+    for (const std::string& note : notes) ink.text({corner.x(), y += noteRow}, note, text_style::note);
+}
+
+/// What goes into a list: a heading of a stage, or an entry.
+struct EventRow {
+    const EventEntry* entry = nullptr;
+    std::string heading;
+};
+
+std::vector<EventRow> rowsOf(const Scene& scene, const EventList& events) {
+    std::vector<EventRow> rows;
+    int stage = -1;
+    for (const EventEntry& entry : events.entries) {
+        if (entry.stage != stage && scene.stages.size() > 1)
+            rows.push_back({nullptr, "stage " + stageName(scene, entry.stage)});
+        stage = entry.stage;
+        rows.push_back({&entry, {}});
+    }
+    return rows;
+}
+
+void drawEntry(Ink& ink, const Scene& scene, const EventEntry& entry, const Point& at, double width) {
+    drawNumber(ink, at + Point(1.35, -0.72), entry.number, 1.35, {1.8, true});
+    const std::string force = entry.bolt < 0 ? "" : numberText(entry.force * 1e-3) + " kN";
+    ink.text(at + Point(width, 0.0), force, text_style::body, Align::Right);
+    const std::string time = timeText(scene, entry.stage, entry.time);
+    ink.text(at + Point(3.6, 0.0), time, text_style::body);
+    const double from = 3.6 + std::max(7.5, textWidth(time, text_style::body) + 1.0);
+    const double room = width - from - textWidth(force, text_style::body) - 1.0;
+    const double forName = std::max(8.0, room - textWidth(" " + entry.what, text_style::body));
+    const std::string name = elided(entry.subject, text_style::body, forName, true);
+    ink.text(at + Point(from, 0.0), elided(name + (entry.count > 1 ? ": " : " ") + entry.what, text_style::body, room), text_style::body);
+}
+
+std::vector<std::string> notesOf(const EventList& events, double width) {
+    std::vector<std::string> notes;
+    const auto add = [&](const std::string& note) {
+        if (!note.empty())
+            for (const std::string& line : wrapped(note, text_style::note, width, 3)) notes.push_back(line);
+    };
+    if (events.leftOut > 0) add("and " + std::to_string(events.leftOut) + " more, in the table beside this figure");
+    add(events.counted);
+    if (events.entries.empty() && events.counted.empty()) add("none until now");
+    return notes;
+}
+
+}  // namespace
+
+ColumnItem barItem(const LegendBar& bar, double width) {
+    std::vector<std::string> notes;
+    for (const std::string& note : bar.notes)
+        if (!note.empty())
+            for (const std::string& line : wrapped(note, text_style::note, width, 2)) notes.push_back(line);
+    const double height = 2.0 + (bar.limits.empty() ? 1.4 : 4.4) + barHeight + 3.0 +
+                          noteRow * static_cast<double>(notes.size());
+    return {height, [&bar, width, notes](Ink& ink, const Point& at) { drawBar(ink, bar, at, width, notes); }};
+}
+
+ColumnItem keyItem(std::vector<MarkKind> kinds, double width) {
+    const double rows = static_cast<double>((kinds.size() + 1) / 2);
+    return {2.0 + row * rows, [kinds, width](Ink& ink, const Point& at) {
+                ink.text(at + Point(0.0, 2.0), "Anchored points", text_style::heading);
+                for (std::size_t i = 0; i < kinds.size(); ++i) {
+                    const Point place = at + Point(i % 2 ? 0.52 * width : 0.0,
+                                                   2.0 + row * static_cast<double>(i / 2 + 1));
+                    const bool plate = kinds[i] == MarkKind::Plate || kinds[i] == MarkKind::PlateLost;
+                    const Point along = plate ? Point(0.0, 1.0) : Point(1.0, 0.0);
+                    const Point lift = kinds[i] == MarkKind::PlateLost ? Point(1.2, -1.6) : Point(1.2, -0.7);
+                    drawMark(ink, kinds[i], place + lift, along);
+                    ink.text(place + Point(3.6, 0.0), nameOf(kinds[i]), text_style::body);
+                }
+            }};
+}
+
+ColumnItem eventsItem(const Scene& scene, const EventList& events, double width) {
+    const std::vector<EventRow> rows = rowsOf(scene, events);
+    const std::vector<std::string> notes = notesOf(events, width);
+    const double listed = rows.empty() ? 0.0 : 1.2 + row * static_cast<double>(rows.size()) + 1.2;
+    const double height = 2.0 + listed + noteRow * static_cast<double>(notes.size());
+    return {height, [&scene, rows, notes, width, listed](Ink& ink, const Point& at) {
+                ink.text(at + Point(0.0, 2.0), "Events", text_style::heading);
+                double y = 3.2;
+                if (!rows.empty()) ink.line(at + Point(0.0, y), at + Point(width, y), {0.13, black});
+                for (const EventRow& item : rows) {
+                    y += row;
+                    if (item.entry) drawEntry(ink, scene, *item.entry, at + Point(0.0, y - 0.4), width);
+                    else ink.text(at + Point(0.0, y - 0.4), item.heading, text_style::note);
+                }
+                if (!rows.empty()) ink.line(at + Point(0.0, y + 0.6), at + Point(width, y + 0.6), {0.13, black});
+                y = 2.0 + listed;
+                for (const std::string& note : notes) ink.text(at + Point(0.0, y += noteRow), note, text_style::note);
+            }};
+}
+
+}  // namespace keyblock

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What stands beside a section: bars of colours, the key of marks, the list of
+// events. Each item knows its height before it is drawn, so that the figure can
+// be made as high as its content.
+#pragma once
+
+#include "ui/figure/ink.h"
+#include "ui/picture/captions.h"
+#include "ui/picture/event_list.h"
+#include "ui/picture/legend.h"
+#include "ui/picture/marks.h"
+
+#include <functional>
+#include <vector>
+
+namespace keyblock {
+
+struct ColumnItem {
+    double height = 0.0;  // [mm]
+    std::function<void(Ink&, const Point&)> draw;  // with its upper left corner there [mm]
+};
+
+inline constexpr double itemGap = 4.2;  // between two items [mm]
+
+// Each for a column of `width` [mm]. What they show must outlive them.
+ColumnItem barItem(const LegendBar& bar, double width);
+ColumnItem keyItem(std::vector<MarkKind> kinds, double width);
+ColumnItem eventsItem(const Scene& scene, const EventList& events, double width);
+
+}  // namespace keyblock

@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/figure/map_ink.h"
+
+#include "geometry/segment.h"
+#include "ui/figure/mark_ink.h"
+#include "ui/picture/clip_to_box.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+using namespace paper_theme;
+
+constexpr double markDistance = 1.45, shank = 0.7, casing = 1.15;  // [mm]
+constexpr double leastMoved = 1.0;  // on paper, for a block to be shown where it was [mm]
+constexpr double leastScaleForRings = 3.0;  // mm per m; below it artificial points are not drawn
+constexpr double leastBoltForMarks = 5.0;  // length on paper [mm]
+constexpr std::size_t manyAnchors = 12;
+
+bool isArtificial(MarkKind kind) { return kind == MarkKind::Artificial || kind == MarkKind::InGap; }
+
+Point flipped(const Point& direction) { return {direction.x(), -direction.y()}; }
+
+Point alongOf(const std::vector<Point>& nodes) {
+    const Point along = nodes.back() - nodes.front();
+    return along.norm() > 0.0 ? Point(along.normalized()) : Point(1.0, 0.0);
+}
+
+}  // namespace
+
+MapInk::MapInk(const SectionPicture& picture, const Box& frame)
+    : picture_(picture), frame_(frame), window_(picture.window), placement_(grown(frame, -0.6)) {
+    const Point size = (frame.max - frame.min), extent = (window_.max - window_.min).cwiseMax(1e-9);
+    scale_ = (size.array() / extent.array()).minCoeff();
+    const Point middle = 0.5 * (window_.min + window_.max);
+    window_ = boxAbout(middle, size / scale_);
+    for (const BoltShape& bolt : picture.bolts) {
+        std::vector<Mark> marks = bolt.marks;
+        if (scale_ < leastScaleForRings) std::erase_if(marks, [](const Mark& m) { return isArtificial(m.kind); });
+        const bool shortOnPaper = (bolt.nodes.back() - bolt.nodes.front()).norm() * scale_ < leastBoltForMarks;
+        if (shortOnPaper)
+            std::erase_if(marks, [](const Mark& m) { return isArtificial(m.kind) || m.kind == MarkKind::Bonded; });
+        marks_.push_back(thinned(std::move(marks), markDistance / scale_));
+    }
+}
+
+std::vector<MarkKind> MapInk::kinds() const {
+    std::vector<MarkKind> found;
+    for (const MarkKind kind : {MarkKind::Bonded, MarkKind::Artificial, MarkKind::Slipping, MarkKind::Gone,
+                                MarkKind::Ruptured, MarkKind::Yielded, MarkKind::InGap, MarkKind::Plate,
+                                MarkKind::PlateLost})
+        if (std::any_of(marks_.begin(), marks_.end(), [&](const auto& marks) {
+                return std::any_of(marks.begin(), marks.end(), [&](const Mark& m) { return m.kind == kind; });
+            }))
+            found.push_back(kind);
+    return found;
+}
+
+Point MapInk::onPaper(const Point& p) const {
+    const Point offset = scale_ * (p - window_.min);
+    return {frame_.min.x() + offset.x(), frame_.max.y() - offset.y()};
+}
+
+std::vector<Point> MapInk::onPaper(const std::vector<Point>& points) const {
+    std::vector<Point> placed;
+    placed.reserve(points.size());
+    for (const Point& point : points) placed.push_back(onPaper(point));
+    return placed;
+}
+
+void MapInk::drawLines(Ink& ink, const std::vector<LineShape>& lines, const Stroke& stroke) const {
+    for (const LineShape& line : lines)
+        if (const auto part = clippedToBox(line.from, line.to, window_))
+            ink.line(onPaper(part->first), onPaper(part->second), stroke);
+}
+
+void MapInk::drawBlock(Ink& ink, const BlockShape& block, const Stroke& outline) const {
+    const std::vector<Point> shown = clippedToBox(block.outline, window_);
+    if (shown.empty()) return;
+    const Colour fill = block.value ? picture_.blockLegend->colourOf(*block.value) : rock;
+    ink.polygon(onPaper(shown), fill, outline);
+}
+
+/// Those that went so far that the eye asks where they came from; none where nearly everything moved.
+std::vector<const BlockShape*> MapInk::movedBlocks() const {
+    std::vector<const BlockShape*> moved;
+    for (const BlockShape& block : picture_.blocks)
+        if (block.displaced * scale_ > leastMoved) moved.push_back(&block);
+    if (moved.size() > std::max<std::size_t>(3, picture_.blocks.size() / 10)) moved.clear();
+    return moved;
+}
+
+void MapInk::drawBlocks(Ink& ink) const {
+    for (const BlockShape& block : picture_.blocks) drawBlock(ink, block, {jointLine, joint});
+    drawLines(ink, picture_.seams, {seamLine, seam});
+    drawLines(ink, picture_.borders, {jointLine, black});
+    drawLines(ink, picture_.walls, {wall, black});
+    for (const BlockShape* block : movedBlocks()) {
+        const std::vector<Point> before = clippedToBox(block->before, window_);
+        if (!before.empty()) ink.polygon(onPaper(before), {}, Stroke{0.17, black, {0.8, 0.6}});
+    }
+    for (const BlockShape* block : movedBlocks()) drawBlock(ink, *block, {wall, black});
+}
+
+void MapInk::drawShank(Ink& ink, const BoltShape& bolt) const {
+    const std::vector<Point> nodes = onPaper(bolt.nodes);
+    ink.polyline(nodes, {casing, white});
+    for (std::size_t e = 0; e + 1 < nodes.size();) {
+        const Colour colour = bolt.values.empty() ? black : picture_.boltLegend->colourOf(std::abs(bolt.values[e]));
+        std::vector<Point> run{nodes[e]};
+        const bool broken = bolt.broken[e];
+        const std::size_t first = e;
+        const auto alike = [&](std::size_t next) {
+            return static_cast<bool>(bolt.broken[next]) == broken &&
+                   (bolt.values.empty() || picture_.boltLegend->colourOf(std::abs(bolt.values[next])) == colour);
+        };
+        for (; e + 1 < nodes.size() && (e == first || alike(e)); ++e) run.push_back(nodes[e + 1]);
+        if (!broken) ink.polyline(run, {shank, colour});
+        else ink.polyline(run, {0.15, softText, {0.6, 0.5}});
+    }
+}
+
+void MapInk::drawMarks(Ink& ink, std::size_t index) const {
+    const auto& marks = marks_[index];
+    const auto real = std::count_if(marks.begin(), marks.end(), [](const Mark& m) { return !isArtificial(m.kind); });
+    for (const Mark& mark : marks)
+        drawMark(ink, mark.kind, onPaper(mark.place), flipped(mark.along),
+                 static_cast<std::size_t>(real) > manyAnchors);
+}
+
+/// Longest ordinate that a ribbon may have [mm]: 40 % of the way to the nearest other bolt.
+double MapInk::ribbonRoom(const BoltShape& bolt) const {
+    const Point middle = onPaper(Point(0.5 * (bolt.nodes.front() + bolt.nodes.back())));
+    double nearest = 30.0;
+    for (const BoltShape& other : picture_.bolts)
+        if (&other != &bolt)
+            nearest = std::min(nearest, distanceToSegment(onPaper(other.nodes.front()), onPaper(other.nodes.back()),
+                                                          middle));
+    return std::min(12.0, 0.4 * nearest);
+}
+
+void MapInk::drawRibbon(Ink& ink) {
+    if (!picture_.ribbon) return;
+    const Ribbon& ribbon = *picture_.ribbon;
+    const BoltShape& bolt = picture_.bolts[ribbon.shape];
+    const std::vector<Point> nodes = onPaper(bolt.nodes);
+    const double largest = std::max(std::abs(bolt.values[ribbon.peak]), ribbon.limit.value_or(0.0));
+    const double room = ribbonRoom(bolt);
+    if (room < 1.5) return;
+    const Point along = alongOf(nodes), across = turnLeft(along);
+    const auto [low, high] = std::minmax_element(bolt.values.begin(), bolt.values.end());
+    const double sign = *high >= -*low ? 1.0 : -1.0;  // the larger side looks away from the shank
+    const double base = 1.1 + std::max(0.0, sign > 0.0 ? -*low : *high) * room / largest;
+    const auto ordinate = [&](std::size_t node, double value) {
+        return Point(nodes[node] + (base + sign * value * room / largest) * across);
+    };
+    std::vector<Point> outline{nodes.front() + base * across}, curve;
+    for (std::size_t e = 0; e < bolt.values.size(); ++e) {
+        curve.push_back(ordinate(e, bolt.values[e]));
+        curve.push_back(ordinate(e + 1, bolt.values[e]));
+    }
+    outline.insert(outline.end(), curve.begin(), curve.end());
+    outline.push_back(nodes.back() + base * across);
+    ink.polygon(outline, paper_theme::ribbon, {}, 0.16);
+    ink.line(outline.front(), outline.back(), {0.13, paper_theme::ribbon});
+    ink.polyline(outline, {0.2, paper_theme::ribbon});
+    if (ribbon.limit)
+        ink.line(ordinate(0, sign * *ribbon.limit), ordinate(nodes.size() - 1, sign * *ribbon.limit),
+                 {0.2, error, {0.9, 0.45}});
+    for (std::size_t i = 0; i + 1 < outline.size(); ++i) placement_.keepOff(outline[i], outline[i + 1], 0.2);
+    for (std::size_t e = 0; e < bolt.values.size(); ++e)  // nor on its fill
+        placement_.keepOff(nodes[e] + base * across, ordinate(e, bolt.values[e]), 0.2);
+    const Point peak = 0.5 * (ordinate(ribbon.peak, bolt.values[ribbon.peak]) +
+                              ordinate(ribbon.peak + 1, bolt.values[ribbon.peak]));
+    const std::string label = numberText(bolt.values[ribbon.peak]) + " " + picture_.boltLegend->unit.substr(
+                                  0, picture_.boltLegend->unit.find(" per"));
+    const Point size(textWidth(label, text_style::number) + 1.0, 3.0);
+    if (const auto box = placement_.placeRound(size, peak, across)) {
+        drawLeader(ink, peak, *box);
+        ink.casedText({box->min.x() + 0.5, box->max.y() - 0.8}, label, text_style::number);
+    }
+    ink.circle(peak, 0.35, paper_theme::ribbon, {});
+}
+
+void MapInk::drawLeader(Ink& ink, const Point& from, const Box& label) const {
+    const Point to = 0.5 * (label.min + label.max);
+    const auto inside = clippedToBox(from, to, label);
+    const Point end = inside ? inside->first : to;
+    ink.line(from, end, {0.6, white});
+    ink.line(from, end, {leader, black});
+}
+
+void MapInk::drawScaleBar(Ink& ink) {
+    const double width = frame_.max.x() - frame_.min.x();
+    const double length = roundHalvable(0.12 * width / scale_);
+    const bool metres = length >= 0.5;
+    const std::string unit = metres ? " m" : " mm";
+    const double shown = metres ? length : 1e3 * length, bar = length * scale_;
+    const auto label = [&](double share) { return numberText(shown * share); };
+    const Point size(bar + 3.4 + textWidth(label(1.0) + unit, text_style::label), 6.6);
+    const Point low = frame_.min + 0.5 * size + Point(1.2, 1.2), high = frame_.max - 0.5 * size - Point(1.2, 1.2);
+    const std::vector<Point> corners{{low.x(), high.y()}, high, low, {high.x(), low.y()}};
+    const auto placed = placement_.place(size, corners);
+    const Box box = placed.value_or(boxAbout(corners.front(), size));
+    if (!placed) placement_.keepOff(box);
+    ink.box(box, white, Stroke{0.13, black});
+    const Point at = box.min + Point(1.7, 4.1);
+    for (int i = 0; i < 4; ++i)
+        ink.box({at + Point(0.25 * i * bar, 0.0), at + Point(0.25 * (i + 1) * bar, 1.0)}, i % 2 ? white : black,
+                Stroke{0.13, black});
+    ink.text(at + Point(0.0, -1.0), "0", text_style::label, Align::Centre);
+    ink.text(at + Point(0.5 * bar, -1.0), label(0.5), text_style::label, Align::Centre);
+    const double half = 0.5 * textWidth(label(1.0), text_style::label);
+    ink.text(at + Point(bar - half, -1.0), label(1.0) + unit, text_style::label);
+}
+
+void MapInk::drawNumbers(Ink& ink) {
+    for (const EventEntry& entry : picture_.events.entries) {
+        const Point place = onPaper(entry.place);
+        if (!meets({place, place}, frame_)) continue;
+        Point first(0.0, -1.0);
+        for (const BoltShape& bolt : picture_.bolts)
+            if (bolt.bolt == entry.bolt) first = -turnLeft(flipped(alongOf(bolt.nodes)));
+        const auto box = placement_.placeRound({3.7, 3.7}, place, first);
+        if (!box) continue;
+        drawLeader(ink, place, grown(*box, -0.1));
+        drawNumber(ink, 0.5 * (box->min + box->max), entry.number, 1.75, {2.1, true});
+    }
+}
+
+void MapInk::drawNames(Ink& ink) {
+    for (const BoltShape& bolt : picture_.bolts) {
+        const std::string name = elided(bolt.name, text_style::label, 18.0, true);
+        const Point size(textWidth(name, text_style::label) + 0.6, 2.7);
+        const Point along = flipped(alongOf(bolt.nodes)), across = turnLeft(along);
+        std::vector<Point> centres;
+        const auto beside = [&](const Point& end, const Point& away) {
+            centres.push_back(end + (1.1 + 0.5 * away.cwiseAbs().dot(size)) * away);
+        };
+        for (const Point& away : {Point(-along), Point(across - along), Point(-across - along), across, Point(-across)})
+            beside(onPaper(bolt.nodes.front()), away.normalized());
+        beside(onPaper(bolt.nodes.back()), along);
+        if (const auto box = placement_.place(size, centres))
+            ink.casedText({0.5 * (box->min.x() + box->max.x()), box->max.y() - 0.55}, name, text_style::label,
+                          Align::Centre);
+    }
+}
+
+/// A place in a block for the foot of a leader: its centroid, or half way to a corner where a bolt lies there.
+Point MapInk::footWithin(const std::vector<Point>& outline) const {
+    const Point centroid = moments(outline).centroid;
+    if (placement_.isFree(boxAbout(centroid, {1.5, 1.5}))) return centroid;
+    for (const Point& corner : outline)
+        if (const Point place = 0.5 * (centroid + corner); placement_.isFree(boxAbout(place, {1.5, 1.5}))) return place;
+    return centroid;
+}
+
+/// How far the blocks went that are shown where they were.
+void MapInk::drawMoved(Ink& ink) {
+    for (const BlockShape* block : movedBlocks()) {
+        const std::vector<Point> shown = clippedToBox(block->outline, window_);
+        if (shown.empty()) continue;
+        const Point centre = footWithin(onPaper(shown));
+        const double way = block->displaced / picture_.factor;
+        const std::string text = elided(block->name, text_style::label, 18.0, true) + " moved " +
+                                 (way < 1.0 ? numberText(way * 1e3) + " mm" : numberText(way) + " m");
+        const Point size(textWidth(text, text_style::label) + 1.0, 3.2);
+        if (const auto box = placement_.placeRound(size, centre, {0.0, -1.0})) {
+            drawLeader(ink, centre, *box);
+            ink.circle(centre, 0.4, black, {});
+            ink.casedText({box->min.x() + 0.5, box->max.y() - 0.9}, text, text_style::label);
+        }
+    }
+}
+
+void MapInk::draw(Ink& ink) {
+    ink.box(frame_, white, {});
+    drawBlocks(ink);
+    for (const BoltShape& bolt : picture_.bolts) {
+        drawShank(ink, bolt);
+        placement_.keepOff(onPaper(bolt.nodes.front()), onPaper(bolt.nodes.back()), 0.9);
+    }
+    for (const LineShape& line : picture_.walls) placement_.keepLabelsOff(onPaper(line.from), onPaper(line.to));
+    drawScaleBar(ink);
+    drawNames(ink);
+    drawRibbon(ink);
+    for (std::size_t i = 0; i < picture_.bolts.size(); ++i) drawMarks(ink, i);
+    drawNumbers(ink);
+    drawMoved(ink);
+    ink.box(frame_, {}, Stroke{paper_theme::frame, black});
+}
+
+}  // namespace keyblock

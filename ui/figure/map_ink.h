@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The section itself on paper: rock, walls, bolts, ribbon, names, numbers and the
+// scale bar, in a frame.
+#pragma once
+
+#include "ui/figure/ink.h"
+#include "ui/picture/placement.h"
+#include "ui/picture/section.h"
+
+#include <vector>
+
+namespace keyblock {
+
+class MapInk {
+public:
+    /// The picture in `frame` [mm]; the window is widened to the frame's shape.
+    MapInk(const SectionPicture& picture, const Box& frame);
+
+    /// Kinds of marks that will be drawn, each once, in the order of the key.
+    std::vector<MarkKind> kinds() const;
+
+    void draw(Ink& ink);
+
+private:
+    Point onPaper(const Point& p) const;
+    std::vector<Point> onPaper(const std::vector<Point>& points) const;
+    void drawLines(Ink& ink, const std::vector<LineShape>& lines, const Stroke& stroke) const;
+    void drawBlock(Ink& ink, const BlockShape& block, const Stroke& outline) const;
+    void drawBlocks(Ink& ink) const;
+    void drawShank(Ink& ink, const BoltShape& bolt) const;
+    void drawMarks(Ink& ink, std::size_t index) const;
+    void drawRibbon(Ink& ink);
+    void drawScaleBar(Ink& ink);
+    void drawNumbers(Ink& ink);
+    void drawNames(Ink& ink);
+    void drawMoved(Ink& ink);
+    Point footWithin(const std::vector<Point>& outline) const;
+    void drawLeader(Ink& ink, const Point& from, const Box& label) const;
+    std::vector<const BlockShape*> movedBlocks() const;
+    double ribbonRoom(const BoltShape& bolt) const;
+
+    const SectionPicture& picture_;
+    Box frame_;  // [mm]
+    Box window_;  // [m]
+    double scale_ = 1.0;  // mm per m
+    std::vector<std::vector<Mark>> marks_;  // of each bolt, thinned
+    Placement placement_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A sheet of paper of exact size in one of three formats. A unit of its painter is
+// 0.05 mm in each of them, so that the same strokes give the same figure.
+#pragma once
+
+#include "ui/figure/figure.h"
+
+#include <QBuffer>
+#include <QImage>
+
+#include <memory>
+
+class QCPPainter;
+class QPaintDevice;
+
+namespace keyblock {
+
+inline constexpr double unitsPerMm = 20.0;
+
+class Paper {
+public:
+    /// Size in mm; `dpi` of PNG.
+    Paper(PaperFormat format, double width, double height, int dpi, const std::string& title);
+    ~Paper();
+    Paper(const Paper&) = delete;
+    Paper& operator=(const Paper&) = delete;
+
+    QCPPainter& painter() { return *painter_; }
+    double width() const { return width_; }
+    double height() const { return height_; }
+
+    /// The bytes of the file, with nothing in them that changes from run to run. Once only, at the end.
+    std::string finish();
+
+private:
+    void beginSvg(const std::string& title);
+    void beginPdf(const std::string& title);
+    void beginPng();
+
+    PaperFormat format_;
+    double width_, height_;
+    int dpi_;
+    QBuffer buffer_;
+    QImage image_;
+    std::unique_ptr<QPaintDevice> device_;
+    std::unique_ptr<QCPPainter> painter_;
+};
+
+}  // namespace keyblock

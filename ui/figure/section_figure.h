@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A section with its legends on a sheet.
+#pragma once
+
+#include "ui/figure/figure.h"
+
+namespace keyblock {
+
+/// \throws CannotDraw for a quantity that there is not.
+Figure paintSection(const RunSource& run, const FigureRequest& request);
+
+}  // namespace keyblock

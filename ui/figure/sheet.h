@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What every figure has round its content: a title of up to two lines, a line on
+// what is shown, and a foot that says where it came from.
+#pragma once
+
+#include "ui/figure/figure.h"
+#include "ui/figure/ink.h"
+
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+class Sheet {
+public:
+    /// A sheet of `width` [mm]; long texts are broken and then cut off.
+    Sheet(double width, const std::string& title, const std::string& subtitle);
+
+    double width() const { return width_; }
+    double inner() const { return width_ - 2.0 * paper_theme::margin; }
+    double top() const;  // where the content begins [mm]
+    double heightAround(double content) const;  // of the sheet [mm]
+
+    void draw(Ink& ink, double height, const std::string& foot) const;
+
+private:
+    double width_;
+    std::vector<std::string> title_, subtitle_;
+};
+
+/// "Keyblock · RUN, frame 12 of 67 · plane strain · 160 by 107 mm"
+std::string footOf(const RunSource& run, const FigureRequest& request, std::optional<std::size_t> frame, double height);
+
+}  // namespace keyblock
