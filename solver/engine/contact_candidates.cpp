@@ -15,6 +15,7 @@ namespace {
 
 constexpr double slackShare = 1e-5;  // of the smaller block
 constexpr double deepest = 0.25;  // of the block's size: deeper is no contact with this edge
+constexpr double sliver = -0.9;  // cosine between the outward normals of a sliver's two long sides, at most
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// An edge that a corner stands before, now or on its path.
@@ -54,6 +55,20 @@ bool faceEachOther(const Edge& first, const Edge& second) {
     return before(first, second) && before(second, first);
 }
 
+/// The corner stands on the other side of a sliver, whose thickness is no way that it has gone in by this edge.
+bool isBehindSliver(const BlockModel& block, const std::vector<Point>& corners, const Edge& edge, const Point& p,
+                    double over) {
+    for (int turn = 0; turn < static_cast<int>(block.turns.size()); ++turn) {
+        const Edge side = runOf(block, corners, turn);
+        const Point from = p - side.start;
+        const double along = side.along.dot(from);
+        if (side.outward.dot(edge.outward) < sliver && std::abs(side.outward.dot(from)) <= over && along >= -over &&
+            along <= side.length + over)
+            return true;
+    }
+    return false;
+}
+
 std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, int b) {
     const std::vector<Point>& own = search.blocks[a].corners;
     const std::vector<Point>& other = search.blocks[b].corners;
@@ -74,6 +89,7 @@ std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, 
         if (!facesEdge(own, search.model.blocks[a].inner, corner, edge)) continue;
         // A top corner of a brick on a wide slab faces the slab's bottom edge too, from above the slab.
         if (gap < -over && locate(other, p, over) == Side::Outside) continue;
+        if (gap < -over && isBehindSliver(search.model.blocks[b], other, edge, p, over)) continue;
         faced.push_back({turn, gap, along, gap + edge.outward.dot(moves), edge});
     }
     return faced;
