@@ -27,18 +27,6 @@ std::string nameOf(const Bolt& bolt) { return bolt.pattern < 0 ? "the bolt" : "t
 
 constexpr int usualDivisions = 60;  // of a bolt that leaves them to the program, for judging a gap at its head
 
-bool runsThroughRock(const Bolt& bolt, const CheckContext& context) {
-    const std::vector<Point> ends{bolt.farEnd, bolt.head};
-    const Box box = grown(boxOf(ends), context.tolerance);
-    for (std::size_t i = 0; i < context.scene.blocks.size(); ++i) {
-        const std::vector<Point>& points = context.scene.blocks[i].points;
-        if (context.sound[i] && meets(boxOf(points), box) &&
-            !insideIntervals(points, bolt.farEnd, bolt.head, context.tolerance).empty())
-            return true;
-    }
-    return false;
-}
-
 /// Stretch of a bolt, from its far end [m], along an edge of a block.
 struct AlongFace {
     int block = -1;
@@ -111,7 +99,7 @@ bool checkPosition(const Bolt& bolt, const std::string& pointer, CheckContext& c
     }
     if (!checkAlongFaces(bolt, pointer, context))
         return true;
-    if (runsThroughRock(bolt, context))
+    if (runsThroughRock(bolt, context, {}))
         checkHead(bolt, pointer, context);
     else if (context.allSound())
         context.report.error(pointer, nameOf(bolt) + " runs through no block", "Move it into the rock");
@@ -186,6 +174,18 @@ void checkPretension(const Bolt& bolt, const std::string& pointer, CheckContext&
 }
 
 }  // namespace
+
+bool runsThroughRock(const Bolt& bolt, const CheckContext& context, const std::vector<bool>& gone) {
+    const std::vector<Point> ends{bolt.farEnd, bolt.head};
+    const Box box = grown(boxOf(ends), context.tolerance);
+    for (std::size_t i = 0; i < context.scene.blocks.size(); ++i) {
+        const std::vector<Point>& points = context.scene.blocks[i].points;
+        if (context.sound[i] && (gone.empty() || !gone[i]) && meets(boxOf(points), box) &&
+            !insideIntervals(points, bolt.farEnd, bolt.head, context.tolerance).empty())
+            return true;
+    }
+    return false;
+}
 
 void checkBolts(CheckContext& context) {
     const std::vector<Bolt>& bolts = context.scene.bolts;

@@ -55,10 +55,16 @@ public:
     void once(const std::string& name, const std::string& stage, std::string_view done, const std::string& pointer) {
         const auto [first, isNew] = stages_.try_emplace(name, stage);
         if (!isNew)
-            report_.error(pointer,
-                          "the " + what_ + " " + inQuotes(name) + " " + std::string(done) + " in the stage " +
-                              inQuotes(first->second) + " already",
-                          "Name it once");
+            tell(pointer,
+                 "the " + what_ + " " + inQuotes(name) + " " + std::string(done) + " in the stage " +
+                     inQuotes(first->second) + " already",
+                 "Name it once");
+    }
+
+    /// Tells of a name; of the bolts of a pattern the first speaks for all.
+    void tell(const std::string& pointer, const std::string& message, const std::string& remedy) {
+        if (pointer != told_) report_.error(pointer, message, remedy);
+        told_ = pointer;
     }
 
     bool has(const std::string& name) const { return stages_.contains(name); }
@@ -67,6 +73,7 @@ private:
     std::string what_;
     std::vector<std::string> known_;
     std::map<std::string, std::string> stages_;  // by name
+    std::string told_;  // where, last
     CheckReport& report_;
 };
 
@@ -76,54 +83,89 @@ void checkRelaxation(const Stage& stage, bool anyBefore, const std::string& poin
                        "Excavate something in this stage or before it, or leave it out");
 }
 
+/// What is there and what is not, stage by stage.
+class Presence {
+public:
+    explicit Presence(CheckContext& context)
+        : context_(context), scene_(context.scene),
+          excavated_("tunnel or block", blockNames(scene_), context.report),
+          installed_("bolt", boltNames(scene_), context.report), removed_("bolt", boltNames(scene_), context.report),
+          gone_(scene_.blocks.size(), false) {}
+
+    void check(const Stage& stage, const std::string& pointer) {
+        const auto each = [&](const std::vector<std::string>& names, const std::string& key, auto what) {
+            for (std::size_t n = 0; n < names.size(); ++n)
+                (this->*what)(names[n], stage, under(under(pointer, key), n));
+        };
+        each(stage.excavate, "excavate", &Presence::excavate);
+        checkRockIsLeft(stage, pointer);
+        each(stage.remove, "remove", &Presence::remove);
+        each(stage.install, "install", &Presence::install);
+        checkRelaxation(stage, any_, pointer, context_.report);
+        any_ = any_ || !stage.excavate.empty();
+    }
+
+private:
+    void excavate(const std::string& name, const Stage& stage, const std::string& at) {
+        if (!excavated_.exists(name, at))
+            return;
+        excavated_.once(name, stage.name, "is excavated", at);
+        Stage alone;
+        alone.excavate = {name};
+        const std::vector<int> blocks = excavatedBlocks(scene_, alone);
+        for (int block : blocks)
+            gone_[static_cast<std::size_t>(block)] = true;
+        if (blocks.empty())
+            context_.report.warning(at,
+                                    "no block lies in the tunnel " + inQuotes(name) + ", so nothing is excavated",
+                                    "Draw it larger, into the domain and out of open tunnels, or leave it out");
+    }
+
+    void checkRockIsLeft(const Stage& stage, const std::string& pointer) {
+        if (!stage.excavate.empty() && !gone_.empty() && std::find(gone_.begin(), gone_.end(), false) == gone_.end())
+            context_.report.error(under(pointer, "excavate"), "no block is left after this stage",
+                                  "Draw the tunnel smaller, or the domain larger");
+    }
+
+    void remove(const std::string& name, const Stage& stage, const std::string& at) {
+        if (!removed_.exists(name, at))
+            return;
+        for (int index : boltsNamed(scene_, name)) {
+            const Bolt& bolt = scene_.bolts[static_cast<std::size_t>(index)];
+            if (isInstalledLater(scene_, bolt) && !installed_.has(bolt.name))
+                removed_.tell(at, "the bolt " + inQuotes(name) + " is not installed yet",
+                              "Remove it in a later stage than the one that installs it");
+            removed_.once(bolt.name, stage.name, "is removed", at);
+        }
+    }
+
+    void install(const std::string& name, const Stage& stage, const std::string& at) {
+        if (!installed_.exists(name, at))
+            return;
+        for (int index : boltsNamed(scene_, name)) {
+            const Bolt& bolt = scene_.bolts[static_cast<std::size_t>(index)];
+            installed_.once(bolt.name, stage.name, "is installed", at);
+            if (context_.allSound() && runsThroughRock(bolt, context_, {}) && !runsThroughRock(bolt, context_, gone_))
+                installed_.tell(at, "all rock that the bolt " + inQuotes(bolt.name) + " runs through is excavated by then",
+                                "Install it in an earlier stage, or lay it through rock that stays");
+        }
+    }
+
+    CheckContext& context_;
+    const Scene& scene_;
+    Names excavated_, installed_, removed_;
+    std::vector<bool> gone_;  // by block
+    bool any_ = false;  // excavated so far
+};
+
 }  // namespace
 
 void checkPresence(CheckContext& context) {
     if (!context.isCut)
         return;  // not all names are known
-    const Scene& scene = context.scene;
-    Names excavated("tunnel or block", blockNames(scene), context.report), installed("bolt", boltNames(scene), context.report),
-        removed("bolt", boltNames(scene), context.report);
-    const auto removeOnce = [&](const Bolt& bolt, const std::string& name, const Stage& stage, const std::string& at) {
-        if (isInstalledLater(scene, bolt) && !installed.has(bolt.name))
-            context.report.error(at, "the bolt " + inQuotes(name) + " is not installed yet",
-                                 "Remove it in a later stage than the one that installs it");
-        removed.once(bolt.name, stage.name, "is removed", at);
-    };
-    bool any = false;
-    for (std::size_t i = 0; i < scene.stages.size(); ++i) {
-        const Stage& stage = scene.stages[i];
-        const std::string pointer = under("/stages", i);
-        const auto each = [&](const std::vector<std::string>& names, const std::string& key, const auto& check) {
-            for (std::size_t n = 0; n < names.size(); ++n)
-                check(names[n], under(under(pointer, key), n));
-        };
-        each(stage.excavate, "excavate", [&](const std::string& name, const std::string& at) {
-            if (!excavated.exists(name, at))
-                return;
-            excavated.once(name, stage.name, "is excavated", at);
-            Stage alone;
-            alone.excavate = {name};
-            if (excavatedBlocks(scene, alone).empty())
-                context.report.warning(at,
-                                       "no block lies in the tunnel " + inQuotes(name) + ", so nothing is excavated",
-                                       "Draw it larger or into the domain, or leave it out");
-        });
-        each(stage.remove, "remove", [&](const std::string& name, const std::string& at) {
-            if (!removed.exists(name, at))
-                return;
-            for (int bolt : boltsNamed(scene, name))
-                removeOnce(scene.bolts[static_cast<std::size_t>(bolt)], name, stage, at);
-        });
-        each(stage.install, "install", [&](const std::string& name, const std::string& at) {
-            if (!installed.exists(name, at))
-                return;
-            for (int bolt : boltsNamed(scene, name))
-                installed.once(scene.bolts[static_cast<std::size_t>(bolt)].name, stage.name, "is installed", at);
-        });
-        checkRelaxation(stage, any, pointer, context.report);
-        any = any || !stage.excavate.empty();
-    }
+    Presence presence(context);
+    for (std::size_t i = 0; i < context.scene.stages.size(); ++i)
+        presence.check(context.scene.stages[i], under("/stages", i));
 }
 
 void checkStands(int block, std::size_t stage, const std::string& pointer, CheckContext& context) {

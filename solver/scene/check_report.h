@@ -86,6 +86,9 @@ void checkStrengthChanges(const Stage& stage, const std::string& pointer, CheckC
 void checkPresence(CheckContext& context);  // names that stages excavate, install and remove
 void checkWatch(CheckContext& context);  // monitors, quantities, expected numbers
 
+/// True where the bolt runs through a block that is not `gone`; empty: none is.
+bool runsThroughRock(const Bolt& bolt, const CheckContext& context, const std::vector<bool>& gone);
+
 /// Anchors of a type or a bolt, without their place on a bolt.
 void checkAnchors(const std::vector<Anchor>& anchors, const std::string& pointer, CheckReport& report);
 
