@@ -14,6 +14,8 @@
 namespace keyblock {
 namespace {
 
+constexpr double leastForce = 1e-12;  // of E · size · thickness: less is round-off
+
 /// Row of the plate that is a block of its own; −1: none.
 int plateRow(const Model& model, int bolt) {
     for (int row = model.firstOf.back(); row < static_cast<int>(model.blocks.size()); ++row)
@@ -42,10 +44,18 @@ WallForce onBlock(const State& state, int block, const Point& at, const Point& f
     return wall;
 }
 
+/// No more than digits of the places leave: held as a force from outside, it would push loose rock for ever.
+bool isRoundOff(const Model& model, const Contact& c) {
+    const BlockModel &a = model.blocks[c.blockA], &b = model.blocks[c.blockB];
+    const double least = leastForce * std::min(a.youngsModulus, b.youngsModulus) * std::min(a.size, b.size);
+    return std::hypot(c.normalForce, c.shearForce) <= least * model.thickness;
+}
+
 /// Of contacts between what goes and what stays: on A it is N·outward − T·along, on B the opposite.
-void addContactForces(const State& state, const std::vector<char>& goes, std::vector<WallForce>& walls) {
+void addContactForces(const Model& model, const State& state, const std::vector<char>& goes,
+                      std::vector<WallForce>& walls) {
     for (const Contact& c : state.contacts) {
-        if (goes[c.blockA] == goes[c.blockB] || (c.normalForce == 0.0 && c.shearForce == 0.0)) continue;
+        if (goes[c.blockA] == goes[c.blockB] || isRoundOff(model, c)) continue;
         const Edge edge = edgeOf(state.blocks[c.blockB].corners, c.edge);
         const Point force = c.normalForce * edge.outward - c.shearForce * edge.along;
         const Point& at = state.blocks[c.blockA].corners[c.corner];
@@ -146,7 +156,7 @@ std::vector<WallForce> excavate(const Model& model, State& state, const std::vec
     for (int row : rows) goes[row] = !state.blocks[row].absent;
     if (std::none_of(goes.begin(), goes.end(), [](char g) { return g != 0; })) return walls;
     const double before = bookedEnergy(model, state);
-    addContactForces(state, goes, walls);
+    addContactForces(model, state, goes, walls);
     addBoltForces(model, state, goes, walls);
     for (int row = 0; row < static_cast<int>(goes.size()); ++row)
         if (goes[row]) takeOut(state, row);

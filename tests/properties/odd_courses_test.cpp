@@ -46,6 +46,8 @@ const Odd odd[]{
     {"no_gravity", R"({"analysis": {"gravity": [0, 0]}})", "eee", domainArea, nullptr},
     {"no_gravity_and_no_stress", R"({"analysis": {"gravity": [0, 0]}, "in_situ_stress": null})", "eee", domainArea,
      nothingMoves},
+    {"nothing_acts_and_nothing_holds", R"({"analysis": {"gravity": [0, 0]}, "in_situ_stress": null, "supports": []})",
+     "eee", domainArea, nothingMoves},
     {"gravity_upwards", R"({"analysis": {"gravity": [0, 9.81]}, "in_situ_stress": null, "bolt_patterns": [],
          "stages": [{"name": "settle"}]})",
      "c", domainArea - tunnelArea, nullptr},
