@@ -91,14 +91,16 @@ private:
         return true;
     }
 
-    /// Whether a corner lies in the triangle or, where an outline touches itself on a corner of the triangle, has a side
-    /// that leaves into it.
+    /// Whether a corner lies in the triangle or, where an outline touches itself on a corner of the triangle, has a
+    /// side that leaves into it.
     bool reachesInto(const std::array<Point, 3>& triangle, std::size_t i) const {
         const Point& p = at(left_[i]);
         for (std::size_t k = 0; k < 3; ++k) {
             if (p != triangle[k]) continue;
             const Point &from = triangle[(k + 2) % 3], &to = triangle[(k + 1) % 3];
-            const auto leaves = [&](const Point& q) { return orientation(p, to, q) > 0 && orientation(from, p, q) > 0; };
+            const auto leaves = [&](const Point& q) {
+                return orientation(p, to, q) > 0 && orientation(from, p, q) > 0;
+            };
             return leaves(at(before(i))) || leaves(at(after(i)));
         }
         for (std::size_t k = 0; k < 3; ++k)
