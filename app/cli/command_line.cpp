@@ -12,6 +12,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <CLI/Validators.hpp>
 
 #include <algorithm>
 #include <map>
@@ -35,6 +36,7 @@ struct Options {
     CheckOptions check;
     InfoOptions info;
     ExportOptions exported;
+    ImportOptions imported;
     SafetyOptions safety;
     VerifyOptions verify;
     BoltsOptions bolts;
@@ -141,6 +143,48 @@ void addExport(CLI::App& app, ExportOptions& options) {
         ->type_name("FILE.(csv|svg|pdf|png)");
 }
 
+/// `LAYER=role`; a layer's name may hold `=`.
+std::string addRole(const std::string& text, ImportSettings& settings) {
+    const auto sign = text.rfind('=');
+    const auto role = sign == std::string::npos ? std::nullopt : layerRoleOf(text.substr(sign + 1));
+    if (!role || sign == 0)
+        return "'" + text + "' is no LAYER=joint, boundary, tunnel, bolt or ignore";
+    settings.roles.emplace_back(text.substr(0, sign), *role);
+    return "";
+}
+
+void addImport(CLI::App& app, ImportOptions& options) {
+    CLI::App* verb =
+        app.add_subcommand("import", "Make a scene of a drawing (DXF) or of a list of joints or bolts (CSV)");
+    verb->add_option("FILE.(dxf|csv)", options.file, "The drawing or list")->required()->type_name("");
+    verb->add_option_function<std::vector<std::string>>(
+            "--role",
+            [&options](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts)
+                    if (const std::string problem = addRole(text, options.settings); !problem.empty())
+                        throw CLI::ValidationError("--role", problem);
+            },
+            "What a layer holds, where its name does not tell; '*=ROLE' for all that are left; may be given again")
+        ->type_name("LAYER=joint|boundary|tunnel|bolt|ignore")
+        ->allow_extra_args(false)
+        ->take_all();
+    verb->add_option_function<std::string>(
+            "--units",
+            [&options](const std::string& word) {
+                options.settings.unit = lengthUnitOf(word);
+                if (!options.settings.unit)
+                    throw CLI::ValidationError("--units", "'" + word + "' is none of " + lengthUnitWords());
+            },
+            "Units of the coordinates; default: as the file says")
+        ->type_name("m|mm|cm|ft|...");
+    verb->add_option("--sagitta", options.settings.sagitta,
+                     "How far the edges of arcs and splines may lie off them; default: 5e-4 of the drawing's size")
+        ->type_name("METRES")
+        ->check(CLI::PositiveNumber.description(""));
+    verb->add_flag("--all", options.all, "List every entity that was not taken, not ten of each kind");
+    verb->add_option("--out", options.out, "The scene to write")->required()->type_name("SCENE.json");
+}
+
 void addSafety(CLI::App& app, SafetyOptions& options) {
     CLI::App* verb = app.add_subcommand("safety", "Find the factor of safety of a static scene by strength reduction");
     verb->add_option("SCENE.json", options.scene, "The scene; its 'safety' says what is reduced, and how closely")
@@ -215,6 +259,8 @@ Command commandOf(const CLI::App& app, const Options& options) {
         return options.info;
     if (verb == "export")
         return options.exported;
+    if (verb == "import")
+        return options.imported;
     if (verb == "safety")
         return options.safety;
     if (verb == "verify")
@@ -237,6 +283,7 @@ std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv)
     addCheck(app, options.check);
     addInfo(app, options.info);
     addExport(app, options.exported);
+    addImport(app, options.imported);
     addSafety(app, options.safety);
     addVerify(app, options.verify);
     addBolts(app, options.bolts);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "app/cli/exit_codes.h"
+#include "solver/files/section_import.h"
 
 #include <filesystem>
 #include <optional>
@@ -55,6 +56,13 @@ struct ExportOptions {
     std::filesystem::path out;
 };
 
+struct ImportOptions {
+    std::filesystem::path file;
+    ImportSettings settings;
+    std::filesystem::path out;
+    bool all = false;  // every entity that was not taken
+};
+
 struct SafetyOptions {
     std::filesystem::path scene;
     std::vector<std::string> overrides;
@@ -73,13 +81,14 @@ struct BoltsOptions {
     std::optional<std::string> name;
 };
 
-using Command = std::variant<RunOptions, CheckOptions, InfoOptions, ExportOptions, SafetyOptions,
+using Command = std::variant<RunOptions, CheckOptions, InfoOptions, ExportOptions, ImportOptions, SafetyOptions,
                              VerifyOptions, BoltsOptions>;
 
 ExitCode perform(const RunOptions& options);
 ExitCode perform(const CheckOptions& options);
 ExitCode perform(const InfoOptions& options);
 ExitCode perform(const ExportOptions& options);
+ExitCode perform(const ImportOptions& options);
 ExitCode perform(const SafetyOptions& options);
 ExitCode perform(const VerifyOptions& options);
 ExitCode perform(const BoltsOptions& options);

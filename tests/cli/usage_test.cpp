@@ -22,7 +22,7 @@ protected:
 TEST_F(Usage, EveryVerbHasHelp) {
     const Ended whole = keyblock({"--help"});
     EXPECT_EQ(whole.code, 0);
-    for (const std::string verb : {"run", "check", "info", "export", "safety", "verify", "bolts"}) {
+    for (const std::string verb : {"run", "check", "info", "export", "import", "safety", "verify", "bolts"}) {
         EXPECT_NE(whole.out.find("\n  " + verb + " "), std::string::npos) << verb;
         const Ended ended = keyblock({verb, "--help"});
         EXPECT_EQ(ended.code, 0) << verb;
@@ -34,7 +34,7 @@ TEST_F(Usage, EveryVerbHasHelp) {
 TEST_F(Usage, VersionIsTold) { EXPECT_EQ(keyblock({"--version"}).out.rfind("keyblock ", 0), 0U); }
 
 TEST_F(Usage, OnlyVerbsThatAreBuiltExist) {
-    for (const std::string verb : {"report", "sweep", "trade", "stress", "import"})
+    for (const std::string verb : {"report", "sweep", "trade", "stress"})
         expectUsageError({verb}, "there is no verb '" + verb + "'");
     expectUsageError({}, "the verb is missing");
 }
@@ -50,6 +50,10 @@ TEST_F(Usage, WrongOptionsAreTold) {
     expectUsageError({"export", "run.kbrun", "--table", "energy", "--dpi", "100", "--out", "t.csv"}, "--dpi");
     expectUsageError({"export", "run.kbrun", "--table", "forces", "--out", "t.csv"}, "history, events, bolts");
     expectUsageError({"export", "run.kbrun", "--table", "energy", "--bolt", "B", "--out", "t.csv"}, "--bolt");
+    expectUsageError({"import", "a.dxf"}, "--out");
+    expectUsageError({"import", "a.dxf", "--out", "a.json", "--units", "cubit"}, "'cubit' is none of m, mm, cm");
+    expectUsageError({"import", "a.dxf", "--out", "a.json", "--role", "L=wall"}, "'L=wall' is no LAYER=joint, boundary");
+    expectUsageError({"import", "a.dxf", "--out", "a.json", "--sagitta", "0"}, "--sagitta");
     expectUsageError({"verify", "--case", "no such case"}, "there is no case 'no such case'; there are ");
     expectUsageError({"verify", "--case", "free fall", "--paper"}, "--paper");
     expectUsageError({"bolts", "toothpick"}, "rebar-20");

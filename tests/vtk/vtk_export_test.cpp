@@ -48,10 +48,12 @@ constexpr const char* sceneWithAll = R"({
   "materials": { "rock": { "density": 2700, "youngs_modulus": 1e9, "poissons_ratio": 0.2 } },
   "joint_materials": { "joint": { "friction_angle": 30 } },
   "domain": { "boundary": [[1000,-4],[1010,-4],[1010,6],[1000,6]], "material": "rock" },
-  "joints": [ { "name": "bedding", "points": [[1000,3],[1010,3]] }, { "name": "steep", "points": [[1005.3,-4],[1005.4,3]] } ],
+  "joints": [ { "name": "bedding", "points": [[1000,3],[1010,3]] },
+              { "name": "steep", "points": [[1005.3,-4],[1005.4,3]] } ],
   "tunnels": [ { "name": "adit", "profile": "circle", "center": [1005,0], "diameter": 3 } ],
   "bolts": [ { "name": "B & <1>", "type": "rebar-20", "far_end": [1007,3.9], "head": [1007,2.1], "plate": "none" } ],
-  "supports": [ { "boundary": "bottom", "fix": "xy" }, { "boundary": "left", "fix": "x" }, { "boundary": "right", "fix": "x" } ],
+  "supports": [ { "boundary": "bottom", "fix": "xy" }, { "boundary": "left", "fix": "x" },
+                { "boundary": "right", "fix": "x" } ],
   "stages": [ { "name": "settle", "kind": "static" },
               { "name": "excavate", "kind": "static", "excavate": ["adit"], "continue": true },
               { "name": "hang", "kind": "static", "install": ["B & <1>"], "zero_displacements": true },
@@ -67,7 +69,8 @@ struct Ran {
 const Ran& ran() {
     static const Ran once = [] {
         const SceneReading reading = readSceneText(sceneWithAll, "scene");
-        for (const Problem& problem : reading.problems) EXPECT_NE(problem.severity, Severity::Error) << oneLine(problem);
+        for (const Problem& problem : reading.problems)
+            EXPECT_NE(problem.severity, Severity::Error) << oneLine(problem);
         return Ran{*reading.scene, runInMemory(*reading.scene)};
     }();
     return once;

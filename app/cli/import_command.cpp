@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The verb `import`: what a drawing holds, what became of every part of it, what
+// was guessed and assumed; and the scene, if it is one that can be cut.
+#include "app/cli/commands.h"
+#include "app/cli/output.h"
+#include "app/cli/text_table.h"
+#include "solver/scene/number_text.h"
+#include "solver/scene/suggest.h"
+
+#include <algorithm>
+#include <map>
+
+namespace keyblock::cli {
+
+namespace {
+
+constexpr int mostOfAKind = 10;
+
+std::string counted(std::size_t count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string layerLines(const Import& import) {
+    std::vector<TextRow> rows;
+    for (const ImportedLayer& layer : import.layers)
+        rows.push_back({layer.name, layer.known ? std::string(wordOf(layer.role)) : "?", layer.source});
+    return rows.empty() ? "" : textTable({{"layer"}, {"role"}, {"which was"}}, rows);
+}
+
+std::string rowLines(const Import& import) {
+    std::vector<TextRow> rows;
+    for (const ImportRow& row : import.rows)
+        rows.push_back({row.kind, row.layer, std::to_string(row.count), row.became});
+    return rows.empty() ? "" : textTable({{"entity"}, {"layer"}, {"count", Align::Right}, {"became"}}, rows);
+}
+
+std::string placeText(const NotTaken& item) {
+    return "line " + std::to_string(item.place.line) +
+           (item.place.handle.empty() ? "" : " (handle " + item.place.handle + ")");
+}
+
+/// Each entity with its place and reason; of a kind, layer and reason ten, or all.
+void tellNotTaken(const Import& import, bool all) {
+    if (import.notTaken.empty())
+        return;
+    print("not taken:\n");
+    std::map<std::tuple<std::string, std::string, std::string>, int> told;
+    for (const NotTaken& item : import.notTaken) {
+        const int count = ++told[{item.kind, item.layer, item.why}];
+        if (all || count <= mostOfAKind)
+            print("  " + item.kind + " on layer " + inQuotes(item.layer) + ", " + placeText(item) + ": " + item.why +
+                  '\n');
+    }
+    for (const auto& [key, count] : told)
+        if (!all && count > mostOfAKind)
+            print("  and " + std::to_string(count - mostOfAKind) + " more " + std::get<0>(key) + " on layer " +
+                  inQuotes(std::get<1>(key)) + ": " + std::get<2>(key) + "; --all lists them\n");
+}
+
+void tellProblems(const Import& import) {
+    for (const Problem& problem : import.problems)
+        if (problem.severity == Severity::Error)
+            printToError(oneLine(problem) + '\n');
+        else
+            print(oneLine(problem) + '\n');
+}
+
+std::string sceneLine(const Import& import, const std::filesystem::path& out) {
+    const Scene& scene = *import.scene;
+    std::string line = out.string() + ": " + counted(scene.joints.size(), "joint") + ", " +
+                       counted(scene.tunnels.size(), "tunnel") + ", " + counted(scene.bolts.size(), "bolt");
+    if (import.cut)
+        line += "; cut into " + counted(static_cast<std::size_t>(import.cut->blocks), "block") + " of " +
+                shortest(import.cut->area) + " m²" +
+                (import.cut->notes.empty() ? "" : ", with notes that 'keyblock check' lists");
+    return line + '\n';
+}
+
+}  // namespace
+
+ExitCode perform(const ImportOptions& options) {
+    const Import import = importFile(options.file, options.settings);
+    if (!import.unit.empty())
+        print(options.file.string() + ": units " + import.unit + '\n');
+    print(layerLines(import));
+    print(rowLines(import));
+    tellNotTaken(import, options.all);
+    tellProblems(import);
+    if (!import.scene)
+        return Invalid;
+    for (const std::string& assumed : import.assumed)
+        print("assumed: " + assumed + '\n');
+    writeSceneFile(options.out, *import.scene);
+    print(sceneLine(import, options.out));
+    return Done;
+}
+
+}  // namespace keyblock::cli
