@@ -148,7 +148,7 @@ void MapInk::drawRibbon(Ink& ink) {
     const Ribbon& ribbon = *picture_.ribbon;
     const BoltShape& bolt = picture_.bolts[ribbon.shape];
     const std::vector<Point> nodes = onPaper(bolt.nodes);
-    const double largest = std::max(std::abs(bolt.values[ribbon.peak]), ribbon.limit.value_or(0.0));
+    const double largest = ribbon.scale;
     const double room = ribbonRoom(bolt);
     if (room < 1.5) return;
     const Point along = alongOf(nodes), across = turnLeft(along);
@@ -285,6 +285,10 @@ void MapInk::draw(Ink& ink) {
         placement_.keepOff(onPaper(bolt.nodes.front()), onPaper(bolt.nodes.back()), 0.9);
     }
     for (const LineShape& line : picture_.walls) placement_.keepLabelsOff(onPaper(line.from), onPaper(line.to));
+    for (const BlockShape* block : movedBlocks())
+        for (std::size_t i = 0; i < block->outline.size(); ++i)
+            placement_.keepLabelsOff(onPaper(block->outline[i]),
+                                     onPaper(block->outline[(i + 1) % block->outline.size()]));
     drawScaleBar(ink);
     drawNames(ink);
     drawRibbon(ink);

@@ -10,6 +10,7 @@
 #include "ui/picture/colour.h"
 #include "ui/picture/ticks.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct LegendBar {
     std::vector<std::pair<double, std::string>> limits;  // capacities within the range, named
 
     Colour colourOf(double shown) const;
+};
+
+/// Of the blocks and the bolts of a section; none of a quantity that no frame has a value of.
+struct SectionLegends {
+    std::optional<LegendBar> blocks, bolts;
 };
 
 }  // namespace keyblock

@@ -39,7 +39,8 @@ public:
         picture_.title = titleOf(run_, request_.frame);
         picture_.subtitle = subtitleOf(scene_, request_.factor);
         if (request_.frame) {
-            const SectionLegends legends = sectionLegends(run_, request_, frame_);
+            const SectionLegends legends =
+                withNow(request_.legends ? *request_.legends : sectionLegends(run_, request_), request_, frame_);
             picture_.blockLegend = legends.blocks;
             picture_.boltLegend = legends.bolts;
             events_ = eventsUntil(run_.events(), run_.frames()[*request_.frame]);
@@ -126,16 +127,18 @@ private:
             for (std::size_t e = 0; e < shape.values.size(); ++e)
                 if (std::abs(shape.values[e]) > largest) {
                     largest = std::abs(shape.values[e]);
-                    picture_.ribbon = Ribbon{i, e, {}, {}};
+                    picture_.ribbon = Ribbon{i, e, 0.0, {}, {}};
                 }
         }
         if (!picture_.ribbon) return;
+        largest = std::max(largest, request_.ribbonScale);
         const Bolt& bolt = scene_.bolts[static_cast<std::size_t>(picture_.bolts[picture_.ribbon->shape].bolt)];
         for (const auto& [limit, name] : limitsOf(scene_, bolt, *request_.bolts))
             if (!picture_.ribbon->limit && limit >= largest && limit <= 1.6 * largest) {
                 picture_.ribbon->limit = limit;
                 picture_.ribbon->limitName = name;
             }
+        picture_.ribbon->scale = std::max(largest, picture_.ribbon->limit.value_or(0.0));
     }
 
     /// Events stand where their node or block is drawn now.

@@ -27,6 +27,8 @@ struct SectionRequest {
     double factor = 1.0;  // displacements are drawn enlarged by it
     bool whole = false;  // show the whole model, not what surrounds tunnels and bolts
     std::size_t mostEvents = 12;
+    const SectionLegends* legends = nullptr;  // of the run, where they are known; null: its frames are read for them
+    double ribbonScale = 0.0;  // the ribbon is drawn as for a value of at least this size, in the unit shown
 };
 
 struct LineShape {
@@ -56,6 +58,7 @@ struct BoltShape {
 struct Ribbon {
     std::size_t shape = 0;  // index into the bolts drawn
     std::size_t peak = 0;  // element of the largest size
+    double scale = 0.0;  // size that takes all of the ribbon's room, in the unit shown
     std::optional<double> limit;  // that the quantity meets, in the unit shown
     std::string limitName;
 };

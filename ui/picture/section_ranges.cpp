@@ -31,12 +31,14 @@ void gather(const SectionRequest& request, const Frame& frame, Gathered& all) {
 
 ValueRange extent(const std::vector<Weighed>& values) { return rangeWithout(values, 0.0); }
 
-/// The values of this frame, as fine as a tenth of the bar's ticks.
-std::string nowText(const ValueRange& now, const LegendBar& bar, const QuantityDisplay& display) {
+/// Notes the values of this frame, as fine as a tenth of the bar's ticks.
+void noteNow(const std::vector<Weighed>& values, const QuantityDisplay& display, LegendBar& bar) {
+    if (values.empty()) return;
+    const ValueRange now = extent(values);
     const std::string low = numberText(now.low, bar.ticks.decimals + 1);
     const std::string high = numberText(now.high, bar.ticks.decimals + 1);
-    return "now " + low + (low == high ? "" : " to " + high) + (display.unit.empty() ? "" : " ") +
-           std::string(display.unit);
+    bar.notes.push_back("now " + low + (low == high ? "" : " to " + high) + (display.unit.empty() ? "" : " ") +
+                        std::string(display.unit));
 }
 
 LegendBar barOf(const QuantityDisplay& display) {
@@ -47,8 +49,7 @@ LegendBar barOf(const QuantityDisplay& display) {
     return bar;
 }
 
-std::optional<LegendBar> blockLegend(const QuantityDisplay& display, const std::vector<Weighed>& all,
-                                     const std::vector<Weighed>& now) {
+std::optional<LegendBar> blockLegend(const QuantityDisplay& display, const std::vector<Weighed>& all) {
     if (all.empty()) return std::nullopt;
     LegendBar bar = barOf(display);
     bar.map = display.isSigned ? &tide : &slate;
@@ -59,13 +60,11 @@ std::optional<LegendBar> blockLegend(const QuantityDisplay& display, const std::
     bar.goesBelow = whole.low < bar.range.low;
     bar.goesAbove = whole.high > bar.range.high;
     bar.ticks = roundTicks(bar.range, mostTicks);
-    bar.notes.push_back(nowText(extent(now), bar, display));
     return bar;
 }
 
 /// Bolts are coloured by size: Ember has one end that is far from the background.
 std::optional<LegendBar> boltLegend(const QuantityDisplay& display, const std::vector<Weighed>& all,
-                                    const std::vector<Weighed>& now,
                                     const std::vector<std::pair<double, std::string>>& limits) {
     if (all.empty()) return std::nullopt;
     LegendBar bar = barOf(display);
@@ -80,7 +79,6 @@ std::optional<LegendBar> boltLegend(const QuantityDisplay& display, const std::v
     for (const auto& limit : limits)
         if (limit.first <= bar.range.high) bar.limits.push_back(limit);
     bar.ticks = roundTicks(bar.range, mostTicks);
-    bar.notes.push_back(nowText(extent(now), bar, display));
     return bar;
 }
 
@@ -108,14 +106,21 @@ std::vector<std::pair<double, std::string>> limitsOf(const Scene& scene, const B
     return limits;
 }
 
-SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request, const Frame& frame) {
-    Gathered all, now;
+SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request) {
+    Gathered all;
     for (std::size_t i = 0; i < run.frames().size(); ++i) gather(request, run.frame(i), all);
-    gather(request, frame, now);
     SectionLegends legends;
-    if (request.blocks) legends.blocks = blockLegend(request.blocks->display, all.blocks, now.blocks);
+    if (request.blocks) legends.blocks = blockLegend(request.blocks->display, all.blocks);
     if (request.bolts)
-        legends.bolts = boltLegend(request.bolts->display, all.bolts, now.bolts, limitsOfAll(run.scene(), request));
+        legends.bolts = boltLegend(request.bolts->display, all.bolts, limitsOfAll(run.scene(), request));
+    return legends;
+}
+
+SectionLegends withNow(SectionLegends legends, const SectionRequest& request, const Frame& frame) {
+    Gathered now;
+    gather(request, frame, now);
+    if (legends.blocks) noteNow(now.blocks, request.blocks->display, *legends.blocks);
+    if (legends.bolts) noteNow(now.bolts, request.bolts->display, *legends.bolts);
     return legends;
 }
 

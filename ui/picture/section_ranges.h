@@ -8,12 +8,11 @@
 
 namespace keyblock {
 
-struct SectionLegends {
-    std::optional<LegendBar> blocks, bolts;
-};
+/// Legends of what the request asks for.
+SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request);
 
-/// Legends of what the request asks for; none of a quantity that no frame has a value of.
-SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request, const Frame& frame);
+/// The same with a note on the values of one frame, if it has any.
+SectionLegends withNow(SectionLegends legends, const SectionRequest& request, const Frame& frame);
 
 /// Size of a limit of the bolt's steel that the quantity meets [unit shown]; none for other quantities than N.
 std::vector<std::pair<double, std::string>> limitsOf(const Scene& scene, const Bolt& bolt,
