@@ -74,7 +74,7 @@ double followLength(const Model& model, const std::vector<BlockMotion>& blocks, 
     return before - contactEnergy(model, blocks, c);
 }
 
-bool carries(const Contact& c) { return c.normalForce > 0.0 || c.bonded; }
+ContactForces accepted(const Contact& c) { return {c.normalForce, c.shearForce}; }
 
 /// How far a contact's corner has slid past the end of its edge; negative while it is on it [m].
 double pastEnd(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {
@@ -122,16 +122,22 @@ Contact* heirOf(const Model& model, const std::vector<BlockMotion>& blocks, cons
     return heir;
 }
 
-/// Adds the force of `gone` to what `heir` carries.
-void inherit(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& gone, Contact& heir) {
+/// Adds the force of `gone` to what `heir` carries: `now` where the blocks are, the accepted one to the accepted one.
+void inherit(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& gone, const ContactForces& now,
+             Contact& heir) {
     const int shared = sharedBlock(blocks, gone, heir);
     const Edge from = edgeOf(blocks[gone.blockB].corners, gone.edge);
     const Edge to = edgeOf(blocks[heir.blockB].corners, heir.edge);
     // the force on A is N·outward − T·along, on B the opposite
     const double sign = (shared == gone.blockA ? 1.0 : -1.0) * (shared == heir.blockA ? 1.0 : -1.0);
-    const Point force = sign * (gone.normalForce * from.outward - gone.shearForce * from.along);
-    const double push = givesItself(model, heir) ? 0.0 : std::max(0.0, force.dot(to.outward));
-    addForces(model, heir, push, -force.dot(to.along));
+    const auto turnedOver = [&](const ContactForces& forces) -> ContactForces {
+        const Point force = sign * (forces.normal * from.outward - forces.shear * from.along);
+        return {givesItself(model, heir) ? 0.0 : std::max(0.0, force.dot(to.outward)), -force.dot(to.along)};
+    };
+    addForces(model, heir, turnedOver(now));
+    const ContactForces more = turnedOver(accepted(gone));
+    heir.normalForce += more.normal;
+    heir.shearForce += more.shear;
     heir.limit += gone.limit;
     if (std::abs(gone.slip) > std::abs(heir.slip)) heir.slip = gone.slip;
     heir.slipped = heir.slipped || (gone.slipped && heir.joint == gone.joint);
@@ -169,23 +175,28 @@ double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, c
 }
 
 double handOver(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before,
-                std::vector<Contact>& found) {
+                bool underWay, std::vector<Contact>& found) {
     double lost = 0.0;
     std::vector<Contact> kept;
+    std::vector<const Contact*> heirs;
     auto next = found.begin();
     for (const Contact& old : before) {
-        if (!carries(old)) continue;
+        if (old.normalForce <= 0.0 && !old.bonded && !underWay) continue;
         while (next != found.end() && comesBefore(*next, old)) ++next;
         if (next != found.end() && !comesBefore(old, *next)) continue;
         if (old.bonded) {
             kept.push_back(old);
             continue;
         }
+        const ContactForces now = underWay ? forcesNow(model, blocks, old) : accepted(old);
+        if (now.normal <= 0.0 && old.normalForce <= 0.0) continue;
         lost += contactEnergy(model, blocks, old);
         Contact* heir = heirOf(model, blocks, old, found);
         if (!heir) continue;
-        lost += contactEnergy(model, blocks, *heir);
-        inherit(model, blocks, old, *heir);
+        const bool known = sameContact(before, *heir) || std::find(heirs.begin(), heirs.end(), heir) != heirs.end();
+        if (known) lost += contactEnergy(model, blocks, *heir);  // what gives itself anew had none in the books
+        else heirs.push_back(heir);
+        inherit(model, blocks, old, now, *heir);
         lost -= contactEnergy(model, blocks, *heir);
     }
     if (kept.empty()) return lost;

@@ -21,8 +21,9 @@ double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, c
 double lengthOfJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact);
 
 /// Hands the forces of contacts that slid off their edges on to those found at the same place, and keeps bonded ones.
+/// \param underWay the blocks have moved since forces were accepted: what counts is what the laws give now.
 /// \param found sorted; stays so. \return elastic energy that was lost [J].
 double handOver(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before,
-                std::vector<Contact>& found);
+                bool underWay, std::vector<Contact>& found);
 
 }  // namespace keyblock

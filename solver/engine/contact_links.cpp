@@ -116,17 +116,23 @@ void carryShear(const Model& model, Contact& c, double strain, double force) {
     c.slipOffset = strain - (k > 0.0 ? (force - c.shearMultiplier) / k : 0.0);
 }
 
-void addForces(const Model& model, Contact& c, double normal, double shear) {
-    c.normalForce += normal;
-    c.shearForce += shear;
+ContactForces forcesNow(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {
+    const ContactSprings k = contactSprings(model, c);
+    const auto [open, free] = zeroPoints(c, k);
+    const double normal = std::max(0.0, k.normal * (open - gapOf(blocks, c)));
+    const double most = frictionOf(model, c) * normal;
+    return {normal, std::clamp(k.shear * (slipOf(blocks, c) - free), -most, most)};
+}
+
+void addForces(const Model& model, Contact& c, const ContactForces& more) {
     if (augmented(model, c)) {
-        c.normalMultiplier += normal;
-        c.shearMultiplier += shear;
+        c.normalMultiplier += more.normal;
+        c.shearMultiplier += more.shear;
         return;
     }
     const ContactSprings k = contactSprings(model, c);
-    c.gapOffset += normal / k.normal;
-    if (k.shear > 0.0) c.slipOffset -= shear / k.shear;
+    c.gapOffset += more.normal / k.normal;
+    if (k.shear > 0.0) c.slipOffset -= more.shear / k.shear;
 }
 
 double contactEnergy(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {

@@ -100,7 +100,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     std::vector<Contact> contacts;
     for (const auto& found : perPair) contacts.insert(contacts.end(), found.begin(), found.end());
     std::sort(contacts.begin(), contacts.end(), comesBefore);
-    const double ended = handOver(model, blocks, before, contacts);
+    const double ended = handOver(model, blocks, before, asked.underWay, contacts);
     if (asked.released) *asked.released += std::accumulate(lost.begin(), lost.end(), ended);
     dropHeldCorners(model, contacts);
     return contacts;
@@ -108,7 +108,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, double margin, bool first) {
-    return findContacts(model, blocks, before, {margin, first, nullptr, nullptr});
+    return findContacts(model, blocks, before, {margin, first, false, nullptr, nullptr});
 }
 
 void meetDilated(const State& state, std::vector<Contact>& contacts) {
@@ -123,7 +123,7 @@ void meetDilated(const State& state, std::vector<Contact>& contacts) {
 
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
                    double margin, const Eigen::VectorXd& path) {
-    const std::vector<Contact> now = findContacts(model, blocks, contacts, {margin, false, &path, nullptr});
+    const std::vector<Contact> now = findContacts(model, blocks, contacts, {margin, false, false, &path, nullptr});
     const std::vector<Drift> drift = driftOf(blocks, &path);
     const auto entersUnseen = [&](const Contact& c, const std::vector<Contact>& others) {
         if (c.bonded || sameContact(others, c)) return false;

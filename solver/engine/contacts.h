@@ -16,6 +16,7 @@ namespace keyblock {
 struct ContactSearch {
     double margin = 0.0;  // [m] how near a corner must be
     bool first = false;  // the scene as it was given: faces that touch carry no force, joints may be bonded
+    bool underWay = false;  // the blocks have moved since their forces were accepted
     const Eigen::VectorXd* path = nullptr;  // displacement of the step that begins; none: at rest
     double* released = nullptr;  // takes the elastic energy of contacts that ended or changed [J]
 };
@@ -76,8 +77,16 @@ double frictionOf(const Model& model, const Contact& contact);
 void carryNormal(const Model& model, Contact& contact, double strain, double force);
 void carryShear(const Model& model, Contact& contact, double strain, double force);
 
-/// Makes the contact carry more where the blocks are [N].
-void addForces(const Model& model, Contact& contact, double normal, double shear);
+/// Compression, and force along the edge [N].
+struct ContactForces {
+    double normal = 0.0, shear = 0.0;
+};
+
+/// What the contact's laws give where the blocks are; friction up to what the compression there lets it hold.
+ContactForces forcesNow(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact);
+
+/// Makes the contact carry more where the blocks are.
+void addForces(const Model& model, Contact& contact, const ContactForces& more);
 
 /// Elastic energy of the contact where the blocks are [J].
 double contactEnergy(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact);

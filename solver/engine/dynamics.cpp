@@ -220,7 +220,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
     for (int paths = 0, arcs = 0;;) {
         trial.state = state;
         trial.state.contacts = findContacts(model, state.blocks, state.contacts,
-                                            {2.0 * margin + widestOpening(state), false, &path,
+                                            {2.0 * margin + widestOpening(state), false, false, &path,
                                              &trial.state.energy.released});
         meetDilated(state, trial.state.contacts);
         StepProblem problem = buildStep(model, trial.state, loads_, at, options);

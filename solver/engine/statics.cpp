@@ -76,7 +76,7 @@ public:
         for (int step = 0; step < settings_.maxSteps; ++step) {
             const Eigen::VectorXd* known = paths > 0 ? &path : nullptr;
             state.contacts = findContacts(model_, state.blocks, state.contacts,
-                                          {searchMargin(state), false, known, &state.energy.released});
+                                          {searchMargin(state), false, true, known, &state.energy.released});
             meetDilated(state, state.contacts);
             const bool lock = taken < lockedSteps && state.step == 0 && unloaded(state);
             StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, lock});
@@ -134,7 +134,7 @@ private:
     void acceptMoving(State& state, const LoadPoint& at, const Eigen::VectorXd& moved, const StaticBooks& books) {
         state.contacts =
             findContacts(model_, state.blocks, state.contacts,
-                         {searchMargin(state), false, nullptr, &state.energy.released});
+                         {searchMargin(state), false, true, nullptr, &state.energy.released});
         meetDilated(state, state.contacts);
         StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, false});
         books.book(state, at, moved, problem);

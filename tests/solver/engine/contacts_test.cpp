@@ -195,7 +195,7 @@ TEST(Contacts, ACornerComesInWhereItsPathCrossesTheOutline) {
     const Eigen::VectorXd over = pathOf({-0.3, -0.1}), beside = pathOf({-0.15, -0.3});
     for (const auto& [path, normal] : {std::pair(&over, Point(0, 1)), std::pair(&beside, Point(1, 0))}) {
         const std::vector<Contact> contacts =
-            findContacts(found.model, found.state.blocks, {}, {0.5, false, path, nullptr});
+            findContacts(found.model, found.state.blocks, {}, {0.5, false, false, path, nullptr});
         EXPECT_LT((entranceOf(found, contacts) - normal).norm(), 1e-12);
         EXPECT_TRUE(entrancesHold(found.model, found.state.blocks, contacts, 0.5, *path));
         const Eigen::VectorXd& other = path == &over ? beside : over;
@@ -208,7 +208,7 @@ TEST(Contacts, TheLastLineCrossedIsTheOutline) {
     const Found found(boxes({{{0, 0}, {1, 1}}, {{1.01, 1.1}, {2.01, 2.1}}}));
     const Eigen::VectorXd path = pathOf({-0.06, -0.2});  // over the right side's line at y 1.067, down by the top
     const std::vector<Contact> contacts =
-        findContacts(found.model, found.state.blocks, {}, {0.5, false, &path, nullptr});
+        findContacts(found.model, found.state.blocks, {}, {0.5, false, false, &path, nullptr});
     EXPECT_LT((entranceOf(found, contacts) - Point(0, 1)).norm(), 1e-12);
 }
 
@@ -227,13 +227,15 @@ TEST(Contacts, RolesChangeAtTheEndOfAnEdge) {
     Found found(boxes({{{0, 0}, {2, 1}}, {{0.9, 1}, {1.9, 2}}}));
     for (Contact& c : found.contacts) {
         if (c.corner != 1) continue;
-        addForces(found.model, c, 100.0, 20.0);
+        addForces(found.model, c, {100.0, 20.0});
+        c.normalForce = 100.0;
+        c.shearForce = 20.0;
         c.limit = 50.0;
     }
     found.shift(1, {0.1001, 0.0});
     double lost = 0.0;
     State state = found.state;
-    state.contacts = findContacts(found.model, state.blocks, found.contacts, {1e-3, false, nullptr, &lost});
+    state.contacts = findContacts(found.model, state.blocks, found.contacts, {1e-3, false, false, nullptr, &lost});
     const auto heir = std::find_if(state.contacts.begin(), state.contacts.end(),
                                    [](const Contact& c) { return c.blockA == 0 && c.blockB == 1; });
     ASSERT_NE(heir, state.contacts.end());

@@ -59,6 +59,35 @@ void expectDone(const Results& results, double balance = 1e-3) {
     }
 }
 
+/// A wedge that sinks into a notch by u = W/(2L·(kn·sin²α + ks·cos²α)). Its upper corners leave those of the rock on
+/// the way, and what they carried along the faces must go over to the contacts that take their place.
+TEST(JointStiffness, LetsAWedgeSinkIntoItsNotch) {
+    const double height = 3.0, kn = 1e9;
+    for (const double angle : {20.0, 45.0, 60.0})
+        for (const double ratio : {1.0, 0.1}) {
+            const double s = std::sin(angle * degree), c = std::cos(angle * degree), half = height * s / c;
+            Scene scene = emptyScene(rigidRock, 0.0, 80.0);
+            scene.analysis.gravity = {0.0, -gravity};
+            scene.jointMaterials[0].second.normalStiffness = kn;
+            scene.jointMaterials[0].second.shearStiffness = ratio * kn;
+            for (const auto& [name, points] :
+                 {std::pair{"left", std::vector<Point>{{-10, -5}, {0, -5}, {0, 0}, {-half, height}, {-10, height}}},
+                  {"right", {{0, -5}, {10, -5}, {10, height}, {half, height}, {0, 0}}},
+                  {"wedge", {{0, 0}, {half, height}, {-half, height}}}}) {
+                scene.blocks.push_back(boxBlock(name, {0, 0}, {1, 1}));
+                scene.blocks.back().points = points;
+            }
+            scene.supports.resize(2);
+            scene.supports[0].blockAt = Point(-8.0, -2.0);
+            scene.supports[1].blockAt = Point(8.0, -2.0);
+            scene.stages = {settle()};
+            const Results results = runInMemory(scene);
+            expectDone(results, 1e-4);
+            const double sinks = weight * height * half / (2.0 * height / c * kn * (s * s + ratio * c * c));
+            EXPECT_NEAR(results.frames.back().blocks[2].displacement.y(), -sinks, 1e-4 * sinks) << angle << " " << ratio;
+        }
+}
+
 /// Closure σ/kn and shear τ/ks, whatever the penalty and the width.
 TEST(JointStiffness, ClosesBySigmaOverKnAndShearsByTauOverKs) {
     for (const double breadth : {1.0, 0.4})
