@@ -217,7 +217,8 @@ TEST(Extremes, AHundredMetresASecond) {
     EXPECT_LE(lastBlock(results).velocity.norm(), 101.0);
 }
 
-/// It turns by a twentieth of a radian and more in a step, and straight ways of its corners would end in the rock.
+/// It turns by up to θ = 0.04 in a step, and straight ways of its corners would end in the rock. On arcs what is left of
+/// a gap is r·θ³/24, 0.2 µm, of the 30 µm by which a floor that keeps all energy gives way: under a hundredth of it.
 TEST(Extremes, AStoneThatTumblesOntoTheFloorMakesNoEnergy) {
     for (const Integration scheme : {Integration::Shi, Integration::Newmark, Integration::BackwardEuler})
         for (const double spin : {-40.0, -20.0, 0.0, 20.0}) {
@@ -227,12 +228,12 @@ TEST(Extremes, AStoneThatTumblesOntoTheFloorMakesNoEnergy) {
             Block stone = boxBlock("stone", {-0.06, -0.06}, {0.06, 0.06});
             for (Point& p : stone.points) p = Eigen::Rotation2Dd(0.35) * p + Point(0.0, 0.1);
             scene.blocks.push_back(stone);
-            scene.stages = {dynamic(0.05, 1e-3)};
+            scene.stages = {dynamic(0.05, 5e-4)};
             scene.stages[0].initialVelocities = {{{0.0, 0.1}, {1.0, -9.0}, spin}};
             const Results results = runInMemory(scene);
             expectFinite(results);
             EXPECT_EQ(results.stages[0].outcome, Outcome::Duration) << results.stages[0].message;
-            EXPECT_LT(std::abs(results.stages[0].health.balanceError), 1e-2) << spin;  // of third order in the angle
+            EXPECT_LT(std::abs(results.stages[0].health.balanceError), 1e-2) << spin;
         }
 }
 
