@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -23,7 +24,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostEntities = 500'000;  // with those of inserted blocks
+constexpr std::size_t mostEntities = 200'000;  // with those of inserted blocks
 constexpr std::size_t deepestInsert = 16;
 constexpr double sagittaOfSize = 5e-4;
 
@@ -53,9 +54,13 @@ const LengthUnit* unitOfCode(int code) {
     return nullptr;
 }
 
+/// What was read of each entity: those of blocks are drawn many times.
+using Shapes = std::map<const DxfEntity*, DxfShapeReading>;
+
 class Drawer {
 public:
-    Drawer(const DxfContent& content, double sagitta) : content_(content), sagitta_(sagitta) {}
+    Drawer(const DxfContent& content, Shapes& shapes, double sagitta)
+        : content_(content), shapes_(shapes), sagitta_(sagitta) {}
 
     Drawing draw() {
         for (const DxfEntity& entity : content_.entities) add(entity, {}, "");
@@ -77,13 +82,18 @@ private:
         const std::string own = !layer.empty() && entity.layer == "0" ? layer : entity.layer;
         if (entity.paper) return refuse(entity, own, "it is drawn on a sheet, not in the model");
         if (entity.invisible) return refuse(entity, own, "it is invisible");
-        const DxfShapeReading reading = readDxfShape(entity);
+        const DxfShapeReading& reading = shapeOf(entity);
         if (!reading.shape) return refuse(entity, own, reading.why);
         noteHeight(entity, reading.height);
         const Map placed = reading.mirrored ? map * fromBehind : map;
         if (const auto* insert = std::get_if<DxfInsert>(&*reading.shape))
             return addInsert(entity, *insert, placed, own);
         addLine(entity, *reading.shape, placed, own);
+    }
+
+    const DxfShapeReading& shapeOf(const DxfEntity& entity) {
+        const auto known = shapes_.find(&entity);
+        return known != shapes_.end() ? known->second : shapes_.emplace(&entity, readDxfShape(entity)).first->second;
     }
 
     void refuse(const DxfEntity& entity, const std::string& layer, std::string why) {
@@ -223,6 +233,7 @@ private:
     }
 
     const DxfContent& content_;
+    Shapes& shapes_;
     double sagitta_;
     Drawing drawing_;
     std::vector<std::string> stack_;  // blocks that are being inserted
@@ -251,11 +262,12 @@ Drawing readDxf(std::string_view text, std::optional<double> sagitta) {
     drawing.problems = groups.problems;
     if (hasErrors(groups.problems)) return drawing;
     const DxfContent content = sortDxf(groups);
+    Shapes shapes;
     if (!sagitta) {
-        drawing = Drawer(content, std::numeric_limits<double>::max()).draw();
+        drawing = Drawer(content, shapes, std::numeric_limits<double>::max()).draw();
         sagitta = sagittaOfSize * sizeOf(drawing);
     }
-    drawing = Drawer(content, *sagitta).draw();
+    if (!hasErrors(drawing.problems)) drawing = Drawer(content, shapes, *sagitta).draw();
     drawing.problems.insert(drawing.problems.begin(), content.problems.begin(), content.problems.end());
     drawing.unit = unitOfCode(content.units);
     for (const auto& [layer, hidden] : content.hidden)

@@ -43,7 +43,11 @@ public:
         import_.layers = layerRoles(drawing_, settings_, import_.problems);
         if (hasErrors(import_.problems)) return finished();
         sortByRole();
-        buildScene();
+        if (lines_.empty())
+            error(0, "every layer with lines is ignored, so there is nothing to make a scene of",
+                  "Give one a role with --role LAYER=joint|boundary|tunnel|bolt");
+        else
+            buildScene();
         if (!hasErrors(import_.problems)) checkScene();
         return finished();
     }
