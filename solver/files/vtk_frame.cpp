@@ -5,6 +5,7 @@
 #include "geometry/convex_pieces.h"
 #include "geometry/polygon.h"
 #include "solver/files/frame_payload.h"
+#include "solver/results/frame_quantities.h"
 #include "solver/results/words.h"
 #include "solver/scene/solved_blocks.h"
 
@@ -76,6 +77,20 @@ private:
     std::span<const PayloadColumn> columns_;
     std::vector<double> values_;
 };
+
+/// Quantities that the rows of the store do not hold as they are, such as principal stresses. `items` are the frame's.
+template <typename Item>
+void addDerived(std::span<const FrameQuantity<Item>> quantities, const std::vector<Item>& items,
+                const std::vector<std::size_t>& rows, std::vector<VtkArray>& arrays) {
+    for (const FrameQuantity<Item>& quantity : quantities) {
+        const bool there = std::any_of(arrays.begin(), arrays.end(),
+                                       [&](const VtkArray& array) { return array.name == quantity.column; });
+        if (there) continue;
+        std::vector<double> values;
+        for (const std::size_t row : rows) values.push_back(quantity.value(items[row]));
+        arrays.push_back({std::string(quantity.column), std::move(values)});
+    }
+}
 
 std::vector<std::size_t> all(std::size_t count) {
     std::vector<std::size_t> rows(count);
@@ -150,12 +165,13 @@ VtkPolyData VtkBlocks::data(const Frame& frame) {
         last_[i] = block.points;
     }
     const Rows table(Payload::Blocks, frame);
-    data.pointData.push_back({"displacement_m", std::move(moved), 3});
+    data.pointData.push_back({"displacement_vector_m", std::move(moved), 3});
     data.cellData.push_back(indices("block", rows));
     data.cellData.push_back(namesOf("name", run_.blockNames(), {rows.begin(), rows.end()}));
     table.addAll(rows, {}, data.cellData);
-    data.cellData.push_back(table.vector("displacement_m", "ux", "uy", rows));
-    data.cellData.push_back(table.vector("velocity_m_per_s", "vx", "vy", rows));
+    data.cellData.push_back(table.vector("displacement_vector_m", "ux", "uy", rows));
+    data.cellData.push_back(table.vector("velocity_vector_m_per_s", "vx", "vy", rows));
+    addDerived(blockQuantities(), frame.blocks, rows, data.cellData);
     return data;
 }
 
@@ -243,6 +259,7 @@ VtkPolyData vtkContacts(const RunSource& run, const Frame& frame) {
     data.pointData.push_back(namesOf("name_b", run.blockNames(), b));
     const Rows contacts(Payload::Contacts, frame);
     contacts.addAll(all(contacts.size()), {}, data.pointData);
+    addDerived(contactQuantities(), frame.contacts, all(contacts.size()), data.pointData);
     return data;
 }
 

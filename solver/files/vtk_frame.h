@@ -3,8 +3,9 @@
 //
 // What ParaView is given of a frame: blocks as polygons, bolts as lines, contacts
 // as points, with the same quantities, names and units as the tables have. The
-// columns are those of the run store (files/frame_payload.h), so that a quantity
-// that is added there is exported too.
+// columns are those of the run store (files/frame_payload.h) and what the table of
+// quantities (results/frame_quantities.h) makes of them, so that a quantity that is
+// added to either is exported too.
 #pragma once
 
 #include "solver/files/vtk_poly_data.h"

@@ -7,6 +7,7 @@
 
 #include "geometry/polygon.h"
 #include "solver/files/scene_file.h"
+#include "solver/results/frame_quantities.h"
 #include "solver/results/tables.h"
 #include "solver/results/words.h"
 #include "solver/run/errors.h"
@@ -192,11 +193,32 @@ TEST_F(VtkExport, GivesTheBlocksOfTheTable) {
             for (const vtkIdType cell : cells[table[row][2]]) {
                 expectRow(table, row, moment.data->GetCellData(), cell, {"block"});
                 double u[3];
-                moment.data->GetCellData()->GetArray("displacement_m")->GetTuple(cell, u);
+                moment.data->GetCellData()->GetArray("displacement_vector_m")->GetTuple(cell, u);
                 EXPECT_EQ(u[0], moment.data->GetCellData()->GetArray("ux_m")->GetTuple1(cell));
                 EXPECT_EQ(u[1], moment.data->GetCellData()->GetArray("uy_m")->GetTuple1(cell));
             }
     }
+}
+
+TEST_F(VtkExport, GivesEveryQuantityOfTheTable) {
+    double largest = 0.0;
+    for (const Listed& moment : all("blocks")) {
+        vtkCellData* arrays = moment.data->GetCellData();
+        for (const FrameQuantity<BlockState>& quantity : blockQuantities())
+            EXPECT_TRUE(arrays->GetArray(std::string(quantity.column).c_str())) << quantity.column;
+        for (vtkIdType cell = 0; cell < moment.data->GetNumberOfCells(); ++cell) {
+            const auto value = [&](const char* name) { return arrays->GetArray(name)->GetTuple1(cell); };
+            // Invariants of the stress: the trace and the determinant, compression positive.
+            const double one = value("sigma1_compressive_Pa"), three = value("sigma3_compressive_Pa");
+            const double x = value("sxx_Pa"), y = value("syy_Pa"), xy = value("sxy_Pa");
+            const double scale = std::abs(x) + std::abs(y) + std::abs(xy);
+            EXPECT_NEAR(one + three, -x - y, 1e-12 * scale);
+            EXPECT_NEAR(one * three, x * y - xy * xy, 1e-12 * scale * scale);
+            EXPECT_GE(one, three);
+            largest = std::max(largest, one);
+        }
+    }
+    EXPECT_GT(largest, 1e4);
 }
 
 std::vector<Point> cornersOf(vtkPolyData* data, vtkIdType cell) {
@@ -264,13 +286,13 @@ TEST_F(VtkExport, MovesCornersAsTheirBlocksMove) {
             for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i) {
                 double p[3], u[3];
                 moment.data->GetPoint(ids->GetId(i), p);
-                moment.data->GetPointData()->GetArray("displacement_m")->GetTuple(ids->GetId(i), u);
+                moment.data->GetPointData()->GetArray("displacement_vector_m")->GetTuple(ids->GetId(i), u);
                 now.emplace_back(p[0], p[1]);
                 before.emplace_back(p[0] - u[0], p[1] - u[1]);
             }
             const Point moved = moments(now).centroid - moments(before).centroid;
             double u[3];
-            moment.data->GetCellData()->GetArray("displacement_m")->GetTuple(cell, u);
+            moment.data->GetCellData()->GetArray("displacement_vector_m")->GetTuple(cell, u);
             EXPECT_NEAR(moved.x(), u[0], 2e-12) << name << " " << stageOf(moment.data);  // differences 1000 m away
             EXPECT_NEAR(moved.y(), u[1], 2e-12) << name << " " << stageOf(moment.data);
         }
