@@ -13,10 +13,20 @@ namespace keyblock {
 
 namespace {
 
+constexpr std::size_t mostOfTitle = 90, mostOfStage = 40;  // letters
 constexpr std::size_t mostNamed = 3;  // of materials, joints and kinds of bolts
 
 void join(std::string& text, const std::string& part, const char* between) {
     if (!part.empty()) text += (text.empty() ? "" : between) + part;
+}
+
+/// At most `most` letters, so that what follows a name is not pushed off the page.
+std::string shortened(const std::string& text, std::size_t most) {
+    std::size_t letters = 0, at = 0;
+    const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };  // a letter in UTF-8
+    for (; at < text.size(); ++at)
+        if (begins(text[at]) && ++letters > most) break;
+    return at == text.size() ? text : text.substr(0, at) + "…";
 }
 
 std::string rockText(const Scene& scene) {
@@ -58,10 +68,11 @@ std::string timeText(const Scene& scene, int stage, double time) {
 
 std::string titleOf(const RunSource& run, std::optional<std::size_t> frame) {
     const Scene& scene = run.scene();
-    const std::string title = scene.title.empty() ? "Section" : scene.title;
+    const std::string title = shortened(scene.title.empty() ? "Section" : scene.title, mostOfTitle);
     if (!frame) return title + ", before the run";
     const FrameHead& head = run.frames()[*frame];
-    const std::string stage = stageName(scene, head.stage), time = timeText(scene, head.stage, head.time);
+    const std::string stage = shortened(stageName(scene, head.stage), mostOfStage);
+    const std::string time = timeText(scene, head.stage, head.time);
     if (scene.stages[static_cast<std::size_t>(head.stage)].kind == StageKind::Dynamic)
         return title + ", stage " + stage + " at " + time;
     return title + (head.time == 1.0 ? ", end of stage " + stage : ", stage " + stage + " at pseudo-time " + time);

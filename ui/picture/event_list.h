@@ -33,7 +33,7 @@ struct EventEntry {
 struct EventList {
     std::vector<EventEntry> entries;
     int leftOut = 0;  // entries beyond the most that were asked for, the least grave first
-    std::string counted;  // "690 joints slip, 121 open"; empty: none
+    std::string counted;  // what is not listed: "690 joints slip, 121 open"; empty: none
 };
 
 /// The run's events until a frame, itself included. \pre in order of time.

@@ -45,7 +45,8 @@ TEST(Section, FacesOfOneEdgeArePartJointPartWall) {
     const auto pieces = facePieces(scene, solved, cornersBefore(solved), {1, 1, 1});
     double joint = 0.0, wall = 0.0;
     for (const FacePiece& piece : pieces)
-        if (piece.block == 0 && piece.edge == 2) (piece.kind == FaceKind::Joint ? joint : wall) += piece.to - piece.from;
+        if (piece.block == 0 && piece.edge == 2)
+            (piece.kind == FaceKind::Joint ? joint : wall) += piece.to - piece.from;
     EXPECT_NEAR(joint, 0.75, 1e-9);
     EXPECT_NEAR(wall, 0.25, 1e-9);
 }

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Charts of a bolt and of a history, number by number.
+#include "ui/picture/bolt_chart.h"
+#include "ui/picture/history_charts.h"
+#include "ui/picture/run_time.h"
+
+#include "solver/results/history.h"
+#include "tests/ui/bricks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace keyblock {
+namespace {
+
+using namespace test;
+
+TEST(Chart, RangesHoldCurvesAndLimitsWithinReach) {
+    ChartPanel panel;
+    panel.curves = {{"", CurveStyle::Main, {0, 1}, {-0.0001, 90.0}}};
+    panel.limits = {{"yield", 120.0, false}, {"ultimate", 200.0, true}};
+    fitRange(panel);
+    ASSERT_EQ(panel.limits.size(), 1u);  // 200 is beyond 1.5 · 90
+    EXPECT_EQ(panel.range, (ValueRange{0.0, 150.0}));  // and −0.0001 opens no side
+}
+
+TEST(BoltChart, ShowsForcesOfElementsAsSteps) {
+    const BricksRun bricks;
+    const MemoryRun run(bricks.scene, bricks.results);
+    const BoltChart chart = boltChart(run, 1, 0);
+    EXPECT_DOUBLE_EQ(chart.length, 1.5);
+    ASSERT_EQ(chart.chart.panels.size(), 3u);  // no shear, no moment: no panel
+    const ChartPanel& axial = chart.chart.panels[0];
+    const ChartCurve& curve = axial.curves.back();
+    EXPECT_EQ(curve.x, (std::vector<double>{0.0, 0.5, 0.5, 1.0, 1.0, 1.5}));
+    EXPECT_EQ(curve.y, (std::vector<double>{25.0, 25.0, 100.0, 100.0, 25.0, 25.0}));
+    ASSERT_EQ(axial.limits.size(), 1u);
+    EXPECT_EQ(axial.limits[0].name, "yield");
+}
+
+TEST(BoltChart, EnvelopesHoldAllFramesUntilNow) {
+    BricksRun bricks;
+    std::swap(bricks.results.frames[0].bolts, bricks.results.frames[1].bolts);  // 100 kN first, then 1 kN
+    const MemoryRun run(bricks.scene, bricks.results);
+    const BoltChart chart = boltChart(run, 1, 0);
+    ASSERT_FALSE(chart.envelopes.empty());
+    const Envelope& envelope = chart.envelopes[0];
+    EXPECT_EQ(envelope.quantity, "axial_force_N");
+    EXPECT_DOUBLE_EQ(*std::max_element(envelope.high.begin(), envelope.high.end()), 100e3);
+    EXPECT_DOUBLE_EQ(envelope.high[0], 25e3);
+    EXPECT_DOUBLE_EQ(envelope.high[200], 100e3);  // half way
+    EXPECT_DOUBLE_EQ(*std::max_element(envelope.low.begin(), envelope.low.end()), 0.0);
+}
+
+TEST(BoltChart, ZonesAndJointsStandWhereTheyAre) {
+    BricksRun bricks;
+    auto& nodes = bricks.results.frames[1].bolts[0].nodes;
+    nodes[1].state = nodes[2].state = NodeState::Slipping;
+    nodes[2].block = nodes[3].block = 1;
+    const BoltChart chart = boltChart(MemoryRun(bricks.scene, bricks.results), 1, 0);
+    ASSERT_EQ(chart.chart.zones.size(), 1u);
+    EXPECT_DOUBLE_EQ(chart.chart.zones[0].from, 0.25);
+    EXPECT_DOUBLE_EQ(chart.chart.zones[0].to, 1.25);
+    ASSERT_EQ(chart.chart.dividers.size(), 1u);
+    EXPECT_DOUBLE_EQ(chart.chart.dividers[0], 0.75);
+}
+
+TEST(BoltChart, TheMostLoadedBoltIsFound) {
+    const BricksRun bricks;
+    EXPECT_EQ(mostLoadedBolt(bricks.results.frames[0]), 0);
+    EXPECT_EQ(mostLoadedBolt(Frame{}), -1);
+}
+
+/// Two stages with an opening, a force and a point.
+struct HistoryRun : BricksRun {
+    HistoryRun() {
+        Stage first;
+        first.name = "settle";
+        scene.stages.insert(scene.stages.begin(), first);
+        for (auto& event : results.events) event.stage = 1;
+        for (Frame& frame : results.frames) frame.stage = 1;
+        Monitor gap;
+        gap.name = "gap";
+        gap.between = {{Point(0.0, 1.0), Point(0.0, 1.1)}};
+        Monitor force;
+        force.name = "pull";
+        force.bolt = "B";
+        force.at = 0.7;
+        Monitor point;
+        point.name = "crown";
+        point.point = Point(0.0, 1.0);
+        scene.monitors = {gap, force, point};
+        results.columns = historyColumns(scene);
+        for (int i = 0; i < 4; ++i) {
+            HistoryRow row;
+            row.stage = i < 2 ? 0 : 1;
+            row.time = i < 2 ? i : 0.05 * (i - 1);
+            row.values.assign(results.columns.names.size(), 0.0);
+            row.values[0] = 1e-3 * i;
+            row.values[1] = i == 0 ? std::numeric_limits<double>::quiet_NaN() : 1e3 * i;
+            row.values[3] = -2e-3 * i;
+            results.history.push_back(row);
+        }
+        for (Event& event : results.events) event.historyRow = 2;
+    }
+    HistoryCharts charts(const std::optional<std::string>& asked = {}) const {
+        return historyCharts(MemoryRun(scene, results), asked);
+    }
+};
+
+TEST(RunTime, StagesStandOneAfterTheOther) {
+    const HistoryRun bricks;
+    const RunTime time(MemoryRun(bricks.scene, bricks.results));
+    ASSERT_EQ(time.stages().size(), 2u);
+    EXPECT_DOUBLE_EQ(time.stages()[1].from, 1.0);
+    EXPECT_DOUBLE_EQ(time.at(1, 0.2), 1.2);
+    EXPECT_DOUBLE_EQ(time.end(), 1.5);  // the last event is at 0.5 s
+}
+
+TEST(HistoryCharts, LoadOverDisplacementComesFirst) {
+    const HistoryCharts charts = HistoryRun().charts();
+    ASSERT_EQ(charts.charts.size(), 2u);
+    const Chart& load = charts.charts[0];
+    EXPECT_EQ(load.xTitle, "gap (mm)");
+    ASSERT_EQ(load.panels.size(), 1u);
+    ASSERT_EQ(load.panels[0].curves.size(), 1u);
+    EXPECT_EQ(load.panels[0].curves[0].x, (std::vector<double>{1.0, 2.0, 3.0}));  // not where there is no number
+    EXPECT_EQ(load.panels[0].curves[0].y, (std::vector<double>{1.0, 2.0, 3.0}));
+    EXPECT_EQ(load.panels[0].curves[0].name, "pull");
+    EXPECT_EQ(load.events, (std::vector<double>{2.0, 2.0, 2.0}));  // yields and rupture; joints are not told
+}
+
+TEST(HistoryCharts, PanelsGoByQuantity) {
+    const HistoryCharts charts = HistoryRun().charts();
+    const Chart& time = charts.charts[1];
+    std::vector<std::string> titles;
+    for (const ChartPanel& panel : time.panels) titles.push_back(panel.title);
+    EXPECT_EQ(titles, (std::vector<std::string>{"Opening (mm)", "Axial force (kN)", "Displacement along x (mm)",
+                                                "Displacement along y (mm)"}));
+    EXPECT_EQ(time.panels[3].curves[0].y.back(), -6.0);
+    EXPECT_EQ(time.dividers, (std::vector<double>{1.0}));
+}
+
+TEST(HistoryCharts, WhatIsAskedForIsShownAlone) {
+    const HistoryRun run;
+    const HistoryCharts over = run.charts("crown.uy over gap");
+    ASSERT_EQ(over.charts.size(), 1u);
+    EXPECT_EQ(over.charts[0].panels[0].curves[0].y.back(), -6.0);
+    EXPECT_EQ(run.charts("crown").charts[0].panels.size(), 2u);
+    const HistoryCharts none = run.charts("floor");
+    EXPECT_TRUE(none.charts.empty());
+    EXPECT_NE(none.problem.find("gap, pull, crown.ux, crown.uy"), std::string::npos) << none.problem;
+}
+
+TEST(HistoryCharts, ARunWithoutHistorySaysSo) {
+    HistoryRun run;
+    run.results.history.clear();
+    run.results.frames.clear();
+    EXPECT_FALSE(run.charts().problem.empty());
+}
+
+}  // namespace
+}  // namespace keyblock

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/picture/bolt_chart.h"
+
+#include "solver/results/frame_quantities.h"
+#include "solver/results/words.h"
+#include "ui/picture/captions.h"
+#include "ui/picture/event_list.h"
+#include "ui/picture/section_ranges.h"
+#include "ui/picture/steel_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int envelopePlaces = 400;
+constexpr double nothing = 1e-3;  // of the largest: what is smaller is not shown
+
+using NodeQuantity = FrameQuantity<BoltNodeFrame>;
+
+/// Whether the value at a node holds for the element that starts there.
+bool isOfElement(const NodeQuantity& quantity) {
+    return quantity.name == "axial_force" || quantity.name == "shear_force";
+}
+
+double largest(const BoltFrame& bolt, const NodeQuantity& quantity) {
+    double size = 0.0;
+    for (std::size_t i = 0; i + 1 < bolt.nodes.size(); ++i)
+        size = std::max(size, std::abs(quantity.value(bolt.nodes[i])));
+    return size;
+}
+
+ChartCurve curveOf(const BoltFrame& bolt, const NodeQuantity& quantity) {
+    ChartCurve curve;
+    const bool stepped = isOfElement(quantity);
+    for (std::size_t i = 0; i < bolt.nodes.size(); ++i) {
+        const double value = quantity.value(bolt.nodes[i]) * quantity.display.factor;
+        if (stepped && i + 1 == bolt.nodes.size()) break;  // what stands there is the plate's
+        curve.x.push_back(bolt.nodes[i].s);
+        curve.y.push_back(value);
+        if (stepped) {
+            curve.x.push_back(bolt.nodes[i + 1].s);
+            curve.y.push_back(value);
+        }
+    }
+    return curve;
+}
+
+ChartCurve stemsOf(const BoltFrame& bolt, const NodeQuantity& quantity) {
+    ChartCurve curve{"", CurveStyle::Stems, {}, {}};
+    for (const BoltNodeFrame& node : bolt.nodes)
+        if (node.real) {
+            curve.x.push_back(node.s);
+            curve.y.push_back(quantity.value(node) * quantity.display.factor);
+        }
+    return curve;
+}
+
+/// The value at a place: of its element, or between its nodes.
+double valueAt(const BoltFrame& bolt, const NodeQuantity& quantity, double s) {
+    const auto& nodes = bolt.nodes;
+    std::size_t i = 0;
+    while (i + 2 < nodes.size() && nodes[i + 1].s <= s) ++i;
+    const double first = quantity.value(nodes[i]);
+    if (isOfElement(quantity)) return first;
+    const double length = nodes[i + 1].s - nodes[i].s;
+    const double share = length > 0.0 ? std::clamp((s - nodes[i].s) / length, 0.0, 1.0) : 0.0;
+    return first + share * (quantity.value(nodes[i + 1]) - first);
+}
+
+class BoltChartBuilder {
+public:
+    BoltChartBuilder(const RunSource& run, std::size_t index, int bolt)
+        : run_(run), index_(index), bolt_(bolt), frame_(run.frame(index)) {}
+
+    BoltChart build() {
+        const Bolt& bolt = run_.scene().bolts[static_cast<std::size_t>(bolt_)];
+        chart_.length = (bolt.head - bolt.farEnd).norm();
+        chart_.title = titleText(bolt);
+        chart_.subtitle = subtitleText(bolt);
+        chart_.chart.xTitle = "distance from the far end (m)";
+        chart_.chart.x = {0.0, chart_.length};
+        addBand(bolt);
+        gatherEnvelopes();
+        addPanels(bolt);
+        addZones();
+        addDividers();
+        return std::move(chart_);
+    }
+
+private:
+    const BoltFrame& now() const { return frame_.bolts[static_cast<std::size_t>(bolt_)]; }
+
+    std::string titleText(const Bolt& bolt) const {
+        const std::string title = titleOf(run_, index_);
+        return "Bolt " + bolt.name + ": " + title;
+    }
+
+    std::string subtitleText(const Bolt& bolt) const {
+        std::string text = bolt.type + ", " + numberText(chart_.length) + " m";
+        const BoltType* type = typeOf(run_.scene(), bolt);
+        const SteelLimits limits = type ? steelLimits(*type) : SteelLimits{};
+        if (limits.yield) text += "; yields at " + numberText(*limits.yield * 1e-3) + " kN";
+        if (limits.ultimate) text += ", breaks at " + numberText(*limits.ultimate * 1e-3) + " kN";
+        if (now().lost) text += "; lost";
+        const NodeQuantity& axial = *findQuantity(boltQuantities(), "axial_force");
+        return text + "; largest axial force now " + numberText(largest(now(), axial) * 1e-3) + " kN.";
+    }
+
+    /// Bond forces; slip, too, where some nodes have no anchor that could tell it.
+    bool isOfRealNodes(const NodeQuantity& quantity) const {
+        const bool all = std::all_of(now().nodes.begin(), now().nodes.end(),
+                                     [](const BoltNodeFrame& node) { return node.real; });
+        return quantity.name == "anchor_force" || (quantity.name == "slip" && !all);
+    }
+
+    void addBand(const Bolt& bolt) {
+        std::vector<Point> straight;
+        for (const BoltNodeFrame& node : now().nodes) straight.emplace_back(node.s, 0.0);
+        const std::vector<Event> events = eventsUntil(run_.events(), run_.frames()[index_]);
+        chart_.band = marksOf(bolt, bolt_, now(), straight, events);
+    }
+
+    std::vector<const NodeQuantity*> shown() const {
+        std::vector<const NodeQuantity*> rows;
+        const double force = largest(now(), *findQuantity(boltQuantities(), "axial_force"));
+        for (const NodeQuantity& quantity : boltQuantities()) {
+            const bool beside = quantity.name == "shear_force" || quantity.name == "moment";
+            if (!beside || largest(now(), quantity) > std::max(1.0, nothing * force)) rows.push_back(&quantity);
+        }
+        return rows;
+    }
+
+    void gatherEnvelopes() {
+        for (const NodeQuantity* quantity : shown()) {
+            if (isOfRealNodes(*quantity)) continue;  // which stand where they stand
+            Envelope envelope{std::string(quantity->column), {}, {}, {}};
+            for (int i = 0; i <= envelopePlaces; ++i) envelope.s.push_back(chart_.length * i / envelopePlaces);
+            envelope.low.assign(envelope.s.size(), 0.0);
+            envelope.high = envelope.low;
+            chart_.envelopes.push_back(std::move(envelope));
+        }
+        for (std::size_t f = 0; f <= index_; ++f) {
+            const Frame frame = run_.frame(f);
+            const BoltFrame& bolt = frame.bolts[static_cast<std::size_t>(bolt_)];
+            if (bolt.nodes.size() < 2) continue;
+            for (Envelope& envelope : chart_.envelopes) widen(envelope, bolt);
+        }
+    }
+
+    static void widen(Envelope& envelope, const BoltFrame& bolt) {
+        const NodeQuantity* quantity = nullptr;
+        for (const NodeQuantity& row : boltQuantities())
+            if (row.column == envelope.quantity) quantity = &row;
+        for (std::size_t i = 0; i < envelope.s.size(); ++i) {
+            const double value = valueAt(bolt, *quantity, envelope.s[i]);
+            envelope.low[i] = std::min(envelope.low[i], value);
+            envelope.high[i] = std::max(envelope.high[i], value);
+        }
+    }
+
+    void addPanels(const Bolt& bolt) {
+        for (const NodeQuantity* quantity : shown()) {
+            ChartPanel panel;
+            panel.title = std::string(quantity->display.title) + " (" + std::string(quantity->display.unit) + ")";
+            for (const Envelope& envelope : chart_.envelopes)
+                if (envelope.quantity == quantity->column) addEnvelope(envelope, quantity->display.factor, panel);
+            panel.note = quantity->display.convention;
+            panel.curves.push_back(isOfRealNodes(*quantity) ? stemsOf(now(), *quantity) : curveOf(now(), *quantity));
+            for (const auto& [limit, name] : limitsOf(run_.scene(), bolt, *quantity))
+                panel.limits.push_back({name, limit, name == "ultimate"});
+            fitRange(panel);
+            chart_.chart.panels.push_back(std::move(panel));
+        }
+    }
+
+    static void addEnvelope(const Envelope& envelope, double factor, ChartPanel& panel) {
+        for (const auto* side : {&envelope.low, &envelope.high}) {
+            const auto size = [](const std::vector<double>& values) {
+                double most = 0.0;
+                for (const double value : values) most = std::max(most, std::abs(value));
+                return most;
+            };
+            if (size(*side) <= nothing * std::max(size(envelope.low), size(envelope.high))) continue;
+            ChartCurve curve{"", CurveStyle::Envelope, envelope.s, *side};
+            for (double& value : curve.y) value *= factor;
+            panel.curves.push_back(std::move(curve));
+        }
+    }
+
+    /// From half way to the neighbour before the first slipping node to half way to the one after the last.
+    void addZones() {
+        std::vector<const BoltNodeFrame*> real;
+        for (const BoltNodeFrame& node : now().nodes)
+            if (node.real) real.push_back(&node);
+        for (std::size_t i = 0; i < real.size(); ++i) {
+            if (real[i]->state != NodeState::Slipping) continue;
+            const double from = i == 0 ? real[i]->s : 0.5 * (real[i - 1]->s + real[i]->s);
+            const double to = i + 1 == real.size() ? real[i]->s : 0.5 * (real[i]->s + real[i + 1]->s);
+            auto& zones = chart_.chart.zones;
+            if (!zones.empty() && zones.back().to == from) zones.back().to = to;
+            else zones.push_back({from, to});
+        }
+    }
+
+    /// Where the bolt goes from one block to another; a gap counts once.
+    void addDividers() {
+        int block = -1;
+        double left = 0.0;
+        for (const BoltNodeFrame& node : now().nodes) {
+            if (node.block < 0) continue;
+            if (block >= 0 && node.block != block) chart_.chart.dividers.push_back(0.5 * (left + node.s));
+            block = node.block;
+            left = node.s;
+        }
+    }
+
+    const RunSource& run_;
+    std::size_t index_;
+    int bolt_;
+    Frame frame_;
+    BoltChart chart_;
+};
+
+}  // namespace
+
+BoltChart boltChart(const RunSource& run, std::size_t frame, int bolt) {
+    return BoltChartBuilder(run, frame, bolt).build();
+}
+
+int mostLoadedBolt(const Frame& frame) {
+    const NodeQuantity& axial = *findQuantity(boltQuantities(), "axial_force");
+    int found = -1;
+    double most = -1.0;
+    for (std::size_t b = 0; b < frame.bolts.size(); ++b)
+        if (frame.bolts[b].nodes.size() > 1 && largest(frame.bolts[b], axial) > most) {
+            most = largest(frame.bolts[b], axial);
+            found = static_cast<int>(b);
+        }
+    return found;
+}
+
+}  // namespace keyblock

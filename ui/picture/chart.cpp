@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/picture/chart.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double negligible = 1e-3;  // of the larger side of zero: a range does not open for it
+
+}  // namespace
+
+void fitRange(ChartPanel& panel) {
+    ValueRange range;
+    for (const ChartCurve& curve : panel.curves)
+        for (const double y : curve.y)
+            if (std::isfinite(y)) range = {std::min(range.low, y), std::max(range.high, y)};
+    std::erase_if(panel.limits, [&](const ChartLimit& limit) {
+        return limit.value >= 0.0 ? limit.value > 1.5 * range.high : limit.value < 1.5 * range.low;
+    });
+    for (const ChartLimit& limit : panel.limits)
+        range = {std::min(range.low, limit.value), std::max(range.high, limit.value)};
+    if (-range.low < negligible * range.high) range.low = 0.0;
+    if (range.high < -negligible * range.low) range.high = 0.0;
+    panel.range = roundedRange(range, mostPanelTicks);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Charts as plain values: panels one below the other on one axis of abscissas,
+// each with curves, limits and its own range. Paper and screen draw the same.
+#pragma once
+
+#include "ui/picture/ticks.h"
+
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+inline constexpr int mostPanelTicks = 5;
+
+enum class CurveStyle { Main, Second, Third, Fourth, Envelope, Stems };
+
+struct ChartCurve {
+    std::string name;  // written at its right end; empty: not
+    CurveStyle style = CurveStyle::Main;
+    std::vector<double> x, y;  // as shown
+};
+
+struct ChartLimit {
+    std::string name;
+    double value = 0.0;
+    bool ultimate = false;
+};
+
+struct ChartPanel {
+    std::string title;  // with its unit
+    std::string note;  // on signs, after the title
+    std::vector<ChartCurve> curves;
+    std::vector<ChartLimit> limits;
+    ValueRange range;
+};
+
+/// A stretch of abscissas with a meaning: a slipping zone, a stage.
+struct ChartZone {
+    double from = 0.0, to = 0.0;
+};
+
+struct Chart {
+    std::string xTitle;  // with its unit
+    ValueRange x;
+    std::vector<ChartPanel> panels;
+    std::vector<ChartZone> zones;  // tinted through all panels
+    std::vector<double> dividers;  // dotted through all panels
+    std::vector<double> events;  // faint lines through all panels, a tick on the axis
+};
+
+/// Sets the panel's range from its curves, with zero, and with limits that lie within 1.5 times of what is reached;
+/// limits beyond go. A panel of nothing but zeros has the range 0 … 1.
+void fitRange(ChartPanel& panel);
+
+}  // namespace keyblock
