@@ -13,7 +13,7 @@ namespace keyblock::cli {
 
 /// In the order of `FigureKind`.
 inline std::span<const std::string_view> figureWords() {
-    static constexpr std::array<std::string_view, 1> words{"section"};
+    static constexpr std::array<std::string_view, 4> words{"section", "bolt", "curves", "events"};
     return words;
 }
 

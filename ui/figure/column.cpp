@@ -107,7 +107,8 @@ void drawEntry(Ink& ink, const Scene& scene, const EventEntry& entry, const Poin
     const double room = width - from - textWidth(force, text_style::body) - 1.0;
     const double forName = std::max(8.0, room - textWidth(" " + entry.what, text_style::body));
     const std::string name = elided(entry.subject, text_style::body, forName, true);
-    ink.text(at + Point(from, 0.0), elided(name + (entry.count > 1 ? ": " : " ") + entry.what, text_style::body, room), text_style::body);
+    const std::string whole = name + (entry.count > 1 ? ": " : " ") + entry.what;
+    ink.text(at + Point(from, 0.0), elided(whole, text_style::body, room), text_style::body);
 }
 
 std::vector<std::string> notesOf(const EventList& events, double width) {

@@ -17,7 +17,7 @@
 
 namespace keyblock {
 
-enum class FigureKind { Section };
+enum class FigureKind { Section, Bolt, Curves, Events };
 enum class PaperFormat { Svg, Pdf, Png };
 
 struct FigureRequest {

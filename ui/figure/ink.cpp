@@ -7,9 +7,13 @@
 
 #include <QFontDatabase>
 #include <QFontMetricsF>
+#include <QGlyphRun>
 #include <QPainter>
 #include <QPainterPath>
+#include <QRawFont>
+#include <QTextLayout>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -51,6 +55,31 @@ const QString& family() {
 }
 
 QString qt(const std::string& text) { return QString::fromStdString(text); }
+
+/// Whether shaping puts glyphs in place that stand for no character by themselves, as Inter does with a colon after a
+/// capital letter: a PDF could not be searched for them.
+bool swapsGlyphs(const QFont& font, const QString& text) {
+    QTextLayout layout(text, font);
+    layout.beginLayout();
+    layout.createLine();
+    layout.endLayout();
+    for (const QGlyphRun& run : layout.glyphRuns()) {
+        const QVector<quint32> own = run.rawFont().glyphIndexesForString(text);
+        for (const quint32 glyph : run.glyphIndexes())
+            if (!own.contains(glyph)) return true;
+    }
+    return false;
+}
+
+/// The font for this text; scripts that need shaping keep it.
+QFont fontFor(const TextStyle& style, const QString& text) {
+    QFont font = fontOf(style);
+    const bool simple = std::all_of(text.begin(), text.end(), [](QChar c) {
+        return c.unicode() < 0x0590 || (c.unicode() >= 0x2000 && c.unicode() < 0x2300);
+    });
+    if (simple && swapsGlyphs(font, text)) font.setStyleStrategy(QFont::PreferNoShaping);
+    return font;
+}
 
 QPointF startOf(const Point& at, const QString& text, const QFont& font, Align align) {
     QPointF start = units(at);
@@ -105,28 +134,31 @@ void Ink::circle(const Point& centre, double radius, const std::optional<Colour>
 }
 
 void Ink::text(const Point& at, const std::string& text, const TextStyle& style, Align align) {
-    const QFont font = fontOf(style);
+    const QFont font = fontFor(style, qt(text));
     painter_.setFont(font);
     painter_.setPen(colourOf(style.colour));
     painter_.drawText(startOf(at, qt(text), font, align), qt(text));
 }
 
 void Ink::casedText(const Point& at, const std::string& text, const TextStyle& style, Align align) {
-    const QFont font = fontOf(style);
+    const QFont font = fontFor(style, qt(text));
     QPainterPath rim;
     rim.addText(startOf(at, qt(text), font, align), font, qt(text));
     painter_.setBrush(Qt::NoBrush);
-    painter_.setPen(penOf({0.7, paper_theme::white}));
+    painter_.setPen(penOf({0.95, paper_theme::white}));
     painter_.drawPath(rim);
+    const QRectF whole = rim.boundingRect();  // no holes between letters
+    painter_.fillRect(QRectF(whole.left(), units(at).y() - 0.6 * style.size * unitsPerMm, whole.width(),
+                             0.6 * style.size * unitsPerMm), Qt::white);
     this->text(at, text, style, align);
 }
 
 double textWidth(const std::string& text, const TextStyle& style) {
-    return QFontMetricsF(fontOf(style)).horizontalAdvance(qt(text)) / unitsPerMm;
+    return QFontMetricsF(fontFor(style, qt(text))).horizontalAdvance(qt(text)) / unitsPerMm;
 }
 
 std::string elided(const std::string& text, const TextStyle& style, double width, bool middle) {
-    return QFontMetricsF(fontOf(style))
+    return QFontMetricsF(fontFor(style, qt(text)))
         .elidedText(qt(text), middle ? Qt::ElideMiddle : Qt::ElideRight, width * unitsPerMm)
         .toStdString();
 }

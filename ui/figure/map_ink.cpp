@@ -18,6 +18,8 @@ using namespace paper_theme;
 constexpr double markDistance = 1.45, shank = 0.7, casing = 1.15;  // [mm]
 constexpr double leastMoved = 1.0;  // on paper, for a block to be shown where it was [mm]
 constexpr double leastScaleForRings = 3.0;  // mm per m; below it artificial points are not drawn
+constexpr double leastSpacingForMarks = 1.7, leastSpacingForPlates = 2.6;  // between bolts on paper [mm]
+constexpr double leastSpacingForNames = 3.0;  // below it a name stands beyond the far end or nowhere [mm]
 constexpr double leastBoltForMarks = 5.0;  // length on paper [mm]
 constexpr std::size_t manyAnchors = 12;
 
@@ -38,14 +40,33 @@ MapInk::MapInk(const SectionPicture& picture, const Box& frame)
     scale_ = (size.array() / extent.array()).minCoeff();
     const Point middle = 0.5 * (window_.min + window_.max);
     window_ = boxAbout(middle, size / scale_);
-    for (const BoltShape& bolt : picture.bolts) {
-        std::vector<Mark> marks = bolt.marks;
-        if (scale_ < leastScaleForRings) std::erase_if(marks, [](const Mark& m) { return isArtificial(m.kind); });
-        const bool shortOnPaper = (bolt.nodes.back() - bolt.nodes.front()).norm() * scale_ < leastBoltForMarks;
-        if (shortOnPaper)
-            std::erase_if(marks, [](const Mark& m) { return isArtificial(m.kind) || m.kind == MarkKind::Bonded; });
-        marks_.push_back(thinned(std::move(marks), markDistance / scale_));
+    measureSpacing();
+    for (std::size_t i = 0; i < picture.bolts.size(); ++i) marks_.push_back(marksToDraw(i));
+}
+
+void MapInk::measureSpacing() {
+    for (const BoltShape& bolt : picture_.bolts) {
+        double nearest = 1e9;
+        for (const BoltShape& other : picture_.bolts)
+            if (&other != &bolt)
+                nearest = std::min(nearest, distanceToSegment(other.nodes.front(), other.nodes.back(),
+                                                              bolt.nodes.back()));
+        spacing_.push_back(nearest * scale_);
     }
+}
+
+/// Crowded bolts, short ones and small scales leave room for what let go alone.
+std::vector<Mark> MapInk::marksToDraw(std::size_t index) const {
+    const BoltShape& bolt = picture_.bolts[index];
+    std::vector<Mark> marks = bolt.marks;
+    const double length = (bolt.nodes.back() - bolt.nodes.front()).norm() * scale_;
+    const bool noRoom = length < leastBoltForMarks || spacing_[index] < leastSpacingForMarks;
+    std::erase_if(marks, [&](const Mark& mark) {
+        if (mark.kind == MarkKind::Plate) return spacing_[index] < leastSpacingForPlates;
+        if (isArtificial(mark.kind)) return noRoom || scale_ < leastScaleForRings;
+        return noRoom && mark.kind == MarkKind::Bonded;
+    });
+    return thinned(std::move(marks), markDistance / scale_);
 }
 
 std::vector<MarkKind> MapInk::kinds() const {
@@ -106,9 +127,11 @@ void MapInk::drawBlocks(Ink& ink) const {
     for (const BlockShape* block : movedBlocks()) drawBlock(ink, *block, {wall, black});
 }
 
-void MapInk::drawShank(Ink& ink, const BoltShape& bolt) const {
+void MapInk::drawShank(Ink& ink, std::size_t index) const {
+    const BoltShape& bolt = picture_.bolts[index];
     const std::vector<Point> nodes = onPaper(bolt.nodes);
-    ink.polyline(nodes, {casing, white});
+    const double width = std::min(shank, 0.5 * spacing_[index]);
+    ink.polyline(nodes, {width * casing / shank, white});
     for (std::size_t e = 0; e + 1 < nodes.size();) {
         const Colour colour = bolt.values.empty() ? black : picture_.boltLegend->colourOf(std::abs(bolt.values[e]));
         std::vector<Point> run{nodes[e]};
@@ -119,7 +142,7 @@ void MapInk::drawShank(Ink& ink, const BoltShape& bolt) const {
                    (bolt.values.empty() || picture_.boltLegend->colourOf(std::abs(bolt.values[next])) == colour);
         };
         for (; e + 1 < nodes.size() && (e == first || alike(e)); ++e) run.push_back(nodes[e + 1]);
-        if (!broken) ink.polyline(run, {shank, colour});
+        if (!broken) ink.polyline(run, {width, colour});
         else ink.polyline(run, {0.15, softText, {0.6, 0.5}});
     }
 }
@@ -233,7 +256,8 @@ void MapInk::drawNumbers(Ink& ink) {
 }
 
 void MapInk::drawNames(Ink& ink) {
-    for (const BoltShape& bolt : picture_.bolts) {
+    for (std::size_t i = 0; i < picture_.bolts.size(); ++i) {
+        const BoltShape& bolt = picture_.bolts[i];
         const std::string name = elided(bolt.name, text_style::label, 18.0, true);
         const Point size(textWidth(name, text_style::label) + 0.6, 2.7);
         const Point along = flipped(alongOf(bolt.nodes)), across = turnLeft(along);
@@ -244,6 +268,7 @@ void MapInk::drawNames(Ink& ink) {
         for (const Point& away : {Point(-along), Point(across - along), Point(-across - along), across, Point(-across)})
             beside(onPaper(bolt.nodes.front()), away.normalized());
         beside(onPaper(bolt.nodes.back()), along);
+        if (spacing_[i] < leastSpacingForNames) centres.resize(1);
         if (const auto box = placement_.place(size, centres))
             ink.casedText({0.5 * (box->min.x() + box->max.x()), box->max.y() - 0.55}, name, text_style::label,
                           Align::Centre);
@@ -280,8 +305,9 @@ void MapInk::drawMoved(Ink& ink) {
 void MapInk::draw(Ink& ink) {
     ink.box(frame_, white, {});
     drawBlocks(ink);
-    for (const BoltShape& bolt : picture_.bolts) {
-        drawShank(ink, bolt);
+    for (std::size_t i = 0; i < picture_.bolts.size(); ++i) {
+        const BoltShape& bolt = picture_.bolts[i];
+        drawShank(ink, i);
         placement_.keepOff(onPaper(bolt.nodes.front()), onPaper(bolt.nodes.back()), 0.9);
     }
     for (const LineShape& line : picture_.walls) placement_.keepLabelsOff(onPaper(line.from), onPaper(line.to));

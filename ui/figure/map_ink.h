@@ -29,7 +29,9 @@ private:
     void drawLines(Ink& ink, const std::vector<LineShape>& lines, const Stroke& stroke) const;
     void drawBlock(Ink& ink, const BlockShape& block, const Stroke& outline) const;
     void drawBlocks(Ink& ink) const;
-    void drawShank(Ink& ink, const BoltShape& bolt) const;
+    void measureSpacing();
+    std::vector<Mark> marksToDraw(std::size_t index) const;
+    void drawShank(Ink& ink, std::size_t index) const;
     void drawMarks(Ink& ink, std::size_t index) const;
     void drawRibbon(Ink& ink);
     void drawScaleBar(Ink& ink);
@@ -45,6 +47,7 @@ private:
     Box frame_;  // [mm]
     Box window_;  // [m]
     double scale_ = 1.0;  // mm per m
+    std::vector<double> spacing_;  // of each bolt, to the nearest other one [mm]
     std::vector<std::vector<Mark>> marks_;  // of each bolt, thinned
     Placement placement_;
 };

@@ -38,8 +38,10 @@ std::string footOf(const RunSource& run, const FigureRequest& request, std::opti
     std::string text = "Keyblock · " + request.runName;
     if (frame)
         text += ", frame " + std::to_string(*frame + 1) + " of " + std::to_string(run.frames().size());
-    return text + " · " + analysisText(run.scene()) + " · " + numberText(request.width, 0) + " by " +
-           numberText(height, 0) + " mm";
+    const std::string size = " · " + numberText(request.width, 0) + " × " + numberText(height, 0) + " mm";
+    const std::string whole = text + " · " + analysisText(run.scene()) + size;
+    const bool fits = textWidth(whole, text_style::foot) <= request.width - 2.0 * margin;
+    return fits ? whole : text + size;
 }
 
 }  // namespace keyblock

@@ -30,7 +30,7 @@ private:
     std::vector<std::string> title_, subtitle_;
 };
 
-/// "Keyblock · RUN, frame 12 of 67 · plane strain · 160 by 107 mm"
+/// "Keyblock · RUN, frame 12 of 67 · plane strain · 160 × 107 mm"
 std::string footOf(const RunSource& run, const FigureRequest& request, std::optional<std::size_t> frame, double height);
 
 }  // namespace keyblock

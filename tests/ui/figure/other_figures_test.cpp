@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Figures of a bolt, of the history and of events as files.
+#include "solver/results/history.h"
+#include "tests/ui/bricks.h"
+#include "tests/ui/figure/reader.h"
+#include "ui/figure/figure.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace keyblock {
+namespace {
+
+class OtherFigures : public ::testing::Test {
+protected:
+    OtherFigures() {
+        Monitor pull;
+        pull.name = "pull";
+        pull.bolt = "B";
+        pull.at = 0.7;
+        bricks.scene.monitors = {pull};
+        bricks.results.columns = historyColumns(bricks.scene);
+        for (int i = 0; i < 5; ++i) {
+            HistoryRow row;
+            row.time = 0.1 * i;
+            row.values.assign(bricks.results.columns.names.size(), 1e4 * i);
+            bricks.results.history.push_back(row);
+        }
+    }
+    Figure painted(FigureKind kind, PaperFormat format = PaperFormat::Svg) const {
+        FigureRequest request;
+        request.kind = kind;
+        request.format = format;
+        request.runName = "bricks";
+        return painted(request);
+    }
+    Figure painted(const FigureRequest& request) const {
+        return paintFigure(MemoryRun(bricks.scene, bricks.results), request);
+    }
+    std::string problemOf(const FigureRequest& request) const {
+        try {
+            painted(request);
+        } catch (const CannotDraw& problem) {
+            return problem.what();
+        }
+        return "";
+    }
+    test::BricksRun bricks;
+};
+
+constexpr FigureKind kinds[]{FigureKind::Bolt, FigureKind::Curves, FigureKind::Events};
+
+TEST_F(OtherFigures, HaveTheSameBytesEachTime) {
+    for (const FigureKind kind : kinds)
+        for (const PaperFormat format : {PaperFormat::Svg, PaperFormat::Pdf, PaperFormat::Png})
+            EXPECT_EQ(painted(kind, format).bytes, painted(kind, format).bytes);
+}
+
+TEST_F(OtherFigures, SayTheirWordsInPdf) {
+    const std::vector<std::string> words[]{{"Bolt B: Bricks", "Axial force N (kN)", "distance from"},
+                                           {"Bricks", "Axial force (kN)", "pull", "time (s)"},
+                                           {"Events: Bricks", "joint-slip", "B: 2 elements yield", "125 kN"}};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto text = test::readBy("pdftotext", "-layout % -", painted(kinds[k], PaperFormat::Pdf).bytes, ".pdf");
+        if (!text) GTEST_SKIP() << "no poppler here";
+        for (const std::string& word : words[k])
+            EXPECT_NE(text->find(word), std::string::npos) << word << "\n" << *text;
+    }
+}
+
+TEST_F(OtherFigures, HaveTheirDataBesideThem) {
+    EXPECT_EQ(painted(FigureKind::Bolt).data.size(), 2u);
+    EXPECT_EQ(painted(FigureKind::Bolt).data[1].suffix, "-envelope");
+    std::ostringstream envelope;
+    painted(FigureKind::Bolt).data[1].write(envelope);
+    EXPECT_EQ(envelope.str().rfind("s_m,least_axial_force_N,largest_axial_force_N", 0), 0u) << envelope.str();
+    EXPECT_EQ(painted(FigureKind::Curves).data.size(), 2u);
+    EXPECT_EQ(painted(FigureKind::Events).data.size(), 1u);
+}
+
+TEST_F(OtherFigures, WhatIsNotThereIsTold) {
+    FigureRequest bolt;
+    bolt.kind = FigureKind::Bolt;
+    bolt.quantity = "slip";
+    EXPECT_NE(problemOf(bolt).find("--quantity"), std::string::npos);
+    FigureRequest curves;
+    curves.kind = FigureKind::Curves;
+    curves.quantity = "push";
+    EXPECT_NE(problemOf(curves).find("there are: pull"), std::string::npos);
+    bricks.results = {};
+    bolt.quantity.reset();
+    EXPECT_NE(problemOf(bolt).find("no frame"), std::string::npos);
+    curves.quantity.reset();
+    EXPECT_NE(problemOf(curves).find("no history"), std::string::npos);
+    FigureRequest events;
+    events.kind = FigureKind::Events;
+    EXPECT_NE(problemOf(events).find("not begun"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace keyblock

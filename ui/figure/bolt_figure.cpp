@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/figure/bolt_figure.h"
+
+#include "solver/results/csv.h"
+#include "solver/results/tables.h"
+#include "ui/figure/chart_ink.h"
+#include "ui/figure/column.h"
+#include "ui/figure/mark_ink.h"
+#include "ui/figure/paper.h"
+#include "ui/figure/sheet.h"
+#include "ui/picture/bolt_chart.h"
+
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+using namespace paper_theme;
+
+constexpr double bandHeight = 6.0, panelHeight = 26.0, axisRoom = 10.0;  // [mm]
+constexpr double markDistance = 1.45;  // [mm]
+
+/// The frame and the bolt to show.
+std::pair<std::size_t, int> chosen(const RunSource& run, const FigureRequest& request) {
+    if (request.quantity)
+        throw CannotDraw("the figure of a bolt shows all its quantities; leave --quantity out");
+    const auto frame = frameAt(run, request.filter);
+    if (!frame) throw CannotDraw("the run has no frame yet, so there is nothing to show of a bolt");
+    const Frame values = run.frame(*frame);
+    const int bolt = request.filter.bolt.value_or(mostLoadedBolt(values));
+    if (bolt < 0) throw CannotDraw("at this moment the run has no bolt");
+    if (values.bolts[static_cast<std::size_t>(bolt)].nodes.size() < 2)
+        throw CannotDraw("bolt " + run.scene().bolts[static_cast<std::size_t>(bolt)].name +
+                         " is not there at this moment; give --at STAGE:TIME");
+    return {*frame, bolt};
+}
+
+std::vector<MarkKind> kindsOf(const std::vector<Mark>& marks) {
+    std::vector<MarkKind> kinds;
+    for (const Mark& mark : marks)
+        if (std::find(kinds.begin(), kinds.end(), mark.kind) == kinds.end()) kinds.push_back(mark.kind);
+    std::sort(kinds.begin(), kinds.end());
+    return kinds;
+}
+
+/// The bolt itself, straightened over the curves: shank, marks, and the far end and the head by name.
+void drawBand(Ink& ink, const BoltChart& bolt, const std::vector<Mark>& marks, const ChartPlace& place, double y) {
+    const auto at = [&](double s) { return Point(place.left + (place.right - place.left) * s / bolt.length, y); };
+    ink.line(at(0.0), at(bolt.length), {0.7, rgb(0xA9AFB6)});
+    const bool small = marks.size() > 24;
+    for (const Mark& mark : marks) drawMark(ink, mark.kind, at(mark.s), {1.0, 0.0}, small);
+    ink.text(at(0.0) + Point(-1.6, 0.7), "far end", text_style::note, Align::Right);
+    ink.text(at(bolt.length) + Point(2.2, 0.7), "head", text_style::note);
+}
+
+/// The kinds of marks on one line.
+void drawKey(Ink& ink, const std::vector<MarkKind>& kinds, bool envelope, double y) {
+    double x = margin;
+    for (const MarkKind kind : kinds) {
+        const bool plate = kind == MarkKind::Plate || kind == MarkKind::PlateLost;
+        drawMark(ink, kind, {x + 1.2, y - 0.7}, plate ? Point(0.0, 1.0) : Point(1.0, 0.0));
+        ink.text({x + 3.2, y}, nameOf(kind), text_style::body);
+        x += 6.5 + textWidth(nameOf(kind), text_style::body);
+    }
+    if (!envelope) return;
+    ink.line({x, y - 0.7}, {x + 5.0, y - 0.7}, {0.17, rgb(0x8A93A0), {0.85, 0.5}});
+    ink.text({x + 6.0, y}, "least and largest until now", text_style::body);
+}
+
+FigureData envelopeData(const BoltChart& bolt) {
+    return {"-envelope", [envelopes = bolt.envelopes](std::ostream& out) {
+                CsvWriter csv(out);
+                csv.text("s_m");
+                for (const Envelope& envelope : envelopes)
+                    csv.text("least_" + envelope.quantity).text("largest_" + envelope.quantity);
+                csv.endRow();
+                for (std::size_t i = 0; !envelopes.empty() && i < envelopes.front().s.size(); ++i) {
+                    csv.number(envelopes.front().s[i]);
+                    for (const Envelope& envelope : envelopes) csv.number(envelope.low[i]).number(envelope.high[i]);
+                    csv.endRow();
+                }
+            }};
+}
+
+FigureData tableData(const RunSource& run, std::size_t frame, int bolt) {
+    TableFilter filter;
+    filter.stage = run.frames()[frame].stage;
+    filter.when = When::At;
+    filter.time = run.frames()[frame].time;
+    filter.bolt = bolt;
+    return {"", [&run, filter](std::ostream& out) { writeTable(TableKind::Bolts, run, filter, out); }};
+}
+
+}  // namespace
+
+Figure paintBolt(const RunSource& run, const FigureRequest& request) {
+    const auto [frame, index] = chosen(run, request);
+    const BoltChart bolt = boltChart(run, frame, index);
+    const Sheet sheet(request.width, bolt.title, bolt.subtitle);
+    const double chartHeight = panelHeight * static_cast<double>(bolt.chart.panels.size()) + axisRoom;
+    const double keyRow = 4.0;
+    const double height = std::ceil(sheet.heightAround(bandHeight + chartHeight + keyRow));
+    Paper paper(request.format, request.width, height, request.dpi, bolt.title);
+    Ink ink(paper.painter());
+    sheet.draw(ink, height, footOf(run, request, frame, height));
+    const double top = sheet.top() + bandHeight;
+    const ChartPlace place =
+        drawChart(paper.painter(), bolt.chart, {{margin, top}, {request.width - margin, top + chartHeight}});
+    const double perMetre = (place.right - place.left) / bolt.length;
+    const std::vector<Mark> marks = thinned(bolt.band, markDistance / perMetre);
+    drawBand(ink, bolt, marks, place, sheet.top() + 1.5);
+    drawKey(ink, kindsOf(marks), !bolt.envelopes.empty(), top + chartHeight + keyRow - 0.5);
+    return {paper.finish(), {tableData(run, frame, index), envelopeData(bolt)}};
+}
+
+}  // namespace keyblock

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/figure/curves_figure.h"
+
+#include "solver/results/tables.h"
+#include "solver/results/words.h"
+#include "ui/figure/chart_ink.h"
+#include "ui/figure/paper.h"
+#include "ui/figure/sheet.h"
+#include "ui/picture/captions.h"
+#include "ui/picture/history_charts.h"
+#include "ui/picture/run_time.h"
+
+#include <qcustomplot.h>
+
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+using namespace paper_theme;
+
+constexpr double panelHeight = 30.0, axisRoom = 10.0, chartGap = 3.0;  // [mm]
+
+double heightOf(const Chart& chart) { return panelHeight * static_cast<double>(chart.panels.size()) + axisRoom; }
+
+std::string subtitleOf(const RunSource& run, const HistoryCharts& charts) {
+    bool events = false;
+    for (const Chart& chart : charts.charts) events = events || !chart.events.empty();
+    std::string text;
+    const RunTime time(run);
+    for (const StageSpan& span : time.stages())
+        text += (text.empty() ? "Stages: " : ", ") + stageName(run.scene(), span.stage);
+    return text + (events ? ". Red lines: what let go on bolts." : ".");
+}
+
+}  // namespace
+
+Figure paintCurves(const RunSource& run, const FigureRequest& request) {
+    if (request.filter.bolt || request.filter.when || request.filter.stage)
+        throw CannotDraw("curves show the whole run and its monitors; leave --bolt, --stage and --at out");
+    const HistoryCharts charts = historyCharts(run, request.quantity);
+    if (charts.charts.empty()) throw CannotDraw(charts.problem);
+    const std::string title = run.scene().title.empty() ? "History" : run.scene().title;
+    const Sheet sheet(request.width, title, subtitleOf(run, charts));
+    double content = -chartGap;
+    for (const Chart& chart : charts.charts) content += heightOf(chart) + chartGap;
+    const double height = std::ceil(sheet.heightAround(content));
+    Paper paper(request.format, request.width, height, request.dpi, title);
+    Ink ink(paper.painter());
+    sheet.draw(ink, height, footOf(run, request, std::nullopt, height));
+    double top = sheet.top();
+    for (const Chart& chart : charts.charts) {
+        drawChart(paper.painter(), chart, {{margin, top}, {request.width - margin, top + heightOf(chart)}});
+        top += heightOf(chart) + chartGap;
+    }
+    return {paper.finish(),
+            {{"", [&run](std::ostream& out) { writeTable(TableKind::History, run, {}, out); }},
+             {"-energy", [&run](std::ostream& out) { writeTable(TableKind::Energy, run, {}, out); }}}};
+}
+
+}  // namespace keyblock

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A row for each kind of event that happened, on the time of the whole run with its
+// stages above; below, what let go on bolts and which blocks fell, alike ones as
+// one entry.
+#include "ui/figure/events_figure.h"
+
+#include "solver/results/tables.h"
+#include "solver/results/words.h"
+#include "solver/scene/quantity_text.h"
+#include "ui/figure/mark_ink.h"
+#include "ui/figure/paper.h"
+#include "ui/figure/sheet.h"
+#include "ui/picture/captions.h"
+#include "ui/picture/event_list.h"
+#include "ui/picture/run_time.h"
+#include "ui/picture/ticks.h"
+
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+using namespace paper_theme;
+
+constexpr double kindRow = 4.6, listRow = 3.6, bandHeight = 4.4, axisRoom = 9.0;  // [mm]
+constexpr double names = 27.0, counts = 12.0;  // columns left and right of the time line [mm]
+constexpr double markDistance = 1.2;  // [mm]
+constexpr std::size_t mostListed = 40;
+
+struct KindRow {
+    EventKind kind = EventKind::JointSlip;
+    std::vector<double> times;  // on the axis, rising
+};
+
+std::vector<KindRow> kindRows(const std::vector<Event>& events, const RunTime& time) {
+    std::vector<KindRow> rows;
+    for (std::size_t k = 0; k < eventKindWords.size(); ++k) {
+        KindRow row{static_cast<EventKind>(k), {}};
+        for (const Event& event : events)
+            if (event.kind == row.kind) row.times.push_back(time.at(event.stage, event.time));
+        if (!row.times.empty()) rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+/// The mark of a kind; ticks for joints, which let go by the hundred.
+void drawEvent(Ink& ink, EventKind kind, const Point& at) {
+    switch (kind) {
+        case EventKind::Debonding: return drawMark(ink, MarkKind::Slipping, at, {1.0, 0.0}, true);
+        case EventKind::Yield:
+        case EventKind::Hinge: return drawMark(ink, MarkKind::Yielded, at, {1.0, 0.0});
+        case EventKind::TensileRupture:
+        case EventKind::ShearRupture:
+        case EventKind::BoltLoss: return drawMark(ink, MarkKind::Ruptured, at, {1.0, 0.0});
+        case EventKind::PlateLoss: return drawMark(ink, MarkKind::PlateLost, at - Point(0.0, 0.9), {0.0, 1.0});
+        case EventKind::PulledOut:
+            ink.polyline({at + Point(-0.7, -0.2), at + Point(0.0, -0.9), at + Point(0.7, -0.2)}, {0.28, error});
+            return ink.line(at + Point(0.0, -0.8), at + Point(0.0, 0.9), {0.28, error});
+        case EventKind::BlockFalls:
+        case EventKind::Collapse:
+            return ink.polygon({at + Point(-0.9, -0.7), at + Point(0.9, -0.7), at + Point(0.0, 0.9)}, error, {});
+        default: return ink.line(at + Point(0.0, -1.1), at + Point(0.0, 1.1), {0.13, softText});
+    }
+}
+
+class TimeLine {
+public:
+    TimeLine(const RunTime& time, const Scene& scene, std::vector<KindRow> rows, double left, double right)
+        : time_(time), scene_(scene), rows_(std::move(rows)), left_(left), right_(right) {}
+
+    double height() const { return bandHeight + kindRow * static_cast<double>(rows_.size()) + axisRoom; }
+
+    void draw(Ink& ink, double top) const {
+        drawStages(ink, top);
+        double y = top + bandHeight + 0.5 * kindRow;
+        for (const KindRow& row : rows_) {
+            drawRow(ink, row, y);
+            y += kindRow;
+        }
+        drawAxis(ink, y - 0.5 * kindRow);
+    }
+
+private:
+    double at(double time) const { return left_ + (right_ - left_) * time / time_.end(); }
+
+    void drawStages(Ink& ink, double top) const {
+        const double bottom = top + bandHeight + kindRow * static_cast<double>(rows_.size());
+        bool tinted = false;
+        for (const StageSpan& span : time_.stages()) {
+            const double from = at(span.from), to = at(span.to);
+            ink.box({{from, top}, {to, top + bandHeight - 0.8}}, tinted ? rgb(0xECEEF1) : rgb(0xF8F9FA),
+                    Stroke{0.1, axis});
+            if (span.from > 0.0) ink.line({from, top}, {from, bottom}, {0.1, axis});
+            const std::string name = elided(stageName(scene_, span.stage), text_style::body, to - from - 1.2, true);
+            if (textWidth(name, text_style::body) <= to - from - 1.2)
+                ink.text({0.5 * (from + to), top + 2.5}, name, text_style::body, Align::Centre);
+            tinted = !tinted;
+        }
+    }
+
+    void drawRow(Ink& ink, const KindRow& row, double y) const {
+        ink.line({left_, y}, {right_, y}, {0.1, grid});
+        ink.text({left_ - 2.0, y + 0.7}, std::string(wordOf(row.kind)), text_style::body, Align::Right);
+        ink.text({right_ + counts - 1.0, y + 0.7}, numberText(static_cast<double>(row.times.size()), 0),
+                 text_style::body, Align::Right);
+        const bool joints = row.kind == EventKind::JointSlip || row.kind == EventKind::JointOpen;
+        double free = -1e9;
+        for (const double time : row.times) {
+            const double x = at(time);
+            if (x < free) continue;
+            drawEvent(ink, row.kind, {x, y});
+            free = x + (joints ? 0.3 : markDistance);
+        }
+    }
+
+    void drawAxis(Ink& ink, double y) const {
+        ink.line({left_, y}, {right_, y}, {0.15, axis});
+        const Ticks ticks = roundTicks({0.0, time_.end()}, 8);
+        for (const double value : ticks.values) {
+            ink.line({at(value), y}, {at(value), y + 0.7}, {0.15, axis});
+            ink.text({at(value), y + 3.1}, numberText(value, ticks.decimals), text_style::note, Align::Centre);
+        }
+        ink.text({0.5 * (left_ + right_), y + 6.2}, time_.title(), text_style::body, Align::Centre);
+    }
+
+    const RunTime& time_;
+    const Scene& scene_;
+    std::vector<KindRow> rows_;
+    double left_, right_;
+};
+
+/// Number, stage, time, who, what, force: a column each.
+class EventTable {
+public:
+    EventTable(const Scene& scene, const EventList& list, double left, double width)
+        : scene_(scene), list_(list), left_(left), width_(width) {}
+
+    double height() const {
+        if (list_.entries.empty()) return 0.0;
+        return 6.0 + listRow * static_cast<double>(list_.entries.size() + (list_.leftOut > 0 ? 1 : 0));
+    }
+
+    void draw(Ink& ink, double y) const {
+        if (list_.entries.empty()) return;
+        cell(ink, y, stageAt, "Stage", text_style::number, stageWidth());
+        cell(ink, y, timeAt(), "Time", text_style::number, 24.0);
+        cell(ink, y, whoAt(), "What let go", text_style::number, 40.0);
+        ink.text({left_ + width_, y}, "Force before", text_style::number, Align::Right);
+        ink.line({left_, y + 1.0}, {left_ + width_, y + 1.0}, {0.13, black});
+        for (const EventEntry& entry : list_.entries) row(ink, entry, y += listRow + (&entry == list_.entries.data()));
+        if (list_.leftOut > 0)
+            ink.text({left_, y += listRow}, "and " + std::to_string(list_.leftOut) + " more, in the table beside",
+                     text_style::note);
+        ink.line({left_, y + 1.2}, {left_ + width_, y + 1.2}, {0.13, black});
+    }
+
+private:
+    static constexpr double stageAt = 5.0;
+    double stageWidth() const { return 0.16 * width_; }
+    double timeAt() const { return stageAt + stageWidth() + 2.0; }
+    double whoAt() const { return timeAt() + 27.0; }
+
+    void cell(Ink& ink, double y, double x, const std::string& text, const TextStyle& style, double room) const {
+        ink.text({left_ + x, y}, elided(text, style, room, true), style);
+    }
+
+    void row(Ink& ink, const EventEntry& entry, double y) const {
+        drawNumber(ink, {left_ + 1.4, y - 0.72}, entry.number, 1.4, {1.8, true});
+        cell(ink, y, stageAt, stageName(scene_, entry.stage), text_style::body, stageWidth());
+        const std::string first = timeText(scene_, entry.stage, entry.time);
+        const std::string last = timeText(scene_, entry.stage, entry.lastTime);
+        cell(ink, y, timeAt(), entry.count > 1 && first != last ? first + " to " + last : first, text_style::body, 26.0);
+        const std::string force = entry.bolt < 0 ? "" : numberText(entry.force * 1e-3) + " kN";
+        ink.text({left_ + width_, y}, force, text_style::body, Align::Right);
+        const double room = width_ - whoAt() - textWidth(force, text_style::body) - 2.0;
+        const double forName = std::max(10.0, room - textWidth(": " + entry.what, text_style::body));
+        const std::string name = elided(entry.subject, text_style::body, forName, true);
+        cell(ink, y, whoAt(), name + (entry.count > 1 ? ": " : " ") + entry.what, text_style::body, room);
+    }
+
+    const Scene& scene_;
+    const EventList& list_;
+    double left_, width_;
+};
+
+std::vector<Event> shownEvents(const RunSource& run, const FigureRequest& request) {
+    std::vector<Event> events = run.events();
+    if (request.filter.when)
+        if (const auto frame = frameAt(run, request.filter)) events = eventsUntil(events, run.frames()[*frame]);
+    if (request.filter.bolt)
+        std::erase_if(events, [&](const Event& event) { return event.bolt != *request.filter.bolt; });
+    if (request.filter.stage && !request.filter.when)
+        std::erase_if(events, [&](const Event& event) { return event.stage != *request.filter.stage; });
+    return events;
+}
+
+std::string subtitleFor(const FigureRequest& request, const RunSource& run, const EventList& list, std::size_t count) {
+    std::string text = numberText(static_cast<double>(count), 0) + (count == 1 ? " event" : " events");
+    if (request.filter.bolt) text += " of bolt " + boltName(run.scene(), *request.filter.bolt);
+    return text + (list.counted.empty() ? "." : "; not listed: " + list.counted + ".");
+}
+
+}  // namespace
+
+Figure paintEvents(const RunSource& run, const FigureRequest& request) {
+    if (request.quantity) throw CannotDraw("the figure of events shows no quantity; leave --quantity out");
+    const RunTime time(run);
+    if (!(time.end() > 0.0)) throw CannotDraw("the run has not begun, so nothing has happened in it");
+    const std::vector<Event> events = shownEvents(run, request);
+    const EventList list = eventList(run, events, mostListed);
+    const std::string title = "Events: " + (run.scene().title.empty() ? request.runName : run.scene().title);
+    const Sheet sheet(request.width, title, subtitleFor(request, run, list, events.size()));
+    const TimeLine line(time, run.scene(), kindRows(events, time), margin + names, request.width - margin - counts);
+    const EventTable table(run.scene(), list, margin, sheet.inner());
+    const double height = std::ceil(sheet.heightAround(line.height() + table.height()));
+    Paper paper(request.format, request.width, height, request.dpi, title);
+    Ink ink(paper.painter());
+    sheet.draw(ink, height, footOf(run, request, std::nullopt, height));
+    line.draw(ink, sheet.top());
+    table.draw(ink, sheet.top() + line.height() + 4.0);
+    TableFilter filter;
+    filter.bolt = request.filter.bolt;
+    if (!request.filter.when) filter.stage = request.filter.stage;
+    const auto write = [&run, filter](std::ostream& out) { writeTable(TableKind::Events, run, filter, out); };
+    return {paper.finish(), {{"", write}}};
+}
+
+}  // namespace keyblock
