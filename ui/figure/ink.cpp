@@ -149,7 +149,7 @@ void Ink::casedText(const Point& at, const std::string& text, const TextStyle& s
     painter_.drawPath(rim);
     const QRectF whole = rim.boundingRect();  // no holes between letters
     painter_.fillRect(QRectF(whole.left(), units(at).y() - 0.6 * style.size * unitsPerMm, whole.width(),
-                             0.6 * style.size * unitsPerMm), Qt::white);
+                             0.75 * style.size * unitsPerMm), Qt::white);
     this->text(at, text, style, align);
 }
 
