@@ -104,32 +104,42 @@ std::string figureNames() {
 }
 
 void addFigureOptions(CLI::App* verb, ExportOptions& options) {
-    verb->add_option("--quantity", options.quantity, "What a figure shows; a wrong word lists the right ones")
+    verb->add_option("--quantity", options.quantity, "What a figure or animation shows; a wrong word lists the right ones")
         ->type_name("NAME");
-    verb->add_option("--width", options.width, "Width of a figure; default 160")
+    verb->add_option("--width", options.width, "Width of a figure or animation; default 160")
         ->type_name("MM")
         ->check(CLI::Range(60.0, 500.0).description(""));
-    verb->add_option("--dpi", options.dpi, "Resolution of a PNG; default 300")
+    verb->add_option("--dpi", options.dpi, "Resolution of a PNG, default 300, or of an animation, default 240")
         ->type_name("N")
         ->check(CLI::Range(50, 1200).description(""));
-    verb->add_option("--deformed", options.deformed, "Draw displacements in a section this many times as large")
+    verb->add_option("--deformed", options.deformed, "Draw displacements this many times as large")
         ->type_name("FACTOR")
         ->check(CLI::Range(0.0, 1e6).description(""));
     verb->add_flag("--whole", options.whole, "Show the whole model, not what surrounds tunnels and bolts");
 }
 
 void addExport(CLI::App& app, ExportOptions& options) {
-    CLI::App* verb = app.add_subcommand("export", "Write a table of a run as CSV, a figure for a report, or the run for "
-                                                  "ParaView");
+    CLI::App* verb = app.add_subcommand("export", "Write a table of a run as CSV, a figure for a report, an animation, or the "
+                                                  "run for ParaView");
     verb->add_option("RUN.kbrun", options.run, "The run store")->required()->type_name("");
     CLI::Option* table = verb->add_option("--table", options.table, "Which table")->type_name(tableNames());
     CLI::Option* figure = verb->add_option("--figure", options.figure, "Which figure; its data come beside it as CSV")
                               ->type_name(figureNames())
                               ->excludes(table);
-    verb->add_option("--vtk", options.vtk,
-                     "Instead of a table: time series of blocks, bolts and contacts (PVD, VTP), in this folder")
-        ->type_name("DIR")
-        ->excludes(figure);
+    CLI::Option* vtk =
+        verb->add_option("--vtk", options.vtk,
+                         "Instead of a table: time series of blocks, bolts and contacts (PVD, VTP), in this folder")
+            ->type_name("DIR")
+            ->excludes(figure);
+    verb->add_option("--animation", options.animation,
+                     "All moments as a film by ffmpeg, or as PNG pictures into a folder, with ranges that stay")
+        ->type_name("FILE.(mp4|webm)|DIR")
+        ->excludes(table)
+        ->excludes(figure)
+        ->excludes(vtk);
+    verb->add_option("--fps", options.perSecond, "Moments a second of a film; default 12")
+        ->type_name("N")
+        ->check(CLI::Range(1, 120).description(""));
     verb->add_option("--bolt", options.bolt, "Only this bolt (tables events and bolts); in a section, the one whose "
                                              "forces stand beside it")
         ->type_name("NAME");

@@ -42,13 +42,15 @@ struct InfoOptions {
 
 struct ExportOptions {
     std::filesystem::path run;
-    std::optional<std::string> table;  // one of these three
+    std::optional<std::string> table;  // one of these four
     std::optional<std::string> figure;
     std::optional<std::filesystem::path> vtk;  // the folder
+    std::optional<std::filesystem::path> animation;  // the film, or the folder of its pictures
     std::optional<std::string> bolt;
     std::optional<std::string> stage;
     std::optional<std::string> at;
-    std::optional<std::string> quantity;  // of a figure, as all below
+    std::optional<int> perSecond;  // pictures of a film
+    std::optional<std::string> quantity;  // of a figure or an animation, as all below
     std::optional<double> width;  // [mm]
     std::optional<int> dpi;
     std::optional<double> deformed;  // factor on displacements

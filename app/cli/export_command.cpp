@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `export`: one table of a run as a CSV file, a figure, or a folder for
-// ParaView, whole or not at all.
+// The verb `export`: one table of a run as a CSV file, a figure, an animation, or a
+// folder for ParaView, whole or not at all.
 #include "app/cli/commands.h"
+#include "app/cli/export_animation.h"
 #include "app/cli/export_figure.h"
 #include "app/cli/output.h"
 #include "solver/files/run_store.h"
@@ -32,7 +33,7 @@ TableKind tableOf(const ExportOptions& options) {
 void refuseFigureOptions(const ExportOptions& options) {
     const auto refuse = [](bool given, const std::string& option) {
         if (given)
-            throw UsageError(option + " is for figures; leave it out");
+            throw UsageError(option + " is for figures and animations; leave it out");
     };
     refuse(options.quantity.has_value(), "--quantity");
     refuse(options.width.has_value(), "--width");
@@ -64,13 +65,23 @@ ExitCode exportFigure(const ExportOptions& options) {
     return Done;
 }
 
+ExitCode exportAnimation(const ExportOptions& options) {
+    checkAnimationOptions(options);
+    const RunStore store(options.run);
+    return exportAnimation(options, store, filterOf(options, store.scene()));
+}
+
 }  // namespace
 
 ExitCode perform(const ExportOptions& options) {
+    if (options.perSecond && !options.animation)
+        throw UsageError("--fps is for --animation; leave it out");
     if (options.vtk)
         return exportVtk(options);
+    if (options.animation)
+        return exportAnimation(options);
     if (!(options.table || options.figure) || options.out.empty())
-        throw UsageError("say what to export: --table NAME or --figure NAME, with --out FILE, or --vtk DIR");
+        throw UsageError("say what to export: --table NAME or --figure NAME, with --out FILE, --animation FILE, or --vtk DIR");
     if (options.figure)
         return exportFigure(options);
     refuseFigureOptions(options);

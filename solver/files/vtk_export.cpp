@@ -5,11 +5,11 @@
 // displacements begin anew, they count from the last frame before.
 #include "solver/files/vtk_export.h"
 
+#include "solver/files/part_folder.h"
 #include "solver/files/vtk_frame.h"
 #include "solver/files/whole_file.h"
 #include "solver/results/words.h"
 #include "solver/run/errors.h"
-#include "solver/scene/suggest.h"
 
 #include <algorithm>
 #include <array>
@@ -34,60 +34,6 @@ bool isOurs(const std::string& name) {
 [[noreturn]] void fail(const fs::path& folder, const std::error_code& error) {
     throw CannotWrite(cannotWriteText(folder, error.value()));
 }
-
-/// A folder under another name until all of it is written; removed if it is not.
-class PartFolder {
-public:
-    explicit PartFolder(const fs::path& folder) : shown_(folder) {
-        std::error_code error;
-        target_ = fs::weakly_canonical(folder, error);
-        if (error) fail(folder, error);
-        if (!target_.has_filename()) target_ = target_.parent_path();
-        checkTarget();
-        part_ = partPath(target_);
-        fs::remove_all(part_, error);
-        if (!fs::create_directory(part_, error)) fail(folder, error);
-    }
-    ~PartFolder() {
-        std::error_code ignored;
-        fs::remove_all(part_, ignored);
-    }
-    PartFolder(const PartFolder&) = delete;
-    PartFolder& operator=(const PartFolder&) = delete;
-
-    const fs::path& path() const { return part_; }
-
-    void putInPlace() const {
-        std::error_code error;
-        fs::path old = part_;
-        old += "-old";
-        const bool replaced = fs::exists(target_, error);
-        if (replaced) fs::rename(target_, old, error);
-        if (!error) fs::rename(part_, target_, error);
-        std::error_code ignored;
-        if (error) fs::rename(old, target_, ignored);
-        if (error) fail(shown_, error);
-        fs::remove_all(old, ignored);
-    }
-
-private:
-    void checkTarget() const {
-        std::error_code error;
-        const fs::file_status status = fs::status(target_, error);
-        if (!fs::exists(status)) return;
-        if (!fs::is_directory(status))
-            throw CannotWrite("cannot write " + shown_.string() + ": it is no folder; choose another name");
-        for (const auto& entry : fs::directory_iterator(target_, error))
-            if (const std::string name = entry.path().filename().string(); !isOurs(name))
-                throw CannotWrite("cannot write " + shown_.string() + ": the folder holds " + inQuotes(name) +
-                                  ", which is no part of such an export; choose a new or an empty folder");
-        if (error) fail(shown_, error);
-    }
-
-    fs::path shown_;
-    fs::path target_;
-    fs::path part_;
-};
 
 /// One time series.
 class Series {
@@ -150,7 +96,7 @@ std::set<std::size_t> framesOf(const RunSource& run, const TableFilter& filter, 
 }  // namespace
 
 void writeVtkFolder(const RunSource& run, const TableFilter& filter, const fs::path& folder) {
-    const PartFolder part(folder);
+    const PartFolder part(folder, isOurs);
     const std::map<int, double> starts = stageStarts(run);
     const std::set<std::size_t> wanted = framesOf(run, filter, starts);
     Series blocks(part.path(), kinds[0]), bolts(part.path(), kinds[1]), contacts(part.path(), kinds[2]);

@@ -71,9 +71,7 @@ std::vector<Mark> MapInk::marksToDraw(std::size_t index) const {
 
 std::vector<MarkKind> MapInk::kinds() const {
     std::vector<MarkKind> found;
-    for (const MarkKind kind : {MarkKind::Bonded, MarkKind::Artificial, MarkKind::Slipping, MarkKind::Gone,
-                                MarkKind::Ruptured, MarkKind::Yielded, MarkKind::InGap, MarkKind::Plate,
-                                MarkKind::PlateLost})
+    for (const MarkKind kind : keyOrder)
         if (std::any_of(marks_.begin(), marks_.end(), [&](const auto& marks) {
                 return std::any_of(marks.begin(), marks.end(), [&](const Mark& m) { return m.kind == kind; });
             }))

@@ -28,6 +28,8 @@ public:
     Paper& operator=(const Paper&) = delete;
 
     QCPPainter& painter() { return *painter_; }
+    /// What a PNG is made of; empty of the other formats.
+    const QImage& image() const { return image_; }
     double width() const { return width_; }
     double height() const { return height_; }
 

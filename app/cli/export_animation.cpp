@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One picture at a time is painted and handed on; while ffmpeg works on it the next
+// is painted.
+#include "app/cli/export_animation.h"
+
+#include "app/cli/output.h"
+#include "app/cli/stop_signals.h"
+#include "solver/files/movie_file.h"
+#include "solver/files/part_folder.h"
+#include "solver/files/whole_file.h"
+#include "solver/results/csv.h"
+#include "solver/results/words.h"
+
+#ifdef KEYBLOCK_HAS_FIGURES
+#include "ui/figure/animation.h"
+#endif
+
+#include <atomic>
+#include <regex>
+
+namespace keyblock::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of a film; null: a folder of pictures.
+std::optional<MovieFormat> formatOf(const fs::path& out) {
+    const std::string ending = out.extension().string();
+    if (ending == ".mp4") return MovieFormat::Mp4;
+    if (ending == ".webm") return MovieFormat::WebM;
+    if (ending.empty() || fs::is_directory(out)) return std::nullopt;
+    throw UsageError("'" + out.string() + "': an animation is written as .mp4 or .webm, or as PNG pictures into a " +
+                     "folder, whose name has no ending");
+}
+
+}  // namespace
+
+void checkAnimationOptions(const ExportOptions& options) {
+#ifndef KEYBLOCK_HAS_FIGURES
+    throw UsageError("this program was built without figures; build it with Qt 5 and QCustomPlot, or export tables");
+#endif
+    if (!options.out.empty()) throw UsageError("--animation says itself where to write; leave --out out");
+    if (options.at) throw UsageError("an animation shows all moments; leave --at out, or choose a stage by --stage");
+    if (options.perSecond && !formatOf(*options.animation))
+        throw UsageError("--fps is for .mp4 and .webm; pictures in a folder have no speed");
+}
+
+#ifdef KEYBLOCK_HAS_FIGURES
+
+namespace {
+
+constexpr int defaultDpi = 240;  // 1512 pixels at the default width
+
+FigureRequest requestOf(const ExportOptions& options, const TableFilter& filter) {
+    FigureRequest request;
+    request.filter = filter;
+    request.quantity = options.quantity;
+    request.width = options.width.value_or(request.width);
+    request.dpi = options.dpi.value_or(defaultDpi);
+    request.factor = options.deformed.value_or(request.factor);
+    request.whole = options.whole;
+    request.runName = options.run.stem().string();
+    return request;
+}
+
+struct Stopped {};
+
+/// A run whose next frame is refused once it shall stop, whoever asks for it.
+class StoppableRun : public RunSource {
+public:
+    StoppableRun(const RunSource& run, const std::atomic<bool>& stop) : run_(run), stop_(stop) {}
+
+    const Scene& scene() const override { return run_.scene(); }
+    const std::vector<std::string>& blockNames() const override { return run_.blockNames(); }
+    const HistoryColumns& columns() const override { return run_.columns(); }
+    std::vector<StageRecord> stages() const override { return run_.stages(); }
+    std::vector<Event> events() const override { return run_.events(); }
+    std::vector<HistoryRow> history() const override { return run_.history(); }
+    const std::vector<FrameHead>& frames() const override { return run_.frames(); }
+    Frame frame(std::size_t index) const override {
+        if (stop_) throw Stopped();
+        return run_.frame(index);
+    }
+
+private:
+    const RunSource& run_;
+    const std::atomic<bool>& stop_;
+};
+
+/// Tells on a terminal how many pictures are done; the line goes when it does.
+class PictureCount {
+public:
+    explicit PictureCount(std::size_t all) : all_(all), told_(errorIsTerminal()) {}
+    ~PictureCount() {
+        if (told_) printToError("\r\033[K");
+    }
+    PictureCount(const PictureCount&) = delete;
+    PictureCount& operator=(const PictureCount&) = delete;
+
+    void tell(std::size_t done) const {
+        if (told_) printToError("\r\033[Kpicture " + std::to_string(done) + " of " + std::to_string(all_));
+    }
+
+private:
+    std::size_t all_;
+    bool told_;
+};
+
+std::string pictureName(std::size_t index) {
+    std::string number = std::to_string(index + 1);
+    number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
+    return "frame-" + number + ".png";
+}
+
+bool isOurs(const std::string& name) {
+    static const std::regex picture("frame-[0-9]{4,}\\.png");
+    return name == "frames.csv" || std::regex_match(name, picture);
+}
+
+void writeMoments(const RunSource& run, const Animation& animation, std::ostream& out) {
+    CsvWriter csv(out);
+    csv.text("file").text("stage").text("time_s").text("step").endRow();
+    for (std::size_t i = 0; i < animation.size(); ++i) {
+        const FrameHead& head = run.frames()[animation.frame(i)];
+        csv.text(pictureName(i)).text(stageName(run.scene(), head.stage)).number(head.time).integer(head.step);
+        csv.endRow();
+    }
+}
+
+void writeMovie(const Animation& animation, const ExportOptions& options, MovieFormat format,
+                const std::atomic<bool>& stop) {
+    const MovieShape shape{animation.columns(), animation.rows(), options.perSecond.value_or(MovieShape{}.perSecond)};
+    MovieFile movie(*options.animation, format, shape, stop);
+    const PictureCount count(animation.size());
+    for (std::size_t i = 0; i < animation.size(); ++i) {
+        movie.add(animation.pixels(i));
+        count.tell(i + 1);
+    }
+    movie.finish();
+}
+
+void writeFolder(const RunSource& run, const Animation& animation, const fs::path& folder) {
+    const PartFolder part(folder, isOurs);
+    const PictureCount count(animation.size());
+    for (std::size_t i = 0; i < animation.size(); ++i) {
+        writeWholeFile(part.path() / pictureName(i), [&](std::ostream& out) { out << animation.png(i); });
+        count.tell(i + 1);
+    }
+    writeWholeFile(part.path() / "frames.csv", [&](std::ostream& out) { writeMoments(run, animation, out); });
+    part.putInPlace();
+}
+
+}  // namespace
+
+ExitCode exportAnimation(const ExportOptions& options, const RunSource& run, const TableFilter& filter) {
+    std::atomic<bool> stop{false};
+    const StopSignals signals(stop);
+    try {
+        const StoppableRun frames(run, stop);
+        const Animation animation(frames, requestOf(options, filter));
+        if (const auto format = formatOf(*options.animation)) writeMovie(animation, options, *format, stop);
+        else writeFolder(run, animation, *options.animation);
+    } catch (const CannotDraw& problem) {
+        throw UsageError(problem.what());
+    } catch (const Stopped&) {
+    }
+    if (!stop) return Done;
+    printErrorLine("interrupted; " + options.animation->string() + " is as it was before");
+    return Interrupted;
+}
+
+#else
+
+ExitCode exportAnimation(const ExportOptions& options, const RunSource&, const TableFilter&) {
+    checkAnimationOptions(options);
+    return Usage;
+}
+
+#endif
+
+}  // namespace keyblock::cli

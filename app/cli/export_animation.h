@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The part of `export` that makes films.
+#pragma once
+
+#include "app/cli/commands.h"
+#include "solver/results/run_source.h"
+#include "solver/results/table_filter.h"
+
+namespace keyblock::cli {
+
+/// Writes a film, or a folder of PNG pictures with a table of their moments. \pre `options.animation` is set.
+/// \throws UsageError for what cannot be drawn, and in a build without figures.
+ExitCode exportAnimation(const ExportOptions& options, const RunSource& run, const TableFilter& filter);
+
+/// Throws the usage errors that need no run.
+void checkAnimationOptions(const ExportOptions& options);
+
+}  // namespace keyblock::cli

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Three passes over the frames: ranges, then what the pictures share and how much
+// room they need, then the pictures, one at a time. Only one frame is in memory.
+#include "ui/figure/animation.h"
+
+#include "solver/results/words.h"
+#include "ui/figure/film_line.h"
+#include "ui/figure/map_ink.h"
+#include "ui/figure/mark_ink.h"
+#include "ui/figure/paper.h"
+#include "ui/figure/section_figure.h"
+#include "ui/figure/section_layout.h"
+#include "ui/figure/sheet.h"
+#include "ui/picture/section_film.h"
+
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double filmLineGap = 2.5;  // below section and column [mm]
+
+std::vector<std::size_t> framesOf(const RunSource& run, const TableFilter& filter) {
+    std::vector<std::size_t> frames;
+    for (std::size_t i = 0; i < run.frames().size(); ++i)
+        if (!filter.stage || run.frames()[i].stage == *filter.stage) frames.push_back(i);
+    if (!frames.empty()) return frames;
+    throw CannotDraw(filter.stage ? "stage '" + stageName(run.scene(), *filter.stage) +
+                                        "' has no frames yet, so there is nothing to animate"
+                                  : "the run has no frames yet, so there is nothing to animate");
+}
+
+}  // namespace
+
+class Animation::Painter {
+public:
+    Painter(const RunSource& run, const FigureRequest& request)
+        : run_(run), request_(request), frames_(framesOf(run, request.filter)),
+          film_(run, sectionRequestOf(run, request), frames_), last_(film_.picture(frames_.size() - 1)),
+          line_(run, frames_, last_.events), layout_(sharedLayout()) {
+        const Sheet sheet = sheetOf(last_);
+        const double around = sheet.heightAround(0.0) - sheet.top();
+        height_ = std::ceil(layout_.map().min.y() + layout_.height() + filmLineGap + filmLineHeight + around);
+    }
+
+    const std::vector<std::size_t>& frames() const { return frames_; }
+
+    /// A picture on a sheet of its own, not finished.
+    std::unique_ptr<Paper> painted(std::size_t index) const {
+        const SectionPicture picture = film_.picture(index);
+        auto paper = emptyPaper();
+        Ink ink(paper->painter());
+        sheetOf(picture).draw(ink, height_, footOf(run_, request_, frames_[index], height_));
+        layout_.draw(ink, picture, run_.scene());
+        const Point below(paper_theme::margin, layout_.map().min.y() + layout_.height() + filmLineGap);
+        line_.draw(ink, below, sheetOf(picture).inner(), index);
+        return paper;
+    }
+
+    std::unique_ptr<Paper> emptyPaper() const {
+        return std::make_unique<Paper>(PaperFormat::Png, request_.width, height_, request_.dpi, last_.title);
+    }
+
+private:
+    Sheet sheetOf(const SectionPicture& picture) const { return {request_.width, picture.title, picture.subtitle}; }
+
+    /// Room for the longest title, all kinds of marks and the last list of events, which is the longest.
+    SectionLayout sharedLayout() const {
+        const auto layoutFrom = [&](double top, const std::optional<std::vector<MarkKind>>& kinds) {
+            return SectionLayout(last_, run_.scene(), request_.width, top, sheetOf(last_).inner(), kinds);
+        };
+        double top = sheetOf(last_).top();
+        const Box map = layoutFrom(top, {}).map();
+        std::set<MarkKind> found;
+        for (std::size_t i = 0; i < frames_.size(); ++i) {
+            const SectionPicture picture = film_.picture(i);
+            top = std::max(top, sheetOf(picture).top());
+            for (const MarkKind kind : MapInk(picture, map).kinds()) found.insert(kind);
+        }
+        std::vector<MarkKind> kinds;
+        std::copy_if(keyOrder.begin(), keyOrder.end(), std::back_inserter(kinds),
+                     [&](MarkKind kind) { return found.contains(kind); });
+        return layoutFrom(top, kinds);
+    }
+
+    const RunSource& run_;
+    FigureRequest request_;
+    std::vector<std::size_t> frames_;
+    SectionFilm film_;
+    SectionPicture last_;
+    FilmLine line_;
+    SectionLayout layout_;
+    double height_ = 0.0;  // [mm]
+};
+
+Animation::Animation(const RunSource& run, const FigureRequest& request)
+    : painter_(std::make_unique<Painter>(run, request)) {}
+
+Animation::~Animation() = default;
+
+std::size_t Animation::size() const { return painter_->frames().size(); }
+std::size_t Animation::frame(std::size_t picture) const { return painter_->frames()[picture]; }
+int Animation::columns() const { return painter_->emptyPaper()->image().width(); }
+int Animation::rows() const { return painter_->emptyPaper()->image().height(); }
+
+std::string Animation::png(std::size_t picture) const { return painter_->painted(picture)->finish(); }
+
+std::string Animation::pixels(std::size_t picture) const {
+    const auto paper = painter_->painted(picture);
+    paper->painter().end();
+    const QImage& image = paper->image();
+    std::string bytes;
+    bytes.reserve(static_cast<std::size_t>(image.sizeInBytes()));
+    for (int row = 0; row < image.height(); ++row)
+        bytes.append(reinterpret_cast<const char*>(image.constScanLine(row)),
+                     4 * static_cast<std::size_t>(image.width()));
+    return bytes;
+}
+
+}  // namespace keyblock
