@@ -15,6 +15,7 @@ namespace keyblock {
 namespace {
 
 constexpr std::size_t mostCurves = 4;  // of a panel
+constexpr double leastBetweenEvents = 0.005;  // of the chart's width
 constexpr double negligible = 1e-3;  // energies below it, of the largest, are not shown
 
 /// A column of the history as people see it.
@@ -263,8 +264,19 @@ private:
         if (!panel.curves.empty()) chart.panels.push_back(std::move(panel));
     }
 
+    /// Events nearer to each other than a line is wide stand as one.
+    static void thinEvents(Chart& chart) {
+        const double least = leastBetweenEvents * (chart.x.high - chart.x.low);
+        std::vector<double> kept;
+        std::sort(chart.events.begin(), chart.events.end());
+        for (const double place : chart.events)
+            if (kept.empty() || place - kept.back() >= least) kept.push_back(place);
+        chart.events = std::move(kept);
+    }
+
     void finish(Chart chart) {
         if (chart.panels.empty() || !(chart.x.low < chart.x.high)) return;
+        thinEvents(chart);
         for (ChartPanel& panel : chart.panels) fitRange(panel);
         result_.charts.push_back(std::move(chart));
     }

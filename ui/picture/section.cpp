@@ -19,6 +19,7 @@ namespace {
 
 constexpr double margin = 0.3;  // around tunnels and bolts, of their extent
 constexpr double rim = 0.05;  // around a whole model, of its extent
+constexpr double nothing = 1e-4;  // of the legend's range: less is round-off
 constexpr double nearlyAll = 0.6;  // of the model's area: then all of it is shown
 
 Box united(const Box& a, const Box& b) { return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)}; }
@@ -118,9 +119,11 @@ private:
         shape.marks = marksOf(bolt, shape.bolt, frame, shape.nodes, events_);
     }
 
-    /// Beside the bolt that was asked for, else beside the one with the largest value, unless all are nothing.
+    /// Beside the bolt that was asked for, else beside the one with the largest value, unless all are nothing to what
+    /// the run has seen.
     void chooseRibbon() {
-        double largest = 0.0;
+        if (!picture_.boltLegend) return;
+        double largest = nothing * picture_.boltLegend->range.high;
         for (std::size_t i = 0; i < picture_.bolts.size(); ++i) {
             const BoltShape& shape = picture_.bolts[i];
             if (request_.ribbon && *request_.ribbon != shape.bolt) continue;

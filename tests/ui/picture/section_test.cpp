@@ -91,6 +91,13 @@ TEST(Section, LimitsOfTheSteelStandOnTheBar) {
     EXPECT_NEAR(*picture.ribbon->limit, 125.66, 0.01);
 }
 
+TEST(Section, RoundOffHasNoRibbon) {
+    BricksRun bricks;
+    for (BoltNodeFrame& node : bricks.results.frames[0].bolts[0].nodes) node.axialForce *= 1e-9;
+    EXPECT_FALSE(bricks.picture(0).ribbon);
+    EXPECT_TRUE(bricks.picture(1).ribbon);
+}
+
 TEST(Section, EventsUntilTheFrameAreGroupedAndNumbered) {
     const SectionPicture picture = BricksRun().picture(1);  // at 0.1 s
     ASSERT_EQ(picture.events.entries.size(), 1u);
