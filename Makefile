@@ -15,7 +15,7 @@ help:
 	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
 	@echo "make tsan   the tests with several threads under the thread sanitizer"
 	@echo "make bench  time and memory of typical work"
-	@echo "make fuzz   look for bytes that break the scene reader, or TARGET=cut the cut into blocks, MINUTES=60"
+	@echo "make fuzz   look for bytes that break the scene reader, or TARGET=cut|drawing the cut or the import, MINUTES=60"
 	@echo "make clean  remove everything that was built"
 
 packages:

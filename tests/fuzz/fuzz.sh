@@ -2,10 +2,11 @@
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# usage: fuzz.sh scene|cut MINUTES
+# usage: fuzz.sh scene|cut|drawing MINUTES
 # The scene reader starts from the samples, the broken scenes and the corpus that is
 # kept, with the keys and words of the schema as a dictionary; the cut from its
-# corpus, whose bytes are sections. What breaks the property is left in
+# corpus, whose bytes are sections; the import of drawings from the odd files of the
+# tests. What breaks the property is left in
 # build/fuzz/found; the fewest inputs that reach all the code replace the kept corpus.
 set -eu
 target=$1
@@ -24,8 +25,16 @@ case $target in
     cut)
         corpus=$source/tests/fuzz/cut_corpus grown=$work/grown_cut longest=400 kept_longest=200
         set -- -len_control=0 ;;
+    drawing)
+        corpus=$source/tests/fuzz/drawing_corpus grown=$work/grown_drawing longest=6000 kept_longest=2000
+        mkdir -p "$work"
+        printf '"%s"\n' LINE ARC CIRCLE ELLIPSE SPLINE LWPOLYLINE POLYLINE VERTEX SEQEND INSERT BLOCK ENDBLK SECTION \
+            ENDSEC ENTITIES BLOCKS TABLES LAYER HEADER '$INSUNITS' EOF > "$work/words.dict"
+        rm -rf "$work/odd" && cp -r "$source/tests/data/import" "$work/odd"
+        rm "$work/odd/inserts-without-end.dxf"  # takes seconds, and its offspring too
+        set -- "-dict=$work/words.dict" "$work/odd" ;;
     *)
-        echo "no fuzzer is called $target: scene or cut" >&2
+        echo "no fuzzer is called $target: scene, cut or drawing" >&2
         exit 2 ;;
 esac
 mkdir -p "$grown" "$work/found" "$corpus"
