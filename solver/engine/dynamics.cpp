@@ -21,7 +21,8 @@ constexpr double nearShare = 1e-3;  // of the smallest block: contacts are alway
 constexpr double pathShare = 1e-5;  // of the smallest block: a longer move may come in by another edge than it seemed
 constexpr int mostPaths = 2;  // times that a step is done again because it does
 constexpr double arcShare = 1e-2;  // of the forces at play: what the turning of blocks may add to a contact's
-constexpr int mostArcs = 4;  // times that a step is done again because it adds more
+constexpr int mostArcs = 2;  // times that a step is done again because it adds more, before it is cut
+constexpr double arcStep = 1e-3;  // over the given step: shorter ones are taken as they are
 constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
 constexpr int preloadRounds = 4;
 constexpr int preloadTries = 12;  // what was found by then is a fair start
@@ -241,7 +242,8 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
             ++paths;
             continue;
         }
-        if (arcs < mostArcs && !arcsHold(model, state.blocks, problem, trial.state.contacts, d)) {
+        if (dt > arcStep * settings_.timeStep && !arcsHold(model, state.blocks, problem, trial.state.contacts, d)) {
+            if (arcs == mostArcs) return Attempt::TooLong;
             guess = d;
             options.path = &guess;
             ++arcs;

@@ -217,10 +217,10 @@ TEST(Extremes, AHundredMetresASecond) {
     EXPECT_LE(lastBlock(results).velocity.norm(), 101.0);
 }
 
-/// It turns by up to θ = 0.04 in a step, and straight ways of its corners would end in the rock. On arcs what is left of
-/// a gap is r·θ³/24, 0.2 µm, of the 30 µm by which a floor that keeps all energy gives way: under a hundredth of it.
+/// It turns by up to a tenth in a step, and straight ways of its corners would end in the rock.
 TEST(Extremes, AStoneThatTumblesOntoTheFloorMakesNoEnergy) {
-    for (const Integration scheme : {Integration::Shi, Integration::Newmark, Integration::BackwardEuler})
+    for (const Integration scheme :
+         {Integration::Shi, Integration::Newmark, Integration::GeneralizedAlpha, Integration::BackwardEuler})
         for (const double spin : {-40.0, -20.0, 0.0, 20.0}) {
             Scene scene = slab(35.0);
             scene.materials[0].second.youngsModulus = 50e9;
@@ -228,7 +228,7 @@ TEST(Extremes, AStoneThatTumblesOntoTheFloorMakesNoEnergy) {
             Block stone = boxBlock("stone", {-0.06, -0.06}, {0.06, 0.06});
             for (Point& p : stone.points) p = Eigen::Rotation2Dd(0.35) * p + Point(0.0, 0.1);
             scene.blocks.push_back(stone);
-            scene.stages = {dynamic(0.05, 5e-4)};
+            scene.stages = {dynamic(0.05, 2e-3)};
             scene.stages[0].initialVelocities = {{{0.0, 0.1}, {1.0, -9.0}, spin}};
             const Results results = runInMemory(scene);
             expectFinite(results);
