@@ -4,12 +4,13 @@
 # The commands a person types. Each does its own set-up: missing Debian packages
 # are installed first, and what is built already is not built again.
 .DEFAULT_GOAL := help
-.PHONY: help run test kills asan tsan bench fuzz clean packages
+.PHONY: help run pictures test kills asan tsan bench fuzz clean packages
 
 SHOWN := build/release/drift-bolted
 
 help:
-	@echo "make run    build Keyblock, excavate, bolt and load a drift in two joint sets, draw it, compare with the paper"
+	@echo "make run    build Keyblock, excavate, bolt and load a drift in two joint sets, draw and film it, compare with the paper"
+	@echo "make pictures  make the pictures of the README anew"
 	@echo "make test   build and run all tests"
 	@echo "make kills  a hundred runs killed at random moments and fifty stopped; resumed, they end with the same bytes"
 	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
@@ -33,8 +34,19 @@ run: packages
 	build/release/keyblock info $(SHOWN).kbrun
 	build/release/keyblock export $(SHOWN).kbrun --figure section --out $(SHOWN).pdf
 	build/release/keyblock export $(SHOWN).kbrun --figure section --out $(SHOWN).png
+	build/release/keyblock export $(SHOWN).kbrun --figure bolt --out $(SHOWN)-bolt.pdf
+	build/release/keyblock export $(SHOWN).kbrun --figure curves --out $(SHOWN)-curves.pdf
+	@if command -v ffmpeg >/dev/null; then \
+	    echo build/release/keyblock export $(SHOWN).kbrun --animation $(SHOWN).mp4; \
+	    build/release/keyblock export $(SHOWN).kbrun --animation $(SHOWN).mp4; \
+	else echo "ffmpeg is not installed: no film of the drift is made"; fi
 	build/release/keyblock verify --paper
-	@echo "The drift as a figure for a report: $(SHOWN).pdf, $(SHOWN).png"
+	@echo "The drift as figures for a report, and as a film where ffmpeg is installed:"
+	@ls $(SHOWN)*.pdf $(SHOWN)*.png $(SHOWN)*.mp4 2>/dev/null || true
+
+pictures: packages
+	$(call build,release)
+	@sh resources/pictures/make.sh build/release/keyblock
 
 test: packages
 	$(call build,dev)
