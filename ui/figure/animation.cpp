@@ -38,13 +38,21 @@ std::vector<std::size_t> framesOf(const RunSource& run, const TableFilter& filte
                                   : "the run has no frames yet, so there is nothing to animate");
 }
 
+/// Arrows are scaled to the largest of their frame, so that frames could not be compared.
+SectionRequest colouredRequestOf(const RunSource& run, const FigureRequest& request) {
+    const SectionRequest section = sectionRequestOf(run, request);
+    if (section.arrows)
+        throw CannotDraw("an animation shows colours, not '" + *request.quantity + "'; ask for another quantity");
+    return section;
+}
+
 }  // namespace
 
 class Animation::Painter {
 public:
     Painter(const RunSource& run, const FigureRequest& request)
         : run_(run), request_(request), frames_(framesOf(run, request.filter)),
-          film_(run, sectionRequestOf(run, request), frames_), last_(film_.picture(frames_.size() - 1)),
+          film_(run, colouredRequestOf(run, request), frames_), last_(film_.picture(frames_.size() - 1)),
           line_(run, frames_, last_.events), layout_(sharedLayout()) {
         const Sheet sheet = sheetOf(last_);
         const double around = sheet.heightAround(0.0) - sheet.top();

@@ -15,6 +15,7 @@ namespace {
 
 using namespace paper_theme;
 
+constexpr double longestArrow = 9.0, shortestArrow = 0.25;  // [mm]
 constexpr double row = 3.3, noteRow = 2.9, barHeight = 2.3, tip = 1.5;  // [mm]
 
 QColor qt(const Colour& colour) { return {colour.red, colour.green, colour.blue}; }
@@ -133,6 +134,39 @@ ColumnItem barItem(const LegendBar& bar, double width) {
     const double height = 2.0 + (bar.limits.empty() ? 1.4 : 4.4) + barHeight + 3.0 +
                           noteRow * static_cast<double>(notes.size());
     return {height, [&bar, width, notes](Ink& ink, const Point& at) { drawBar(ink, bar, at, width, notes); }};
+}
+
+double arrowScale(const ArrowField& field) { return field.largest > 0.0 ? longestArrow / field.largest : 0.0; }
+
+void drawArrow(Ink& ink, ArrowShape shape, const Point& at, const Point& length) {
+    const double size = length.norm();
+    if (size < shortestArrow) return;
+    if (shape != ArrowShape::Arrow)
+        return ink.line(at - 0.5 * length, at + 0.5 * length,
+                        {0.2, shape == ArrowShape::Tension ? error : black});
+    const Point tip = at + length, along = length / size, across = turnLeft(along);
+    const double head = std::min(0.9, 0.4 * size);
+    ink.line(at, tip - 0.7 * head * along, {0.2, black});
+    ink.polygon({tip, tip - head * along + 0.4 * head * across, tip - head * along - 0.4 * head * across}, black, {});
+}
+
+ColumnItem arrowItem(const ArrowField& field, double scale, double width) {
+    std::vector<std::string> notes;
+    for (const std::string& note : field.notes)
+        for (const std::string& line : wrapped(note, text_style::note, width, 2)) notes.push_back(line);
+    notes.push_back("largest now " + numberText(field.largest) + " " + field.unit);
+    return {6.0 + noteRow * static_cast<double>(notes.size()), [&field, scale, notes](Ink& ink, const Point& at) {
+                ink.text(at + Point(0.0, 2.0), field.title, text_style::heading);
+                double shown = roundHalvable(0.45 * field.largest);
+                if (shown > field.largest) shown *= 0.5;
+                const Point length(shown * scale, 0.0);
+                const bool arrow = field.marks.front().shape == ArrowShape::Arrow;
+                drawArrow(ink, arrow ? ArrowShape::Arrow : ArrowShape::Compression,
+                          at + Point(arrow ? 0.0 : 0.5 * length.x(), 4.8), length);
+                ink.text(at + Point(length.x() + 1.5, 5.5), numberText(shown) + " " + field.unit, text_style::body);
+                double y = 6.0;
+                for (const std::string& note : notes) ink.text(at + Point(0.0, y += noteRow), note, text_style::note);
+            }};
 }
 
 ColumnItem keyItem(std::vector<MarkKind> kinds, double width) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "ui/figure/ink.h"
+#include "ui/picture/arrows.h"
 #include "ui/picture/captions.h"
 #include "ui/picture/event_list.h"
 #include "ui/picture/legend.h"
@@ -24,8 +25,15 @@ struct ColumnItem {
 
 inline constexpr double itemGap = 4.2;  // between two items [mm]
 
+/// Length on paper of a unit of the field [mm].
+double arrowScale(const ArrowField& field);
+
+/// An arrow, or a bar about its place, of `length` on paper [mm, y downwards].
+void drawArrow(Ink& ink, ArrowShape shape, const Point& at, const Point& length);
+
 // Each for a column of `width` [mm]. What they show must outlive them.
 ColumnItem barItem(const LegendBar& bar, double width);
+ColumnItem arrowItem(const ArrowField& field, double scale, double width);
 ColumnItem keyItem(std::vector<MarkKind> kinds, double width);
 ColumnItem eventsItem(const Scene& scene, const EventList& events, double width);
 

@@ -3,6 +3,7 @@
 #include "ui/figure/map_ink.h"
 
 #include "geometry/segment.h"
+#include "ui/figure/column.h"
 #include "ui/figure/mark_ink.h"
 #include "ui/picture/clip_to_box.h"
 
@@ -123,6 +124,17 @@ void MapInk::drawBlocks(Ink& ink) const {
         if (!before.empty()) ink.polygon(onPaper(before), {}, Stroke{0.17, black, {0.8, 0.6}});
     }
     for (const BlockShape* block : movedBlocks()) drawBlock(ink, *block, {wall, black});
+}
+
+void MapInk::drawArrows(Ink& ink) const {
+    if (!picture_.arrows) return;
+    const double scale = arrowScale(*picture_.arrows);
+    for (const ArrowMark& mark : picture_.arrows->marks) {
+        const Point at = onPaper(mark.place), length = scale * flipped(mark.value);
+        const double back = mark.shape == ArrowShape::Arrow ? 0.0 : 0.5;
+        const Point from = at - back * length, to = from + length;
+        if (meets({from, from}, frame_) && meets({to, to}, frame_)) drawArrow(ink, mark.shape, at, length);
+    }
 }
 
 void MapInk::drawShank(Ink& ink, std::size_t index) const {
@@ -303,6 +315,7 @@ void MapInk::drawMoved(Ink& ink) {
 void MapInk::draw(Ink& ink) {
     ink.box(frame_, white, {});
     drawBlocks(ink);
+    drawArrows(ink);
     for (std::size_t i = 0; i < picture_.bolts.size(); ++i) {
         const BoltShape& bolt = picture_.bolts[i];
         drawShank(ink, i);

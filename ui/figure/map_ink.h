@@ -33,6 +33,7 @@ private:
     std::vector<Mark> marksToDraw(std::size_t index) const;
     void drawShank(Ink& ink, std::size_t index) const;
     void drawMarks(Ink& ink, std::size_t index) const;
+    void drawArrows(Ink& ink) const;
     void drawRibbon(Ink& ink);
     void drawScaleBar(Ink& ink);
     void drawNumbers(Ink& ink);

@@ -32,6 +32,16 @@ std::vector<FigureData> dataOf(const RunSource& run, const SectionRequest& secti
 
 }  // namespace
 
+namespace {
+
+std::string arrowNames() {
+    std::string names;
+    for (const std::string_view word : arrowWords()) names += (names.empty() ? "" : ", ") + std::string(word);
+    return names;
+}
+
+}  // namespace
+
 SectionRequest sectionRequestOf(const RunSource& run, const FigureRequest& request) {
     SectionRequest section;
     section.frame = frameAt(run, request.filter);
@@ -41,11 +51,14 @@ SectionRequest sectionRequestOf(const RunSource& run, const FigureRequest& reque
     section.factor = request.factor;
     section.whole = request.whole;
     if (!request.quantity) return section;
-    if (const auto* ofBlocks = findQuantity(blockQuantities(), *request.quantity)) section.blocks = ofBlocks;
+    section.arrows = arrowKindOf(*request.quantity);
+    if (section.arrows) section.blocks = nullptr;
+    else if (const auto* ofBlocks = findQuantity(blockQuantities(), *request.quantity)) section.blocks = ofBlocks;
     else if (const auto* ofBolts = findQuantity(boltQuantities(), *request.quantity)) section.bolts = ofBolts;
     else
         throw CannotDraw("a section shows no quantity '" + *request.quantity + "'; of blocks there are " +
-                         namesOf(blockQuantities()) + "; of bolts " + namesOf(boltQuantities()));
+                         namesOf(blockQuantities()) + "; of bolts " + namesOf(boltQuantities()) +
+                         "; over blocks " + arrowNames());
     return section;
 }
 

@@ -38,9 +38,11 @@ SectionLayout::SectionLayout(const SectionPicture& picture, const Scene& scene, 
 SectionLayout::Items SectionLayout::itemsOf(const SectionPicture& picture, const Scene& scene) const {
     Items items;
     if (picture.blockLegend) items[0] = barItem(*picture.blockLegend, columnWidth_);
+    if (picture.arrows && picture.arrows->largest > 0.0)  // in place of colours
+        items[0] = arrowItem(*picture.arrows, arrowScale(*picture.arrows), columnWidth_);
     if (picture.boltLegend) items[1] = barItem(*picture.boltLegend, columnWidth_);
     if (!kinds_.empty()) items[2] = keyItem(kinds_, columnWidth_);
-    if (picture.blockLegend || !picture.events.entries.empty())
+    if (picture.blockLegend || picture.arrows || !picture.events.entries.empty())
         items[3] = eventsItem(scene, picture.events, columnWidth_);
     return items;
 }

@@ -49,6 +49,7 @@ public:
         }
         addBlocks();
         addFaces();
+        addArrows();
         addBolts();
         chooseRibbon();
         placeEvents();
@@ -87,6 +88,14 @@ private:
             else if (piece.kind == FaceKind::Border) picture_.borders.push_back(line);
             else picture_.seams.push_back(line);
         }
+    }
+
+    void addArrows() {
+        if (!request_.arrows || !request_.frame) return;
+        std::vector<Point> places(drawn_.size(), Point(0.0, 0.0));
+        for (std::size_t b = 0; b < drawn_.size(); ++b)
+            if (present_[b]) places[b] = moments(drawn_[b]).centroid;
+        picture_.arrows = arrowField(*request_.arrows, frame_, places);
     }
 
     void addBolts() {

@@ -9,6 +9,7 @@
 #include "geometry/polygon.h"
 #include "solver/results/frame_quantities.h"
 #include "solver/results/run_source.h"
+#include "ui/picture/arrows.h"
 #include "ui/picture/event_list.h"
 #include "ui/picture/legend.h"
 #include "ui/picture/marks.h"
@@ -23,6 +24,7 @@ struct SectionRequest {
     std::optional<std::size_t> frame;  // null: the scene before anything happened, without results
     const FrameQuantity<BlockState>* blocks = nullptr;  // null: not coloured
     const FrameQuantity<BoltNodeFrame>* bolts = nullptr;  // null: not coloured
+    std::optional<ArrowKind> arrows;  // drawn over blocks that are not coloured
     std::optional<int> ribbon;  // bolt beside which its values stand; null: the one with the largest
     double factor = 1.0;  // displacements are drawn enlarged by it
     bool whole = false;  // show the whole model, not what surrounds tunnels and bolts
@@ -69,6 +71,7 @@ struct SectionPicture {
     std::vector<LineShape> walls, borders, seams;  // as drawn
     std::vector<BoltShape> bolts;  // those that are there
     std::optional<LegendBar> blockLegend, boltLegend;
+    std::optional<ArrowField> arrows;
     std::optional<Ribbon> ribbon;
     EventList events;
     double factor = 1.0;  // on displacements

@@ -91,6 +91,26 @@ TEST(Section, LimitsOfTheSteelStandOnTheBar) {
     EXPECT_NEAR(*picture.ribbon->limit, 125.66, 0.01);
 }
 
+TEST(Arrows, CrossesStandInTheBlocksWithBothStresses) {
+    const BricksRun bricks;
+    const std::vector<Point> places{{0, 0}, {1, 1}, {2, 2}};
+    const ArrowField field = arrowField(ArrowKind::StressCrosses, bricks.results.frames[0], places);
+    ASSERT_EQ(field.marks.size(), 6u);
+    EXPECT_EQ(field.marks[2].shape, ArrowShape::Compression);  // 3 MPa upright in the left brick
+    EXPECT_NEAR(std::abs(field.marks[2].value.y()), 3.0, 1e-12);
+    EXPECT_EQ(field.marks[5].shape, ArrowShape::Tension);  // 2 MPa along x in the right one
+    EXPECT_NEAR(std::abs(field.marks[5].value.x()), 2.0, 1e-12);
+    EXPECT_DOUBLE_EQ(field.largest, 3.0);
+}
+
+TEST(Arrows, DisplacementsAreThoseOfTheFrame) {
+    const BricksRun bricks;
+    const std::vector<Point> places(3, Point(0.0, 0.0));
+    const ArrowField field = arrowField(ArrowKind::Displacements, bricks.results.frames[1], places);
+    EXPECT_NEAR(field.marks[1].value.y(), 10.0, 1e-12);  // mm
+    EXPECT_EQ(field.unit, "mm");
+}
+
 TEST(Section, RoundOffHasNoRibbon) {
     BricksRun bricks;
     for (BoltNodeFrame& node : bricks.results.frames[0].bolts[0].nodes) node.axialForce *= 1e-9;
