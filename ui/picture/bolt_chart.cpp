@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string_view>
 
 namespace keyblock {
 
@@ -49,6 +51,15 @@ ChartCurve curveOf(const BoltFrame& bolt, const NodeQuantity& quantity) {
     return curve;
 }
 
+/// Least and largest value at its real nodes, and zero.
+ValueRange reachOf(const BoltFrame& bolt, const NodeQuantity& quantity) {
+    ValueRange reach{0.0, 0.0};
+    for (const BoltNodeFrame& node : bolt.nodes)
+        if (node.real)
+            reach = {std::min(reach.low, quantity.value(node)), std::max(reach.high, quantity.value(node))};
+    return reach;
+}
+
 ChartCurve stemsOf(const BoltFrame& bolt, const NodeQuantity& quantity) {
     ChartCurve curve{"", CurveStyle::Stems, {}, {}};
     for (const BoltNodeFrame& node : bolt.nodes)
@@ -80,11 +91,11 @@ public:
         const Bolt& bolt = run_.scene().bolts[static_cast<std::size_t>(bolt_)];
         chart_.length = (bolt.head - bolt.farEnd).norm();
         chart_.title = titleText(bolt);
-        chart_.subtitle = subtitleText(bolt);
         chart_.chart.xTitle = "distance from the far end (m)";
         chart_.chart.x = {0.0, chart_.length};
         addBand(bolt);
         gatherEnvelopes();
+        chart_.subtitle = subtitleText(bolt);
         addPanels(bolt);
         addZones();
         addDividers();
@@ -107,7 +118,8 @@ private:
         if (limits.ultimate) text += ", breaks at " + numberText(*limits.ultimate * 1e-3) + " kN";
         if (now().lost) text += "; lost";
         const NodeQuantity& axial = *findQuantity(boltQuantities(), "axial_force");
-        return text + "; largest axial force now " + numberText(largest(now(), axial) * 1e-3) + " kN.";
+        const double force = largest(now(), axial);
+        return text + "; largest axial force now " + numberText(force > nothing * most_ ? force * 1e-3 : 0.0) + " kN.";
     }
 
     /// Bond forces; slip, too, where some nodes have no anchor that could tell it.
@@ -147,6 +159,12 @@ private:
             const Frame frame = run_.frame(f);
             const BoltFrame& bolt = frame.bolts[static_cast<std::size_t>(bolt_)];
             if (bolt.nodes.size() < 2) continue;
+            for (const NodeQuantity& quantity : boltQuantities()) {
+                ValueRange& reached = reached_[quantity.column];
+                const ValueRange reach = reachOf(bolt, quantity);
+                reached = {std::min(reached.low, reach.low), std::max(reached.high, reach.high)};
+            }
+            most_ = std::max(most_, largest(bolt, *findQuantity(boltQuantities(), "axial_force")));
             for (Envelope& envelope : chart_.envelopes) widen(envelope, bolt);
         }
     }
@@ -172,6 +190,8 @@ private:
             panel.curves.push_back(isOfRealNodes(*quantity) ? stemsOf(now(), *quantity) : curveOf(now(), *quantity));
             for (const auto& [limit, name] : limitsOf(run_.scene(), bolt, *quantity))
                 panel.limits.push_back({name, limit, name == "ultimate"});
+            const ValueRange& reached = reached_[quantity->column];
+            panel.reached = {reached.low * quantity->display.factor, reached.high * quantity->display.factor};
             fitRange(panel);
             chart_.chart.panels.push_back(std::move(panel));
         }
@@ -222,6 +242,8 @@ private:
     std::size_t index_;
     int bolt_;
     Frame frame_;
+    std::map<std::string_view, ValueRange> reached_;  // by column, at real nodes until now
+    double most_ = 0.0;  // axial force until now [N]
     BoltChart chart_;
 };
 

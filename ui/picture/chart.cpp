@@ -14,7 +14,7 @@ constexpr double negligible = 1e-3;  // of the larger side of zero: a range does
 }  // namespace
 
 void fitRange(ChartPanel& panel) {
-    ValueRange range;
+    ValueRange range = panel.reached;
     for (const ChartCurve& curve : panel.curves)
         for (const double y : curve.y)
             if (std::isfinite(y)) range = {std::min(range.low, y), std::max(range.high, y)};

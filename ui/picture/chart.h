@@ -33,6 +33,7 @@ struct ChartPanel {
     std::string note;  // on signs, after the title
     std::vector<ChartCurve> curves;
     std::vector<ChartLimit> limits;
+    ValueRange reached{0.0, 0.0};  // until now, by what the curves show: their range holds it
     ValueRange range;
 };
 
@@ -50,7 +51,7 @@ struct Chart {
     std::vector<double> events;  // faint lines through all panels, a tick on the axis
 };
 
-/// Sets the panel's range from its curves, with zero, and with limits that lie within 1.5 times of what is reached;
+/// Sets the panel's range from its curves and what was reached, with zero, and with limits that lie within 1.5 times of what is reached;
 /// limits beyond go. A panel of nothing but zeros has the range 0 … 1.
 void fitRange(ChartPanel& panel);
 

@@ -57,6 +57,22 @@ TEST(BoltChart, EnvelopesHoldAllFramesUntilNow) {
     EXPECT_DOUBLE_EQ(*std::max_element(envelope.low.begin(), envelope.low.end()), 0.0);
 }
 
+/// Round-off of a bolt that lets go is no force: the range is that of what it bore.
+TEST(BoltChart, RangesHoldWhatRealNodesBoreUntilNow) {
+    BricksRun bricks;
+    for (std::size_t f : {0u, 1u})
+        for (BoltNodeFrame& node : bricks.results.frames[f].bolts[0].nodes) {
+            node.real = true;
+            node.anchorForce = f == 0 ? -40e3 : 1e-9;
+            node.axialForce *= f == 0 ? 1.0 : 1e-12;
+        }
+    const BoltChart chart = boltChart(MemoryRun(bricks.scene, bricks.results), 1, 0);
+    const ChartPanel& bond = chart.chart.panels[1];
+    EXPECT_EQ(bond.title, "Bond force (kN)");
+    EXPECT_EQ(bond.range, (ValueRange{-40.0, 0.0}));
+    EXPECT_NE(chart.subtitle.find("now 0 kN"), std::string::npos) << chart.subtitle;
+}
+
 TEST(BoltChart, ZonesAndJointsStandWhereTheyAre) {
     BricksRun bricks;
     auto& nodes = bricks.results.frames[1].bolts[0].nodes;
