@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A comma between digits is a decimal comma where commas do not separate cells, or
-// inside quotes. A file that writes some numbers with commas and others with points
-// is not guessed at.
+// The header alone says what a list holds and in which of four forms; every row is
+// then read by that form.
 #include "solver/files/csv_list.h"
 
 #include "solver/files/csv_columns.h"
+#include "solver/files/csv_numbers.h"
 #include "solver/files/csv_rows.h"
-#include "solver/files/dxf_groups.h"
 #include "solver/scene/suggest.h"
 
 #include <algorithm>
@@ -33,6 +32,7 @@ public:
         drawing_.unit = lengthUnitOf("m");
         drawing_.problems = std::move(csv.problems);
         separator_ = csv.separator;
+        numbers_.separatedBy(csv.separator);
         if (hasErrors(drawing_.problems)) return std::move(drawing_);
         if (csv.rows.empty())
             error(0, "the file is empty", "Give a header and rows; " + csvColumnForms());
@@ -54,8 +54,7 @@ private:
         return found == columns_.end() ? -1 : static_cast<int>(found - columns_.begin());
     }
     std::string columnText(std::size_t index) const {
-        return "column " + std::to_string(index + 1) +
-               (index < columns_.size() ? " (" + inQuotes(columns_[index].title) + ")" : "");
+        return csvColumnText(index, columns_[index].title);
     }
 
     bool readHeader(const CsvRow& header) {
@@ -122,11 +121,8 @@ private:
 
     void readRow(const CsvRow& row) {
         const int line = row.front().line;
-        if (row.size() != columns_.size())
-            return error(line, "the row has " + std::to_string(row.size()) + " cells, and the header " +
-                                   std::to_string(columns_.size()),
-                         separator_ == ',' ? "Put decimal points, or quotes round decimal commas"
-                                           : "Mend the row");
+        if (const Problem problem = csvRowProblem(row, columns_.size(), separator_); !problem.message.empty())
+            return addProblem(drawing_.problems, problem);
         row_ = &row;
         if (form_ == Form::Points) return addPoint(line);
         DrawnLine drawn = lineOf(line);
@@ -194,47 +190,20 @@ private:
         const CsvCell& cell = (*row_)[index];
         const CsvColumn& column = columns_[index];
         double value = 0.0;
-        if (!readNumber(cell, value, columnText(index))) return 0.0;
+        if (!numbers_.read(cell, columnText(index), value)) return 0.0;
         if (isLength(kind)) return inMetres(value, column.unit ? *column.unit : *unit_);
         return kind == Kind::Pretension ? value * column.forceFactor : value;
-    }
-
-    bool readNumber(const CsvCell& cell, double& value, const std::string& place) {
-        std::string digits = cell.text;
-        const auto commas = std::count(digits.begin(), digits.end(), ',');
-        const bool point = digits.find('.') != std::string::npos;
-        if (commas == 1 && !point && (separator_ != ',' || cell.quoted)) {
-            if (!decimalAgrees(',', cell.line, place)) return false;
-            std::replace(digits.begin(), digits.end(), ',', '.');
-        } else if (point && !decimalAgrees('.', cell.line, place)) {
-            return false;
-        }
-        if (readDxfReal(digits, value)) return true;
-        error(cell.line, place + " holds " + inQuotes(cell.text) + ", which is no number",
-              cell.text.empty() ? "Fill it in"
-                                : "Write digits with one decimal point or comma, and nothing between them");
-        return false;
-    }
-
-    bool decimalAgrees(char decimal, int line, const std::string& place) {
-        if (decimal_ == '\0') decimal_ = decimal, decimalLine_ = line;
-        if (decimal_ == decimal) return true;
-        error(line, place + " has a decimal " + (decimal == ',' ? "comma" : "point") + ", and line " +
-                        std::to_string(decimalLine_) + " has a " + (decimal == ',' ? "point" : "comma"),
-              "Write all numbers of the file alike");
-        return false;
     }
 
     std::string layer_;
     const LengthUnit* unit_;
     Drawing drawing_;
+    CsvNumbers numbers_{drawing_.problems};
     char separator_ = ',';
     std::vector<CsvColumn> columns_;
     Form form_ = Form::Segments;
     const CsvRow* row_ = nullptr;
     std::set<std::string> names_;
-    char decimal_ = '\0';
-    int decimalLine_ = 0;
 };
 
 }  // namespace
