@@ -65,6 +65,7 @@ private:
         if (at_ < text_.size() && text_[at_] == '"') readQuoted(cell);
         while (at_ < text_.size() && text_[at_] != read_.separator && text_[at_] != lineEnd_) cell.text += text_[at_++];
         const bool more = at_ < text_.size() && text_[at_] == read_.separator;
+        if (!more && cell.text.ends_with('\r')) cell.text.pop_back();
         if (!more) ++line_;
         ++at_;
         cell.text = trimmed(asUtf8(cell.quoted ? cell.text : trimmed(cell.text), ""));
