@@ -57,6 +57,33 @@ void drawLimits(Ink& ink, const LegendBar& bar, const Point& at, const std::func
     }
 }
 
+struct TickLabel {
+    double place = 0.0, middle = 0.0;  // from the bar's left end [mm]; a label stays within its ends
+    std::string text;
+};
+
+/// All ticks where their labels have room, else every second one, and so on; zero stays.
+template <class PlaceOf>
+std::vector<TickLabel> labelsOf(const LegendBar& bar, const PlaceOf& placeOf, double width) {
+    const std::vector<double>& values = bar.ticks.values;
+    const auto zero = std::find(values.begin(), values.end(), 0.0);
+    const std::size_t kept = zero == values.end() ? 0 : static_cast<std::size_t>(zero - values.begin());
+    for (std::size_t each = 1;; ++each) {
+        std::vector<TickLabel> labels;
+        double free = -1e9;
+        bool room = true;
+        for (std::size_t i = kept % each; i < values.size(); i += each) {
+            const std::string text = numberText(values[i], bar.ticks.decimals);
+            const double half = 0.5 * textWidth(text, text_style::tick);
+            const double place = placeOf(values[i]), middle = std::clamp(place, half, std::max(half, width - half));
+            room = room && middle - half >= free;
+            free = middle + half + 0.8;
+            labels.push_back({place, middle, text});
+        }
+        if (room || each >= values.size()) return labels;
+    }
+}
+
 void drawBar(Ink& ink, const LegendBar& bar, const Point& corner, double width,
              const std::vector<std::string>& notes) {
     double y = corner.y() + 2.0;
@@ -69,12 +96,9 @@ void drawBar(Ink& ink, const LegendBar& bar, const Point& corner, double width,
     const Point at(corner.x(), y);
     fillBar(ink, bar, at, from, to);
     drawLimits(ink, bar, at, placeOf, width);
-    for (const double value : bar.ticks.values) {
-        const std::string label = numberText(value, bar.ticks.decimals);
-        const double half = 0.5 * textWidth(label, text_style::tick), place = placeOf(value);
-        ink.line(at + Point(place, barHeight), at + Point(place, barHeight + 0.7), {0.13, black});
-        ink.text(at + Point(std::clamp(place, half, width - half), barHeight + 3.0), label, text_style::tick,
-                 Align::Centre);
+    for (const TickLabel& tick : labelsOf(bar, placeOf, width)) {
+        ink.line(at + Point(tick.place, barHeight), at + Point(tick.place, barHeight + 0.7), {0.13, black});
+        ink.text(at + Point(tick.middle, barHeight + 3.0), tick.text, text_style::tick, Align::Centre);
     }
     y += barHeight + 3.0;
     for (const std::string& note : notes) ink.text({corner.x(), y += noteRow}, note, text_style::note);

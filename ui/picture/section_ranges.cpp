@@ -13,6 +13,7 @@ namespace {
 
 constexpr int mostTicks = 5;
 constexpr double shareOutside = 0.02;  // of the rock's area, at either end
+constexpr double leastStrain = 1e-9, leastStress = 100.0;  // [Pa] nothing measures less: what is below both is nothing
 
 struct Gathered {
     std::vector<Weighed> blocks, bolts;
@@ -49,10 +50,20 @@ LegendBar barOf(const QuantityDisplay& display) {
     return bar;
 }
 
-std::optional<LegendBar> blockLegend(const QuantityDisplay& display, const std::vector<Weighed>& all) {
+/// What is round-off of a quantity of blocks, as shown.
+double roundOff(const QuantityDisplay& display, const Scene& scene) {
+    double stiffest = 0.0;
+    for (const auto& [name, rock] : scene.materials) stiffest = std::max(stiffest, rock.youngsModulus);
+    const double stress = std::min(leastStress, leastStrain * stiffest);
+    return display.unit == "MPa" ? stress * std::abs(display.factor) : 0.0;
+}
+
+std::optional<LegendBar> blockLegend(const QuantityDisplay& display, std::vector<Weighed> all, double nothing) {
     if (all.empty()) return std::nullopt;
     LegendBar bar = barOf(display);
     bar.map = display.isSigned ? &tide : &slate;
+    for (Weighed& value : all)
+        if (std::abs(value.value) <= nothing) value.value = 0.0;
     ValueRange range = rangeWithout(all, shareOutside);
     if (range.low > 0.0) range.low = 0.0;
     bar.range = display.isSigned ? roundedSymmetric(range, mostTicks) : roundedRange(range, mostTicks);
@@ -110,7 +121,10 @@ SectionLegends sectionLegends(const RunSource& run, const SectionRequest& reques
     Gathered all;
     for (std::size_t i = 0; i < run.frames().size(); ++i) gather(request, run.frame(i), all);
     SectionLegends legends;
-    if (request.blocks) legends.blocks = blockLegend(request.blocks->display, all.blocks);
+    if (request.blocks) {
+        const QuantityDisplay& display = request.blocks->display;
+        legends.blocks = blockLegend(display, all.blocks, roundOff(display, run.scene()));
+    }
     if (request.bolts)
         legends.bolts = boltLegend(request.bolts->display, all.bolts, limitsOfAll(run.scene(), request));
     return legends;
