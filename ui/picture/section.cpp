@@ -24,6 +24,9 @@ constexpr double nearlyAll = 0.6;  // of the model's area: then all of it is sho
 
 Box united(const Box& a, const Box& b) { return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)}; }
 double areaOf(const Box& box) { return (box.max - box.min).prod(); }
+bool areTouching(const Box& a, const Box& b) {
+    return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
+}
 
 class SectionBuilder {
 public:
@@ -176,7 +179,11 @@ private:
         Box drawn = model;
         for (const BlockShape& shape : picture_.blocks) drawn = united(drawn, boxOf(shape.outline));
         for (const BoltShape& shape : picture_.bolts) drawn = united(drawn, boxOf(shape.nodes));
-        const bool flung = areaOf(drawn) > 6.0 * areaOf(model);  // what was flung far away does not shrink the rest
+        const bool anyLeft = std::any_of(picture_.blocks.begin(), picture_.blocks.end(), [&](const BlockShape& shape) {
+            return areTouching(boxOf(shape.outline), model);
+        });
+        // What was flung far away does not shrink the rest, where there is one.
+        const bool flung = anyLeft && areaOf(drawn) > 6.0 * areaOf(model);
         picture_.model = flung ? model : drawn;
         picture_.window = request_.whole ? withRim(picture_.model) : around(picture_.model);
     }

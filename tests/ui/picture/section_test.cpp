@@ -80,6 +80,28 @@ TEST(Section, RangesAreThoseOfAllFrames) {
     EXPECT_EQ(run.picture(0).boltLegend->notes.back(), "now 0.2 to 1.0 kN");
 }
 
+/// 1 mPa in rock of 50 GPa is round-off, and no range opens for it; 1 kPa is a stress.
+TEST(Section, RoundOffIsNoStress) {
+    for (const double size : {1e-3, 1e3}) {
+        BricksRun run;
+        for (Frame& frame : run.results.frames)
+            for (BlockState& block : frame.blocks) block.stress = {0.0, -size, 0.0};
+        const LegendBar bar = *run.picture(1).blockLegend;
+        EXPECT_EQ(bar.range.high, size < 1.0 ? 1.0 : 1e-3);
+        EXPECT_FALSE(bar.goesBelow || bar.goesAbove);
+    }
+}
+
+/// Whoever looks for blocks that have all fallen finds them.
+TEST(Section, TheWindowFollowsWhenNothingIsLeft) {
+    BricksRun run;
+    for (BlockState& block : run.results.frames[1].blocks)
+        for (Point& point : block.points) point.y() -= 30.0;
+    EXPECT_LT(run.picture(1).model.min.y(), -29.0);
+    for (Point& point : run.results.frames[1].blocks[0].points) point.y() += 30.0;  // the slab stays
+    EXPECT_GT(run.picture(1).model.min.y(), -1.0);
+}
+
 TEST(Section, LimitsOfTheSteelStandOnTheBar) {
     // 400 MPa on π/4·20² mm² is 125.7 kN: within half as much again of the largest force, so the bar reaches it.
     const SectionPicture picture = BricksRun().picture(1);
