@@ -149,6 +149,12 @@ void addExport(CLI::App& app, ExportOptions& options) {
                      "contacts and figures, all for the others")
         ->type_name("STAGE:TIME|last|all");
     addFigureOptions(verb, options);
+    verb->add_option("--reference", options.references,
+                     "A measured or published curve beside those of figure curves: CSV with a header such as "
+                     "opening_mm,load_kN; may be given again")
+        ->type_name("FILE.csv")
+        ->allow_extra_args(false)
+        ->take_all();
     verb->add_option("--out", options.out, "The file to write; of a figure, its ending says the format")
         ->type_name("FILE.(csv|svg|pdf|png)");
 }

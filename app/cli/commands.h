@@ -55,6 +55,7 @@ struct ExportOptions {
     std::optional<int> dpi;
     std::optional<double> deformed;  // factor on displacements
     bool whole = false;
+    std::vector<std::filesystem::path> references;  // CSV files beside the curves
     std::filesystem::path out;
 };
 

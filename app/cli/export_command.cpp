@@ -61,8 +61,7 @@ ExitCode exportVtk(const ExportOptions& options) {
 ExitCode exportFigure(const ExportOptions& options) {
     checkFigureOptions(options);
     const RunStore store(options.run);
-    exportFigure(options, store, filterOf(options, store.scene()));
-    return Done;
+    return exportFigure(options, store, filterOf(options, store.scene()));
 }
 
 ExitCode exportAnimation(const ExportOptions& options) {
@@ -76,6 +75,8 @@ ExitCode exportAnimation(const ExportOptions& options) {
 ExitCode perform(const ExportOptions& options) {
     if (options.perSecond && !options.animation)
         throw UsageError("--fps is for --animation; leave it out");
+    if (!options.references.empty() && options.figure != "curves")
+        throw UsageError("--reference is for --figure curves; leave it out");
     if (options.vtk)
         return exportVtk(options);
     if (options.animation)

@@ -4,6 +4,7 @@
 
 #include "app/cli/figure_words.h"
 #include "app/cli/output.h"
+#include "solver/files/reference_file.h"
 #include "solver/files/whole_file.h"
 
 #ifdef KEYBLOCK_HAS_FIGURES
@@ -54,7 +55,27 @@ void checkFigureOptions(const ExportOptions& options) {
 
 #ifdef KEYBLOCK_HAS_FIGURES
 
-void exportFigure(const ExportOptions& options, const RunSource& run, const TableFilter& filter) {
+namespace {
+
+void tell(const std::vector<Problem>& problems) {
+    for (const Problem& problem : problems) printToError(oneLine(problem) + '\n');
+}
+
+/// \return false when one cannot be used; all that is wrong with them is told.
+bool readReferences(const ExportOptions& options, FigureRequest& request) {
+    bool usable = true;
+    for (const std::filesystem::path& file : options.references) {
+        ReferenceReading reading = readReferenceFile(file);
+        tell(reading.problems);
+        usable = usable && !hasErrors(reading.problems);
+        request.references.push_back(std::move(reading.table));
+    }
+    return usable;
+}
+
+}  // namespace
+
+ExitCode exportFigure(const ExportOptions& options, const RunSource& run, const TableFilter& filter) {
     FigureRequest request;
     request.kind = static_cast<FigureKind>(kindOf(options));
     request.format = static_cast<PaperFormat>(formatOf(options));
@@ -65,6 +86,8 @@ void exportFigure(const ExportOptions& options, const RunSource& run, const Tabl
     request.factor = options.deformed.value_or(request.factor);
     request.whole = options.whole;
     request.runName = options.run.stem().string();
+    if (!readReferences(options, request))
+        return Invalid;
     try {
         const Figure figure = paintFigure(run, request);
         writeWholeFile(options.out, [&](std::ostream& out) { out << figure.bytes; });
@@ -72,14 +95,19 @@ void exportFigure(const ExportOptions& options, const RunSource& run, const Tabl
             const std::string name = options.out.stem().string() + data.suffix + ".csv";
             writeWholeFile(options.out.parent_path() / name, data.write);
         }
+        tell(figure.warnings);
     } catch (const CannotDraw& problem) {
         throw UsageError(problem.what());
     }
+    return Done;
 }
 
 #else
 
-void exportFigure(const ExportOptions& options, const RunSource&, const TableFilter&) { checkFigureOptions(options); }
+ExitCode exportFigure(const ExportOptions& options, const RunSource&, const TableFilter&) {
+    checkFigureOptions(options);
+    return Usage;
+}
 
 #endif
 

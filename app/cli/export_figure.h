@@ -10,9 +10,9 @@
 
 namespace keyblock::cli {
 
-/// Writes the figure and, beside it, its data. \pre `options.figure` is set.
+/// Writes the figure and, beside it, its data; tells what is wrong with references. \pre `options.figure` is set.
 /// \throws UsageError for what cannot be drawn, and in a build without figures.
-void exportFigure(const ExportOptions& options, const RunSource& run, const TableFilter& filter);
+ExitCode exportFigure(const ExportOptions& options, const RunSource& run, const TableFilter& filter);
 
 /// Throws the usage errors that need no run.
 void checkFigureOptions(const ExportOptions& options);

@@ -43,6 +43,34 @@ TEST_F(Figures, AnotherProcessPaintsTheSameBytes) {
     }
 }
 
+TEST_F(Figures, AReferenceStandsBesideTheCurves) {
+    runPull();
+    put("lab.csv", "load_kN;gap_mm\n0;0\n40,5;1\n");
+    const Ended ended = figure({"curves", "--reference", "lab.csv", "--out", "c.svg"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_TRUE(ended.err.empty()) << ended.err;
+    EXPECT_NE(content("c.svg").find(">lab<"), std::string::npos);
+    EXPECT_EQ(content("c-reference.csv"), "load_N,gap_m\n0,0\n40500,0.001\n");
+}
+
+TEST_F(Figures, AReferenceThatIsWrongIsToldWithItsPlace) {
+    runPull();
+    put("words.csv", "gap_mm,load_kN\n0,0\n1,much\n");
+    put("other.csv", "gap_mm,work_J\n0,0\n1,2\n");
+    Ended ended = figure({"curves", "--reference", "words.csv", "--out", "c.svg"});
+    EXPECT_EQ(ended.code, 3);
+    EXPECT_NE(ended.err.find("words.csv:3"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("'much'"), std::string::npos) << ended.err;
+    ended = figure({"curves", "--reference", "other.csv", "--out", "c.svg"});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find("no panel takes"), std::string::npos) << ended.err;
+    ended = figure({"section", "--reference", "words.csv", "--out", "c.svg"});
+    EXPECT_EQ(ended.code, 2);
+    ended = figure({"curves", "--reference", "none.csv", "--out", "c.svg"});
+    EXPECT_EQ(ended.code, 3);
+    EXPECT_FALSE(exists("c.svg"));
+}
+
 TEST_F(Figures, WhatCannotBeDrawnIsAUsageError) {
     runPull();
     const auto expectUsage = [&](const std::vector<std::string>& words, const std::string& part) {

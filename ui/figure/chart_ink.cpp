@@ -17,6 +17,8 @@ namespace {
 using namespace paper_theme;
 
 constexpr double panelGap = 3.2, rightRoom = 17.0;  // [mm]
+constexpr double keySample = 6.0, keyGap = 3.0, keyRow = 2.8;  // [mm]
+constexpr std::size_t mostMarks = 60;  // of a reference: more points are a line alone
 
 int units(double mm) { return static_cast<int>(std::lround(mm * unitsPerMm)); }
 QColor qt(const Colour& colour, double opacity = 1.0) {
@@ -68,12 +70,49 @@ Colour colourOf(CurveStyle style) {
         case CurveStyle::Second: return rgb(0xB63100);
         case CurveStyle::Third: return rgb(0x1B7F55);
         case CurveStyle::Fourth: return rgb(0x4A5260);
+        case CurveStyle::Reference: return rgb(0x111111);
+        case CurveStyle::SecondReference: return rgb(0x8A5A00);
+        case CurveStyle::ThirdReference: return rgb(0x7A2E7A);
+        case CurveStyle::FourthReference: return rgb(0x2B6E8F);
         case CurveStyle::Envelope: break;
     }
     return rgb(0x8A93A0);
 }
 
+/// In widths of the line; empty: solid.
+std::vector<double> dashesOf(CurveStyle style) {
+    switch (style) {
+        case CurveStyle::Reference: return {5.0, 3.0};
+        case CurveStyle::SecondReference: return {9.0, 3.0};
+        case CurveStyle::ThirdReference: return {2.0, 2.5};
+        case CurveStyle::FourthReference: return {9.0, 3.0, 2.0, 3.0};
+        default: return {};
+    }
+}
+
+constexpr double referenceLine = 0.25;  // [mm]
+
+/// Each reference has a mark of its own.
+void drawMark(Ink& ink, CurveStyle style, const Point& at) {
+    const double r = 0.65;
+    const Stroke line{0.17, colourOf(style)};
+    const auto outline = [&](std::vector<Point> points) {
+        for (Point& point : points) point = at + r * point;
+        ink.polygon(points, white, line);
+    };
+    switch (style) {
+        case CurveStyle::SecondReference: return outline({{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}});
+        case CurveStyle::ThirdReference: return outline({{0.0, -1.1}, {1.0, 0.8}, {-1.0, 0.8}});
+        case CurveStyle::FourthReference: return outline({{0.0, -1.2}, {1.2, 0.0}, {0.0, 1.2}, {-1.2, 0.0}});
+        default: ink.circle(at, r, white, line);
+    }
+}
+
 QPen penOf(CurveStyle style) {
+    if (isReference(style)) {
+        const std::vector<double> dashes = dashesOf(style);
+        return pen(referenceLine, colourOf(style), QVector<qreal>(dashes.begin(), dashes.end()));
+    }
     switch (style) {
         case CurveStyle::Envelope: return pen(0.17, colourOf(style), {5.0, 3.0});
         case CurveStyle::Stems: return pen(0.3, colourOf(style));
@@ -85,7 +124,7 @@ QPen penOf(CurveStyle style) {
 
 class ChartPainter {
 public:
-    explicit ChartPainter(const Chart& chart) : chart_(chart) {
+    ChartPainter(const Chart& chart, double width) : chart_(chart), keyRoom_(width - 16.0) {
         plot_.plotLayout()->clear();
         plot_.setBackground(Qt::NoBrush);
         plot_.plotLayout()->setRowSpacing(units(panelGap));
@@ -102,7 +141,11 @@ public:
         drawZones(painter);
         plot_.toPainter(&painter, units(size.x()), units(size.y()));
         Ink ink(painter);
-        for (std::size_t i = 0; i < chart_.panels.size(); ++i) nameEnds(ink, i);
+        for (std::size_t i = 0; i < chart_.panels.size(); ++i) {
+            markReferences(ink, i);
+            nameEnds(ink, i);
+            drawKey(ink, i);
+        }
         painter.restore();
         return placeIn(box);
     }
@@ -134,7 +177,7 @@ private:
         rect->addAxis(QCPAxis::atLeft);
         plot_.plotLayout()->addElement(static_cast<int>(index), 0, rect);
         rect->setMarginGroup(QCP::msLeft | QCP::msRight, group);
-        const double above = index == 0 ? 2.6 : 1.2, below = last ? 2.0 : 0.6;
+        const double above = (index == 0 ? 2.6 : 1.2) + keyRow * keyRowsOf(panel), below = last ? 2.0 : 0.6;
         rect->setMinimumMargins(QMargins(units(9.0), units(above), units(rightRoom), units(below)));
         rects_.push_back(rect);
         QCPAxis* x = rect->axis(QCPAxis::atBottom);
@@ -193,12 +236,67 @@ private:
             }
     }
 
+    struct KeyEntry {
+        const ChartCurve* curve;
+        std::string name;
+        double x = 0.0;  // from the left [mm]
+        int row = 0;
+    };
+
+    /// References one after the other, in rows.
+    std::vector<KeyEntry> keyOf(const ChartPanel& panel) const {
+        std::vector<KeyEntry> entries;
+        double x = 0.0;
+        int row = 0;
+        for (const ChartCurve& curve : panel.curves) {
+            if (!isReference(curve.style)) continue;
+            const std::string name = elided(curve.name, text_style::tick, keyRoom_ - keySample - 1.0, true);
+            const double width = keySample + 1.0 + textWidth(name, text_style::tick);
+            if (x > 0.0 && x + width > keyRoom_) x = 0.0, ++row;
+            entries.push_back({&curve, name, x, row});
+            x += width + keyGap;
+        }
+        return entries;
+    }
+
+    int keyRowsOf(const ChartPanel& panel) const {
+        const std::vector<KeyEntry> entries = keyOf(panel);
+        return entries.empty() ? 0 : entries.back().row + 1;
+    }
+
+    /// A line and a mark of each reference, with its name, between the panel's title and the panel.
+    void drawKey(Ink& ink, std::size_t index) const {
+        const ChartPanel& panel = chart_.panels[index];
+        const Point corner(rects_[index]->left() / unitsPerMm,
+                           rects_[index]->top() / unitsPerMm - 0.9 - keyRow * (keyRowsOf(panel) - 1));
+        for (const KeyEntry& entry : keyOf(panel)) {
+            const Point at = corner + Point(entry.x, keyRow * entry.row);
+            Stroke line{referenceLine, colourOf(entry.curve->style), dashesOf(entry.curve->style)};
+            for (double& dash : line.dashes) dash *= referenceLine;
+            ink.line(at + Point(0.0, -0.7), at + Point(keySample, -0.7), line);
+            if (entry.curve->x.size() <= mostMarks)
+                drawMark(ink, entry.curve->style, at + Point(0.5 * keySample, -0.7));
+            ink.text(at + Point(keySample + 1.0, 0.0), entry.name, text_style::tick);
+        }
+    }
+
+    void markReferences(Ink& ink, std::size_t index) const {
+        const QCPAxis* x = rects_[index]->axis(QCPAxis::atBottom);
+        const QCPAxis* y = rects_[index]->axis(QCPAxis::atLeft);
+        for (const ChartCurve& curve : chart_.panels[index].curves) {
+            if (!isReference(curve.style) || curve.x.size() > mostMarks) continue;
+            for (std::size_t i = 0; i < curve.x.size(); ++i)
+                drawMark(ink, curve.style,
+                         {x->coordToPixel(curve.x[i]) / unitsPerMm, y->coordToPixel(curve.y[i]) / unitsPerMm});
+        }
+    }
+
     /// The panel's title above it, and names at the right ends of limits and curves, pushed apart where they meet.
     void nameEnds(Ink& ink, std::size_t index) const {
         const ChartPanel& panel = chart_.panels[index];
         QCPAxisRect* rect = rects_[index];
         const QCPAxis* y = rect->axis(QCPAxis::atLeft);
-        const Point at(rect->left() / unitsPerMm, rect->top() / unitsPerMm - 0.9);
+        const Point at(rect->left() / unitsPerMm, rect->top() / unitsPerMm - 0.9 - keyRow * keyRowsOf(panel));
         ink.text(at, panel.title, text_style::number);
         ink.text(at + Point(textWidth(panel.title, text_style::number) + 2.0, 0.0), panel.note, text_style::note);
         struct End {
@@ -210,7 +308,7 @@ private:
         for (const ChartLimit& limit : panel.limits)
             ends.push_back({y->coordToPixel(limit.value) / unitsPerMm, limit.name, limit.ultimate ? error : softText});
         for (const ChartCurve& curve : panel.curves)
-            if (!curve.name.empty() && !curve.y.empty())
+            if (!curve.name.empty() && !curve.y.empty() && !isReference(curve.style))
                 ends.push_back({y->coordToPixel(curve.y.back()) / unitsPerMm, curve.name, colourOf(curve.style)});
         std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.y < b.y; });
         const double row = 2.5, bottom = (rect->top() + rect->height()) / unitsPerMm;
@@ -235,6 +333,7 @@ private:
     }
 
     const Chart& chart_;
+    double keyRoom_;  // [mm]
     QCustomPlot plot_;
     std::vector<QCPAxisRect*> rects_;
 };
@@ -243,7 +342,7 @@ private:
 
 ChartPlace drawChart(QCPPainter& painter, const Chart& chart, const Box& box) {
     needApplication();
-    return ChartPainter(chart).draw(painter, box);
+    return ChartPainter(chart, box.max.x() - box.min.x()).draw(painter, box);
 }
 
 }  // namespace keyblock

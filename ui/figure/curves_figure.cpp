@@ -13,6 +13,7 @@
 
 #include <qcustomplot.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace keyblock {
@@ -21,9 +22,18 @@ namespace {
 
 using namespace paper_theme;
 
-constexpr double panelHeight = 30.0, axisRoom = 10.0, chartGap = 3.0;  // [mm]
+constexpr double panelHeight = 30.0, axisRoom = 10.0, chartGap = 3.0, keyRoom = 3.0;  // [mm]
 
-double heightOf(const Chart& chart) { return panelHeight * static_cast<double>(chart.panels.size()) + axisRoom; }
+/// A panel with references is higher, for their key.
+double heightOf(const Chart& chart) {
+    double height = axisRoom;
+    for (const ChartPanel& panel : chart.panels)
+        height += panelHeight + (std::any_of(panel.curves.begin(), panel.curves.end(),
+                                             [](const ChartCurve& curve) { return isReference(curve.style); })
+                                     ? keyRoom
+                                     : 0.0);
+    return height;
+}
 
 std::string subtitleOf(const RunSource& run, const HistoryCharts& charts) {
     bool events = false;
@@ -32,7 +42,22 @@ std::string subtitleOf(const RunSource& run, const HistoryCharts& charts) {
     const RunTime time(run);
     for (const StageSpan& span : time.stages())
         text += (text.empty() ? "Stages: " : ", ") + stageName(run.scene(), span.stage);
-    return text + (events ? ". Red lines: what let go on bolts." : ".");
+    text += events ? ". Red lines: what let go on bolts." : ".";
+    std::string names;
+    for (const std::string& name : charts.nothing) names += (names.empty() ? "" : ", ") + name;
+    return text + (names.empty() ? "" : " Next to zero throughout, and not drawn: " + names + ".");
+}
+
+std::vector<FigureData> dataOf(const RunSource& run, const FigureRequest& request) {
+    std::vector<FigureData> data{
+        {"", [&run](std::ostream& out) { writeTable(TableKind::History, run, {}, out); }},
+        {"-energy", [&run](std::ostream& out) { writeTable(TableKind::Energy, run, {}, out); }}};
+    for (std::size_t i = 0; i < request.references.size(); ++i) {
+        const ReferenceTable& table = request.references[i];
+        const std::string suffix = "-reference" + (i == 0 ? "" : "-" + std::to_string(i + 1));
+        data.push_back({suffix, [&table](std::ostream& out) { writeReferenceTable(table, out); }});
+    }
+    return data;
 }
 
 }  // namespace
@@ -40,8 +65,11 @@ std::string subtitleOf(const RunSource& run, const HistoryCharts& charts) {
 Figure paintCurves(const RunSource& run, const FigureRequest& request) {
     if (request.filter.bolt || request.filter.when || request.filter.stage)
         throw CannotDraw("curves show the whole run and its monitors; leave --bolt, --stage and --at out");
-    const HistoryCharts charts = historyCharts(run, request.quantity);
+    const HistoryCharts charts = historyCharts(run, request.quantity, request.references);
     if (charts.charts.empty()) throw CannotDraw(charts.problem);
+    for (const Problem& problem : charts.references)
+        if (problem.severity == Severity::Error)
+            throw CannotDraw(problem.file + ": " + problem.message + ". " + problem.remedy);
     const std::string title = run.scene().title.empty() ? "History" : run.scene().title;
     const Sheet sheet(request.width, title, subtitleOf(run, charts));
     double content = -chartGap;
@@ -55,9 +83,7 @@ Figure paintCurves(const RunSource& run, const FigureRequest& request) {
         drawChart(paper.painter(), chart, {{margin, top}, {request.width - margin, top + heightOf(chart)}});
         top += heightOf(chart) + chartGap;
     }
-    return {paper.finish(),
-            {{"", [&run](std::ostream& out) { writeTable(TableKind::History, run, {}, out); }},
-             {"-energy", [&run](std::ostream& out) { writeTable(TableKind::Energy, run, {}, out); }}}};
+    return {paper.finish(), dataOf(run, request), charts.references};
 }
 
 }  // namespace keyblock

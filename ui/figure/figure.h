@@ -5,8 +5,10 @@
 // wants a picture of a run on paper. Nothing of Qt shows here.
 #pragma once
 
+#include "solver/results/reference_table.h"
 #include "solver/results/run_source.h"
 #include "solver/results/table_filter.h"
+#include "solver/scene/problem.h"
 
 #include <functional>
 #include <optional>
@@ -29,6 +31,7 @@ struct FigureRequest {
     int dpi = 300;  // of PNG
     double factor = 1.0;  // displacements are drawn enlarged by it
     bool whole = false;  // the whole model, not what surrounds tunnels and bolts
+    std::vector<ReferenceTable> references{};  // beside the curves
     std::string runName;  // for the foot of the figure
 };
 
@@ -45,7 +48,8 @@ struct FigureData {
 
 struct Figure {
     std::string bytes;  // of the file
-    std::vector<FigureData> data;  // refer to the run
+    std::vector<FigureData> data;  // refer to the run and to the request
+    std::vector<Problem> warnings{};  // what of the request it does not show
 };
 
 /// Paints a figure. The same run and request give the same bytes.

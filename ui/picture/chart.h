@@ -14,12 +14,27 @@ namespace keyblock {
 
 inline constexpr int mostPanelTicks = 5;
 
-enum class CurveStyle { Main, Second, Third, Fourth, Envelope, Stems };
+enum class CurveStyle {
+    Main,
+    Second,
+    Third,
+    Fourth,
+    Envelope,
+    Stems,
+    Reference,  // measured or published by others, as the three below; named in a key above the panel
+    SecondReference,
+    ThirdReference,
+    FourthReference
+};
+
+inline bool isReference(CurveStyle style) { return style >= CurveStyle::Reference; }
 
 struct ChartCurve {
     std::string name;  // written at its right end; empty: not
     CurveStyle style = CurveStyle::Main;
     std::vector<double> x, y;  // as shown
+    int table = -1;  // of a reference: its number
+    std::string column{};  // of a reference
 };
 
 struct ChartLimit {
@@ -45,6 +60,7 @@ struct ChartZone {
 struct Chart {
     std::string xTitle;  // with its unit
     ValueRange x;
+    bool overTime = false;
     std::vector<ChartPanel> panels;
     std::vector<ChartZone> zones;  // tinted through all panels
     std::vector<double> dividers;  // dotted through all panels

@@ -4,11 +4,14 @@
 
 #include "solver/results/frame_quantities.h"
 #include "solver/results/history.h"
+#include "solver/results/words.h"
+#include "ui/picture/reference_curves.h"
 #include "ui/picture/run_time.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace keyblock {
 
@@ -17,6 +20,7 @@ namespace {
 constexpr std::size_t mostCurves = 4;  // of a panel
 constexpr double leastBetweenEvents = 0.005;  // of the chart's width
 constexpr double negligible = 1e-3;  // energies below it, of the largest, are not shown
+constexpr double nothing = 1e-5;  // of the largest of its kind: nobody could draw or measure it
 
 /// A column of the history as people see it.
 struct Series {
@@ -97,8 +101,9 @@ void addCurve(ChartPanel& panel, CurveStyle style, const std::string& name, cons
 
 class HistoryChartBuilder {
 public:
-    explicit HistoryChartBuilder(const RunSource& run)
-        : run_(run), time_(run), history_(run.history()), events_(run.events()), series_(seriesOf(run.scene())) {
+    HistoryChartBuilder(const RunSource& run, const std::vector<ReferenceTable>& references)
+        : run_(run), time_(run), history_(run.history()), events_(run.events()), series_(seriesOf(run.scene())),
+          placer_(references, time_, stageNames(run.scene())) {
         for (const HistoryRow& row : history_) times_.push_back(time_.at(row.stage, row.time));
     }
 
@@ -112,9 +117,10 @@ public:
         addMonitors(chart, series_);
         addDebonded(chart);
         addEnergies(chart);
-        finish(std::move(chart));
-        if (result_.charts.empty()) result_.problem = "the run has no history to draw yet";
-        return std::move(result_);
+        placer_.place(chart);
+        leaveOutNothing(chart);
+        finish(std::move(chart), true);
+        return result("the run has no history to draw yet");
     }
 
     HistoryCharts of(const std::string& asked) {
@@ -132,11 +138,25 @@ public:
             addMonitors(chart, chosen);
             finish(std::move(chart));
         }
-        if (result_.charts.empty()) result_.problem = "the run has no history of '" + asked + "' yet";
-        return std::move(result_);
+        return result("the run has no history of '" + asked + "' yet");
     }
 
 private:
+    static std::vector<std::string> stageNames(const Scene& scene) {
+        std::vector<std::string> names;
+        for (int stage = 0; stage < static_cast<int>(scene.stages.size()); ++stage)
+            names.push_back(stageName(scene, stage));
+        return names;
+    }
+
+    HistoryCharts result(const std::string& emptyBecause) {
+        if (result_.charts.empty())
+            result_.problem = emptyBecause;
+        else
+            result_.references = placer_.problems();
+        return std::move(result_);
+    }
+
     std::vector<const Series*> named(const std::string& name) const {
         std::vector<const Series*> found;
         for (const Series& series : series_)
@@ -149,7 +169,7 @@ private:
         std::string names;
         for (const Series& series : series_) names += (names.empty() ? "" : ", ") + series.name;
         return {{}, "'" + asked + "' is no monitor of the scene, nor one over another; there are: " +
-                        (names.empty() ? "none" : names)};
+                        (names.empty() ? "none" : names), {}, {}};
     }
 
     std::vector<Series> forces() const {
@@ -169,6 +189,7 @@ private:
         Chart chart;
         chart.xTitle = time_.title();
         chart.x = {0.0, time_.end()};
+        chart.overTime = true;
         for (const StageSpan& span : time_.stages())
             if (span.from > 0.0) chart.dividers.push_back(span.from);
         for (const Event& event : events_)
@@ -184,7 +205,7 @@ private:
         ValueRange range;
         for (const double value : x)
             if (std::isfinite(value)) range = {std::min(range.low, value), std::max(range.high, value)};
-        chart.x = roundedRange(range, 9);
+        chart.x = range;
         for (const Event& event : events_)
             if (isOfBolts(event) && event.historyRow >= 0 && static_cast<std::size_t>(event.historyRow) < x.size())
                 chart.events.push_back(x[static_cast<std::size_t>(event.historyRow)]);
@@ -274,8 +295,38 @@ private:
         chart.events = std::move(kept);
     }
 
-    void finish(Chart chart) {
+    static std::string unitOf(const ChartPanel& panel) { return partedTitle(panel.title).unit; }
+
+    static double largestOf(const ChartPanel& panel) {
+        double largest = 0.0;
+        for (const ChartCurve& curve : panel.curves)
+            for (const double y : curve.y) largest = std::max(largest, std::abs(y));
+        return largest;
+    }
+
+    /// Panels of nothing but round-off, to what others of their unit show, stand as words. Moments are judged by the
+    /// forces too, at an arm of 1 m.
+    void leaveOutNothing(Chart& chart) {
+        std::map<std::string, double> largest;
+        for (const ChartPanel& panel : chart.panels) {
+            double& most = largest[unitOf(panel)];
+            most = std::max(most, largestOf(panel));
+        }
+        largest["N m"] = std::max(largest["N m"], 1e3 * largest["kN"]);
+        const auto isNothing = [&](const ChartPanel& panel) {
+            return largestOf(panel) <= nothing * largest[unitOf(panel)];
+        };
+        if (std::all_of(chart.panels.begin(), chart.panels.end(), isNothing)) return;
+        for (const ChartPanel& panel : chart.panels)
+            for (const ChartCurve& curve : panel.curves)
+                if (isNothing(panel) && !curve.name.empty()) result_.nothing.push_back(curve.name);
+        std::erase_if(chart.panels, isNothing);
+    }
+
+    void finish(Chart chart, bool placed = false) {
         if (chart.panels.empty() || !(chart.x.low < chart.x.high)) return;
+        if (!placed) placer_.place(chart);
+        if (!chart.overTime) chart.x = roundedRange(chart.x, 9);
         thinEvents(chart);
         for (ChartPanel& panel : chart.panels) fitRange(panel);
         result_.charts.push_back(std::move(chart));
@@ -287,13 +338,15 @@ private:
     std::vector<Event> events_;
     std::vector<Series> series_;
     std::vector<double> times_;  // of the history's rows
+    ReferencePlacer placer_;
     HistoryCharts result_;
 };
 
 }  // namespace
 
-HistoryCharts historyCharts(const RunSource& run, const std::optional<std::string>& asked) {
-    HistoryChartBuilder builder(run);
+HistoryCharts historyCharts(const RunSource& run, const std::optional<std::string>& asked,
+                            const std::vector<ReferenceTable>& references) {
+    HistoryChartBuilder builder(run, references);
     return asked ? builder.of(*asked) : builder.all();
 }
 

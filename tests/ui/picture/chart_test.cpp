@@ -119,6 +119,7 @@ struct HistoryRun : BricksRun {
             row.values.assign(results.columns.names.size(), 0.0);
             row.values[0] = 1e-3 * i;
             row.values[1] = i == 0 ? std::numeric_limits<double>::quiet_NaN() : 1e3 * i;
+            row.values[2] = 5e-4 * i;
             row.values[3] = -2e-3 * i;
             results.history.push_back(row);
         }
@@ -171,6 +172,100 @@ TEST(HistoryCharts, WhatIsAskedForIsShownAlone) {
     const HistoryCharts none = run.charts("floor");
     EXPECT_TRUE(none.charts.empty());
     EXPECT_NE(none.problem.find("gap, pull, crown.ux, crown.uy"), std::string::npos) << none.problem;
+}
+
+/// `opening, load` in SI.
+ReferenceTable labOf(const std::string& x, const std::string& y) {
+    return {"lab.csv", "lab", {}, {{y + "_kN", y, Measure::Force, {0.0, 2.5e3, 5e3}},
+                                   {x + "_mm", x, Measure::Length, {0.0, 2e-3, 4.5e-3}}}};
+}
+
+const ChartCurve* referenceIn(const ChartPanel& panel) {
+    for (const ChartCurve& curve : panel.curves)
+        if (isReference(curve.style)) return &curve;
+    return nullptr;
+}
+
+TEST(References, StandWhereBothMeasuresAreShown) {
+    const HistoryRun run;
+    const MemoryRun source(run.scene, run.results);
+    const HistoryCharts charts = historyCharts(source, {}, {labOf("opening", "load")});
+    const ChartCurve* curve = referenceIn(charts.charts[0].panels[0]);
+    ASSERT_TRUE(curve);
+    EXPECT_EQ(curve->x, (std::vector<double>{0.0, 2.0, 4.5}));
+    EXPECT_EQ(curve->y, (std::vector<double>{0.0, 2.5, 5.0}));
+    EXPECT_EQ(curve->name, "lab");
+    EXPECT_EQ(charts.charts[0].x.high, 5.0);  // 4.5 mm is beyond the run's 3 mm
+    EXPECT_EQ(charts.charts[0].panels[0].range.high, 6.0);  // 5 kN at steps of 2, five ticks at most
+    for (const ChartPanel& panel : charts.charts[1].panels) EXPECT_FALSE(referenceIn(panel));  // it has no time
+    EXPECT_TRUE(charts.references.empty());
+}
+
+TEST(References, NamesDecideBetweenPanelsOfOneMeasure) {
+    const HistoryRun run;
+    const MemoryRun source(run.scene, run.results);
+    const std::vector<double> values{1e-3, 2e-3};
+    const auto overTime = [&](const std::string& name) {
+        return ReferenceTable{"lab.csv", "lab", {}, {{"t_s", "t", Measure::Time, {0.0, 1.0}},
+                                                     {name + "_mm", name, Measure::Length, values}}};
+    };
+    const HistoryCharts named = historyCharts(source, {}, {overTime("crown_uy")});
+    ASSERT_TRUE(referenceIn(named.charts[1].panels[3]));
+    EXPECT_EQ(referenceIn(named.charts[1].panels[3])->y, (std::vector<double>{1.0, 2.0}));
+    EXPECT_FALSE(referenceIn(named.charts[1].panels[2]));
+    const HistoryCharts loose = historyCharts(source, {}, {overTime("sag")});
+    ASSERT_EQ(loose.references.size(), 1U);
+    EXPECT_EQ(loose.references[0].severity, Severity::Error);
+    EXPECT_NE(loose.references[0].message.find("'sag_mm' (length)"), std::string::npos);
+    EXPECT_NE(loose.references[0].remedy.find("Displacement along y (mm) over time (s)"), std::string::npos)
+        << loose.references[0].remedy;
+    EXPECT_TRUE(historyCharts(source, "crown.uy", {overTime("sag")}).references.empty());  // one panel: no doubt
+}
+
+TEST(References, TimesOfAStageStandWhereTheStageDoes) {
+    const HistoryRun run;
+    const MemoryRun source(run.scene, run.results);
+    ReferenceTable table{"lab.csv", "lab", {"settle", run.scene.stages[1].name},
+                         {{"time_s", "time", Measure::Time, {0.5, 0.25}}, {"pull_N", "pull", Measure::Force, {1e3, 2e3}}}};
+    const HistoryCharts charts = historyCharts(source, "pull", {table});
+    EXPECT_EQ(referenceIn(charts.charts[0].panels[0])->x, (std::vector<double>{0.5, 1.25}));
+    table.stages[0] = "setle";
+    const HistoryCharts wrong = historyCharts(source, "pull", {table});
+    EXPECT_EQ(referenceIn(wrong.charts[0].panels[0])->x, (std::vector<double>{1.25}));
+}
+
+TEST(References, WhatIsLeftOverIsTold) {
+    const HistoryRun run;
+    ReferenceTable table = labOf("gap", "pull");
+    table.columns.push_back({"work_J", "work", Measure::Energy, {0.0, 1.0, 2.0}});
+    const HistoryCharts charts = historyCharts(MemoryRun(run.scene, run.results), "pull over gap", {table});
+    ASSERT_EQ(charts.references.size(), 1U);
+    EXPECT_EQ(charts.references[0].severity, Severity::Warning);
+    EXPECT_NE(charts.references[0].message.find("'work_J' (energy)"), std::string::npos);
+}
+
+TEST(References, TwoOfAFileAreTalkedOfByTheirColumns) {
+    const HistoryRun run;
+    ReferenceTable table = labOf("gap", "dry");
+    table.columns.push_back({"wet_kN", "wet", Measure::Force, {0.0, 1e3, 2e3}});
+    const auto charts = historyCharts(MemoryRun(run.scene, run.results), "pull over gap", {table, labOf("gap", "old")});
+    const std::vector<ChartCurve>& curves = charts.charts[0].panels[0].curves;
+    ASSERT_EQ(curves.size(), 4U);
+    EXPECT_EQ(curves[1].name, "lab: dry");
+    EXPECT_EQ(curves[2].name, "lab: wet");
+    EXPECT_EQ(curves[3].name, "lab");
+    EXPECT_NE(curves[1].style, curves[2].style);
+    EXPECT_NE(curves[2].style, curves[3].style);
+}
+
+/// 4e-7 mm beside 3 mm is round-off of the equations, not a movement.
+TEST(HistoryCharts, RoundOffHasNoPanel) {
+    HistoryRun run;
+    for (HistoryRow& row : run.results.history) row.values[2] = 1e-10 * row.time, row.values[3] = -1e-3 * row.time;
+    const HistoryCharts charts = run.charts();
+    for (const ChartPanel& panel : charts.charts[1].panels) EXPECT_NE(panel.title, "Displacement along x (mm)");
+    EXPECT_EQ(charts.nothing, (std::vector<std::string>{"crown.ux"}));
+    EXPECT_EQ(run.charts("crown.ux").charts[0].panels.size(), 1U);  // whoever asks for it sees it
 }
 
 TEST(HistoryCharts, ARunWithoutHistorySaysSo) {

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/results/reference_table.h"
+
+#include "solver/results/csv.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace keyblock {
+
+namespace {
+
+struct Word {
+    std::string_view shown;
+    MeasureUnit unit;
+};
+
+constexpr std::array<Word, 24> words{{{"s", {"s", Measure::Time}},
+                                      {"ms", {"ms", Measure::Time, 1.0, 1e3}},
+                                      {"min", {"min", Measure::Time, 60.0}},
+                                      {"m", {"m", Measure::Length}},
+                                      {"cm", {"cm", Measure::Length, 1.0, 100.0}},
+                                      {"mm", {"mm", Measure::Length, 1.0, 1e3}},
+                                      {"um", {"um", Measure::Length, 1.0, 1e6}},
+                                      {"µm", {"µm", Measure::Length, 1.0, 1e6}},
+                                      {"ft", {"ft", Measure::Length, 0.3048}},
+                                      {"inch", {"inch", Measure::Length, 0.0254}},
+                                      {"N", {"n", Measure::Force}},
+                                      {"kN", {"kn", Measure::Force, 1e3}},
+                                      {"MN", {"mn", Measure::Force, 1e6}},
+                                      {"N m", {"nm", Measure::Moment}},
+                                      {"kN m", {"knm", Measure::Moment, 1e3}},
+                                      {"MN m", {"mnm", Measure::Moment, 1e6}},
+                                      {"J", {"j", Measure::Energy}},
+                                      {"kJ", {"kj", Measure::Energy, 1e3}},
+                                      {"MJ", {"mj", Measure::Energy, 1e6}},
+                                      {"m/m", {"m/m", Measure::Number}},
+                                      {"mm/m", {"mm/m", Measure::Number, 1.0, 1e3}},
+                                      {"%", {"%", Measure::Number, 1.0, 100.0}},
+                                      {"1", {"1", Measure::Number}},
+                                      {"-", {"-", Measure::Number}}}};
+
+/// By `Measure`.
+constexpr std::array<std::string_view, 6> measureWords{"number", "time", "length", "force", "moment", "energy"};
+constexpr std::array<std::string_view, 6> siSuffixes{"", "_s", "_m", "_N", "_Nm", "_J"};
+
+std::string inLower(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (static_cast<unsigned char>(c) < 0x80) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return lower;
+}
+
+std::string trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" _");
+    if (first == std::string_view::npos) return {};
+    return std::string(text.substr(first, text.find_last_not_of(" _") - first + 1));
+}
+
+/// A unit that may stand at the end of a name without brackets.
+bool standsAlone(const MeasureUnit& unit) {
+    return unit.measure != Measure::Number;
+}
+
+}  // namespace
+
+const MeasureUnit* measureUnitOf(std::string_view word) {
+    std::string bare = inLower(word);
+    for (const std::string_view dot : {"·", "*", " ", "."})
+        for (auto at = bare.find(dot); at != std::string::npos; at = bare.find(dot)) bare.erase(at, dot.size());
+    const auto found = std::find_if(words.begin(), words.end(), [&](const Word& w) { return w.unit.word == bare; });
+    return found == words.end() ? nullptr : &found->unit;
+}
+
+std::string measureUnitWords() {
+    std::string text;
+    for (const Word& word : words) text += (text.empty() ? "" : ", ") + std::string(word.shown);
+    return text;
+}
+
+std::string_view wordOf(Measure measure) { return measureWords[static_cast<std::size_t>(measure)]; }
+
+std::string plainName(std::string_view name) {
+    std::string plain;
+    for (const char c : inLower(name)) {
+        const bool gap = c == '_' || c == '-' || c == '.' || c == ' ' || c == '\t';
+        if (!gap)
+            plain += c;
+        else if (!plain.empty() && plain.back() != ' ')
+            plain += ' ';
+    }
+    while (!plain.empty() && plain.back() == ' ') plain.pop_back();
+    return plain;
+}
+
+Title partedTitle(std::string_view title) {
+    for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
+        const auto from = title.rfind(open), to = title.rfind(close);
+        if (from == std::string_view::npos || to == std::string_view::npos || to < from) continue;
+        return {trimmed(title.substr(0, from)), trimmed(title.substr(from + 1, to - from - 1))};
+    }
+    const auto gap = title.find_last_of("_ ");
+    if (gap == std::string_view::npos) return {trimmed(title), ""};
+    const std::string_view last = title.substr(gap + 1);
+    const MeasureUnit* unit = measureUnitOf(last);
+    if (!unit || !standsAlone(*unit)) return {trimmed(title), ""};
+    return {trimmed(title.substr(0, gap)), std::string(last)};
+}
+
+void writeReferenceTable(const ReferenceTable& table, std::ostream& out) {
+    CsvWriter csv(out);
+    if (!table.stages.empty()) csv.text("stage");
+    for (const ReferenceColumn& column : table.columns)
+        csv.text(column.name + std::string(siSuffixes[static_cast<std::size_t>(column.measure)]));
+    csv.endRow();
+    const std::size_t rows = table.columns.empty() ? 0 : table.columns.front().values.size();
+    for (std::size_t row = 0; row < rows; ++row) {
+        if (!table.stages.empty()) csv.text(table.stages[row]);
+        for (const ReferenceColumn& column : table.columns) csv.number(column.values[row]);
+        csv.endRow();
+    }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What others measured or published, to be laid beside a run: columns of numbers in
+// SI, each with the kind of measure that its unit says, so that a load in kN meets
+// the forces of the run and never its displacements.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keyblock {
+
+enum class Measure { Number, Time, Length, Force, Moment, Energy };
+
+/// Value in SI = number · factor / divisor, of which one is 1, so that what a unit divides is divided once.
+struct MeasureUnit {
+    std::string_view word;  // kn: in lower case, without blanks
+    Measure measure = Measure::Number;
+    double factor = 1.0, divisor = 1.0;
+
+    double toSi(double number) const { return number * factor / divisor; }
+    double fromSi(double value) const { return value * divisor / factor; }
+};
+
+/// The unit of that name, `kN`, `N m` or `mm/m`; null when there is none.
+const MeasureUnit* measureUnitOf(std::string_view word);
+
+/// The units' names, for people.
+std::string measureUnitWords();
+
+/// `force`, `length`, …, for people.
+std::string_view wordOf(Measure measure);
+
+/// A name for comparing: in lower case, and `_`, `-`, `.` and blanks are all one blank.
+std::string plainName(std::string_view name);
+
+struct Title {
+    std::string name;  // `load`
+    std::string unit;  // `kN`; empty: it says none
+};
+
+/// Parts a title as tables and charts write them: `load_kN`, `Load (kN)`, `load [kN]`, `load kN`.
+Title partedTitle(std::string_view title);
+
+struct ReferenceColumn {
+    std::string title;  // as it was written
+    std::string name;  // without the unit
+    Measure measure = Measure::Number;
+    std::vector<double> values{};  // by row [SI]; NaN where the cell is empty
+};
+
+struct ReferenceTable {
+    std::string file;  // for messages
+    std::string name;  // for people: the file's without its ending
+    std::vector<std::string> stages{};  // by row, of a column of that name; empty: none
+    std::vector<ReferenceColumn> columns{};
+};
+
+/// Writes the table as `reference_file` reads it: SI units in the column names.
+void writeReferenceTable(const ReferenceTable& table, std::ostream& out);
+
+}  // namespace keyblock
