@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace keyblock {
 
@@ -58,19 +59,50 @@ void drawBand(Ink& ink, const BoltChart& bolt, const std::vector<Mark>& marks, c
     ink.text(at(bolt.length) + Point(2.2, 0.7), "head", text_style::note);
 }
 
-/// The kinds of marks on one line.
-void drawKey(Ink& ink, const std::vector<MarkKind>& kinds, bool envelope, double y) {
-    double x = margin;
-    for (const MarkKind kind : kinds) {
-        const bool plate = kind == MarkKind::Plate || kind == MarkKind::PlateLost;
-        drawMark(ink, kind, {x + 1.2, y - 0.7}, plate ? Point(0.0, 1.0) : Point(1.0, 0.0));
-        ink.text({x + 3.2, y}, nameOf(kind), text_style::body);
-        x += 6.5 + textWidth(nameOf(kind), text_style::body);
+/// The kinds of marks and the line of envelopes, in as many rows as the width needs.
+class BoltKey {
+public:
+    BoltKey(const std::vector<MarkKind>& kinds, bool envelope, double width) {
+        for (const MarkKind kind : kinds) add(kind, std::string(nameOf(kind)), 3.2, width);
+        if (envelope) add(std::nullopt, "least and largest until now", 6.0, width);
     }
-    if (!envelope) return;
-    ink.line({x, y - 0.7}, {x + 5.0, y - 0.7}, {0.17, rgb(0x8A93A0), {0.85, 0.5}});
-    ink.text({x + 6.0, y}, "least and largest until now", text_style::body);
-}
+
+    double height() const { return items_.empty() ? 0.0 : row * (items_.back().row + 1); }
+
+    void draw(Ink& ink, double top) const {
+        for (const Item& item : items_) {
+            const double x = margin + item.x, y = top + row * item.row + 3.0;
+            if (!item.kind) {
+                ink.line({x, y - 0.7}, {x + 5.0, y - 0.7}, {0.17, rgb(0x8A93A0), {0.85, 0.5}});
+            } else {
+                const bool plate = *item.kind == MarkKind::Plate || *item.kind == MarkKind::PlateLost;
+                drawMark(ink, *item.kind, {x + 1.2, y - 0.7}, plate ? Point(0.0, 1.0) : Point(1.0, 0.0));
+            }
+            ink.text({x + item.sample, y}, item.name, text_style::body);
+        }
+    }
+
+private:
+    static constexpr double row = 3.4;  // [mm]
+
+    struct Item {
+        std::optional<MarkKind> kind;  // null: the line of envelopes
+        std::string name;
+        double x, sample;  // from the margin; of the name, from there [mm]
+        int row;
+    };
+
+    void add(std::optional<MarkKind> kind, const std::string& name, double sample, double width) {
+        const double wide = sample + textWidth(name, text_style::body);
+        if (next_ > 0.0 && next_ + wide > width) next_ = 0.0, ++row_;
+        items_.push_back({kind, name, next_, sample, row_});
+        next_ += wide + 3.3;
+    }
+
+    std::vector<Item> items_;
+    double next_ = 0.0;
+    int row_ = 0;
+};
 
 FigureData envelopeData(const BoltChart& bolt) {
     return {"-envelope", [envelopes = bolt.envelopes](std::ostream& out) {
@@ -103,8 +135,9 @@ Figure paintBolt(const RunSource& run, const FigureRequest& request) {
     const BoltChart bolt = boltChart(run, frame, index);
     const Sheet sheet(request.width, bolt.title, bolt.subtitle);
     const double chartHeight = panelHeight * static_cast<double>(bolt.chart.panels.size()) + axisRoom;
-    const double keyRow = 4.0;
-    const double height = std::ceil(sheet.heightAround(bandHeight + chartHeight + keyRow));
+    // Which marks have room is known once the chart is drawn; until then there is room for the key of all.
+    const BoltKey most(kindsOf(bolt.band), !bolt.envelopes.empty(), sheet.inner());
+    const double height = std::ceil(sheet.heightAround(bandHeight + chartHeight + most.height() + 0.6));
     Paper paper(request.format, request.width, height, request.dpi, bolt.title);
     Ink ink(paper.painter());
     sheet.draw(ink, height, footOf(run, request, frame, height));
@@ -114,7 +147,7 @@ Figure paintBolt(const RunSource& run, const FigureRequest& request) {
     const double perMetre = (place.right - place.left) / bolt.length;
     const std::vector<Mark> marks = thinned(bolt.band, markDistance / perMetre);
     drawBand(ink, bolt, marks, place, sheet.top() + 1.5);
-    drawKey(ink, kindsOf(marks), !bolt.envelopes.empty(), top + chartHeight + keyRow - 0.5);
+    BoltKey(kindsOf(marks), !bolt.envelopes.empty(), sheet.inner()).draw(ink, top + chartHeight + 0.5);
     return {paper.finish(), {tableData(run, frame, index), envelopeData(bolt)}};
 }
 

@@ -189,7 +189,7 @@ private:
         y->setTicker(QSharedPointer<QCPAxisTicker>(new RoundTicker(mostPanelTicks)));
         x->setRange(chart_.x.low, chart_.x.high);
         y->setRange(panel.range.low, panel.range.high);
-        if (last) x->setLabel(QString::fromStdString(chart_.xTitle));
+        if (last) x->setLabel(QString::fromStdString(elided(chart_.xTitle, text_style::body, keyRoom_ - 10.0, true)));
         for (const double place : chart_.dividers) addVertical(x, y, place, pen(0.17, softText, {1.0, 2.0}));
         for (const double place : chart_.events) addVertical(x, y, place, pen(0.1, rgb(0xC9A3A6)));
         for (const ChartLimit& limit : panel.limits) addLimit(x, y, limit);

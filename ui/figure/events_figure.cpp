@@ -135,11 +135,16 @@ private:
     double left_, right_;
 };
 
-/// Number, stage, time, who, what, force: a column each.
+/// Number, stage (of several), time, who and what, force: a column each.
 class EventTable {
 public:
     EventTable(const Scene& scene, const EventList& list, double left, double width)
-        : scene_(scene), list_(list), left_(left), width_(width) {}
+        : scene_(scene), list_(list), left_(left), width_(width) {
+        for (const EventEntry& entry : list.entries)
+            timeWidth_ = std::max(timeWidth_, textWidth(timesOf(entry), text_style::body));
+        timeWidth_ = std::min(timeWidth_, 0.3 * width);
+        if (scene.stages.size() > 1) stageWidth_ = 0.16 * width;
+    }
 
     double height() const {
         if (list_.entries.empty()) return 0.0;
@@ -148,10 +153,12 @@ public:
 
     void draw(Ink& ink, double y) const {
         if (list_.entries.empty()) return;
-        cell(ink, y, stageAt, "Stage", text_style::number, stageWidth());
-        cell(ink, y, timeAt(), "Time", text_style::number, 24.0);
-        cell(ink, y, whoAt(), "What let go", text_style::number, 40.0);
-        ink.text({left_ + width_, y}, "Force before", text_style::number, Align::Right);
+        if (stageWidth_ > 0.0) cell(ink, y, numberRoom, "Stage", text_style::number, stageWidth_);
+        cell(ink, y, timeAt(), "Time", text_style::number, timeWidth_);
+        const std::string force = width_ < 100.0 ? "Before" : "Force before";
+        cell(ink, y, whoAt(), "What let go", text_style::number,
+             width_ - whoAt() - textWidth(force, text_style::number) - 2.0);
+        ink.text({left_ + width_, y}, force, text_style::number, Align::Right);
         ink.line({left_, y + 1.0}, {left_ + width_, y + 1.0}, {0.13, black});
         for (const EventEntry& entry : list_.entries) row(ink, entry, y += listRow + (&entry == list_.entries.data()));
         if (list_.leftOut > 0)
@@ -161,10 +168,15 @@ public:
     }
 
 private:
-    static constexpr double stageAt = 5.0;
-    double stageWidth() const { return 0.16 * width_; }
-    double timeAt() const { return stageAt + stageWidth() + 2.0; }
-    double whoAt() const { return timeAt() + 27.0; }
+    static constexpr double numberRoom = 5.0;  // [mm]
+    double timeAt() const { return numberRoom + (stageWidth_ > 0.0 ? stageWidth_ + 2.0 : 0.0); }
+    double whoAt() const { return timeAt() + timeWidth_ + 3.0; }
+
+    std::string timesOf(const EventEntry& entry) const {
+        const std::string first = timeText(scene_, entry.stage, entry.time);
+        const std::string last = timeText(scene_, entry.stage, entry.lastTime);
+        return entry.count > 1 && first != last ? first + " to " + last : first;
+    }
 
     void cell(Ink& ink, double y, double x, const std::string& text, const TextStyle& style, double room) const {
         ink.text({left_ + x, y}, elided(text, style, room, true), style);
@@ -172,10 +184,9 @@ private:
 
     void row(Ink& ink, const EventEntry& entry, double y) const {
         drawNumber(ink, {left_ + 1.4, y - 0.72}, entry.number, 1.4, {1.8, true});
-        cell(ink, y, stageAt, stageName(scene_, entry.stage), text_style::body, stageWidth());
-        const std::string first = timeText(scene_, entry.stage, entry.time);
-        const std::string last = timeText(scene_, entry.stage, entry.lastTime);
-        cell(ink, y, timeAt(), entry.count > 1 && first != last ? first + " to " + last : first, text_style::body, 26.0);
+        if (stageWidth_ > 0.0)
+            cell(ink, y, numberRoom, stageName(scene_, entry.stage), text_style::body, stageWidth_);
+        cell(ink, y, timeAt(), timesOf(entry), text_style::body, timeWidth_ + 0.01);
         const std::string force = entry.bolt < 0 ? "" : numberText(entry.force * 1e-3) + " kN";
         ink.text({left_ + width_, y}, force, text_style::body, Align::Right);
         const double room = width_ - whoAt() - textWidth(force, text_style::body) - 2.0;
@@ -187,6 +198,8 @@ private:
     const Scene& scene_;
     const EventList& list_;
     double left_, width_;
+    double stageWidth_ = 0.0;  // 0: the scene has one stage alone
+    double timeWidth_ = 6.0;
 };
 
 std::vector<Event> shownEvents(const RunSource& run, const FigureRequest& request) {

@@ -81,6 +81,36 @@ TEST_F(OtherFigures, HaveTheirDataBesideThem) {
     EXPECT_EQ(painted(FigureKind::Events).data.size(), 1u);
 }
 
+/// Every word lies on the sheet, as a reader of PDF finds them.
+TEST_F(OtherFigures, KeepNamesAndKeysOnTheNarrowestPaper) {
+    const std::string name = "a monitor of the northern ventilation drift at chainage four hundred and twelve";
+    Monitor gap;
+    gap.name = name;
+    gap.between = {{Point(0.0, 1.0), Point(0.0, 1.1)}};
+    bricks.scene.monitors.push_back(gap);
+    bricks.results.columns = historyColumns(bricks.scene);
+    for (HistoryRow& row : bricks.results.history) row.values.assign(bricks.results.columns.names.size(), 1e3 * row.time);
+    FigureRequest request;
+    request.format = PaperFormat::Pdf;
+    request.width = 80.0;
+    request.runName = "bricks";
+    request.references = {{"lab.csv", name + ", laboratory", {}, {{"x_mm", "x", Measure::Length, {0.0, 1.0}},
+                                                                 {"y_kN", "y", Measure::Force, {0.0, 1.0}}}}};
+    for (const FigureKind kind : kinds) {
+        request.kind = kind;
+        const auto words = test::readBy("pdftotext", "-bbox % -", painted(request).bytes, ".pdf");
+        if (!words) GTEST_SKIP() << "no poppler here";
+        const double most = 80.0 / 25.4 * 72.0;  // in points
+        for (std::size_t at = words->find("<word "); at != std::string::npos; at = words->find("<word ", at + 1)) {
+            const auto value = [&](const std::string& key) {
+                return std::stod(words->substr(words->find(key + "=\"", at) + key.size() + 2));
+            };
+            EXPECT_GE(value("xMin"), 0.0) << words->substr(at, 120);
+            EXPECT_LE(value("xMax"), most) << words->substr(at, 120);
+        }
+    }
+}
+
 TEST_F(OtherFigures, WhatIsNotThereIsTold) {
     FigureRequest bolt;
     bolt.kind = FigureKind::Bolt;
