@@ -48,7 +48,7 @@ std::string inPlainQuotes(const ReferenceColumn& column) {
 
 ReferencePlacer::ReferencePlacer(const std::vector<ReferenceTable>& tables, const RunTime& time,
                                  std::vector<std::string> stages)
-    : tables_(tables), time_(time), stages_(std::move(stages)), faults_(tables.size()) {
+    : tables_(tables), time_(time), stages_(std::move(stages)), hasAxis_(tables.size(), false), faults_(tables.size()) {
     for (const ReferenceTable& table : tables) used_.emplace_back(table.columns.size(), false);
 }
 
@@ -93,6 +93,7 @@ std::vector<double> ReferencePlacer::abscissas(std::size_t t, const Chart& chart
         found = -1;
     if (byName < 0 && count > 1 && faults_[t].empty())
         faults_[t] = "it has " + std::to_string(count) + " columns that may be the axis " + inQuotes(axis.name);
+    hasAxis_[t] = hasAxis_[t] || found >= 0;
     if (found < 0) return {};
     std::vector<double> x = table.columns[static_cast<std::size_t>(found)].values;
     if (!chart.overTime)
@@ -162,7 +163,9 @@ std::vector<Problem> ReferencePlacer::problems() const {
         }
         if (count == 0) continue;
         const bool all = count == tables_[t].columns.size();
-        const std::string why = faults_[t].empty() ? "" : "; " + faults_[t];
+        const std::string why = !faults_[t].empty() ? "; " + faults_[t]
+                                : !hasAxis_[t]      ? "; it has no column for an axis"
+                                                    : "";
         told.push_back({all ? Severity::Error : Severity::Warning, tables_[t].file, 0, "",
                         "no panel takes " + left + why, remedy});
     }

@@ -36,6 +36,7 @@ private:
     const RunTime& time_;
     std::vector<std::string> stages_;
     std::vector<std::vector<bool>> used_;  // by table and column
+    std::vector<bool> hasAxis_;  // by table: of some chart
     std::vector<std::string> faults_;  // by table: why it stands on no axis
     std::vector<std::string> seen_;  // panels over their axes, for people
 };

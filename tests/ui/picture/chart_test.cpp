@@ -244,6 +244,15 @@ TEST(References, WhatIsLeftOverIsTold) {
     EXPECT_NE(charts.references[0].message.find("'work_J' (energy)"), std::string::npos);
 }
 
+TEST(References, WithoutAColumnForAnAxisNothingIsDrawn) {
+    const HistoryRun run;
+    const HistoryCharts charts = historyCharts(MemoryRun(run.scene, run.results), "pull", {labOf("gap", "pull")});
+    ASSERT_EQ(charts.references.size(), 1U);
+    EXPECT_EQ(charts.references[0].severity, Severity::Error);
+    EXPECT_NE(charts.references[0].message.find("no column for an axis"), std::string::npos);
+    EXPECT_FALSE(referenceIn(charts.charts[0].panels[0]));
+}
+
 TEST(References, TwoOfAFileAreTalkedOfByTheirColumns) {
     const HistoryRun run;
     ReferenceTable table = labOf("gap", "dry");
