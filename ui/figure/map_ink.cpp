@@ -33,6 +33,13 @@ Point alongOf(const std::vector<Point>& nodes) {
     return along.norm() > 0.0 ? Point(along.normalized()) : Point(1.0, 0.0);
 }
 
+/// Whether two bolts lie on one another within `apart`: no smaller stroke would part them.
+bool coincide(const BoltShape& a, const BoltShape& b, double apart) {
+    const auto near = [&](const Point& p, const Point& q) { return (p - q).norm() <= apart; };
+    return (near(a.nodes.front(), b.nodes.front()) && near(a.nodes.back(), b.nodes.back())) ||
+           (near(a.nodes.front(), b.nodes.back()) && near(a.nodes.back(), b.nodes.front()));
+}
+
 }  // namespace
 
 MapInk::MapInk(const SectionPicture& picture, const Box& frame)
@@ -49,7 +56,7 @@ void MapInk::measureSpacing() {
     for (const BoltShape& bolt : picture_.bolts) {
         double nearest = 1e9;
         for (const BoltShape& other : picture_.bolts)
-            if (&other != &bolt)
+            if (&other != &bolt && !coincide(bolt, other, 0.5 * shank / scale_))
                 nearest = std::min(nearest, distanceToSegment(other.nodes.front(), other.nodes.back(),
                                                               bolt.nodes.back()));
         spacing_.push_back(nearest * scale_);
@@ -170,7 +177,7 @@ double MapInk::ribbonRoom(const BoltShape& bolt) const {
     const Point middle = onPaper(Point(0.5 * (bolt.nodes.front() + bolt.nodes.back())));
     double nearest = 30.0;
     for (const BoltShape& other : picture_.bolts)
-        if (&other != &bolt)
+        if (&other != &bolt && !coincide(bolt, other, 0.5 * shank / scale_))
             nearest = std::min(nearest, distanceToSegment(onPaper(other.nodes.front()), onPaper(other.nodes.back()),
                                                           middle));
     return std::min(12.0, 0.4 * nearest);

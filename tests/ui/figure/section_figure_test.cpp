@@ -135,6 +135,20 @@ TEST_F(SectionFigure, ARunWithoutFramesShowsItsScene) {
     EXPECT_EQ(svg.find("MPa)"), std::string::npos);  // no legend
 }
 
+/// Bolts of several cases in one scene may lie on one another; no smaller stroke would part them.
+TEST_F(SectionFigure, BoltsOnOneAnotherAreDrawn) {
+    const std::string shank = "stroke-width=\"14\"";  // 0.7 mm
+    ASSERT_NE(painted(PaperFormat::Svg).find(shank), std::string::npos);
+    run.scene.bolts.push_back(run.scene.bolts[0]);
+    run.scene.bolts[1].name = "C";
+    for (Frame& frame : run.results.frames) frame.bolts.push_back(frame.bolts[0]);
+    EXPECT_NE(painted(PaperFormat::Svg).find(shank), std::string::npos);
+    run.scene.bolts[1].farEnd.x() += 0.02, run.scene.bolts[1].head.x() += 0.02;  // 0.5 mm on paper
+    for (Frame& frame : run.results.frames)
+        for (BoltNodeFrame& node : frame.bolts[1].nodes) node.position.x() += 0.02;
+    EXPECT_EQ(painted(PaperFormat::Svg).find(shank), std::string::npos);
+}
+
 TEST_F(SectionFigure, LongNamesAreBrokenAndCutOff) {
     run.scene.title = std::string(40, 'W') + " " + std::string(300, 'W');
     run.scene.bolts[0].name = std::string(200, 'W');
