@@ -84,9 +84,15 @@ void acceptBoltLink(const Link& link, double strain, double force, const Backbon
 /// \return how far it slid [m].
 double relockContact(const Model& model, const State& state, const Link& link, double force, Contact& c) {
     c.slid = 0.0;
-    if (std::abs(force) < link.law.limit * (1.0 - stuckShare)) return 0.0;
+    const double slip = slipOf(state.blocks, c);
+    if (std::abs(force) < link.law.limit * (1.0 - stuckShare)) {
+        // on the arc that its corner went it may be past a limit that it never reached
+        const double onArc = link.law.stiffness * (slip - link.law.offset);
+        if (!link.law.rigid && std::abs(onArc) > link.law.limit) carryShear(model, c, slip, force);
+        return 0.0;
+    }
     const double before = link.law.rigid ? c.slipOffset : link.law.offset;
-    carryShear(model, c, slipOf(state.blocks, c), force);
+    carryShear(model, c, slip, force);
     c.slid = c.slipOffset - before;
     if (c.normalForce > 0.0) c.slip += c.slid;
     return c.slid;

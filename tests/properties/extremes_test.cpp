@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace keyblock {
@@ -235,6 +236,30 @@ TEST(Extremes, AStoneThatTumblesOntoTheFloorMakesNoEnergy) {
             EXPECT_EQ(results.stages[0].outcome, Outcome::Duration) << results.stages[0].message;
             EXPECT_LT(std::abs(results.stages[0].health.balanceError), 1e-2) << spin;
         }
+}
+
+/// It turns about corners that stick, beside a block whose weight makes its own forces small. The arc of a corner is past
+/// a limit of friction that no force came near.
+TEST(Extremes, AStoneThatRollsMakesNoEnergy) {
+    for (const Integration scheme :
+         {Integration::Shi, Integration::Newmark, Integration::GeneralizedAlpha, Integration::BackwardEuler}) {
+        Scene scene = slab(60.0);
+        scene.materials[0].second.youngsModulus = 50e9;
+        scene.analysis.integration = scheme;
+        scene.blocks.push_back(boxBlock("heavy", {-4.9, 0}, {-0.9, 4}));
+        Block stone = boxBlock("stone", {0, 0}, {1, 1});
+        stone.points.clear();
+        for (int i = 0; i < 8; ++i)
+            stone.points.push_back(Eigen::Rotation2Dd((i + 0.5) * std::numbers::pi / 4.0) * Point(0.3, 0.0) +
+                                   Point(0.0, 0.3 * std::cos(std::numbers::pi / 8.0)));
+        scene.blocks.push_back(stone);
+        scene.stages = {dynamic(1.0, 2e-3)};
+        scene.stages[0].initialVelocities = {{{0.0, 0.2}, {1.5, 0.0}, -5.0}};
+        const Results results = runInMemory(scene);
+        expectFinite(results);
+        EXPECT_EQ(results.stages[0].outcome, Outcome::Duration) << results.stages[0].message;
+        EXPECT_LT(std::abs(results.stages[0].health.balanceError), 1e-2);
+    }
 }
 
 /// A bar with friction along it between two blocks that are pulled 1 mm apart.
