@@ -136,20 +136,17 @@ private:
         chart_.band = marksOf(bolt, bolt_, now(), straight, events);
     }
 
-    std::vector<const NodeQuantity*> shown() const {
-        std::vector<const NodeQuantity*> rows;
-        const double force = largest(now(), *findQuantity(boltQuantities(), "axial_force"));
-        for (const NodeQuantity& quantity : boltQuantities()) {
-            const bool beside = quantity.name == "shear_force" || quantity.name == "moment";
-            if (!beside || largest(now(), quantity) > std::max(1.0, nothing * force)) rows.push_back(&quantity);
-        }
-        return rows;
+    /// Shear and moment where the bolt has seen any: a bar that was cut off bears none any more.
+    bool isShown(const NodeQuantity& quantity) const {
+        const bool beside = quantity.name == "shear_force" || quantity.name == "moment";
+        const auto seen = largest_.find(quantity.column);
+        return !beside || (seen != largest_.end() && seen->second > std::max(1.0, nothing * most_));
     }
 
     void gatherEnvelopes() {
-        for (const NodeQuantity* quantity : shown()) {
-            if (isOfRealNodes(*quantity)) continue;  // which stand where they stand
-            Envelope envelope{std::string(quantity->column), {}, {}, {}};
+        for (const NodeQuantity& quantity : boltQuantities()) {
+            if (isOfRealNodes(quantity)) continue;  // which stand where they stand
+            Envelope envelope{std::string(quantity.column), {}, {}, {}};
             for (int i = 0; i <= envelopePlaces; ++i) envelope.s.push_back(chart_.length * i / envelopePlaces);
             envelope.low.assign(envelope.s.size(), 0.0);
             envelope.high = envelope.low;
@@ -163,35 +160,43 @@ private:
                 ValueRange& reached = reached_[quantity.column];
                 const ValueRange reach = reachOf(bolt, quantity);
                 reached = {std::min(reached.low, reach.low), std::max(reached.high, reach.high)};
+                double& most = largest_[quantity.column];
+                most = std::max(most, largest(bolt, quantity));
             }
             most_ = std::max(most_, largest(bolt, *findQuantity(boltQuantities(), "axial_force")));
             for (Envelope& envelope : chart_.envelopes) widen(envelope, bolt);
         }
+        std::erase_if(chart_.envelopes, [&](const Envelope& envelope) { return !isShown(quantityOf(envelope)); });
+    }
+
+    static const NodeQuantity& quantityOf(const Envelope& envelope) {
+        const auto rows = boltQuantities();
+        return *std::find_if(rows.begin(), rows.end(),
+                             [&](const NodeQuantity& row) { return row.column == envelope.quantity; });
     }
 
     static void widen(Envelope& envelope, const BoltFrame& bolt) {
-        const NodeQuantity* quantity = nullptr;
-        for (const NodeQuantity& row : boltQuantities())
-            if (row.column == envelope.quantity) quantity = &row;
+        const NodeQuantity& quantity = quantityOf(envelope);
         for (std::size_t i = 0; i < envelope.s.size(); ++i) {
-            const double value = valueAt(bolt, *quantity, envelope.s[i]);
+            const double value = valueAt(bolt, quantity, envelope.s[i]);
             envelope.low[i] = std::min(envelope.low[i], value);
             envelope.high[i] = std::max(envelope.high[i], value);
         }
     }
 
     void addPanels(const Bolt& bolt) {
-        for (const NodeQuantity* quantity : shown()) {
+        for (const NodeQuantity& quantity : boltQuantities()) {
+            if (!isShown(quantity)) continue;
             ChartPanel panel;
-            panel.title = std::string(quantity->display.title) + " (" + std::string(quantity->display.unit) + ")";
+            panel.title = std::string(quantity.display.title) + " (" + std::string(quantity.display.unit) + ")";
             for (const Envelope& envelope : chart_.envelopes)
-                if (envelope.quantity == quantity->column) addEnvelope(envelope, quantity->display.factor, panel);
-            panel.note = quantity->display.convention;
-            panel.curves.push_back(isOfRealNodes(*quantity) ? stemsOf(now(), *quantity) : curveOf(now(), *quantity));
-            for (const auto& [limit, name] : limitsOf(run_.scene(), bolt, *quantity))
+                if (envelope.quantity == quantity.column) addEnvelope(envelope, quantity.display.factor, panel);
+            panel.note = quantity.display.convention;
+            panel.curves.push_back(isOfRealNodes(quantity) ? stemsOf(now(), quantity) : curveOf(now(), quantity));
+            for (const auto& [limit, name] : limitsOf(run_.scene(), bolt, quantity))
                 panel.limits.push_back({name, limit, name == "ultimate"});
-            const ValueRange& reached = reached_[quantity->column];
-            panel.reached = {reached.low * quantity->display.factor, reached.high * quantity->display.factor};
+            const ValueRange& reached = reached_[quantity.column];
+            panel.reached = {reached.low * quantity.display.factor, reached.high * quantity.display.factor};
             fitRange(panel);
             chart_.chart.panels.push_back(std::move(panel));
         }
@@ -243,6 +248,7 @@ private:
     int bolt_;
     Frame frame_;
     std::map<std::string_view, ValueRange> reached_;  // by column, at real nodes until now
+    std::map<std::string_view, double> largest_;  // by column, at all nodes until now
     double most_ = 0.0;  // axial force until now [N]
     BoltChart chart_;
 };

@@ -73,6 +73,21 @@ TEST(BoltChart, RangesHoldWhatRealNodesBoreUntilNow) {
     EXPECT_NE(chart.subtitle.find("now 0 kN"), std::string::npos) << chart.subtitle;
 }
 
+/// What sheared a bar off is shown, though nothing is left of it now.
+TEST(BoltChart, ShearThatWasHasAPanel) {
+    BricksRun bricks;
+    bricks.results.frames[0].bolts[0].nodes[1].shearForce = 119e3;
+    const BoltChart chart = boltChart(MemoryRun(bricks.scene, bricks.results), 1, 0);
+    ASSERT_EQ(chart.chart.panels.size(), 4u);
+    const ChartPanel& shear = chart.chart.panels[1];
+    EXPECT_EQ(shear.title, "Shear force Q (kN)");
+    EXPECT_EQ(shear.range.high, 150.0);  // 119 kN at steps of 50
+    ASSERT_EQ(shear.curves.size(), 2u);
+    EXPECT_EQ(shear.curves[0].style, CurveStyle::Envelope);
+    EXPECT_EQ(*std::max_element(shear.curves[0].y.begin(), shear.curves[0].y.end()), 119.0);
+    EXPECT_EQ(*std::max_element(shear.curves[1].y.begin(), shear.curves[1].y.end()), 0.0);
+}
+
 TEST(BoltChart, ZonesAndJointsStandWhereTheyAre) {
     BricksRun bricks;
     auto& nodes = bricks.results.frames[1].bolts[0].nodes;
