@@ -32,7 +32,7 @@ constexpr std::array<PayloadColumn, 3> cornerColumns{{{"block", "", "index of th
                                                       {"x", "m", "corner, in order round the block"},
                                                       {"y", "m", "corner, in order round the block"}}};
 
-constexpr std::array<PayloadColumn, 10> contactColumns{
+constexpr std::array<PayloadColumn, 12> contactColumns{
     {{"block_a", "", "index of the block that holds the corner"},
      {"block_b", "", "index of the block that holds the edge"},
      {"joint_material", "", "index into the scene's joint materials; -1: the built-in one"},
@@ -42,9 +42,11 @@ constexpr std::array<PayloadColumn, 10> contactColumns{
      {"normal_force", "N", "compression positive"},
      {"shear_force", "N", ""},
      {"penetration", "m", "positive when the corner is inside"},
-     {"slip", "m", ""}}};
+     {"slip", "m", ""},
+     {"nx", "", "unit vector in which compression pushes block a, outward from block b"},
+     {"ny", "", "likewise; block a bears normal_force (nx, ny) + shear_force (ny, -nx), block b the opposite"}}};
 
-constexpr std::array<PayloadColumn, 13> nodeColumns{
+constexpr std::array<PayloadColumn, 15> nodeColumns{
     {{"bolt", "", "index of the bolt, from 0"},
      {"s", "m", "distance from the far end, unstrained"},
      {"x", "m", "where the node is"},
@@ -57,7 +59,9 @@ constexpr std::array<PayloadColumn, 13> nodeColumns{
      {"moment", "N m", "at the node"},
      {"anchor_force", "N", "positive when the rock pulls the bolt towards its head"},
      {"slip", "m", "rock minus bolt along the axis"},
-     {"ruptured", "", "1 when the element that starts here is broken"}}};
+     {"ruptured", "", "1 when the element that starts here is broken"},
+     {"bond_strength", "N", "at which the bond lets go, as embedded and clamped now; 0: none, or without limit"},
+     {"bond_residual", "N", "that the bond keeps once it slides; 0: none"}}};
 
 constexpr std::array<PayloadColumn, 5> boltColumns{
     {{"plate_holds", "", "1 or 0"},
@@ -129,7 +133,8 @@ void packContacts(const Frame& frame, std::vector<double>& out) {
     for (const ContactFrame& c : frame.contacts)
         out.insert(out.end(), {static_cast<double>(c.blockA), static_cast<double>(c.blockB),
                                static_cast<double>(c.jointMaterial), c.position.x(), c.position.y(),
-                               static_cast<double>(c.state), c.normalForce, c.shearForce, c.penetration, c.slip});
+                               static_cast<double>(c.state), c.normalForce, c.shearForce, c.penetration, c.slip,
+                               c.normal.x(), c.normal.y()});
 }
 
 bool unpackContact(RowReader& row, const Scene& scene, Frame& frame) {
@@ -143,6 +148,7 @@ bool unpackContact(RowReader& row, const Scene& scene, Frame& frame) {
     c.shearForce = row.number();
     c.penetration = row.number();
     c.slip = row.number();
+    c.normal = row.point();
     frame.contacts.push_back(c);
     return row.good();
 }
@@ -153,7 +159,7 @@ void packNodes(const Frame& frame, std::vector<double>& out) {
             out.insert(out.end(), {static_cast<double>(bolt), n.s, n.position.x(), n.position.y(),
                                    static_cast<double>(n.block), n.real ? 1.0 : 0.0, static_cast<double>(n.state),
                                    n.axialForce, n.shearForce, n.moment, n.anchorForce, n.slip,
-                                   n.ruptured ? 1.0 : 0.0});
+                                   n.ruptured ? 1.0 : 0.0, n.bondStrength, n.bondResidual});
 }
 
 bool unpackNode(RowReader& row, const Scene&, Frame& frame) {
@@ -170,6 +176,8 @@ bool unpackNode(RowReader& row, const Scene&, Frame& frame) {
     n.anchorForce = row.number();
     n.slip = row.number();
     n.ruptured = row.flag();
+    n.bondStrength = row.number();
+    n.bondResidual = row.number();
     if (row.good())
         frame.bolts[bolt].nodes.push_back(n);
     return row.good();

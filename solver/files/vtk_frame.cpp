@@ -258,8 +258,15 @@ VtkPolyData vtkContacts(const RunSource& run, const Frame& frame) {
     data.pointData.push_back(namesOf("name_a", run.blockNames(), a));
     data.pointData.push_back(namesOf("name_b", run.blockNames(), b));
     const Rows contacts(Payload::Contacts, frame);
-    contacts.addAll(all(contacts.size()), {}, data.pointData);
+    contacts.addAll(all(contacts.size()), {"nx", "ny"}, data.pointData);  // derived below: they are no indices
     addDerived(contactQuantities(), frame.contacts, all(contacts.size()), data.pointData);
+    data.pointData.push_back(contacts.vector("normal_vector", "nx", "ny", all(contacts.size())));
+    std::vector<double> forces;
+    for (const ContactFrame& contact : frame.contacts) {
+        const Point force = forceOnA(contact);
+        forces.insert(forces.end(), {force.x(), force.y(), 0.0});
+    }
+    data.pointData.push_back({"force_on_a_N", std::move(forces), 3});
     return data;
 }
 

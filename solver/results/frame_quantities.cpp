@@ -61,6 +61,10 @@ const FrameQuantity<ContactFrame> ofContacts[]{
     {"penetration", "penetration_m", [](OfContact c) { return c.penetration; },
      millimetres("Penetration", "corner inside +", true)},
     {"contact_slip", "slip_m", [](OfContact c) { return c.slip; }, millimetres("Contact slip", "", true)},
+    {"normal_x", "nx", [](OfContact c) { return c.normal.x(); },
+     {"Contact normal along x", "", 1.0, "push on block a", true}},
+    {"normal_y", "ny", [](OfContact c) { return c.normal.y(); },
+     {"Contact normal along y", "", 1.0, "push on block a", true}},
 };
 
 const FrameQuantity<BoltNodeFrame> ofNodes[]{
@@ -92,6 +96,10 @@ std::span<const FrameQuantity<BlockState>> blockQuantities() { return ofBlocks; 
 std::span<const FrameQuantity<ContactFrame>> contactQuantities() { return ofContacts; }
 std::span<const FrameQuantity<BoltNodeFrame>> boltQuantities() { return ofNodes; }
 std::span<const FrameQuantity<Energy>> energyQuantities() { return ofEnergy; }
+
+Point forceOnA(const ContactFrame& contact) {
+    return contact.normalForce * contact.normal - contact.shearForce * turnLeft(contact.normal);
+}
 
 PrincipalStress principalStress(const std::array<double, 3>& stress) {
     const auto [sxx, syy, sxy] = stress;

@@ -54,6 +54,9 @@ std::string namesOf(std::span<const FrameQuantity<Row>> rows) {
     return names;
 }
 
+/// Force with which block b pushes block a [N]; −1 times that is the force on b.
+Point forceOnA(const ContactFrame& contact);
+
 /// Principal stresses in the plane, compression positive.
 struct PrincipalStress {
     double major = 0.0, minor = 0.0;  // σ₁ ≥ σ₃ [Pa]

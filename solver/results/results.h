@@ -61,9 +61,10 @@ struct ContactFrame {
     int blockB = -1;  // holds the edge
     int jointMaterial = -1;  // index into the scene's joint materials, `builtInJoint` or `intactJoint`
     Point position{0.0, 0.0};  // [m]
+    Point normal{0.0, 0.0};  // unit vector in which compression pushes block a: outward from b's edge as it lies now
     ContactState state = ContactState::Open;
     double normalForce = 0.0;  // [N] compression positive
-    double shearForce = 0.0;  // [N]
+    double shearForce = 0.0;  // [N] positive where it pushes block a to the right of `normal`
     double penetration = 0.0;  // [m] positive when the corner is inside
     double slip = 0.0;  // [m]
 
@@ -85,6 +86,8 @@ struct BoltNodeFrame {
     double moment = 0.0;  // [N m] at the node
     double anchorForce = 0.0;  // [N]
     double slip = 0.0;  // [m]
+    double bondStrength = 0.0;  // [N] at which its bond lets go, as embedded and clamped now; 0: none, or without limit
+    double bondResidual = 0.0;  // [N] that the bond keeps once it slides; 0: none
     bool ruptured = false;  // the element that starts here is gone
 
     bool operator==(const BoltNodeFrame&) const = default;

@@ -33,8 +33,12 @@ Columns columnsOf(TableKind kind, const HistoryColumns& history) {
         case TableKind::Events:
             return {"step", "kind",          "bolt",          "node",           "element", "block",
                     "x_m",  "y_m",           "axial_force_N", "shear_force_N",  "anchor_force_N", "slip_m"};
-        case TableKind::Bolts:
-            return withQuantities({"bolt", "node", "s_m", "x_m", "y_m", "block", "anchor", "state"}, boltQuantities());
+        case TableKind::Bolts: {
+            Columns columns = withQuantities({"bolt", "node", "s_m", "x_m", "y_m", "block", "anchor", "state"},
+                                             boltQuantities());
+            columns.insert(columns.end(), {"bond_strength_N", "bond_residual_N"});
+            return columns;
+        }
         case TableKind::Blocks: return withQuantities({"block", "x_m", "y_m"}, blockQuantities());
         case TableKind::Contacts:
             return withQuantities({"block_a", "block_b", "joint_material", "x_m", "y_m", "state"}, contactQuantities());
@@ -56,9 +60,14 @@ void beginRow(CsvWriter& csv, const Scene& scene, const Moment& moment) {
 }
 
 template <typename Row>
-void endWithQuantities(CsvWriter& csv, const Row& row, std::span<const FrameQuantity<Row>> quantities) {
+void addQuantities(CsvWriter& csv, const Row& row, std::span<const FrameQuantity<Row>> quantities) {
     for (const FrameQuantity<Row>& quantity : quantities)
         csv.number(quantity.value(row));
+}
+
+template <typename Row>
+void endWithQuantities(CsvWriter& csv, const Row& row, std::span<const FrameQuantity<Row>> quantities) {
+    addQuantities(csv, row, quantities);
     csv.endRow();
 }
 
@@ -110,7 +119,9 @@ void writeBoltRows(const RunSource& run, const Frame& frame, int bolt, CsvWriter
         csv.text(boltName(scene, bolt)).index(index++).number(node.s);
         csv.number(node.position.x()).number(node.position.y()).text(blockName(run.blockNames(), node.block));
         csv.text(anchorWord(node.real)).text(wordOf(node.state));
-        endWithQuantities(csv, node, boltQuantities());
+        addQuantities(csv, node, boltQuantities());
+        if (node.bondStrength > 0.0) csv.number(node.bondStrength).number(node.bondResidual).endRow();
+        else csv.text("").text("").endRow();
     }
 }
 

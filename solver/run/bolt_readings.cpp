@@ -3,6 +3,7 @@
 #include "solver/run/bolt_readings.h"
 
 #include "solver/engine/bolt_limits.h"
+#include "solver/engine/step_build.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,17 @@ NodeState stateOf(const AnchorModel& anchor, const BoltNode& node) {
     if (node.slot < 0) return NodeState::Free;
     if (!anchor.real || node.bond.gone) return NodeState::Gone;
     return node.bond.bonded ? NodeState::Bonded : NodeState::Slipping;
+}
+
+/// What the bond of a real node that is in rock can bear, at its peak and once it slides.
+void addBondLimits(const AnchorModel& anchor, const BoltMotion& motion, const BoltNode& node, BoltNodeFrame& frame) {
+    if (!anchor.real || node.slot < 0 || node.bond.gone) return;
+    if (const Backbone* curve = curveNow(anchor, motion)) {
+        frame.bondStrength = *std::max_element(curve->force.begin(), curve->force.end()) * node.bond.share;
+    } else if (const auto strength = bondStrength(anchor, node, motion.strengthFactor)) {
+        frame.bondStrength = *strength;
+        frame.bondResidual = slidingLimit(anchor, node, motion.strengthFactor) * node.bond.share;
+    }
 }
 
 }  // namespace
@@ -100,6 +112,7 @@ BoltFrame boltFrame(const BoltModel& bolt, const BoltMotion& motion, const Point
         f.state = stateOf(bolt.anchors[n], node);
         f.anchorForce = node.bond.force;
         f.slip = node.bond.slip;
+        addBondLimits(bolt.anchors[n], motion, node, f);
         if (n < motion.elements.size()) {
             const BoltElementState& e = motion.elements[n];
             f.axialForce = e.axialForce;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/run/observation.h"
 
+#include "solver/engine/contacts.h"
 #include "solver/engine/step_build.h"
 #include "solver/run/bolt_readings.h"
 #include "solver/scene/lookup.h"
@@ -32,12 +33,13 @@ ContactState contactState(const Contact& c) {
     return std::abs(c.shearForce) >= c.limit * (1.0 - 1e-12) ? ContactState::Sliding : ContactState::Locked;
 }
 
-ContactFrame contactFrame(const Contact& c, const Model& model) {
+ContactFrame contactFrame(const Contact& c, const Model& model, const State& state) {
     ContactFrame f;
     f.blockA = c.blockA;
     f.blockB = c.blockB;
     f.jointMaterial = c.joint < builtInRow(model) ? c.joint : c.joint == intactRow(model) ? intactJoint : builtInJoint;
     f.position = c.position + model.origin;
+    f.normal = edgeOf(state.blocks[static_cast<std::size_t>(c.blockB)].corners, c.edge).outward;
     f.state = contactState(c);
     f.normalForce = c.normalForce;
     f.shearForce = c.shearForce;
@@ -118,7 +120,7 @@ Frame Observation::frame(const State& state, int stage, double time) const {
     frame.step = state.step;
     for (int i = 0; i < static_cast<int>(state.blocks.size()); ++i) frame.blocks.push_back(blockState(state, i));
     for (const Contact& c : state.contacts)
-        if (c.bonded || c.normalForce > 0.0) frame.contacts.push_back(contactFrame(c, model_));
+        if (c.bonded || c.normalForce > 0.0) frame.contacts.push_back(contactFrame(c, model_, state));
     for (std::size_t b = 0; b < state.bolts.size(); ++b) {
         frame.bolts.push_back(boltFrame(model_.bolts[b], state.bolts[b], model_.origin));
         frame.bolts.back().elasticEnergy = boltEnergy(model_, state, static_cast<int>(b));

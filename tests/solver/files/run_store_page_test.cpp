@@ -98,5 +98,20 @@ TEST_F(RunStorePage, TheExampleUsesValuesThatRowsHave) {
     for (const std::string& name : used) EXPECT_TRUE(known.contains(name)) << name;
 }
 
+/// `name` in a text about the rows of a frame.
+TEST_F(RunStorePage, TellsOfContactsAndBondsWhatRowsHave) {
+    const std::pair<Payload, const char*> parts[]{{Payload::Contacts, "**Contacts.**"}, {Payload::Nodes, "**Bonds.**"}};
+    for (const auto& [payload, heading] : parts) {
+        const std::size_t begin = page().find(heading);
+        ASSERT_NE(begin, std::string::npos) << heading;
+        const std::string text = page().substr(begin, page().find("\n**", begin) - begin);
+        std::set<std::string> known;
+        for (const PayloadColumn& column : payloadColumns(payload)) known.insert(std::string(column.name));
+        const std::vector<std::string> names = quoted(text, "`([a-z_]+)`");
+        EXPECT_GE(names.size(), 2U);
+        for (const std::string& name : names) EXPECT_TRUE(known.contains(name)) << name;
+    }
+}
+
 }  // namespace
 }  // namespace keyblock

@@ -52,6 +52,14 @@ TEST(FrameQuantities, EqualPrincipalStressesHaveADirection) {
     EXPECT_EQ(even.direction, Point(1.0, 0.0));
 }
 
+TEST(FrameQuantities, APushOnAHasANormalAndAShearPart) {
+    ContactFrame contact;
+    contact.normal = {0.0, 1.0};  // a stands on b
+    contact.normalForce = 5.0;
+    contact.shearForce = 2.0;
+    EXPECT_EQ(forceOnA(contact), Point(2.0, 5.0));
+}
+
 TEST(FrameQuantities, ShownCompressionIsPositive) {
     BlockState block;
     block.stress = {-3e6, -1e6, 0.0};

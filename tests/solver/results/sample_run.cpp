@@ -101,6 +101,7 @@ ContactFrame contact(double grown) {
     frame.blockB = 1;
     frame.jointMaterial = 0;
     frame.position = {1.0, 0.25};
+    frame.normal = {0.6, -0.8};
     frame.state = ContactState::Sliding;
     frame.normalForce = 1e3 * grown;
     frame.shearForce = 4e2 * grown;
@@ -123,6 +124,8 @@ BoltFrame boltFrame(double grown) {
         n.moment = 12.5 * node;
         n.anchorForce = -2e3 * grown;
         n.slip = 1e-5 * node;
+        n.bondStrength = n.real ? 25e3 : 0.0;
+        n.bondResidual = 4e3 * node;
         n.ruptured = node == 0;
     }
     bolt.plateHolds = true;

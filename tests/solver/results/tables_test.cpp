@@ -42,16 +42,24 @@ TEST(Tables, HaveTheHeadersOfTheContract) {
               "slip_m");
     EXPECT_EQ(lines(TableKind::Bolts)[0],
               "stage,time_s,bolt,node,s_m,x_m,y_m,block,anchor,state,axial_force_N,shear_force_N,moment_Nm,"
-              "anchor_force_N,slip_m");
+              "anchor_force_N,slip_m,bond_strength_N,bond_residual_N");
     EXPECT_EQ(lines(TableKind::Blocks)[0],
               "stage,time_s,block,x_m,y_m,ux_m,uy_m,rotation_rad,sxx_Pa,syy_Pa,sxy_Pa,vx_m_per_s,vy_m_per_s,area_m2,"
               "weight_N,displacement_m,speed_m_per_s,sigma1_compressive_Pa,sigma3_compressive_Pa");
     EXPECT_EQ(lines(TableKind::Contacts)[0],
               "stage,time_s,block_a,block_b,joint_material,x_m,y_m,state,normal_force_N,shear_force_N,penetration_m,"
-              "slip_m");
+              "slip_m,nx,ny");
     EXPECT_EQ(lines(TableKind::Energy)[0],
               "stage,time_s,kinetic_J,strain_J,contact_J,bolt_J,friction_J,plastic_J,released_J,damped_J,external_J,"
               "balance_error");
+}
+
+TEST(Tables, LeaveTheStrengthOfABondOutThatHasNone) {
+    const auto bolts = lines(TableKind::Bolts);
+    ASSERT_EQ(bolts.size(), 4U);
+    EXPECT_TRUE(bolts[1].ends_with(",25000,0")) << bolts[1];
+    EXPECT_TRUE(bolts[2].ends_with(",,")) << bolts[2];  // an artificial node
+    EXPECT_TRUE(lines(TableKind::Contacts)[1].ends_with(",0.59999999999999998,-0.80000000000000004"));
 }
 
 TEST(Tables, QuoteNamesAndLeaveOutWhatDoesNotApply) {

@@ -109,6 +109,12 @@ TEST(BoltLaws, AClampedAnchorHoldsByFriction) {
     const Solved solved = solve(clampedHead(AnchorLaw::PeakResidual, 3e3, 1e3, 30.0));
     for (const StageResult& stage : solved.results.stages) EXPECT_EQ(stage.outcome, Outcome::Equilibrium);
     EXPECT_NEAR(eventsOf(solved, EventKind::Debonding).at(0).anchorForce, 3e3 + 5e3 * tanPhi, 1e-6 * 3e3);
+    for (const Frame& frame : solved.results.frames)
+        if (frame.stage == 0 && frame.time > 0.99) {
+            const BoltNodeFrame& head = frame.bolts[0].nodes.back();
+            EXPECT_NEAR(head.bondStrength, 3e3 + 5e3 * tanPhi, 1e-6 * 3e3);
+            EXPECT_NEAR(head.bondResidual, 1e3 + 5e3 * tanPhi, 1e-6 * 3e3);
+        }
     std::vector<double> ends;
     for (std::size_t i = 1; i < solved.results.history.size(); ++i)
         if (solved.results.history[i].stage != solved.results.history[i - 1].stage)
@@ -217,6 +223,11 @@ TEST(BoltLaws, ABoltCanBePulledRightOut) {
     scene.monitors.back().at = 0.25;
     scene.stages = {pullStage(scene, 0.14, 70)};
     const Solved solved = solve(scene);
+    const Frame& first = solved.results.frames.front();
+    double holds = 0.0;
+    for (const BoltNodeFrame& node : first.bolts[0].nodes) holds += node.bondStrength;
+    EXPECT_EQ(first.time, 0.0);
+    EXPECT_NEAR(holds, perMetre * embedded, 1e-6 * perMetre * embedded);  // half as much at either end
     for (const auto& [opening, force] : loadPath(solved))
         if (opening > 2e-3 && opening < embedded - 6e-3) {
             EXPECT_NEAR(force, perMetre * (embedded - opening), 0.01 * perMetre * embedded) << opening;

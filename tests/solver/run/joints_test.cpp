@@ -4,6 +4,7 @@
 // Joints through whole runs: stiffness of their own, friction that falls at the
 // first slip, surfaces cut into pieces, faces that rebound, and contacts that
 // end from one step to the next.
+#include "solver/results/frame_quantities.h"
 #include "solver/run/run.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
@@ -85,6 +86,15 @@ TEST(JointStiffness, LetsAWedgeSinkIntoItsNotch) {
             expectDone(results, 1e-4);
             const double sinks = weight * height * half / (2.0 * height / c * kn * (s * s + ratio * c * c));
             EXPECT_NEAR(results.frames.back().blocks[2].displacement.y(), -sinks, 1e-4 * sinks) << angle << " " << ratio;
+            Point push(0.0, 0.0);
+            for (const ContactFrame& contact : results.frames.back().contacts) {
+                EXPECT_NEAR(contact.normal.norm(), 1.0, 1e-12);
+                if (contact.blockA == 2) push += forceOnA(contact);
+                if (contact.blockB == 2) push -= forceOnA(contact);
+            }
+            const double pull = weight * height * half;
+            EXPECT_NEAR(push.y(), pull, 1e-4 * pull) << angle << " " << ratio;
+            EXPECT_NEAR(push.x(), 0.0, 1e-4 * pull) << angle << " " << ratio;
         }
 }
 
