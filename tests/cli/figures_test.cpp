@@ -34,6 +34,14 @@ TEST_F(Figures, ASectionComesWithItsData) {
     EXPECT_NE(content("s.svg").find("120mm"), std::string::npos);
 }
 
+TEST_F(Figures, ForcesOfContactsComeWithTheirTable) {
+    runPull();
+    const Ended ended = figure({"section", "--quantity", "contact-forces", "--out", "c.svg"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(content("c.svg").find("Contact force"), std::string::npos);
+    EXPECT_NE(content("c-contacts.csv").find(",nx,ny"), std::string::npos);
+}
+
 TEST_F(Figures, AnotherProcessPaintsTheSameBytes) {
     runPull();
     for (const std::string ending : {"svg", "pdf", "png"}) {

@@ -208,7 +208,10 @@ private:
 
     void addLimit(QCPAxis* x, QCPAxis* y, const ChartLimit& limit) {
         const QPen line = limit.ultimate ? pen(0.2, error, {6.0, 3.0}) : pen(0.2, softText, {1.5, 2.5});
-        addLine(x, y, {x->range().lower, x->range().upper}, {limit.value, limit.value}, line);
+        if (limit.x.empty()) addLine(x, y, {x->range().lower, x->range().upper}, {limit.value, limit.value}, line);
+        else
+            addLine(x, y, QVector<double>(limit.x.begin(), limit.x.end()),
+                    QVector<double>(limit.y.begin(), limit.y.end()), line);
     }
 
     void addCurve(QCPAxis* x, QCPAxis* y, const ChartCurve& curve) {
@@ -306,7 +309,9 @@ private:
         };
         std::vector<End> ends;
         for (const ChartLimit& limit : panel.limits)
-            ends.push_back({y->coordToPixel(limit.value) / unitsPerMm, limit.name, limit.ultimate ? error : softText});
+            if (!limit.name.empty())
+                ends.push_back(
+                    {y->coordToPixel(limit.value) / unitsPerMm, limit.name, limit.ultimate ? error : softText});
         for (const ChartCurve& curve : panel.curves)
             if (!curve.name.empty() && !curve.y.empty() && !isReference(curve.style))
                 ends.push_back({y->coordToPixel(curve.y.back()) / unitsPerMm, curve.name, colourOf(curve.style)});

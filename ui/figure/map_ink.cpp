@@ -4,6 +4,7 @@
 
 #include "geometry/segment.h"
 #include "ui/figure/column.h"
+#include "ui/figure/contact_ink.h"
 #include "ui/figure/mark_ink.h"
 #include "ui/picture/clip_to_box.h"
 
@@ -23,15 +24,12 @@ constexpr double leastSpacingForMarks = 1.7, leastSpacingForPlates = 2.6;  // be
 constexpr double leastSpacingForNames = 3.0;  // below it a name stands beyond the far end or nowhere [mm]
 constexpr double leastBoltForMarks = 5.0;  // length on paper [mm]
 constexpr std::size_t manyAnchors = 12;
+constexpr double contactOfSpacing = 1.2;  // length of the longest line of a contact, over the size of blocks on paper
+constexpr double shortestScale = 2.6, longestScale = 8.0;  // that length [mm]
 
 bool isArtificial(MarkKind kind) { return kind == MarkKind::Artificial || kind == MarkKind::InGap; }
 
 Point flipped(const Point& direction) { return {direction.x(), -direction.y()}; }
-
-Point alongOf(const std::vector<Point>& nodes) {
-    const Point along = nodes.back() - nodes.front();
-    return along.norm() > 0.0 ? Point(along.normalized()) : Point(1.0, 0.0);
-}
 
 /// Whether two bolts lie on one another within `apart`: no smaller stroke would part them.
 bool coincide(const BoltShape& a, const BoltShape& b, double apart) {
@@ -41,6 +39,11 @@ bool coincide(const BoltShape& a, const BoltShape& b, double apart) {
 }
 
 }  // namespace
+
+Point alongOf(const std::vector<Point>& nodes) {
+    const Point along = nodes.back() - nodes.front();
+    return along.norm() > 0.0 ? Point(along.normalized()) : Point(1.0, 0.0);
+}
 
 MapInk::MapInk(const SectionPicture& picture, const Box& frame)
     : picture_(picture), frame_(frame), window_(picture.window), placement_(grown(frame, -0.6)) {
@@ -144,6 +147,19 @@ void MapInk::drawArrows(Ink& ink) const {
     }
 }
 
+double MapInk::longestContact() const {
+    if (!picture_.contacts) return 0.0;
+    return std::clamp(contactOfSpacing * picture_.contacts->scale.spacing * scale_, shortestScale, longestScale);
+}
+
+void MapInk::drawContacts(Ink& ink) const {
+    if (!picture_.contacts) return;
+    const ContactInk contacts(picture_.contacts->scale, longestContact());
+    for (const ContactLine& line : picture_.contacts->lines)
+        if (const Point at = onPaper(line.place); meets({at, at}, frame_))
+            contacts.draw(ink, line.kind, at, flipped(line.force), frame_);
+}
+
 void MapInk::drawShank(Ink& ink, std::size_t index) const {
     const BoltShape& bolt = picture_.bolts[index];
     const std::vector<Point> nodes = onPaper(bolt.nodes);
@@ -181,49 +197,6 @@ double MapInk::ribbonRoom(const BoltShape& bolt) const {
             nearest = std::min(nearest, distanceToSegment(onPaper(other.nodes.front()), onPaper(other.nodes.back()),
                                                           middle));
     return std::min(12.0, 0.4 * nearest);
-}
-
-void MapInk::drawRibbon(Ink& ink) {
-    if (!picture_.ribbon) return;
-    const Ribbon& ribbon = *picture_.ribbon;
-    const BoltShape& bolt = picture_.bolts[ribbon.shape];
-    const std::vector<Point> nodes = onPaper(bolt.nodes);
-    const double largest = ribbon.scale;
-    const double room = ribbonRoom(bolt);
-    if (room < 1.5) return;
-    const Point along = alongOf(nodes), across = turnLeft(along);
-    const auto [low, high] = std::minmax_element(bolt.values.begin(), bolt.values.end());
-    const double sign = *high >= -*low ? 1.0 : -1.0;  // the larger side looks away from the shank
-    const double base = 1.1 + std::max(0.0, sign > 0.0 ? -*low : *high) * room / largest;
-    const auto ordinate = [&](std::size_t node, double value) {
-        return Point(nodes[node] + (base + sign * value * room / largest) * across);
-    };
-    std::vector<Point> outline{nodes.front() + base * across}, curve;
-    for (std::size_t e = 0; e < bolt.values.size(); ++e) {
-        curve.push_back(ordinate(e, bolt.values[e]));
-        curve.push_back(ordinate(e + 1, bolt.values[e]));
-    }
-    outline.insert(outline.end(), curve.begin(), curve.end());
-    outline.push_back(nodes.back() + base * across);
-    ink.polygon(outline, paper_theme::ribbon, {}, 0.16);
-    ink.line(outline.front(), outline.back(), {0.13, paper_theme::ribbon});
-    ink.polyline(outline, {0.2, paper_theme::ribbon});
-    if (ribbon.limit)
-        ink.line(ordinate(0, sign * *ribbon.limit), ordinate(nodes.size() - 1, sign * *ribbon.limit),
-                 {0.2, error, {0.9, 0.45}});
-    for (std::size_t i = 0; i + 1 < outline.size(); ++i) placement_.keepOff(outline[i], outline[i + 1], 0.2);
-    for (std::size_t e = 0; e < bolt.values.size(); ++e)  // nor on its fill
-        placement_.keepOff(nodes[e] + base * across, ordinate(e, bolt.values[e]), 0.2);
-    const Point peak = 0.5 * (ordinate(ribbon.peak, bolt.values[ribbon.peak]) +
-                              ordinate(ribbon.peak + 1, bolt.values[ribbon.peak]));
-    const std::string label = numberText(bolt.values[ribbon.peak]) + " " + picture_.boltLegend->unit.substr(
-                                  0, picture_.boltLegend->unit.find(" per"));
-    const Point size(textWidth(label, text_style::number) + 1.0, 3.0);
-    if (const auto box = placement_.placeRound(size, peak, across)) {
-        drawLeader(ink, peak, *box);
-        ink.casedText({box->min.x() + 0.5, box->max.y() - 0.8}, label, text_style::number);
-    }
-    ink.circle(peak, 0.35, paper_theme::ribbon, {});
 }
 
 void MapInk::drawLeader(Ink& ink, const Point& from, const Box& label) const {
@@ -323,6 +296,7 @@ void MapInk::draw(Ink& ink) {
     ink.box(frame_, white, {});
     drawBlocks(ink);
     drawArrows(ink);
+    drawContacts(ink);
     for (std::size_t i = 0; i < picture_.bolts.size(); ++i) {
         const BoltShape& bolt = picture_.bolts[i];
         drawShank(ink, i);

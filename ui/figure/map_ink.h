@@ -13,6 +13,9 @@
 
 namespace keyblock {
 
+/// Unit vector from the first to the last; along x where they meet.
+Point alongOf(const std::vector<Point>& nodes);
+
 class MapInk {
 public:
     /// The picture in `frame` [mm]; the window is widened to the frame's shape.
@@ -20,6 +23,9 @@ public:
 
     /// Kinds of marks that will be drawn, each once, in the order of the key.
     std::vector<MarkKind> kinds() const;
+
+    /// Length on paper of the longest line of a contact [mm]; 0 where none are shown.
+    double longestContact() const;
 
     void draw(Ink& ink);
 
@@ -34,7 +40,10 @@ private:
     void drawShank(Ink& ink, std::size_t index) const;
     void drawMarks(Ink& ink, std::size_t index) const;
     void drawArrows(Ink& ink) const;
+    void drawContacts(Ink& ink) const;
     void drawRibbon(Ink& ink);
+    /// Along the level of the limit, on its outer side.
+    void drawLimitName(Ink& ink, const Ribbon& ribbon, const Point& from, const Point& to, const Point& across);
     void drawScaleBar(Ink& ink);
     void drawNumbers(Ink& ink);
     void drawNames(Ink& ink);

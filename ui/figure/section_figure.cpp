@@ -26,18 +26,15 @@ std::vector<FigureData> dataOf(const RunSource& run, const SectionRequest& secti
     };
     std::vector<FigureData> data{{"-blocks", table(TableKind::Blocks, filter)}};
     if (!run.scene().bolts.empty()) data.push_back({"-bolts", table(TableKind::Bolts, filter)});
+    if (section.contacts) data.push_back({"-contacts", table(TableKind::Contacts, filter)});
     data.push_back({"-events", table(TableKind::Events, {})});
     return data;
 }
 
-}  // namespace
-
-namespace {
-
 std::string arrowNames() {
     std::string names;
-    for (const std::string_view word : arrowWords()) names += (names.empty() ? "" : ", ") + std::string(word);
-    return names;
+    for (const std::string_view word : arrowWords()) names += std::string(word) + ", ";
+    return names + std::string(contactWord);
 }
 
 }  // namespace
@@ -52,7 +49,8 @@ SectionRequest sectionRequestOf(const RunSource& run, const FigureRequest& reque
     section.whole = request.whole;
     if (!request.quantity) return section;
     section.arrows = arrowKindOf(*request.quantity);
-    if (section.arrows) section.blocks = nullptr;
+    section.contacts = *request.quantity == contactWord;
+    if (section.arrows || section.contacts) section.blocks = nullptr;
     else if (const auto* ofBlocks = findQuantity(blockQuantities(), *request.quantity)) section.blocks = ofBlocks;
     else if (const auto* ofBolts = findQuantity(boltQuantities(), *request.quantity)) section.bolts = ofBolts;
     else

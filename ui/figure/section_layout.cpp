@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figure/section_layout.h"
 
+#include "ui/figure/contact_ink.h"
 #include "ui/figure/map_ink.h"
 
 #include <algorithm>
@@ -40,9 +41,11 @@ SectionLayout::Items SectionLayout::itemsOf(const SectionPicture& picture, const
     if (picture.blockLegend) items[0] = barItem(*picture.blockLegend, columnWidth_);
     if (picture.arrows && picture.arrows->largest > 0.0)  // in place of colours
         items[0] = arrowItem(*picture.arrows, arrowScale(*picture.arrows), columnWidth_);
+    if (picture.contacts)
+        items[0] = contactItem(*picture.contacts, MapInk(picture, map_).longestContact(), columnWidth_);
     if (picture.boltLegend) items[1] = barItem(*picture.boltLegend, columnWidth_);
     if (!kinds_.empty()) items[2] = keyItem(kinds_, columnWidth_);
-    if (picture.blockLegend || picture.arrows || !picture.events.entries.empty())
+    if (picture.blockLegend || picture.arrows || picture.contacts || !picture.events.entries.empty())
         items[3] = eventsItem(scene, picture.events, columnWidth_);
     return items;
 }

@@ -82,6 +82,40 @@ double valueAt(const BoltFrame& bolt, const NodeQuantity& quantity, double s) {
     return first + share * (quantity.value(nodes[i + 1]) - first);
 }
 
+/// A limit of the nodes' bonds on both sides of zero, as steps from half way to half way between nodes.
+void addSteps(const BoltFrame& bolt, const std::vector<double>& values, const ChartLimit& limit, ChartPanel& panel) {
+    const auto& nodes = bolt.nodes;
+    for (std::size_t first = 0; first < nodes.size(); ++first) {
+        if (values[first] <= 0.0) continue;
+        ChartLimit steps = limit;
+        std::size_t i = first;
+        for (; i < nodes.size() && values[i] > 0.0; ++i) {
+            steps.x.push_back(i == 0 ? nodes[i].s : 0.5 * (nodes[i - 1].s + nodes[i].s));
+            steps.x.push_back(i + 1 == nodes.size() ? nodes[i].s : 0.5 * (nodes[i].s + nodes[i + 1].s));
+            steps.y.insert(steps.y.end(), {values[i], values[i]});
+            steps.value = std::max(steps.value, values[i]);
+        }
+        panel.limits.push_back(steps);
+        steps.value = -steps.value;
+        for (double& y : steps.y) y = -y;
+        panel.limits.push_back(std::move(steps));
+        first = i;
+    }
+}
+
+/// What the bond of each node can bear as it is embedded now, and what it keeps where that is less.
+void addBondLimits(const BoltFrame& bolt, double factor, ChartPanel& panel) {
+    std::vector<double> peaks, residuals;
+    for (const BoltNodeFrame& node : bolt.nodes) {
+        const bool falls = node.bondResidual < node.bondStrength * (1.0 - 1e-9);
+        peaks.push_back(node.bondStrength * factor);
+        residuals.push_back(falls ? node.bondResidual * factor : 0.0);
+    }
+    const bool any = std::any_of(residuals.begin(), residuals.end(), [](double value) { return value > 0.0; });
+    addSteps(bolt, peaks, {any ? "peak" : "limit", 0.0, true}, panel);
+    addSteps(bolt, residuals, {"residual", 0.0, false}, panel);
+}
+
 class BoltChartBuilder {
 public:
     BoltChartBuilder(const RunSource& run, std::size_t index, int bolt)
@@ -195,6 +229,7 @@ private:
             panel.curves.push_back(isOfRealNodes(quantity) ? stemsOf(now(), quantity) : curveOf(now(), quantity));
             for (const auto& [limit, name] : limitsOf(run_.scene(), bolt, quantity))
                 panel.limits.push_back({name, limit, name == "ultimate"});
+            if (quantity.name == "anchor_force") addBondLimits(now(), quantity.display.factor, panel);
             const ValueRange& reached = reached_[quantity.column];
             panel.reached = {reached.low * quantity.display.factor, reached.high * quantity.display.factor};
             fitRange(panel);

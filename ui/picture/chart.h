@@ -13,6 +13,7 @@
 namespace keyblock {
 
 inline constexpr int mostPanelTicks = 5;
+inline constexpr double limitReach = 1.5;  // a limit is shown that is no farther out than this times the largest value
 
 enum class CurveStyle {
     Main,
@@ -39,8 +40,9 @@ struct ChartCurve {
 
 struct ChartLimit {
     std::string name;
-    double value = 0.0;
+    double value = 0.0;  // the farthest from zero
     bool ultimate = false;
+    std::vector<double> x{}, y{};  // where it runs; empty: at its value all along
 };
 
 struct ChartPanel {

@@ -4,6 +4,8 @@
 
 #include "geometry/polygon.h"
 
+#include <algorithm>
+
 namespace keyblock {
 
 std::vector<std::vector<Point>> cornersBefore(const SolvedBlocks& solved) {
@@ -22,6 +24,14 @@ std::vector<Point> deformed(const std::vector<Point>& before, const std::vector<
     drawn.reserve(now.size());
     for (std::size_t i = 0; i < now.size(); ++i) drawn.push_back(before[i] + factor * (now[i] - before[i]));
     return drawn;
+}
+
+Point carriedAlong(const Point& place, const std::vector<Point>& now, const std::vector<Point>& drawn) {
+    const auto nearest = std::min_element(now.begin(), now.end(), [&](const Point& a, const Point& b) {
+        return (a - place).squaredNorm() < (b - place).squaredNorm();
+    });
+    if (nearest == now.end()) return place;
+    return place + drawn[static_cast<std::size_t>(nearest - now.begin())] - *nearest;
 }
 
 std::vector<Point> deformedNodes(const Bolt& bolt, const BoltFrame& frame, double factor) {

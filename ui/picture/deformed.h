@@ -18,6 +18,9 @@ std::vector<std::vector<Point>> cornersBefore(const SolvedBlocks& solved);
 /// before + factor · (now − before), corner by corner. \pre as many corners as before.
 std::vector<Point> deformed(const std::vector<Point>& before, const std::vector<Point>& now, double factor);
 
+/// A place in a block, carried along with the nearest of its corners.
+Point carriedAlong(const Point& place, const std::vector<Point>& now, const std::vector<Point>& drawn);
+
 /// The nodes of a bolt [m]: each from where it lay along the straight bolt of the scene.
 std::vector<Point> deformedNodes(const Bolt& bolt, const BoltFrame& frame, double factor);
 

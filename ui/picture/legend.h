@@ -8,6 +8,7 @@
 #pragma once
 
 #include "ui/picture/colour.h"
+#include "ui/picture/contact_lines.h"
 #include "ui/picture/ticks.h"
 
 #include <optional>
@@ -32,6 +33,7 @@ struct LegendBar {
 /// Of the blocks and the bolts of a section; none of a quantity that no frame has a value of.
 struct SectionLegends {
     std::optional<LegendBar> blocks, bolts;
+    std::optional<ContactScale> contacts;
 };
 
 }  // namespace keyblock

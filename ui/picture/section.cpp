@@ -6,6 +6,7 @@
 #include "solver/scene/shapes.h"
 #include "solver/scene/solved_blocks.h"
 #include "ui/picture/captions.h"
+#include "ui/picture/chart.h"
 #include "ui/picture/deformed.h"
 #include "ui/picture/faces.h"
 #include "ui/picture/section_ranges.h"
@@ -47,6 +48,7 @@ public:
                 withNow(request_.legends ? *request_.legends : sectionLegends(run_, request_), request_, frame_);
             picture_.blockLegend = legends.blocks;
             picture_.boltLegend = legends.bolts;
+            contactScale_ = legends.contacts;
             events_ = eventsUntil(run_.events(), run_.frames()[*request_.frame]);
             picture_.events = eventList(run_, events_, request_.mostEvents);
         }
@@ -57,6 +59,7 @@ public:
         chooseRibbon();
         placeEvents();
         chooseWindow();
+        addContacts();
         return std::move(picture_);
     }
 
@@ -101,6 +104,19 @@ private:
         picture_.arrows = arrowField(*request_.arrows, frame_, places);
     }
 
+    void addContacts() {
+        if (!contactScale_) return;
+        std::vector<Point> places;
+        for (const ContactFrame& contact : frame_.contacts) {
+            const auto a = static_cast<std::size_t>(contact.blockA);
+            const bool moves = a < drawn_.size() && drawn_[a].size() == frame_.blocks[a].points.size();
+            places.push_back(moves ? carriedAlong(contact.position, frame_.blocks[a].points, drawn_[a])
+                                   : contact.position);
+        }
+        picture_.contacts = contactField(*contactScale_, frame_, places, picture_.window);
+        picture_.contacts->thickness = scene_.analysis.thickness;
+    }
+
     void addBolts() {
         for (std::size_t b = 0; b < scene_.bolts.size(); ++b) {
             const Bolt& bolt = scene_.bolts[b];
@@ -142,18 +158,33 @@ private:
             for (std::size_t e = 0; e < shape.values.size(); ++e)
                 if (std::abs(shape.values[e]) > largest) {
                     largest = std::abs(shape.values[e]);
-                    picture_.ribbon = Ribbon{i, e, 0.0, {}, {}};
+                    picture_.ribbon = Ribbon{i, e, 0.0, {}, {}, {}};
                 }
         }
         if (!picture_.ribbon) return;
         largest = std::max(largest, request_.ribbonScale);
-        const Bolt& bolt = scene_.bolts[static_cast<std::size_t>(picture_.bolts[picture_.ribbon->shape].bolt)];
-        for (const auto& [limit, name] : limitsOf(scene_, bolt, *request_.bolts))
-            if (!picture_.ribbon->limit && limit >= largest && limit <= 1.6 * largest) {
-                picture_.ribbon->limit = limit;
-                picture_.ribbon->limitName = name;
-            }
+        addLimit(*picture_.ribbon, largest);
         picture_.ribbon->scale = std::max(largest, picture_.ribbon->limit.value_or(0.0));
+    }
+
+    /// The first that the values have not passed, where it is not far beyond them.
+    void addLimit(Ribbon& ribbon, double largest) const {
+        const BoltShape& shape = picture_.bolts[ribbon.shape];
+        const auto bolt = static_cast<std::size_t>(shape.bolt);
+        const auto take = [&](const std::string& name, const std::vector<double>& limits) {
+            const double limit = *std::max_element(limits.begin(), limits.end());
+            if (ribbon.limit || limit < largest * (1.0 - nothing) || limit > limitReach * largest) return;
+            ribbon.limit = limit;
+            ribbon.limits = limits;
+            ribbon.limitName = name;
+        };
+        for (const auto& [limit, name] : limitsOf(scene_, scene_.bolts[bolt], *request_.bolts))
+            take(name, std::vector<double>(shape.values.size(), limit));
+        if (request_.bolts->name != "anchor_force") return;
+        std::vector<double> peaks;
+        for (std::size_t e = 0; e < shape.values.size(); ++e)
+            peaks.push_back(frame_.bolts[bolt].nodes[e].bondStrength * request_.bolts->display.factor);
+        take("peak", peaks);
     }
 
     /// Events stand where their node or block is drawn now.
@@ -186,6 +217,7 @@ private:
         const bool flung = anyLeft && areaOf(drawn) > 6.0 * areaOf(model);
         picture_.model = flung ? model : drawn;
         picture_.window = request_.whole ? withRim(picture_.model) : around(picture_.model);
+        if (request_.window) picture_.window = *request_.window;
     }
 
     Box around(const Box& model) const {
@@ -211,6 +243,7 @@ private:
     std::vector<char> present_;
     Frame frame_;
     std::vector<Event> events_;
+    std::optional<ContactScale> contactScale_;
     SectionPicture picture_;
 };
 

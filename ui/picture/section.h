@@ -25,9 +25,11 @@ struct SectionRequest {
     const FrameQuantity<BlockState>* blocks = nullptr;  // null: not coloured
     const FrameQuantity<BoltNodeFrame>* bolts = nullptr;  // null: not coloured
     std::optional<ArrowKind> arrows;  // drawn over blocks that are not coloured
+    bool contacts = false;  // their forces are drawn over blocks that are not coloured
     std::optional<int> ribbon;  // bolt beside which its values stand; null: the one with the largest
     double factor = 1.0;  // displacements are drawn enlarged by it
     bool whole = false;  // show the whole model, not what surrounds tunnels and bolts
+    std::optional<Box> window;  // shown in any case [m]
     std::size_t mostEvents = 12;
     const SectionLegends* legends = nullptr;  // of the run, where they are known; null: its frames are read for them
     double ribbonScale = 0.0;  // the ribbon is drawn as for a value of at least this size, in the unit shown
@@ -61,7 +63,8 @@ struct Ribbon {
     std::size_t shape = 0;  // index into the bolts drawn
     std::size_t peak = 0;  // element of the largest size
     double scale = 0.0;  // size that takes all of the ribbon's room, in the unit shown
-    std::optional<double> limit;  // that the quantity meets, in the unit shown
+    std::optional<double> limit;  // that the quantity meets, its largest along the bolt, in the unit shown
+    std::vector<double> limits;  // the same of each element, 0 where there is none; empty without a limit
     std::string limitName;
 };
 
@@ -72,6 +75,7 @@ struct SectionPicture {
     std::vector<BoltShape> bolts;  // those that are there
     std::optional<LegendBar> blockLegend, boltLegend;
     std::optional<ArrowField> arrows;
+    std::optional<ContactField> contacts;
     std::optional<Ribbon> ribbon;
     EventList events;
     double factor = 1.0;  // on displacements

@@ -24,16 +24,17 @@ SectionFilm::SectionFilm(const RunSource& run, const SectionRequest& request, st
     : run_(run), request_(request), frames_(std::move(frames)), legends_(sectionLegends(run, request)) {
     numbered_ = eventList(run, eventsUntil(run.events(), run.frames()[frames_.back()]), request.mostEvents);
     request_.mostEvents = std::numeric_limits<std::size_t>::max();
-    for (const std::size_t frame : frames_) settle(pictureOf(frame, request.ribbon, 0.0));
+    for (const std::size_t frame : frames_) settle(pictureOf(frame, request.ribbon, 0.0, request.window));
 }
 
 SectionPicture SectionFilm::pictureOf(std::size_t frame, const std::optional<int>& ribbon,
-                                      double ribbonScale) const {
+                                      double ribbonScale, const std::optional<Box>& window) const {
     SectionRequest request = request_;
     request.legends = &legends_;
     request.frame = frame;
     request.ribbon = ribbon;
     request.ribbonScale = ribbonScale;
+    request.window = window;
     return sectionPicture(run_, request);
 }
 
@@ -64,8 +65,7 @@ void SectionFilm::keepNumbered(EventList& events) const {
 }
 
 SectionPicture SectionFilm::picture(std::size_t index) const {
-    SectionPicture picture = pictureOf(frames_[index], ribbon_, largest_);
-    if (window_) picture.window = *window_;
+    SectionPicture picture = pictureOf(frames_[index], ribbon_, largest_, window_);
     keepNumbered(picture.events);
     return picture;
 }

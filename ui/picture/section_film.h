@@ -24,7 +24,8 @@ public:
     SectionPicture picture(std::size_t index) const;
 
 private:
-    SectionPicture pictureOf(std::size_t frame, const std::optional<int>& ribbon, double ribbonScale) const;
+    SectionPicture pictureOf(std::size_t frame, const std::optional<int>& ribbon, double ribbonScale,
+                             const std::optional<Box>& window) const;
     void settle(const SectionPicture& picture);
     void keepNumbered(EventList& events) const;
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/picture/section_ranges.h"
 
+#include "solver/scene/solved_blocks.h"
+#include "ui/picture/deformed.h"
 #include "ui/picture/steel_limits.h"
 
 #include <algorithm>
@@ -103,6 +105,14 @@ std::vector<std::pair<double, std::string>> limitsOfAll(const Scene& scene, cons
     return all;
 }
 
+/// Side of a square as large as a solved block is on average [m].
+double spacingOf(const Scene& scene) {
+    const auto corners = cornersBefore(solvedBlocks(scene));
+    double area = 0.0;
+    for (const auto& outline : corners) area += std::abs(signedArea(outline));
+    return corners.empty() ? 0.0 : std::sqrt(area / static_cast<double>(corners.size()));
+}
+
 }  // namespace
 
 std::vector<std::pair<double, std::string>> limitsOf(const Scene& scene, const Bolt& bolt,
@@ -119,8 +129,19 @@ std::vector<std::pair<double, std::string>> limitsOf(const Scene& scene, const B
 
 SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request) {
     Gathered all;
-    for (std::size_t i = 0; i < run.frames().size(); ++i) gather(request, run.frame(i), all);
+    ContactScale contacts;
+    std::vector<double> forces;
+    for (std::size_t i = 0; i < run.frames().size(); ++i) {
+        const Frame frame = run.frame(i);
+        gather(request, frame, all);
+        if (request.contacts) widen(contacts, frame, forces);
+    }
     SectionLegends legends;
+    if (request.contacts) {
+        contacts.longest = longestOf(std::move(forces));
+        contacts.spacing = spacingOf(run.scene());
+        legends.contacts = contacts;
+    }
     if (request.blocks) {
         const QuantityDisplay& display = request.blocks->display;
         legends.blocks = blockLegend(display, all.blocks, roundOff(display, run.scene()));

@@ -88,6 +88,29 @@ TEST(BoltChart, ShearThatWasHasAPanel) {
     EXPECT_EQ(*std::max_element(shear.curves[1].y.begin(), shear.curves[1].y.end()), 0.0);
 }
 
+/// As each node is embedded, on the side of zero where the forces are; a bond that falls has its residual, too.
+TEST(BoltChart, BondsHaveTheirLimitsNodeByNode) {
+    BricksRun bricks;
+    auto& nodes = bricks.results.frames[1].bolts[0].nodes;
+    for (std::size_t i : {0u, 1u, 3u}) {
+        nodes[i].anchorForce = 8e3;
+        nodes[i].bondStrength = i == 0 ? 5e3 : 10e3;
+        nodes[i].bondResidual = i == 3 ? 10e3 : 4e3;
+    }
+    const BoltChart chart = boltChart(MemoryRun(bricks.scene, bricks.results), 1, 0);
+    const std::vector<ChartLimit>& limits = chart.chart.panels[1].limits;
+    ASSERT_EQ(limits.size(), 3u);  // two pieces of the peak, one of the residual
+    EXPECT_EQ(limits[0].x, (std::vector<double>{0.0, 0.25, 0.25, 0.75}));
+    EXPECT_EQ(limits[0].y, (std::vector<double>{5.0, 5.0, 10.0, 10.0}));
+    EXPECT_EQ(limits[0].name, "");  // the next piece is named
+    EXPECT_EQ(limits[1].x, (std::vector<double>{1.25, 1.5}));
+    EXPECT_EQ(limits[1].name, "peak");
+    EXPECT_EQ(limits[2].y, (std::vector<double>{4.0, 4.0, 4.0, 4.0}));
+    EXPECT_EQ(limits[2].name, "residual");
+    for (BoltNodeFrame& node : nodes) node.anchorForce = 6e3;  // 10 is beyond 1.5 · 6
+    EXPECT_EQ(boltChart(MemoryRun(bricks.scene, bricks.results), 1, 0).chart.panels[1].limits.size(), 1u);
+}
+
 TEST(BoltChart, ZonesAndJointsStandWhereTheyAre) {
     BricksRun bricks;
     auto& nodes = bricks.results.frames[1].bolts[0].nodes;

@@ -44,6 +44,22 @@ TEST_F(Film, SharesWindowRangesAndScale) {
     }
 }
 
+TEST_F(Film, SharesTheScaleOfContacts) {
+    for (std::size_t i : {0u, 1u}) {
+        ContactFrame contact;
+        contact.position = {1.0, 1.0};
+        contact.normal = {0.0, 1.0};
+        contact.state = ContactState::Locked;
+        contact.normalForce = i == 0 ? 1e3 : 9e3;
+        run.results.frames[i].contacts = {contact};
+    }
+    request.contacts = true;
+    const SectionFilm shown(source, request, {0, 1});
+    EXPECT_EQ(shown.picture(0).contacts->scale.longest, 10.0);
+    EXPECT_EQ(shown.picture(0).contacts->largest, 1.0);
+    EXPECT_EQ(shown.picture(1).contacts->scale.longest, 10.0);
+}
+
 TEST_F(Film, ShowsWhatASinglePictureShows) {
     for (std::size_t i = 0; i < film->size(); ++i) {
         request.frame = i;

@@ -113,6 +113,26 @@ TEST(Section, LimitsOfTheSteelStandOnTheBar) {
     EXPECT_NEAR(*picture.ribbon->limit, 125.66, 0.01);
 }
 
+TEST(Section, ARibbonOfBondForcesHasTheLimitOfEachNode) {
+    BricksRun bricks;
+    auto& nodes = bricks.results.frames[1].bolts[0].nodes;
+    const MemoryRun run(bricks.scene, bricks.results);
+    SectionRequest request;
+    request.frame = 1;
+    request.bolts = findQuantity(boltQuantities(), "anchor_force");
+    for (BoltNodeFrame& node : nodes) node.anchorForce = -8e3;
+    EXPECT_FALSE(sectionPicture(run, request).ribbon->limit);
+    nodes[0].bondStrength = 5e3;
+    nodes[1].bondStrength = 12e3;  // as far as 1.5 · 8
+    const auto ribbon = sectionPicture(run, request).ribbon;
+    ASSERT_TRUE(ribbon && ribbon->limit);
+    EXPECT_NEAR(*ribbon->limit, 12.0, 1e-12);
+    EXPECT_EQ(ribbon->limits, (std::vector<double>{5.0, 12.0, 0.0}));
+    EXPECT_EQ(ribbon->scale, *ribbon->limit);
+    nodes[1].bondStrength = 12.1e3;
+    EXPECT_FALSE(sectionPicture(run, request).ribbon->limit);
+}
+
 TEST(Arrows, CrossesStandInTheBlocksWithBothStresses) {
     const BricksRun bricks;
     const std::vector<Point> places{{0, 0}, {1, 1}, {2, 2}};

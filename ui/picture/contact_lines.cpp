@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/picture/contact_lines.h"
+
+#include "solver/results/frame_quantities.h"
+#include "ui/picture/ticks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double shown = 1e-3;  // kN of a newton
+constexpr double shareOutside = 0.02;  // of the sum of all forces, borne by what is larger than the longest line
+constexpr double least = 0.01;  // of the longest line: what is smaller is not seen
+constexpr std::size_t manyLines = 2000;  // in sight: more than these are thinned out
+constexpr double squares = 1500.0;  // that the window is then parted into
+
+bool bears(const ContactFrame& contact) { return contact.state != ContactState::Open; }
+
+ContactKind kindOf(const ContactFrame& contact) {
+    switch (contact.state) {
+        case ContactState::Sliding: return ContactKind::Sliding;
+        case ContactState::Bonded: return contact.normalForce < 0.0 ? ContactKind::Pulled : ContactKind::Bonded;
+        default: return ContactKind::Locked;
+    }
+}
+
+/// The largest line of each square, in the order of the squares.
+std::vector<ContactLine> largestOfEach(const std::vector<ContactLine>& lines, double side) {
+    std::map<std::pair<long, long>, std::size_t> kept;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const Point cell = (lines[i].place / side).array().floor();
+        const auto [at, isNew] = kept.try_emplace({std::lround(cell.x()), std::lround(cell.y())}, i);
+        if (!isNew && lines[i].force.norm() > lines[at->second].force.norm()) at->second = i;
+    }
+    std::vector<ContactLine> largest;
+    for (const auto& [cell, index] : kept) largest.push_back(lines[index]);
+    return largest;
+}
+
+/// Rounded up to two digits.
+double twoDigits(double value) {
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+    return std::ceil(value / unit * (1.0 - 1e-9)) * unit;
+}
+
+std::string lengthText(double metres) {
+    return metres < 1.0 ? numberText(metres * 1e3) + " mm" : numberText(metres) + " m";
+}
+
+/// Thins the lines out where they are many, and says so.
+void thinOut(ContactField& field, const Box& window) {
+    const std::size_t all = field.lines.size();
+    const double smallest = least * field.scale.longest;
+    std::erase_if(field.lines, [&](const ContactLine& line) { return line.force.norm() < smallest; });
+    std::string which = "those under " + numberText(smallest) + " " + field.unit + " left out";
+    if (field.lines.size() > manyLines) {
+        const double side = twoDigits(std::sqrt((window.max - window.min).prod() / squares));
+        field.lines = largestOfEach(field.lines, side);
+        which = "only the largest of each " + lengthText(side) + " square";
+    }
+    const std::string total = numberText(static_cast<double>(all), 0) + " in sight";
+    const std::string left = numberText(static_cast<double>(field.lines.size()), 0);
+    field.notes.push_back(field.lines.size() == all ? "all " + total : left + " of " + total + ": " + which);
+}
+
+}  // namespace
+
+ContactLine contactLine(const ContactFrame& contact) {
+    return {kindOf(contact), contact.position, shown * forceOnA(contact)};
+}
+
+void widen(ContactScale& scale, const Frame& frame, std::vector<double>& sizes) {
+    for (const ContactFrame& contact : frame.contacts) {
+        if (!bears(contact)) continue;
+        const ContactLine line = contactLine(contact);
+        const double size = line.force.norm();
+        if (size == 0.0) continue;
+        sizes.push_back(size);
+        scale.largest = std::max(scale.largest, size);
+        const auto at = std::lower_bound(scale.kinds.begin(), scale.kinds.end(), line.kind);
+        if (at == scale.kinds.end() || *at != line.kind) scale.kinds.insert(at, line.kind);
+    }
+}
+
+double longestOf(std::vector<double> sizes) {
+    std::sort(sizes.begin(), sizes.end());
+    double sum = 0.0, until = 0.0;
+    for (const double size : sizes) sum += size;
+    for (const double size : sizes)
+        if ((until += size) >= (1.0 - shareOutside) * sum) return size > 0.0 ? roundHalvable(size) : 0.0;
+    return 0.0;
+}
+
+ContactField contactField(const ContactScale& scale, const Frame& frame, const std::vector<Point>& places,
+                          const Box& window) {
+    ContactField field;
+    field.scale = scale;
+    for (std::size_t i = 0; i < frame.contacts.size(); ++i) {
+        if (!bears(frame.contacts[i])) continue;
+        ContactLine line = contactLine(frame.contacts[i]);
+        line.place = places[i];
+        if (line.force.norm() == 0.0) continue;
+        field.largest = std::max(field.largest, line.force.norm());
+        if (meets({line.place, line.place}, window)) field.lines.push_back(line);
+    }
+    field.notes.emplace_back("along the force on either block, normal and shear together; open contacts have none");
+    thinOut(field, window);
+    std::stable_sort(field.lines.begin(), field.lines.end(), [](const ContactLine& a, const ContactLine& b) {
+        return a.force.squaredNorm() < b.force.squaredNorm();
+    });
+    return field;
+}
+
+}  // namespace keyblock
