@@ -75,15 +75,16 @@ void takePreload(const Model& model, State& state, const StepProblem& problem, c
 }
 
 /// Whether contacts carry what they would carry where the blocks really come to, on arcs and not on straight ways.
-bool arcsHold(const Model& model, std::vector<BlockMotion> blocks, const StepProblem& problem,
+bool arcsHold(const Model& model, const std::vector<BlockMotion>& from, const StepProblem& problem,
               const std::vector<Contact>& contacts, const Eigen::VectorXd& d) {
+    const auto wayOf = [&](std::size_t i) -> Vector6 { return d.segment<6>(6 * static_cast<Eigen::Index>(i)); };
     double arc = 0.0;
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-        const Vector6 way = d.segment<6>(6 * static_cast<Eigen::Index>(i));
-        arc = std::max(arc, model.blocks[i].size * way[2] * way[2]);
-        if (!model.blocks[i].fixed) moveBlock(model.blocks[i], blocks[i], way);
-    }
-    if (arc < model.tolerance) return true;
+    for (std::size_t i = 0; i < from.size(); ++i)
+        arc = std::max(arc, model.blocks[i].size * wayOf(i)[2] * wayOf(i)[2]);
+    if (arc < model.tolerance) return true;  // in most steps nothing turns so far
+    std::vector<BlockMotion> blocks = from;
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        if (!model.blocks[i].fixed) moveBlock(model.blocks[i], blocks[i], wayOf(i));
     std::vector<double> strains;
     linkStrains(problem, d, strains);
     const double reference = referenceForce(problem, d, netForce(problem, d));
