@@ -48,18 +48,18 @@ void FaceGroups::listHalfEdges() {
 void FaceGroups::findDomains() {
     std::vector<Domains> domains(static_cast<std::size_t>(map_.faces), Domains{-1, -1});
     std::vector<char> seen(domains.size(), 0);
-    std::vector<int> todo{0};
+    std::vector<int> waiting{0};
     seen[0] = 1;
-    while (!todo.empty()) {
-        const auto face = static_cast<std::size_t>(todo.back());
-        todo.pop_back();
+    while (!waiting.empty()) {
+        const auto face = static_cast<std::size_t>(waiting.back());
+        waiting.pop_back();
         for (int k = start_[face]; k < start_[face + 1]; ++k) {
             const int half = ofFaces_[static_cast<std::size_t>(k)];
             const auto other = static_cast<std::size_t>(map_.halfEdges[static_cast<std::size_t>(half ^ 1)].face);
             if (seen[other]) continue;
             seen[other] = 1;
             domains[other] = inOneOf(domains[face], map_.marks[static_cast<std::size_t>(half / 2)].domains);
-            todo.push_back(static_cast<int>(other));
+            waiting.push_back(static_cast<int>(other));
         }
     }
     for (const Domains& in : domains) domain_.push_back(in[0]);
