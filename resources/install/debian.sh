@@ -19,7 +19,7 @@ done
 
 packages="g++ cmake ninja-build ccache pkg-config
           libeigen3-dev libcgal-dev libsuitesparse-dev libopenblas-dev libtbb-dev
-          nlohmann-json3-dev libcli11-dev libsqlite3-dev libdxflib-dev
+          nlohmann-json3-dev libcli11-dev libsqlite3-dev libdxflib-dev libmuparser-dev
           qtbase5-dev libqt5svg5-dev libqcustomplot-dev fonts-inter
           libgtest-dev libbenchmark-dev$further"
 

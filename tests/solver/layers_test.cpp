@@ -35,6 +35,8 @@ const std::vector<Room> rooms{
      {"solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
     {"ui/picture", {"solver/results", "solver/scene", "geometry"}},
     {"ui/figure", {"ui/picture", "solver/results", "solver/scene", "geometry"}},
+    {"ui/edit",
+     {"solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
     {"app/cli",
      {"ui/figure", "ui/picture", "solver/verify", "solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
 };

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sums typed into a number field: + − * / ^, brackets, roots and angles in
+// degrees, as engineers type them. Numbers stand with a point here; units and
+// commas have been settled before.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace keyblock {
+
+/// A value, or what keeps the text from having one.
+struct SumResult {
+    std::optional<double> value;  // finite
+    std::string problem;
+};
+
+/// `5/2+0.1`, `sqrt(2)*3`, `max(1, 2)`, `2*sin(30)`. Names: sqrt, abs, min, max, sin, cos, tan, asin, acos, atan
+/// (degrees), pi.
+SumResult evaluateSum(const std::string& text);
+
+}  // namespace keyblock

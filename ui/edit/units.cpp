@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The table of symbols and the reader of products of them.
+#include "ui/edit/units.h"
+
+#include <cctype>
+#include <cmath>
+#include <span>
+
+namespace keyblock {
+namespace {
+
+struct Symbol {
+    std::string_view text;
+    double up, down;
+    std::array<int, 4> powers;
+};
+
+constexpr double pi = 3.14159265358979323846;
+constexpr std::array<int, 4> length{1, 0, 0, 0}, mass{0, 1, 0, 0}, time{0, 0, 1, 0}, angle{0, 0, 0, 1};
+constexpr std::array<int, 4> force{1, 1, -2, 0}, pressure{-1, 1, -2, 0}, moment{2, 1, -2, 0}, rate{0, 0, -1, 0};
+constexpr double poundForce = 4.4482216152605, squareInch = 0.00064516;
+
+constexpr Symbol symbols[] = {
+    {"m", 1, 1, length}, {"mm", 1, 1000, length}, {"cm", 1, 100, length}, {"dm", 1, 10, length},
+    {"km", 1000, 1, length}, {"µm", 1, 1e6, length}, {"μm", 1, 1e6, length}, {"in", 254, 10000, length},
+    {"ft", 3048, 10000, length},
+    {"kg", 1, 1, mass}, {"g", 1, 1000, mass}, {"t", 1000, 1, mass}, {"Mg", 1000, 1, mass},
+    {"s", 1, 1, time}, {"ms", 1, 1000, time}, {"µs", 1, 1e6, time}, {"μs", 1, 1e6, time}, {"min", 60, 1, time},
+    {"h", 3600, 1, time},
+    {"rad", 1, 1, angle}, {"°", pi, 180, angle}, {"deg", pi, 180, angle},
+    {"N", 1, 1, force}, {"kN", 1000, 1, force}, {"MN", 1e6, 1, force}, {"lbf", poundForce, 1, force},
+    {"kip", 1000 * poundForce, 1, force},
+    {"Pa", 1, 1, pressure}, {"kPa", 1000, 1, pressure}, {"MPa", 1e6, 1, pressure}, {"GPa", 1e9, 1, pressure},
+    {"bar", 1e5, 1, pressure}, {"psi", poundForce, squareInch, pressure}, {"ksi", 1000 * poundForce, squareInch, pressure},
+    {"Nm", 1, 1, moment}, {"kNm", 1000, 1, moment}, {"MNm", 1e6, 1, moment}, {"J", 1, 1, moment}, {"kJ", 1000, 1, moment},
+    {"Hz", 1, 1, rate},
+    {"%", 1, 100, {}}, {"‰", 1, 1000, {}}, {"–", 1, 1, {}}, {"1", 1, 1, {}},
+};
+
+struct Kind {
+    std::array<int, 4> powers;
+    std::string_view text;
+};
+
+constexpr Kind kinds[] = {
+    {length, "a length (m, mm, cm, km, ft, in)"},
+    {time, "a time (s, ms, min, h)"},
+    {angle, "an angle (°, rad)"},
+    {force, "a force (N, kN, MN, lbf, kip)"},
+    {pressure, "a stress (Pa, kPa, MPa, GPa, bar, psi, ksi)"},
+    {moment, "a moment (Nm, kNm, MNm)"},
+    {rate, "a rate (1/s, Hz)"},
+    {{}, "a pure number (%)"},
+    {{2, 0, 0, 0}, "an area (m², cm², mm²)"},
+    {{4, 0, 0, 0}, "a second moment of area (m⁴, cm⁴, mm⁴)"},
+    {{3, 0, 0, 0}, "a volume (m³, cm³, mm³)"},
+    {{-3, 1, 0, 0}, "a density (kg/m³, t/m³)"},
+    {{1, 0, -1, 0}, "a velocity (m/s, mm/s)"},
+    {{1, 0, -2, 0}, "an acceleration (m/s²)"},
+    {{0, 1, -2, 0}, "a stiffness (N/m, kN/m, MN/m)"},
+    {{-2, 1, -2, 0}, "a stiffness per area (Pa/m, MPa/m, GPa/m)"},
+};
+
+const Symbol* findSymbol(std::string_view text) {
+    for (const Symbol& symbol : symbols)
+        if (symbol.text == text) return &symbol;
+    return nullptr;
+}
+
+struct Exponent {
+    std::string_view text;
+    int value;
+};
+constexpr Exponent exponents[] = {{"²", 2}, {"³", 3}, {"⁴", 4}, {"^2", 2}, {"^3", 3}, {"^4", 4},
+                                  {"2", 2}, {"3", 3},  {"4", 4}, {"⁻¹", -1}, {"^-1", -1}, {"⁻²", -2}, {"^-2", -2}};
+
+/// The exponent at the end of a factor, taken off it; 1 where none stands.
+int takeExponent(std::string_view& factor) {
+    for (const Exponent& exponent : exponents)
+        if (factor.size() > exponent.text.size() && factor.ends_with(exponent.text)) {
+            factor.remove_suffix(exponent.text.size());
+            return exponent.value;
+        }
+    return 1;
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
+    return text;
+}
+
+/// Multiplies the unit by a factor such as `mm²`, or divides by it.
+bool apply(std::string_view factor, bool divide, Unit& unit) {
+    factor = trimmed(factor);
+    int exponent = takeExponent(factor);
+    const Symbol* symbol = findSymbol(factor);
+    if (!symbol) return false;
+    if (divide) exponent = -exponent;
+    for (std::size_t i = 0; i < unit.powers.size(); ++i) unit.powers[i] += exponent * symbol->powers[i];
+    for (int n = 0; n < std::abs(exponent); ++n) {
+        unit.up *= exponent > 0 ? symbol->up : symbol->down;
+        unit.down *= exponent > 0 ? symbol->down : symbol->up;
+    }
+    return true;
+}
+
+/// Where the next factor begins behind `from`, and how long the sign before it is.
+struct Sign {
+    std::size_t at, length;
+    bool divides;
+};
+Sign nextSign(std::string_view text, std::size_t from) {
+    Sign nearest{text.size(), 0, false};
+    const auto look = [&](std::string_view sign, bool divides) {
+        const std::size_t at = text.find(sign, from);
+        if (at < nearest.at) nearest = {at, sign.size(), divides};
+    };
+    look("/", true);
+    look(" per ", true);
+    look("·", false);
+    look("*", false);
+    return nearest;
+}
+
+}  // namespace
+
+std::optional<Unit> readUnit(std::string_view text) {
+    text = trimmed(text.substr(0, text.find(',')));
+    Unit unit;
+    if (text.empty()) return unit;
+    bool divide = false;
+    for (std::size_t from = 0;;) {
+        const Sign sign = nextSign(text, from);
+        if (!apply(text.substr(from, sign.at - from), divide, unit)) return std::nullopt;
+        if (sign.length == 0) return unit;
+        divide = sign.divides;
+        from = sign.at + sign.length;
+    }
+}
+
+bool sameKind(const Unit& a, const Unit& b) { return a.powers == b.powers; }
+
+double converted(double number, const Unit& from, const Unit& to) {
+    const double up = from.up * to.down, down = from.down * to.up;
+    if (up == down) return number;
+    // A whole factor in one step, so that no digit is lost on the way.
+    if (up > down && std::floor(up / down) == up / down) return number * (up / down);
+    if (down > up && std::floor(down / up) == down / up) return number / (down / up);
+    return number * up / down;
+}
+
+std::string kindText(const Unit& unit) {
+    for (const Kind& kind : kinds)
+        if (kind.powers == unit.powers) return std::string(kind.text);
+    return {};
+}
+
+}  // namespace keyblock
