@@ -5,12 +5,12 @@
 # Installs what Keyblock is built with on Debian 12. It asks the package database
 # first, says what is missing, and needs root only then; with everything there it
 # is over in a blink. Safe to run again. Arguments are further packages; `readers`
-# stands for the programs by which tests read exported files again (2 GB, with
-# VTK), without which those tests are left out.
+# stands for the programs by which tests read exported files again and use the
+# window on a screen of their own, without which those tests are left out.
 set -eu
 export LC_ALL=C
 
-readers="libvtk9-dev poppler-utils librsvg2-bin"
+readers="poppler-utils librsvg2-bin xvfb xauth xdotool openbox at-spi2-core imagemagick"
 further=""
 for argument in "$@"; do
     [ "$argument" != readers ] || argument=$readers
@@ -19,8 +19,8 @@ done
 
 packages="g++ cmake ninja-build ccache pkg-config
           libeigen3-dev libcgal-dev libsuitesparse-dev libopenblas-dev libtbb-dev
-          nlohmann-json3-dev libcli11-dev libsqlite3-dev libdxflib-dev libmuparser-dev
-          qtbase5-dev libqt5svg5-dev libqcustomplot-dev fonts-inter
+          nlohmann-json3-dev libcli11-dev libsqlite3-dev libdxflib-dev
+          qtbase5-dev libqt5svg5-dev libqcustomplot-dev libvtk9-qt-dev libgl1-mesa-dri libmuparser-dev fonts-inter
           libgtest-dev libbenchmark-dev$further"
 
 if ! command -v dpkg-query >/dev/null 2>&1; then

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The program `keyblock-studio [SCENE.json | RUN.kbrun]`.
+#include "solver/files/program_version.h"
+#include "ui/look/theme.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+
+int main(int argc, char** argv) {
+    QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    QApplication application(argc, argv);
+    QCoreApplication::setApplicationName("keyblock-studio");
+    QCoreApplication::setOrganizationName("keyblock");
+    QCoreApplication::setApplicationVersion(QString::fromUtf8(keyblock::programVersion().data(), int(keyblock::programVersion().size())));
+    QCommandLineParser parser;
+    parser.setApplicationDescription("Draw blocky rock, place bolts, run and watch.");
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument("file", "A scene (.json) or a run (.kbrun) to open.", "[SCENE.json | RUN.kbrun]");
+    parser.process(application);
+    keyblock::Themes themes;
+    keyblock::MainWindow window(themes);
+    window.show();
+    if (!parser.positionalArguments().isEmpty()) window.openPath(parser.positionalArguments().first());
+    return QApplication::exec();
+}

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Undo by value: an edit is a step, one that changes nothing is none, a preview is
+// none, and going back gives the first scene to the byte.
+#include "tests/ui/screen/screen.h"
+
+#include "solver/files/scene_file.h"
+#include "ui/document/document.h"
+
+#include <QUndoStack>
+#include <gtest/gtest.h>
+
+namespace keyblock {
+namespace {
+
+Scene titled(const std::string& title) {
+    Scene scene;
+    scene.title = title;
+    return scene;
+}
+
+TEST(Documents, AnEditIsAStepAndUndoGivesTheSceneBack) {
+    NEED_SCREEN();
+    Document document;
+    document.startNew(titled("first"));
+    const std::string before = wholeSceneText(*document.scene());
+    document.apply("Name it", titled("second"));
+    EXPECT_EQ(document.scene()->title, "second");
+    EXPECT_EQ(document.undo().undoText(), "Name it");
+    EXPECT_TRUE(document.isModified());
+    document.undo().undo();
+    EXPECT_EQ(wholeSceneText(*document.scene()), before);
+    EXPECT_FALSE(document.isModified());
+}
+
+TEST(Documents, AnEditThatChangesNothingLeavesNoTrace) {
+    NEED_SCREEN();
+    Document document;
+    document.startNew(titled("first"));
+    document.apply("Nothing", titled("first"));
+    EXPECT_EQ(document.undo().count(), 0);
+}
+
+TEST(Documents, APreviewIsShownAndForgotten) {
+    NEED_SCREEN();
+    Document document;
+    document.startNew(titled("first"));
+    document.preview(titled("dragged"));
+    EXPECT_EQ(document.scene()->title, "dragged");
+    EXPECT_EQ(document.committed()->title, "first");
+    document.endPreview();
+    EXPECT_EQ(document.scene()->title, "first");
+    EXPECT_EQ(document.undo().count(), 0);
+}
+
+TEST(Documents, ASampleOpensChecksAndIsCut) {
+    NEED_SCREEN();
+    Document document;
+    EXPECT_TRUE(document.open(KEYBLOCK_SAMPLES_DIR "/drift-bolted.json").empty());
+    ASSERT_TRUE(waitFor([&] { return document.checkIsCurrent(); }));
+    ASSERT_TRUE(document.checked().cut);
+    EXPECT_GT(document.checked().cut->blocks, 100);
+    EXPECT_FALSE(hasErrors(document.checked().problems));
+}
+
+TEST(Documents, WhatDoesNotOpenIsToldAndChangesNothing) {
+    NEED_SCREEN();
+    Document document;
+    document.startNew(titled("kept"));
+    const std::vector<Problem> problems = document.open("/nowhere/at-all.json");
+    ASSERT_FALSE(problems.empty());
+    EXPECT_EQ(document.scene()->title, "kept");
+}
+
+}  // namespace
+}  // namespace keyblock

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/document.h"
+
+#include "solver/files/bolt_library.h"
+#include "solver/files/scene_file.h"
+
+#include <QFileInfo>
+#include <QUndoStack>
+
+namespace keyblock {
+
+/// The one kind of step: the scene before and the scene after.
+class SceneStep : public QUndoCommand {
+public:
+    SceneStep(Document& document, const QString& text, std::shared_ptr<const Scene> after)
+        : QUndoCommand(text), document_(document), before_(document.committed()), after_(std::move(after)) {}
+    void undo() override { document_.setScene(before_); }
+    void redo() override { document_.setScene(after_); }
+
+private:
+    Document& document_;
+    std::shared_ptr<const Scene> before_, after_;
+};
+
+Document::Document(QObject* parent)
+    : QObject(parent), undo_(new QUndoStack(this)), checker_(new Checker(this)),
+      scene_(std::make_shared<const Scene>()), checked_(std::make_shared<const Checked>(Checked{scene_, {}, {}})) {
+    connect(undo_, &QUndoStack::cleanChanged, this, &Document::fileChanged);
+    connect(checker_, &Checker::finished, this, [this](std::shared_ptr<const Checked> checked) {
+        checked_ = std::move(checked);
+        Q_EMIT checkedChanged();
+    });
+}
+
+Document::~Document() = default;
+
+const std::shared_ptr<const Scene>& Document::scene() const { return preview_ ? preview_ : scene_; }
+
+void Document::apply(const QString& step, Scene after) {
+    addUsedBuiltInBoltTypes(after);
+    const bool previewed = preview_ != nullptr;
+    preview_.reset();
+    if (after == *scene_) {
+        if (previewed) show();
+        return;
+    }
+    undo_->push(new SceneStep(*this, step, std::make_shared<const Scene>(std::move(after))));
+}
+
+void Document::preview(Scene during) {
+    addUsedBuiltInBoltTypes(during);
+    preview_ = std::make_shared<const Scene>(std::move(during));
+    show();
+}
+
+void Document::endPreview() {
+    if (!preview_) return;
+    preview_.reset();
+    show();
+}
+
+bool Document::checkIsCurrent() const { return checked_->scene == scene(); }
+
+QString Document::title() const {
+    if (!path_.isEmpty()) return QFileInfo(path_).fileName();
+    return name_.isEmpty() ? tr("untitled") : name_;
+}
+
+bool Document::isModified() const { return !undo_->isClean(); }
+
+void Document::startNew(Scene scene, const QString& name) { start(std::move(scene), {}, name); }
+
+std::vector<Problem> Document::open(const QString& path) {
+    SceneReading reading = readSceneFile(path.toStdString());
+    if (!reading.scene) return reading.problems;
+    start(std::move(*reading.scene), QFileInfo(path).absoluteFilePath(), {});
+    return {};
+}
+
+void Document::save(const QString& path) {
+    writeSceneFile(path.toStdString(), *scene_);
+    path_ = QFileInfo(path).absoluteFilePath();
+    undo_->setClean();
+    Q_EMIT fileChanged();
+}
+
+void Document::setScene(std::shared_ptr<const Scene> scene) {
+    scene_ = std::move(scene);
+    preview_.reset();
+    show();
+}
+
+void Document::start(Scene scene, const QString& path, const QString& name) {
+    undo_->clear();
+    path_ = path;
+    name_ = name;
+    setScene(std::make_shared<const Scene>(std::move(scene)));
+    Q_EMIT replaced();
+    Q_EMIT fileChanged();
+}
+
+void Document::show() {
+    Q_EMIT changed();
+    checker_->check(scene());
+}
+
+}  // namespace keyblock

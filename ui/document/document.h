@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The document of the window: one scene by value, its undo, its file, and what the
+// check says of it. A step of undo keeps the scenes before and after; so every edit
+// is a function from scene to scene, and none needs a class of its own.
+#pragma once
+
+#include "ui/document/checker.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+#include <vector>
+
+class QUndoStack;
+
+namespace keyblock {
+
+class Document : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Document(QObject* parent = nullptr);
+    ~Document() override;
+
+    /// Never null; what is shown now, a preview included.
+    const std::shared_ptr<const Scene>& scene() const;
+
+    /// One step of undo, called `step`. An edit that changes nothing leaves no trace. Ends a preview.
+    void apply(const QString& step, Scene after);
+
+    /// Shows and checks a scene while a person drags, without a step; `endPreview` goes back to the document.
+    void preview(Scene during);
+    void endPreview();
+    bool isPreviewing() const { return preview_ != nullptr; }
+
+    /// The document without a preview.
+    const std::shared_ptr<const Scene>& committed() const { return scene_; }
+
+    QUndoStack& undo() { return *undo_; }
+
+    /// The newest check that is done; of an older scene while a newer one is looked at.
+    const Checked& checked() const { return *checked_; }
+    bool checkIsCurrent() const;
+
+    const QString& path() const { return path_; }  // empty: never saved
+    QString title() const;  // name of the file, or `untitled`
+    bool isModified() const;
+
+    /// Replaces everything by a scene that no file holds yet.
+    void startNew(Scene scene, const QString& name = {});
+
+    /// Opens a file. What keeps it from being opened comes back, and the document stays as it was; warnings of a scene
+    /// that opens come with the check.
+    std::vector<Problem> open(const QString& path);
+
+    /// Writes the file whole or not at all. \throws CannotWrite
+    void save(const QString& path);
+
+Q_SIGNALS:
+    void changed();  // the scene
+    void checkedChanged();
+    void fileChanged();  // path, title, or whether modified
+    void replaced();  // by another document
+
+private:
+    friend class SceneStep;
+    void setScene(std::shared_ptr<const Scene> scene);
+    void start(Scene scene, const QString& path, const QString& name);
+    void show();
+
+    QUndoStack* undo_;
+    Checker* checker_;
+    std::shared_ptr<const Scene> scene_, preview_;
+    std::shared_ptr<const Checked> checked_;
+    QString path_, name_;
+};
+
+}  // namespace keyblock

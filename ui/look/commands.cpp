@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/commands.h"
+
+#include "ui/look/theme.h"
+
+#include <QSettings>
+
+#include <algorithm>
+
+namespace keyblock {
+
+namespace {
+
+constexpr char menuKey[] = "menu", groupKey[] = "group", iconKey[] = "icon", helpKey[] = "help", keysKey[] = "keys";
+
+QString settingOf(const QString& id) { return "keys/" + id; }
+
+QList<QKeySequence> chosenKeys(const QString& id, const QList<QKeySequence>& original) {
+    const QSettings settings;
+    if (!settings.contains(settingOf(id))) return original;
+    return QKeySequence::listFromString(settings.value(settingOf(id)).toString());
+}
+
+}  // namespace
+
+Commands::Commands(const Themes& themes, QObject* parent) : QObject(parent), themes_(themes) {
+    connect(&themes, &Themes::changed, this, [this] {
+        for (QAction* action : actions_) describe(action);
+    });
+}
+
+QAction* Commands::add(const CommandText& text, std::function<void()> run) {
+    Q_ASSERT(!has(text.id));
+    auto* action = new QAction(text.text, this);
+    action->setObjectName(text.id);
+    action->setCheckable(text.checkable);
+    action->setProperty(menuKey, text.menu);
+    action->setProperty(groupKey, text.group);
+    action->setProperty(iconKey, text.icon);
+    action->setProperty(helpKey, text.help);
+    action->setProperty(keysKey, QKeySequence::listToString(text.keys));
+    action->setShortcuts(chosenKeys(text.id, text.keys));
+    action->setShortcutContext(Qt::WindowShortcut);
+    describe(action);
+    connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
+    actions_.push_back(action);
+    return action;
+}
+
+QAction* Commands::action(const QString& id) const {
+    const auto found = std::ranges::find_if(actions_, [&](QAction* a) { return a->objectName() == id; });
+    Q_ASSERT(found != actions_.end());
+    return *found;
+}
+
+bool Commands::has(const QString& id) const {
+    return std::ranges::any_of(actions_, [&](QAction* a) { return a->objectName() == id; });
+}
+
+QString Commands::menuOf(const QAction* action) const { return action->property(menuKey).toString(); }
+QString Commands::groupOf(const QAction* action) const { return action->property(groupKey).toString(); }
+
+void Commands::setKeys(const QString& id, const QList<QKeySequence>& keys) {
+    QAction* changed = action(id);
+    if (keys.isEmpty()) {
+        QSettings().remove(settingOf(id));
+        changed->setShortcuts(QKeySequence::listFromString(changed->property(keysKey).toString()));
+    } else {
+        QSettings().setValue(settingOf(id), QKeySequence::listToString(keys));
+        changed->setShortcuts(keys);
+    }
+    describe(changed);
+    Q_EMIT keysChanged();
+}
+
+void Commands::describe(QAction* action) const {
+    const QString icon = action->property(iconKey).toString();
+    if (!icon.isEmpty()) action->setIcon(themes_.icon(icon));
+    const QString keys = QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText);
+    const QString help = action->property(helpKey).toString();
+    QString text = action->text();
+    text.remove(QStringLiteral("…"));
+    action->setToolTip(text + (keys.isEmpty() ? QString() : " (" + keys + ")") + (help.isEmpty() ? QString() : "\n" + help));
+    action->setStatusTip(help);
+}
+
+}  // namespace keyblock

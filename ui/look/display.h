@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How numbers are shown: the system of units and the sign of stress. The document
+// is SI and tension positive whatever stands here.
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include <string_view>
+
+namespace keyblock {
+
+struct ShownUnit {
+    QString symbol;
+    double factor = 1.0;  // shown = factor · SI
+};
+
+enum class UnitSystem { Engineering, Si };  // mm · kN · MPa for what is small or large, or plain SI
+
+class Display : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Display(QObject* parent = nullptr);
+
+    UnitSystem system() const { return system_; }
+    void setSystem(UnitSystem system);
+    bool compressionPositive() const { return compressionPositive_; }
+    void setCompressionPositive(bool positive);
+
+    /// Unit in which a value of that SI unit (as the field table writes it) is shown; itself where no other is usual.
+    ShownUnit shown(std::string_view siUnit) const;
+
+    /// `mm · kN · MPa · compression +`, for the status bar.
+    QString summary() const;
+
+    /// A number already in the unit shown, with at most `digits` significant digits, a true minus sign and thin spaces
+    /// between thousands; `–` for what is not a number.
+    static QString number(double shown, int digits = 4);
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    UnitSystem system_;
+    bool compressionPositive_;
+};
+
+}  // namespace keyblock

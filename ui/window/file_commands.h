@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// New, open, save, and the few commands of the window itself: undo, theme, units.
+#pragma once
+
+class QString;
+class QWidget;
+
+namespace keyblock {
+
+class Commands;
+class Display;
+class Document;
+class Themes;
+
+void addFileCommands(Commands& commands, Document& document, QWidget& window);
+void addEditCommands(Commands& commands, Document& document);
+void addViewCommands(Commands& commands, Themes& themes, Display& display);
+
+/// Opens a scene file; asks first where unsaved edits would be lost, tells what keeps it from being opened.
+void openDocument(Document& document, const QString& path, QWidget& window);
+
+/// True when the document is saved, was saved now, or a person lets go of the edits.
+bool mayDiscard(Document& document, QWidget& window);
+
+}  // namespace keyblock

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The window: it makes the rooms' widgets, places them and binds commands. What
+// they do is theirs.
+#pragma once
+
+#include <QMainWindow>
+
+#include <memory>
+
+namespace keyblock {
+
+class Commands;
+class Display;
+class Document;
+class Selection;
+class Themes;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(Themes& themes);
+    ~MainWindow() override;
+
+    /// Opens a scene or a run; tells what keeps it from being opened.
+    void openPath(const QString& path);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void placeDocks();
+    void makeMenus();
+    void showTitle();
+
+    Themes& themes_;
+    Display* display_;
+    Commands* commands_;
+    Document* document_;
+    Selection* selection_;
+};
+
+}  // namespace keyblock

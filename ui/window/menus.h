@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Menus made from the registry of commands.
+#pragma once
+
+class QMenuBar;
+
+namespace keyblock {
+
+class Commands;
+
+/// Fills the bar with File, Edit, View, Insert, Run, Results, Tools, Help; menus without commands are left out, and a
+/// line stands between groups of commands.
+void fillMenus(QMenuBar& bar, const Commands& commands);
+
+}  // namespace keyblock
