@@ -9,25 +9,30 @@
 #include "ui/look/theme.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/menus.h"
+#include "ui/window/workflow_bar.h"
 
 #include <QCloseEvent>
 #include <QLabel>
 #include <QMenuBar>
 #include <QStatusBar>
+#include <QTabWidget>
+#include <QToolBar>
 
 namespace keyblock {
 
 MainWindow::MainWindow(Themes& themes)
     : themes_(themes), display_(new Display(this)), commands_(new Commands(themes, this)),
-      document_(new Document(this)), selection_(new Selection(this)) {
+      document_(new Document(this)), selection_(new Selection(this)),
+      workflow_(new WorkflowBar(themes, this)) {
     setObjectName("studio");
     resize(1600, 1000);
     addFileCommands(*commands_, *document_, *this);
     addEditCommands(*commands_, *document_);
     addViewCommands(*commands_, themes_, *display_);
-    placeDocks();
-    makeMenus();
+    placeBars();
+    fillMenus(*menuBar(), *commands_);
     connect(document_, &Document::fileChanged, this, &MainWindow::showTitle);
+    connect(document_, &Document::checkedChanged, this, &MainWindow::showStates);
     connect(document_, &Document::replaced, selection_, &Selection::clear);
     auto* units = new QLabel(display_->summary(), this);
     statusBar()->addPermanentWidget(units);
@@ -41,9 +46,21 @@ void MainWindow::openPath(const QString& path) { openDocument(*document_, path, 
 
 void MainWindow::closeEvent(QCloseEvent* event) { event->setAccepted(mayDiscard(*document_, *this)); }
 
-void MainWindow::placeDocks() { setCentralWidget(new QWidget(this)); }
+void MainWindow::placeBars() {
+    auto* bar = new QToolBar(tr("Order of the work"), this);
+    bar->setObjectName("workflowBar");
+    bar->setMovable(false);
+    bar->toggleViewAction()->setEnabled(false);
+    bar->addWidget(workflow_);
+    addToolBar(Qt::TopToolBarArea, bar);
+    for (const auto corner : {Qt::BottomLeftCorner, Qt::BottomRightCorner}) setCorner(corner, Qt::BottomDockWidgetArea);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+}
 
-void MainWindow::makeMenus() { fillMenus(*menuBar(), *commands_); }
+void MainWindow::showStates() {
+    workflow_->setStates(workStates(*document_->checked().scene, document_->checked().problems));
+}
 
 void MainWindow::showTitle() {
     setWindowTitle(document_->title() + QStringLiteral("[*] – Keyblock Studio"));

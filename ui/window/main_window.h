@@ -16,6 +16,7 @@ class Display;
 class Document;
 class Selection;
 class Themes;
+class WorkflowBar;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -31,15 +32,16 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
-    void placeDocks();
-    void makeMenus();
+    void placeBars();
     void showTitle();
+    void showStates();
 
     Themes& themes_;
     Display* display_;
     Commands* commands_;
     Document* document_;
     Selection* selection_;
+    WorkflowBar* workflow_;
 };
 
 }  // namespace keyblock

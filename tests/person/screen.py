@@ -1,0 +1,206 @@
+# SPDX-FileCopyrightText: The Keyblock contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# A person at a screen of her own: a server without a display shows the program
+# under a window manager, widgets are found by the names that screen readers say,
+# and mouse and keys are real events. Debian: xvfb openbox xdotool at-spi2-core
+# python3-pyatspi imagemagick dbus; run by /usr/bin/python3 in dbus-run-session.
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+
+class Gone(Exception):
+    """What was looked for is not on the screen."""
+
+
+def wait(condition, seconds=20, step=0.05):
+    """Waits until `condition()` is true and returns it; None after `seconds`."""
+    end = time.time() + seconds
+    while time.time() < end:
+        value = condition()
+        if value:
+            return value
+        time.sleep(step)
+    return None
+
+
+class Screen:
+    def __init__(self, program, arguments=(), pictures=None, size="1600x1000", scale="1", home=None):
+        self.home = home or tempfile.mkdtemp(prefix="keyblock-person-")
+        self.pictures = pictures
+        self.clicks = self.shots = 0
+        os.makedirs(pictures, exist_ok=True)
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", "1", "-screen", "0", size + "x24", "-nolisten", "tcp"],
+            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        display = ":" + self.server.stdout.readline().decode().strip()
+        os.chmod(self.home, 0o700)
+        os.environ.update(DISPLAY=display, HOME=self.home, XDG_RUNTIME_DIR=self.home, QT_SCALE_FACTOR=scale,
+                          QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", QT_ACCESSIBILITY="1", LC_ALL="C.UTF-8")
+        for name in ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"):
+            os.environ.pop(name, None)
+        self.manager = subprocess.Popen(["openbox"], stderr=subprocess.DEVNULL)
+        self.log = open(os.path.join(self.home, "log"), "w")
+        self.program = subprocess.Popen([program, *arguments], stdout=self.log, stderr=self.log)
+        import pyatspi  # only once the bus has a display
+        self.spi = pyatspi
+        self.root = wait(self._application) or self._fail("the program is not on the screen")
+        self.window = wait(self._window, 20) or self._fail("the window is not on the screen")
+        self.pause(1)
+        self.raise_window()
+
+    def _fail(self, text):
+        self.close()
+        raise Gone(text)
+
+    def _application(self):
+        desktop = self.spi.Registry.getDesktop(0)
+        for i in range(desktop.childCount):
+            child = desktop.getChildAtIndex(i)
+            if child and child.get_process_id() == self.program.pid:
+                return child
+        return None
+
+    def _window(self):
+        found = self._run("xdotool", "search", "--onlyvisible", "--pid", str(self.program.pid))
+        return found.split()[0] if found else None
+
+    def raise_window(self):
+        """Fills the screen with the window."""
+        self._run("xdotool", "windowactivate", "--sync", self.window)
+        self._run("xdotool", "key", "--clearmodifiers", "super+Up")
+        self._run("wmctrl", "-i", "-r", self.window, "-b", "add,maximized_vert,maximized_horz")
+        self.pause(0.5)
+
+    def _run(self, *command):
+        return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout.decode().strip()
+
+    def alive(self):
+        return self.program.poll() is None
+
+    def pause(self, seconds):
+        time.sleep(seconds)
+
+    # finding
+
+    def _walk(self, node, depth=0):
+        yield node
+        if depth > 40:
+            return
+        for i in range(node.childCount):
+            try:
+                child = node.getChildAtIndex(i)
+            except Exception:  # it went away meanwhile
+                continue
+            if child is not None:
+                yield from self._walk(child, depth + 1)
+
+    def _matches(self, node, name, role):
+        try:
+            if role and node.getRoleName() != role:
+                return False
+            said = node.name
+            if not (said == name or said.startswith(name + " (") or said.startswith(name + "\t")):
+                return False
+            state = node.getState()
+            return state.contains(self.spi.STATE_SHOWING)
+        except Exception:
+            return False
+
+    def find(self, name, role=None, seconds=10):
+        """The widget of that accessible name that shows on the screen."""
+        def look():
+            for node in self._walk(self.root):
+                if self._matches(node, name, role):
+                    return node
+            return None
+        node = wait(look, seconds, 0.2)
+        if node is None:
+            self.shoot("gone")
+            raise Gone(f"{role or 'widget'} '{name}' is not on the screen")
+        return node
+
+    def there(self, name, role=None):
+        return any(self._matches(node, name, role) for node in self._walk(self.root))
+
+    def names(self):
+        """Every accessible name on the screen with its role, for whoever writes a script."""
+        for node in self._walk(self.root):
+            if node.name and node.getState().contains(self.spi.STATE_SHOWING):
+                yield node.getRoleName(), node.name
+
+    def box(self, node):
+        box = node.queryComponent().getExtents(self.spi.DESKTOP_COORDS)
+        return box.x, box.y, box.width, box.height
+
+    # doing
+
+    def move(self, x, y):
+        self._run("xdotool", "mousemove", "--sync", str(int(x)), str(int(y)))
+
+    def press_at(self, x, y, button=1, count=True):
+        self.move(x, y)
+        self.pause(0.12)
+        self._run("xdotool", "click", str(button))
+        self.clicks += count
+        self.pause(0.25)
+
+    def click(self, name, role=None, button=1):
+        x, y, width, height = self.box(self.find(name, role))
+        self.press_at(x + width / 2, y + height / 2, button)
+
+    def double_click(self, name, role=None):
+        x, y, width, height = self.box(self.find(name, role))
+        self.move(x + width / 2, y + height / 2)
+        self._run("xdotool", "click", "--repeat", "2", "--delay", "80", "1")
+        self.clicks += 2
+        self.pause(0.3)
+
+    def drag(self, start, end, button=1):
+        self.move(*start)
+        self._run("xdotool", "mousedown", str(button))
+        for share in (0.2, 0.5, 0.8, 1.0):
+            self.move(start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1]))
+            self.pause(0.05)
+        self._run("xdotool", "mouseup", str(button))
+        self.clicks += 1
+        self.pause(0.25)
+
+    def keys(self, *keys):
+        for key in keys:
+            self._run("xdotool", "key", "--clearmodifiers", key)
+            self.pause(0.12)
+
+    def type(self, text):
+        self._run("xdotool", "type", "--delay", "25", text)
+        self.pause(0.2)
+
+    def shoot(self, name):
+        """Takes a picture of the screen, numbered in the order of the steps."""
+        self.shots += 1
+        path = os.path.join(self.pictures, f"{self.shots:02d}-{name}.png")
+        self._run("import", "-window", "root", path)
+        return path
+
+    def close(self):
+        for process in (self.program, self.manager, self.server):
+            if process.poll() is None:
+                process.terminate()
+                try:
+                    process.wait(10)
+                except subprocess.TimeoutExpired:
+                    process.kill()
+        self.log.close()
+
+
+def needs():
+    """Names of programs that are missing."""
+    return [name for name in ("Xvfb", "openbox", "xdotool", "import", "dbus-run-session", "wmctrl") if not shutil.which(name)]
+
+
+if __name__ == "__main__":
+    sys.exit(f"this is used by the scripts beside it; missing here: {', '.join(needs()) or 'nothing'}")

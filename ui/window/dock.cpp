@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/dock.h"
+
+#include "ui/look/theme.h"
+
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMainWindow>
+#include <QTimer>
+#include <QToolButton>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int headerHeight = 30;
+
+QToolButton* headerButton(QWidget* header, const Themes& themes, const char* icon, const QString& name) {
+    auto* button = new QToolButton(header);
+    const auto show = [button, &themes, icon] { button->setIcon(themes.icon(icon)); };
+    show();
+    QObject::connect(&themes, &Themes::changed, button, show);
+    button->setFixedSize(22, 22);
+    button->setAccessibleName(name);
+    button->setToolTip(name);
+    button->setFocusPolicy(Qt::NoFocus);
+    return button;
+}
+
+QWidget* makeHeader(QDockWidget& dock, const Themes& themes) {
+    auto* header = new QWidget(&dock);
+    header->setObjectName("dockHeader");
+    header->setAttribute(Qt::WA_StyledBackground);
+    header->setFixedHeight(headerHeight);
+    auto* row = new QHBoxLayout(header);
+    row->setContentsMargins(12, 0, 6, 0);
+    row->setSpacing(2);
+    auto* title = new QLabel(dock.windowTitle(), header);
+    title->setObjectName("dockTitle");
+    QObject::connect(&dock, &QDockWidget::windowTitleChanged, title, &QLabel::setText);
+    row->addWidget(title, 1);
+    QToolButton* floating = headerButton(header, themes, "float", QDockWidget::tr("Float %1").arg(dock.windowTitle()));
+    QObject::connect(floating, &QToolButton::clicked, &dock, [&dock] { dock.setFloating(!dock.isFloating()); });
+    row->addWidget(floating);
+    QToolButton* closing = headerButton(header, themes, "close", QDockWidget::tr("Close %1").arg(dock.windowTitle()));
+    QObject::connect(closing, &QToolButton::clicked, &dock, &QDockWidget::hide);
+    row->addWidget(closing);
+    return header;
+}
+
+/// Tabs tell the title already; the header comes back when the dock stands alone.
+void hideSecondHeader(QMainWindow& window, QDockWidget& dock, QWidget& header) {
+    const bool tabbed = !dock.isFloating() && !window.tabifiedDockWidgets(&dock).isEmpty();
+    header.setFixedHeight(tabbed ? 0 : headerHeight);
+    header.setVisible(!tabbed);
+}
+
+}  // namespace
+
+QDockWidget* makeDock(QMainWindow& window, const Themes& themes, const QString& id, const QString& title,
+                      QWidget* widget) {
+    auto* dock = new QDockWidget(title, &window);
+    dock->setObjectName(id);
+    dock->setWidget(widget);
+    QWidget* header = makeHeader(*dock, themes);
+    dock->setTitleBarWidget(header);
+    const auto look = [&window, dock, header] { hideSecondHeader(window, *dock, *header); };
+    const auto later = [dock, look] { QTimer::singleShot(0, dock, look); };
+    QObject::connect(dock, &QDockWidget::visibilityChanged, dock, later);
+    QObject::connect(dock, &QDockWidget::dockLocationChanged, dock, later);
+    QObject::connect(dock, &QDockWidget::topLevelChanged, dock, later);
+    return dock;
+}
+
+QDockWidget* makeBand(QMainWindow& window, const QString& id, const QString& title, QWidget* widget) {
+    auto* dock = new QDockWidget(title, &window);
+    dock->setObjectName(id);
+    dock->setWidget(widget);
+    dock->setTitleBarWidget(new QWidget(dock));
+    dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+    return dock;
+}
+
+}  // namespace keyblock

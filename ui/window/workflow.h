@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far the work is, step by step, told by the scene and its problems.
+#pragma once
+
+#include "solver/scene/problem.h"
+#include "solver/scene/scene.h"
+
+#include <QMetaType>
+
+#include <array>
+#include <span>
+
+namespace keyblock {
+
+enum class WorkStep { Geometry, Materials, Support, Stages, Run, Results };
+inline constexpr std::size_t workSteps = 6;
+
+enum class WorkState { Nothing, NotYet, Done, Warning, Error, Running };  // Nothing: no sign, as there is nothing to say
+
+using WorkStates = std::array<WorkState, workSteps>;
+
+/// The step that a problem belongs to, by its pointer.
+WorkStep stepOf(const std::string& pointer);
+
+/// States of the first four steps; Run and Results are told by whoever runs.
+WorkStates workStates(const Scene& scene, std::span<const Problem> problems);
+
+}  // namespace keyblock
+
+Q_DECLARE_METATYPE(keyblock::WorkStep)

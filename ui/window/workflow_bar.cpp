@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/workflow_bar.h"
+
+#include "ui/look/theme.h"
+
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QToolButton>
+#include <QVariant>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int barHeight = 40;
+
+QIcon iconOf(const Themes& themes, WorkState state) {
+    const Theme& t = themes.current();
+    switch (state) {
+        case WorkState::Done: return themes.icon("ok", t.ok);
+        case WorkState::Warning: return themes.icon("warning", t.warningFill);
+        case WorkState::Error: return themes.icon("error", t.error);
+        case WorkState::Running: return themes.icon("running", t.accent);
+        case WorkState::NotYet: return themes.icon("not-yet", t.text3);
+        case WorkState::Nothing: break;
+    }
+    return {};
+}
+
+QString wordOf(WorkState state) {
+    switch (state) {
+        case WorkState::Done: return WorkflowBar::tr("done");
+        case WorkState::Warning: return WorkflowBar::tr("has warnings");
+        case WorkState::Error: return WorkflowBar::tr("has errors");
+        case WorkState::Running: return WorkflowBar::tr("running");
+        case WorkState::NotYet: return WorkflowBar::tr("not yet");
+        case WorkState::Nothing: break;
+    }
+    return WorkflowBar::tr("nothing here");
+}
+
+}  // namespace
+
+WorkflowBar::WorkflowBar(const Themes& themes, QWidget* parent)
+    : QWidget(parent), themes_(themes), row_(new QHBoxLayout(this)) {
+    setObjectName("workflow");
+    setFixedHeight(barHeight);
+    row_->setContentsMargins(12, 0, 12, 0);
+    row_->setSpacing(0);
+    const std::array names{tr("Geometry"), tr("Materials && joints"), tr("Support"), tr("Stages"), tr("Run"),
+                           tr("Results")};
+    for (std::size_t i = 0; i < workSteps; ++i) {
+        auto* tab = new QToolButton(this);
+        tab->setText(names[i]);
+        tab->setObjectName(QString("workflow.%1").arg(i));
+        tab->setProperty("workflow", true);
+        tab->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        tab->setCheckable(true);
+        tab->setAutoExclusive(true);
+        tab->setFixedHeight(barHeight);
+        connect(tab, &QToolButton::clicked, this, [this, i] { choose(static_cast<WorkStep>(i)); });
+        row_->addWidget(tab);
+        tabs_[i] = tab;
+    }
+    row_->addStretch();
+    tabs_.front()->setChecked(true);
+    showIcons();
+    connect(&themes, &Themes::changed, this, &WorkflowBar::showIcons);
+}
+
+void WorkflowBar::choose(WorkStep step) {
+    tabs_[static_cast<std::size_t>(step)]->setChecked(true);
+    if (step == current_) return;
+    current_ = step;
+    Q_EMIT chosen(step);
+}
+
+void WorkflowBar::setStates(const WorkStates& states) {
+    if (states == states_) return;
+    states_ = states;
+    showIcons();
+}
+
+void WorkflowBar::addRight(QWidget* widget) { row_->addWidget(widget); }
+
+void WorkflowBar::showIcons() {
+    for (std::size_t i = 0; i < workSteps; ++i) {
+        tabs_[i]->setIcon(iconOf(themes_, states_[i]));
+        QString name = tabs_[i]->text();
+        tabs_[i]->setAccessibleName(name.replace("&&", "&"));
+        tabs_[i]->setAccessibleDescription(wordOf(states_[i]));
+        tabs_[i]->setToolTip(name + ": " + wordOf(states_[i]));
+    }
+}
+
+void WorkflowBar::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), themes_.current().panel);
+    painter.fillRect(0, height() - 1, width(), 1, themes_.current().separator);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The work's order along the top: a tab for each step with a tick, a warning or a
+// cross. It shows what stands; it never forces the order.
+#pragma once
+
+#include "ui/window/workflow.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QHBoxLayout;
+class QToolButton;
+
+namespace keyblock {
+
+class Themes;
+
+class WorkflowBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit WorkflowBar(const Themes& themes, QWidget* parent = nullptr);
+
+    WorkStep current() const { return current_; }
+    void choose(WorkStep step);
+    void setStates(const WorkStates& states);
+
+    /// Puts a widget at the right end, after those that are there.
+    void addRight(QWidget* widget);
+
+Q_SIGNALS:
+    void chosen(keyblock::WorkStep step);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void showIcons();
+
+    const Themes& themes_;
+    QHBoxLayout* row_;
+    std::array<QToolButton*, workSteps> tabs_{};
+    WorkStates states_{};
+    WorkStep current_ = WorkStep::Geometry;
+};
+
+}  // namespace keyblock
