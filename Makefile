@@ -4,12 +4,13 @@
 # The commands a person types. Each does its own set-up: missing Debian packages
 # are installed first, and what is built already is not built again.
 .DEFAULT_GOAL := help
-.PHONY: help run pictures test kills asan tsan bench fuzz clean packages
+.PHONY: help run show pictures test kills asan tsan bench fuzz clean packages
 
 SHOWN := build/release/drift-bolted
 
 help:
-	@echo "make run    build Keyblock, excavate, bolt and load a drift in two joint sets, draw and film it, compare with the paper"
+	@echo "make run    build Keyblock and open its window on a drift in two joint sets, ready for F5; without a display: make show"
+	@echo "make show   excavate, bolt and load the drift on the command line, draw and film it, compare with the paper"
 	@echo "make pictures  make the pictures of the README anew"
 	@echo "make test   build and run all tests"
 	@echo "make kills  a hundred runs killed at random moments and fifty stopped; resumed, they end with the same bytes"
@@ -29,6 +30,14 @@ define build
 endef
 
 run: packages
+	$(call build,release)
+	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] && [ -x build/release/keyblock-studio ]; then \
+	    echo build/release/keyblock-studio samples/drift-bolted.json; \
+	    exec build/release/keyblock-studio samples/drift-bolted.json; \
+	else $(MAKE) --no-print-directory show; fi
+
+# What `make run` does where no window can be shown.
+show: packages
 	$(call build,release)
 	build/release/keyblock run samples/drift-bolted.json --overwrite --out $(SHOWN).kbrun
 	build/release/keyblock info $(SHOWN).kbrun
