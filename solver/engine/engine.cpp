@@ -63,6 +63,8 @@ SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen:
     ++engine.health.steps;
     engine.health.passes += std::max(1, report.passes);
     engine.health.factorizations += report.factorizations;
+    engine.newest.passes = report.passes;
+    engine.newest.worst = blockOfBody(engine.model, report.worst);
     for (const LimitPair& pair : problem.limitPairs) {
         const Link& link = problem.links[static_cast<std::size_t>(pair.limited)];
         if (link.kind != LinkKind::Friction) continue;
@@ -110,12 +112,19 @@ std::string nameOfBody(const Model& model, int body) {
 }
 
 void countAccepted(Engine& engine, const State& state, double residual) {
+    StepHealth& newest = engine.newest;
+    newest.residual = residual;
+    newest.penetrationRatio = 0.0;
+    newest.penetrated = -1;
     for (const Contact& c : state.contacts) {
         const double depth = c.gapOffset - c.gap;
         const double size = std::min(engine.model.blocks[static_cast<std::size_t>(c.blockA)].size,
                                      engine.model.blocks[static_cast<std::size_t>(c.blockB)].size);
-        engine.health.maxPenetrationRatio = std::max(engine.health.maxPenetrationRatio, depth / size);
+        if (!(depth / size > newest.penetrationRatio)) continue;
+        newest.penetrationRatio = depth / size;
+        newest.penetrated = c.blockA;
     }
+    engine.health.maxPenetrationRatio = std::max(engine.health.maxPenetrationRatio, newest.penetrationRatio);
     engine.health.maxResidual = std::max(engine.health.maxResidual, residual);
 }
 

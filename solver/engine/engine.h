@@ -20,6 +20,7 @@ struct Engine {
     const Model& model;
     StepSolver solver;
     Health health;
+    StepHealth newest;
     std::function<bool()> stopAsked;  // asked in every pass
     std::function<void()> passed;  // told after every solved step, for progress
 

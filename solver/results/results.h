@@ -161,6 +161,15 @@ struct Health {
     bool operator==(const Health&) const = default;
 };
 
+/// How the newest step went, for whoever watches; nothing of a run depends on it. Blocks are −1 where there is none.
+struct StepHealth {
+    int passes = 0;
+    int worst = -1;  // block that was balanced worst
+    double residual = 0.0;  // accepted, over the forces at play
+    double penetrationRatio = 0.0;  // deepest penetration over the size of the block
+    int penetrated = -1;  // block there
+};
+
 struct StageResult {
     int stage = 0;
     Outcome outcome = Outcome::Equilibrium;

@@ -61,9 +61,13 @@ public:
         bool on = true;
         while (on && now_.stage < static_cast<int>(scene_.stages.size())) {
             stepping_ = false;
+            show();
             if (!now_.begun || checkpointDue()) keepCheckpoint();
             StepEnding ending;
-            if (stopAsked()) ending.ending = Ending::Stopped;
+            atRest_ = true;
+            const bool stop = stopAsked();
+            atRest_ = false;
+            if (stop) ending.ending = Ending::Stopped;
             else ending = now_.begun ? advance() : beginStage();
             if (ending.ending != Ending::Done || stageOver()) on = endStage(ending);
         }
@@ -324,10 +328,17 @@ private:
 
     void waitForStep() {
         while (control_.pause && !control_.stop && !stepping_) {
+            if (atRest_) show();
             int left = control_.steps;
             stepping_ = left > 0 && control_.steps.compare_exchange_strong(left, left - 1);
             if (!stepping_) std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
+    }
+
+    /// Hands over the state between two steps to whoever looks on; nothing of it is kept.
+    void show() {
+        if (control_.looked && now_.begun && control_.look.exchange(false))
+            control_.looked(observation_.frame(now_.state, now_.stage, now_.time));
     }
 
     void report() {
@@ -340,6 +351,8 @@ private:
         progress.passes = engine_.health.passes;
         progress.events = now_.written.events;
         progress.residual = engine_.health.maxResidual;
+        progress.stepCuts = engine_.health.stepCuts;
+        progress.step = engine_.newest;
         control_.progress(progress);
     }
 
@@ -356,6 +369,7 @@ private:
     Watch watch_;
     std::vector<double> times_;  // of a static stage's increments
     bool stepping_ = false;  // while paused
+    bool atRest_ = false;  // between two steps
 };
 
 }  // namespace

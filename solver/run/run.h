@@ -22,6 +22,8 @@ struct Progress {
     long passes = 0;
     long events = 0;
     double residual = 0.0;
+    long stepCuts = 0;  // of the stage
+    StepHealth step;  // the newest
 };
 
 /// Handed to a run and kept by whoever started it. Checked in every pass.
@@ -30,6 +32,8 @@ struct Control {
     std::atomic<bool> pause{false};
     std::atomic<int> steps{0};  // still to be taken while paused
     std::function<void(const Progress&)> progress;  // may be empty
+    std::atomic<bool> look{false};  // the state at the end of the step is asked for; taken back once it is handed over
+    std::function<void(const Frame&)> looked;  // gets it, from the thread that runs; may be empty
 };
 
 struct RunSettings {

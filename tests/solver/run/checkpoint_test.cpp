@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
 
 namespace keyblock {
@@ -199,6 +200,42 @@ TEST(Checkpoints, APausedRunTakesOneStepForEachThatIsAsked) {
     control.stop = true;  // also while paused
     worker.join();
     EXPECT_EQ(sink.results.stages.back().outcome, Outcome::Stopped);
+}
+
+TEST(Checkpoints, LookingAtStatesBetweenStepsChangesNothing) {
+    const Scene scene = sliding(100.0);
+    const Results unwatched = runInMemory(scene);
+    MemorySink sink;
+    Control control;
+    std::vector<Frame> seen;
+    control.look = true;
+    control.looked = [&](const Frame& frame) {
+        seen.push_back(frame);
+        control.look = true;
+    };
+    run(scene, sink, control);
+    EXPECT_TRUE(sink.results == unwatched);
+    ASSERT_GT(seen.size(), sink.results.frames.size());
+    for (const Frame& kept : sink.results.frames) {
+        if (kept == sink.results.frames.back()) continue;  // nobody looks once the stage is over
+        EXPECT_NE(std::find(seen.begin(), seen.end(), kept), seen.end()) << "frame at " << kept.time;
+    }
+}
+
+TEST(Checkpoints, ProgressTellsOfTheNewestStep) {
+    MemorySink sink;
+    Control control;
+    int mostPasses = 0;
+    double deepest = 0.0;
+    control.progress = [&](const Progress& progress) {
+        mostPasses = std::max(mostPasses, progress.step.passes);
+        deepest = std::max(deepest, progress.step.penetrationRatio);
+        EXPECT_EQ(progress.step.penetrationRatio > 0.0, progress.step.penetrated >= 0);
+    };
+    run(sliding(100.0), sink, control);
+    EXPECT_GT(mostPasses, 0);
+    EXPECT_LE(deepest, sink.results.stages.back().health.maxPenetrationRatio);
+    EXPECT_GT(deepest, 0.0);
 }
 
 }  // namespace
