@@ -8,8 +8,10 @@
 #include "solver/files/errors.h"
 #include "solver/files/resumption.h"
 #include "solver/files/run_store_writer.h"
+#include "solver/files/run_summary.h"
 #include "solver/files/scene_file.h"
 #include "solver/files/sha256.h"
+#include "solver/files/stored_frames.h"
 #include "solver/results/tables.h"
 #include "tests/scratch_folder.h"
 #include "tests/solver/results/sample_run.h"
@@ -21,6 +23,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <sstream>
@@ -422,6 +425,39 @@ TEST_F(RunStoreTest, NumbersOutOfTheOrdinarySurvive) {
         test::feed(test::sampleScene(), results, writer);
     }
     EXPECT_EQ(readResults(RunStore(storePath())), results);
+}
+
+TEST_F(RunStoreTest, FramesAreReadOneByOneWhileTheStoreIsWritten) {
+    const Scene scene = test::sampleScene();
+    const Results results = test::sampleResults();
+    RunStoreWriter writer(storePath(), false);
+    test::feed(scene, results, writer);  // not closed
+    const RunStore whole(storePath());
+    const StoredFrames frames(storePath(), std::make_shared<const Scene>(whole.scene()), whole.blockNames().size());
+    for (std::size_t i = 0; i < whole.frames().size(); ++i) EXPECT_TRUE(frames.frame(i) == whole.frame(i)) << i;
+    try {
+        frames.frame(whole.frames().size());
+        ADD_FAILURE() << "a frame that there is not was read";
+    } catch (const CannotRead& error) {
+        EXPECT_NE(std::string(error.what()).find("no frame"), std::string::npos) << error.what();
+    }
+    writer.close();
+    EXPECT_TRUE(frames.frame(0) == whole.frame(0));
+}
+
+TEST_F(RunStoreTest, ASummaryTellsWhatAListNeeds) {
+    writeSample();
+    const RunStore whole(storePath());
+    const RunSummary summary = runSummary(storePath());
+    EXPECT_EQ(summary.sceneHash, whole.sceneHash());
+    EXPECT_EQ(summary.frames, static_cast<long>(whole.frames().size()));
+    EXPECT_EQ(summary.events, static_cast<long>(whole.events().size()));
+    EXPECT_EQ(summary.stages, static_cast<int>(whole.stages().size()));
+    EXPECT_EQ(summary.outcome, whole.stages().back().result.outcome);
+    EXPECT_FALSE(summary.resumable);
+    EXPECT_THROW(runSummary(folder_.path() / "nowhere.kbrun"), CannotRead);
+    std::ofstream(folder_.path() / "text.kbrun") << "this is no database, but long enough to look like one";
+    EXPECT_THROW(runSummary(folder_.path() / "text.kbrun"), CannotRead);
 }
 
 }  // namespace
