@@ -39,7 +39,7 @@ const std::vector<Room> rooms{
     {"ui/view", {"ui/picture", "solver/results", "solver/scene", "geometry"}},
     {"ui/look", {"ui/picture"}},
     {"ui/document",
-     {"ui/look", "ui/edit", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
+     {"ui/look", "ui/edit", "ui/picture", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
     {"ui/canvas",
      {"ui/look", "ui/view", "ui/figure", "ui/picture", "solver/results", "solver/scene", "geometry"}},
     {"ui/tools",

@@ -17,6 +17,9 @@ std::shared_ptr<const Checked> checkOf(const std::shared_ptr<const Scene>& scene
         std::optional<SceneCut> cut;
         checked->problems = checkScene(*scene, &cut);
         if (cut) checked->cut = std::make_shared<const SceneCut>(std::move(*cut));
+        const Scene& solved = checked->cut ? checked->cut->scene : *scene;
+        if (!hasErrors(checked->problems) && !solved.blocks.empty())
+            checked->picture = std::make_shared<const SectionPicture>(drawingPicture(solved));
     } catch (const std::exception& error) {
         checked->problems.push_back({Severity::Error, {}, 0, {}, std::string("the check failed: ") + error.what(),
                                      "undo the last edit, or make the scene smaller"});

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "solver/scene/check.h"
+#include "ui/document/drawing.h"
 
 #include <QObject>
 
@@ -22,6 +23,7 @@ struct Checked {
     std::shared_ptr<const Scene> scene;
     std::vector<Problem> problems;
     std::shared_ptr<const SceneCut> cut;  // null: errors keep it from being cut, or it needs none
+    std::shared_ptr<const SectionPicture> picture;  // as drawn; null: errors, or no blocks
 };
 
 class Checker : public QObject {

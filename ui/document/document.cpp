@@ -25,7 +25,7 @@ private:
 
 Document::Document(QObject* parent)
     : QObject(parent), undo_(new QUndoStack(this)), checker_(new Checker(this)),
-      scene_(std::make_shared<const Scene>()), checked_(std::make_shared<const Checked>(Checked{scene_, {}, {}})) {
+      scene_(std::make_shared<const Scene>()), checked_(std::make_shared<const Checked>(Checked{scene_, {}, {}, {}})) {
     connect(undo_, &QUndoStack::cleanChanged, this, &Document::fileChanged);
     connect(checker_, &Checker::finished, this, [this](std::shared_ptr<const Checked> checked) {
         checked_ = std::move(checked);

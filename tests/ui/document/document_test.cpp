@@ -11,6 +11,9 @@
 #include <QUndoStack>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+
 namespace keyblock {
 namespace {
 
@@ -62,6 +65,31 @@ TEST(Documents, ASampleOpensChecksAndIsCut) {
     ASSERT_TRUE(document.checked().cut);
     EXPECT_GT(document.checked().cut->blocks, 100);
     EXPECT_FALSE(hasErrors(document.checked().problems));
+}
+
+TEST(Documents, ADrawingShowsOpeningsAndEveryBolt) {
+    NEED_SCREEN();
+    Document document;
+    ASSERT_TRUE(document.open(KEYBLOCK_SAMPLES_DIR "/drift-bolted.json").empty());
+    ASSERT_TRUE(waitFor([&] { return document.checkIsCurrent(); }));
+    const Checked& checked = document.checked();
+    ASSERT_TRUE(checked.picture);
+    EXPECT_EQ(checked.picture->bolts.size(), checked.cut->scene.bolts.size());  // some come with a later stage
+    EXPECT_LT(checked.picture->blocks.size(), checked.cut->scene.blocks.size());  // the rock in the tunnel is out
+    EXPECT_FALSE(checked.picture->walls.empty());
+    for (const BoltShape& bolt : checked.picture->bolts)
+        EXPECT_TRUE(std::ranges::any_of(bolt.marks, [](const Mark& mark) { return mark.kind == MarkKind::Bonded; }))
+            << bolt.name;
+}
+
+TEST(Documents, EverySampleThatHasBlocksIsDrawn) {
+    for (const auto& entry : std::filesystem::directory_iterator(KEYBLOCK_SAMPLES_DIR)) {
+        if (entry.path().extension() != ".json") continue;
+        const SceneReading reading = readSceneFile(entry.path());
+        ASSERT_TRUE(reading.scene) << entry.path();
+        const SectionPicture picture = drawingPicture(reading.cut ? reading.cut->scene : *reading.scene);
+        EXPECT_FALSE(picture.blocks.empty()) << entry.path();
+    }
 }
 
 TEST(Documents, WhatDoesNotOpenIsToldAndChangesNothing) {
