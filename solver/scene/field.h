@@ -72,6 +72,10 @@ struct Children {
     void (*clear)(void* owner) = nullptr;  // present and empty; leaves an Object as it is
     void (*setNull)(void* owner) = nullptr;  // of a nullable one
     void* (*append)(void* owner, std::string_view name) = nullptr;  // valid until the next; the member of an Object
+    void (*assign)(void* item, const void* from) = nullptr;  // all but the name of a Map's entry
+    void (*erase)(void* owner, std::size_t index) = nullptr;  // of a List or Map
+    void (*move)(void* owner, std::size_t from, std::size_t to) = nullptr;  // of a List or Map; shifts those between
+    void (*rename)(void* owner, std::size_t index, std::string_view name) = nullptr;  // of a Map
     const Structure& (*structure)() = nullptr;
 };
 

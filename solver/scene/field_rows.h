@@ -261,6 +261,38 @@ struct Reach {
         else
             return &inner(owner).emplace_back();
     }
+    static void assign(void* item, const void* from) {
+        auto& to = *static_cast<Item*>(item);
+        if constexpr (std::is_same_v<Item, BoltType>) {
+            std::string kept = std::move(to.name);
+            to = *static_cast<const Item*>(from);
+            to.name = std::move(kept);
+        } else {
+            to = *static_cast<const Item*>(from);
+        }
+    }
+    static void erase(void* owner, [[maybe_unused]] std::size_t index) {
+        if constexpr (Held::kind != FieldKind::Object)
+            inner(owner).erase(inner(owner).begin() + static_cast<std::ptrdiff_t>(index));
+    }
+    static void move([[maybe_unused]] void* owner, [[maybe_unused]] std::size_t from,
+                     [[maybe_unused]] std::size_t to) {
+        if constexpr (Held::kind != FieldKind::Object) {
+            const auto begin = inner(owner).begin();
+            const auto at = [&](std::size_t index) { return begin + static_cast<std::ptrdiff_t>(index); };
+            if (from < to)
+                std::rotate(at(from), at(from + 1), at(to + 1));
+            else
+                std::rotate(at(to), at(from), at(from + 1));
+        }
+    }
+    static void rename([[maybe_unused]] void* owner, [[maybe_unused]] std::size_t index,
+                       [[maybe_unused]] std::string_view itemName) {
+        if constexpr (std::is_same_v<Item, BoltType>)
+            inner(owner)[index].name = itemName;
+        else if constexpr (Held::kind == FieldKind::Map)
+            inner(owner)[index].first = itemName;
+    }
     static const Structure& structure() { return structureOf(static_cast<const Item*>(nullptr)); }
 };
 
@@ -273,7 +305,8 @@ void describeAccess(Field& field) {
     if constexpr (HasStructure<typename Holder<Inner<member>>::Item>) {
         using R = Reach<member>;
         field.kind = R::Held::kind;
-        field.children = {R::count, R::item, R::name, R::isNull, R::clear, R::setNull, R::append, R::structure};
+        field.children = {R::count,  R::item,   R::name,  R::isNull, R::clear,  R::setNull,
+                          R::append, R::assign, R::erase, R::move,   R::rename, R::structure};
     } else {
         field.kind = leafKind<Inner<member>>();
         field.get = get<member>;
