@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The door to all edits, for those who use several.
+#pragma once
+
+#include "ui/edit/edit.h"
+#include "ui/edit/names.h"
+#include "ui/edit/place.h"
+#include "ui/edit/remove.h"
+#include "ui/edit/usual.h"
+#include "ui/edit/values.h"

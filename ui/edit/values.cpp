@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/edit/values.h"
+
+#include "solver/files/bolt_library.h"
+#include "solver/scene/check_report.h"
+#include "solver/scene/lookup.h"
+#include "solver/scene/pointer.h"
+#include "solver/scene/suggest.h"
+#include "ui/edit/locate.h"
+#include "ui/edit/names.h"
+#include "ui/edit/remove.h"
+#include "ui/edit/usual.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+Edit refused(const Scene& scene, std::string why) { return {scene, std::move(why)}; }
+
+Edit lost(const Scene& scene, const std::string& pointer) {
+    return refused(scene, "There is nothing at " + (pointer.empty() ? "the scene itself" : pointer) + " to change.");
+}
+
+/// Built-in types serve other scenes too.
+bool isBuiltIn(const Scene& scene, const std::string& pointer) {
+    const std::vector<std::string> parts = partsOf(pointer);
+    if (parts.size() < 2 || parts[0] != "bolt_types") return false;
+    const BoltType* type = findBoltType(scene, parts[1]);
+    return type && type->builtIn;
+}
+
+Edit refusedBuiltIn(const Scene& scene, const std::string& pointer) {
+    return refused(scene, "The bolt type " + inQuotes(partsOf(pointer)[1]) + " comes with the program. Copy it to change it.");
+}
+
+/// True when the alternative is the one that the field's kind takes.
+bool hasKind(const Field& field, const FieldValue& value) {
+    switch (field.kind) {
+        case FieldKind::Flag: return std::holds_alternative<bool>(value);
+        case FieldKind::Number:
+        case FieldKind::Integer: return std::holds_alternative<double>(value);
+        case FieldKind::Text:
+        case FieldKind::Word: return std::holds_alternative<std::string>(value);
+        case FieldKind::Vector:
+        case FieldKind::Axis: return std::holds_alternative<Point>(value);
+        case FieldKind::PointPair:
+        case FieldKind::Points: return std::holds_alternative<std::vector<Point>>(value);
+        case FieldKind::Pairs: return std::holds_alternative<Table>(value);
+        case FieldKind::Triple: return std::holds_alternative<Stress>(value);
+        case FieldKind::Place: return std::holds_alternative<BoltPlace>(value);
+        case FieldKind::TextList: return std::holds_alternative<std::vector<std::string>>(value);
+        case FieldKind::TextMap: return std::holds_alternative<std::map<std::string, std::string>>(value);
+        default: return false;
+    }
+}
+
+std::string shapeProblem(const Field& field, const FieldValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value); text && field.kind == FieldKind::Word) {
+        const std::vector<std::string_view> words(field.words.begin(), field.words.end());
+        if (std::find(words.begin(), words.end(), *text) == words.end())
+            return inQuotes(*text) + " is none of " + listed(words) + ".";
+    }
+    if (const auto* text = std::get_if<std::string>(&value); text && text->empty() && field.required)
+        return "A text is needed here.";
+    if (const auto* number = std::get_if<double>(&value); number && field.kind == FieldKind::Integer)
+        if (*number != std::floor(*number) || std::abs(*number) > 2147483647.0) return "Give a whole number.";
+    if (const auto* points = std::get_if<std::vector<Point>>(&value); points && field.kind == FieldKind::PointPair)
+        if (points->size() != 2) return "Give two points.";
+    return {};
+}
+
+FieldValue withElement(FieldValue list, std::size_t index, const FieldValue& element, std::string& problem) {
+    if (auto* points = std::get_if<std::vector<Point>>(&list); points && std::holds_alternative<Point>(element))
+        (*points)[index] = std::get<Point>(element);
+    else if (auto* texts = std::get_if<std::vector<std::string>>(&list);
+             texts && std::holds_alternative<std::string>(element))
+        (*texts)[index] = std::get<std::string>(element);
+    else
+        problem = "The value is of another kind.";
+    return list;
+}
+
+}  // namespace
+
+std::optional<FieldValue> valueAt(const Scene& scene, std::string_view pointer) {
+    const auto place = locate(scene, pointer);
+    if (!place || !place->field || !place->field->get) return std::nullopt;
+    FieldValue value = place->field->get(place->owner);
+    if (!place->element) return value;
+    if (const auto* points = std::get_if<std::vector<Point>>(&value)) return (*points)[*place->element];
+    return std::get<std::vector<std::string>>(value)[*place->element];
+}
+
+std::string valueProblem(const Field& field, const FieldValue& value) {
+    if (std::holds_alternative<std::monostate>(value))
+        return field.nullable ? std::string() : "A value is needed here.";
+    if (!hasKind(field, value)) return "The value is of another kind.";
+    if (!isFinite(value)) return "Give a finite number.";
+    if (std::string problem = shapeProblem(field, value); !problem.empty()) return problem;
+    CheckReport report;
+    checkValue(field, value, "", report);
+    return report.problems.empty() ? std::string() : report.problems.front().remedy + ".";
+}
+
+Edit setValueAt(const Scene& scene, const std::string& pointer, const FieldValue& value) {
+    const auto found = locate(scene, pointer);
+    if (!found || !found->field || !found->field->get) return lost(scene, pointer);
+    if (isBuiltIn(scene, pointer)) return refusedBuiltIn(scene, pointer);
+    const std::string holder = parentOf(pointer);
+    if (found->field->key == "name" && std::holds_alternative<std::string>(value) && locate(scene, holder)->entry)
+        return renameAt(scene, holder, std::get<std::string>(value));
+    Edit edit{scene};
+    const ScenePlace place = *locate(edit.scene, pointer);
+    FieldValue whole = value;
+    if (place.element) whole = withElement(place.field->get(place.owner), *place.element, value, edit.refusal);
+    if (edit.done()) edit.refusal = valueProblem(*place.field, whole);
+    if (!edit.done()) return edit;
+    place.field->set(changeable(place.owner), whole);
+    settleBoltTypes(edit.scene);
+    return edit;
+}
+
+Edit setNullAt(const Scene& scene, const std::string& pointer) {
+    const auto found = locate(scene, pointer);
+    if (!found || !found->field) return lost(scene, pointer);
+    if (found->entry || found->element) return removeAt(scene, pointer);
+    if (isBuiltIn(scene, pointer)) return refusedBuiltIn(scene, pointer);
+    Edit edit{scene};
+    const ScenePlace place = *locate(edit.scene, pointer);
+    if (hasChildren(*place.field)) {
+        place.field->children.setNull(changeable(place.owner));
+        if (place.field->nullable) edit.pointers.removed(pointer);
+    } else if (place.field->nullable) {
+        place.field->set(changeable(place.owner), {});
+    } else {
+        return resetAt(scene, pointer);
+    }
+    settleBoltTypes(edit.scene);
+    return edit;
+}
+
+Edit resetAt(const Scene& scene, const std::string& pointer) {
+    const auto found = locate(scene, pointer);
+    if (!found || !found->field || found->element) return lost(scene, pointer);
+    if (hasChildren(*found->field)) return setNullAt(scene, pointer);
+    if (!found->field->get) return lost(scene, pointer);
+    if (found->field->required) return refused(scene, "This has no default: a scene always says it.");
+    return setValueAt(scene, pointer, defaultOf(*found->structure, *found->field));
+}
+
+Edit appendAt(const Scene& scene, const std::string& pointer, std::string_view name) {
+    const auto found = locate(scene, pointer);
+    if (!found || !found->field || !hasChildren(*found->field) || found->entry) return lost(scene, pointer);
+    if (isBuiltIn(scene, pointer)) return refusedBuiltIn(scene, pointer);
+    Edit edit{scene};
+    const ScenePlace place = *locate(edit.scene, pointer);
+    const Children& children = place.field->children;
+    if (place.field->kind == FieldKind::Object && children.count(place.owner) > 0) return edit;
+    const bool isMap = place.field->kind == FieldKind::Map;
+    std::string used(name.empty() ? newName(scene, pointer) : nameOfCopy(scene, pointer, name));
+    if (isMap && used.empty()) used = "new";
+    void* made = children.append(changeable(place.owner), used);
+    const Structure& structure = children.structure();
+    makeUsual(edit.scene, structure, made);
+    if (const Field* field = findField(structure, "name"); field && !isMap && !used.empty()) field->set(made, used);
+    edit.made = place.field->kind == FieldKind::Object ? pointer
+                : isMap                                ? under(pointer, used)
+                                                       : under(pointer, children.count(place.owner) - 1);
+    settleBoltTypes(edit.scene);
+    return edit;
+}
+
+Edit moveAt(const Scene& scene, const std::string& pointer, std::size_t to) {
+    Edit edit{scene};
+    const auto place = locate(edit.scene, pointer);
+    if (!place || !place->entry) return lost(scene, pointer);
+    if (isBuiltIn(scene, parentOf(pointer))) return refusedBuiltIn(scene, pointer);
+    const Children& children = place->field->children;
+    const std::size_t last = std::min(to, children.count(place->owner) - 1);
+    if (last == *place->entry) return edit;
+    children.move(changeable(place->owner), *place->entry, last);
+    if (place->field->kind == FieldKind::List) {
+        edit.pointers.moved(parentOf(pointer), *place->entry, last);
+        edit.made = under(parentOf(pointer), last);
+    }
+    return edit;
+}
+
+void settleBoltTypes(Scene& scene) {
+    const auto isUsed = [&](const BoltType& type) {
+        const auto names = [&](const auto& item) { return item.type == type.name; };
+        return std::any_of(scene.bolts.begin(), scene.bolts.end(), names) ||
+               std::any_of(scene.boltPatterns.begin(), scene.boltPatterns.end(), names);
+    };
+    std::erase_if(scene.boltTypes, [&](const BoltType& type) { return type.builtIn && !isUsed(type); });
+    addUsedBuiltInBoltTypes(scene);
+}
+
+}  // namespace keyblock
