@@ -139,9 +139,12 @@ public:
     }
 
     JsonReading take() {
-        if (failed_)
-            root_.reset();
-        return {std::move(root_), std::move(problems_)};
+        if (!failed_)
+            return {std::move(root_), std::move(problems_)};
+        values_ = 0;  // closing adds none
+        while (!open_.empty())
+            close();
+        return {{}, std::move(problems_), std::move(root_)};
     }
 
 private:
@@ -200,6 +203,8 @@ private:
 
     void placeMember(JsonNode node) {
         Open& parent = open_.back();
+        if (!parent.key)
+            return;  // closing what an error left open
         std::get<JsonObject>(parent.node.value).push_back({std::move(*parent.key), std::move(node)});
         parent.key.reset();
     }
@@ -310,19 +315,30 @@ const JsonNode* findMember(const JsonNode& node, std::string_view key) {
     return found == object->end() ? nullptr : &found->node;
 }
 
-int lineAt(const JsonNode& root, std::string_view pointer) {
+namespace {
+
+// The last value on the way of the pointer; `pointer` keeps what leads no further.
+const JsonNode& follow(const JsonNode& root, std::string_view& pointer) {
     const JsonNode* node = &root;
     while (!pointer.empty()) {
-        pointer.remove_prefix(1);
-        const auto end = std::min(pointer.find('/'), pointer.size());
-        const JsonNode* next = step(*node, unescaped(pointer.substr(0, end)));
+        const auto end = std::min(pointer.find('/', 1), pointer.size());
+        const JsonNode* next = step(*node, unescaped(pointer.substr(1, end - 1)));
         if (!next)
             break;
         node = next;
         pointer.remove_prefix(end);
     }
-    return node->line;
+    return *node;
 }
+
+}  // namespace
+
+const JsonNode* nodeAt(const JsonNode& root, std::string_view pointer) {
+    const JsonNode& last = follow(root, pointer);
+    return pointer.empty() ? &last : nullptr;
+}
+
+int lineAt(const JsonNode& root, std::string_view pointer) { return follow(root, pointer).line; }
 
 std::string_view kindText(const JsonNode& node) {
     constexpr std::array<std::string_view, 6> texts{"null", "true or false", "a number", "a text", "a list",

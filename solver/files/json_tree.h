@@ -38,6 +38,7 @@ struct JsonMember {
 struct JsonReading {
     std::optional<JsonNode> root;  // none when the text is no JSON or beyond a limit
     std::vector<Problem> problems;  // the syntax error, or the duplicate keys, of which the first is kept
+    std::optional<JsonNode> before{};  // where there is no root: what stands before the error
 };
 
 inline constexpr int deepestJson = 64;  // lists and objects inside each other
@@ -49,6 +50,9 @@ JsonReading readJson(std::string_view text);
 
 /// The member of that key; null when there is none or `node` is no object.
 const JsonNode* findMember(const JsonNode& node, std::string_view key);
+
+/// The value at the pointer; null where the tree has none.
+const JsonNode* nodeAt(const JsonNode& root, std::string_view pointer);
 
 /// Where the pointer leads, or as far as it leads: the line of the last value found.
 int lineAt(const JsonNode& root, std::string_view pointer);

@@ -14,6 +14,7 @@
 #include "solver/files/object_reader.h"
 #include "solver/files/overrides.h"
 #include "solver/files/record_file.h"
+#include "solver/files/scene_tree.h"
 #include "solver/files/scene_version.h"
 #include "solver/engine/mesh_check.h"
 #include "solver/scene/check.h"
@@ -90,26 +91,9 @@ void readRecords(Scene& scene, const JsonNode& root, const std::filesystem::path
     }
 }
 
-// The row of the place in the table of fields; null where it is not a field.
-const Field* fieldAt(const std::string& pointer) {
-    const Structure* structure = &sceneStructure();
-    const Field* field = nullptr;
-    for (std::size_t from = 1; from < pointer.size();) {
-        const std::size_t end = std::min(pointer.find('/', from), pointer.size());
-        const bool isItem = field && (field->kind == FieldKind::List || field->kind == FieldKind::Map);
-        if (field && hasChildren(*field))
-            structure = &field->children.structure();
-        field = isItem ? nullptr : findField(*structure, pointer.substr(from, end - from));
-        if (!field && !isItem)
-            return nullptr;
-        from = end + 1;
-    }
-    return field;
-}
-
 // True when the error is of the key that decides whether the problem's belongs there at all.
 bool decides(const Problem& error, const Problem& problem) {
-    const Field* field = fieldAt(problem.pointer);
+    const Field* field = sceneFieldAt(problem.pointer);
     const std::size_t parent = problem.pointer.rfind('/');
     return field && !field->only.key.empty() &&
            error.pointer == under(problem.pointer.substr(0, parent), field->only.key);
@@ -180,6 +164,28 @@ SceneReading unreadable(const std::string& name, std::string message, std::strin
 
 }  // namespace
 
+Scene sceneOfTree(const JsonNode& root, const std::filesystem::path& folder, std::vector<Problem>& problems) {
+    Scene scene = readScene(root, problems);
+    readRecords(scene, root, folder, problems);
+    return scene;
+}
+
+const Field* sceneFieldAt(const std::string& pointer) {
+    const Structure* structure = &sceneStructure();
+    const Field* field = nullptr;
+    for (std::size_t from = 1; from < pointer.size();) {
+        const std::size_t end = std::min(pointer.find('/', from), pointer.size());
+        const bool isItem = field && (field->kind == FieldKind::List || field->kind == FieldKind::Map);
+        if (field && hasChildren(*field))
+            structure = &field->children.structure();
+        field = isItem ? nullptr : findField(*structure, pointer.substr(from, end - from));
+        if (!field && !isItem)
+            return nullptr;
+        from = end + 1;
+    }
+    return field;
+}
+
 SceneReading readSceneText(std::string_view text, const std::string& name, std::span<const std::string> overrides,
                            const std::filesystem::path& folder) {
     JsonReading json = readJson(text);
@@ -190,9 +196,8 @@ SceneReading readSceneText(std::string_view text, const std::string& name, std::
     if (!bringUpToDate(*json.root, problems))
         return finished({}, {}, std::move(problems), name, overrides);
     Problems ofFields;
-    Scene scene = readScene(*json.root, ofFields);
+    Scene scene = sceneOfTree(*json.root, folder, ofFields);
     std::optional<SceneCut> cut;
-    readRecords(scene, *json.root, folder, ofFields);
     for (const Problem& problem : ofFields)
         addProblem(problems, problem);
     if (!isFull(problems))

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A scene with errors is no scene for a run, but a person who opens one in a window
+// wants to see what there is of it and to put it right.
+#pragma once
+
+#include "solver/scene/problem.h"
+#include "solver/scene/scene.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keyblock {
+
+struct SceneRescue {
+    std::optional<Scene> scene;  // as far as it could be read; none when the text is no scene at all
+    std::vector<std::string> leftOut;  // pointers to the objects of the text that lack something they need
+    bool brokeOff = false;  // the text is no JSON from some line on; the scene is what stands before it
+    std::vector<Problem> problems;  // of single fields; whether the scene makes sense is not asked
+};
+
+/// Reads what can be read. Values that cannot be read keep their defaults; an object without one that it needs is left
+/// out. Records are looked for from `folder`.
+SceneRescue rescueSceneText(std::string_view text, const std::string& name,
+                            const std::filesystem::path& folder = {});
+
+}  // namespace keyblock
