@@ -71,6 +71,21 @@ bool Document::isModified() const { return !undo_->isClean(); }
 
 void Document::startNew(Scene scene, const QString& name) { start(std::move(scene), {}, name); }
 
+void Document::restore(std::vector<RestoredStep> steps, std::size_t index, std::optional<std::size_t> saved,
+                       const QString& path, const QString& name) {
+    start(*steps.front().scene, path, name);
+    {
+        const QSignalBlocker quiet(this);  // one change is told, not one for each step
+        for (std::size_t i = 1; i < steps.size(); ++i) undo_->push(new SceneStep(*this, steps[i].name, steps[i].scene));
+        if (saved) undo_->setIndex(static_cast<int>(*saved));
+        if (saved) undo_->setClean();
+        else undo_->resetClean();
+        undo_->setIndex(static_cast<int>(index));
+    }
+    show();
+    Q_EMIT fileChanged();
+}
+
 std::vector<Problem> Document::open(const QString& path) {
     SceneReading reading = readSceneFile(path.toStdString());
     if (!reading.scene) return reading.problems;

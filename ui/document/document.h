@@ -12,11 +12,18 @@
 #include <QString>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 class QUndoStack;
 
 namespace keyblock {
+
+/// A scene with the name of the step that led to it.
+struct RestoredStep {
+    QString name;  // of the first empty
+    std::shared_ptr<const Scene> scene;
+};
 
 class Document : public QObject {
     Q_OBJECT
@@ -51,6 +58,11 @@ public:
 
     /// Replaces everything by a scene that no file holds yet.
     void startNew(Scene scene, const QString& name = {});
+
+    /// Replaces everything by a document with its steps of undo, of which `index` stands and the file holds `saved`.
+    /// \pre `steps` is not empty, both count within it.
+    void restore(std::vector<RestoredStep> steps, std::size_t index, std::optional<std::size_t> saved,
+                 const QString& path, const QString& name);
 
     /// Opens a file. What keeps it from being opened comes back, and the document stays as it was; warnings of a scene
     /// that opens come with the check.

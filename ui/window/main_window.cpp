@@ -3,6 +3,7 @@
 #include "ui/window/main_window.h"
 
 #include "ui/document/document.h"
+#include "ui/document/journal.h"
 #include "ui/document/selection.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
@@ -22,8 +23,8 @@ namespace keyblock {
 
 MainWindow::MainWindow(Themes& themes)
     : themes_(themes), display_(new Display(this)), commands_(new Commands(themes, this)),
-      document_(new Document(this)), selection_(new Selection(this)),
-      workflow_(new WorkflowBar(themes, this)) {
+      document_(new Document(this)), journal_(new Journal(*document_, journalFolder(), this)),
+      selection_(new Selection(this)), workflow_(new WorkflowBar(themes, this)) {
     setObjectName("studio");
     resize(1600, 1000);
     addFileCommands(*commands_, *document_, *this);
@@ -34,6 +35,9 @@ MainWindow::MainWindow(Themes& themes)
     connect(document_, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(document_, &Document::checkedChanged, this, &MainWindow::showStates);
     connect(document_, &Document::replaced, selection_, &Selection::clear);
+    connect(journal_, &Journal::failed, this, [this](const QString& why) {
+        statusBar()->showMessage(tr("Edits are no longer kept for recovery: %1").arg(why));
+    });
     auto* units = new QLabel(display_->summary(), this);
     statusBar()->addPermanentWidget(units);
     connect(display_, &Display::changed, units, [this, units] { units->setText(display_->summary()); });
@@ -44,7 +48,10 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::openPath(const QString& path) { openDocument(*document_, path, *this); }
 
-void MainWindow::closeEvent(QCloseEvent* event) { event->setAccepted(mayDiscard(*document_, *this)); }
+void MainWindow::closeEvent(QCloseEvent* event) {
+    event->setAccepted(mayDiscard(*document_, *this));
+    if (event->isAccepted()) journal_->close();
+}
 
 void MainWindow::placeBars() {
     auto* bar = new QToolBar(tr("Order of the work"), this);

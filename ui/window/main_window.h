@@ -14,6 +14,7 @@ namespace keyblock {
 class Commands;
 class Display;
 class Document;
+class Journal;
 class Selection;
 class Themes;
 class WorkflowBar;
@@ -40,6 +41,7 @@ private:
     Display* display_;
     Commands* commands_;
     Document* document_;
+    Journal* journal_;
     Selection* selection_;
     WorkflowBar* workflow_;
 };

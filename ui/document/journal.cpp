@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/journal.h"
+
+#include "solver/run/errors.h"
+#include "ui/document/document.h"
+#include "ui/document/journal_file.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QStandardPaths>
+#include <QUndoStack>
+
+namespace keyblock {
+
+namespace {
+
+/// A name that no other window, nor this one before, has given.
+QString newJournalPath(const QString& folder) {
+    static int count = 0;
+    const QString time = QDateTime::currentDateTimeUtc().toString("yyyyMMdd-hhmmss-zzz");
+    return QStringLiteral("%1/%2-%3-%4.journal").arg(folder, time).arg(QCoreApplication::applicationPid()).arg(++count);
+}
+
+}  // namespace
+
+QString journalFolder() {
+    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/journals";
+}
+
+Journal::Journal(Document& document, const QString& folder, QObject* parent)
+    : QObject(parent), document_(document), folder_(folder) {
+    close();
+    connect(&document, &Document::replaced, this, &Journal::close);
+    connect(&document.undo(), &QUndoStack::indexChanged, this, &Journal::follow);
+    connect(&document, &Document::fileChanged, this, &Journal::followFile);
+}
+
+Journal::~Journal() = default;
+
+void Journal::close() {
+    if (file_) file_->remove();
+    file_.reset();
+    broken_ = false;
+    states_ = {document_.committed()};
+    index_ = 0;
+    saved_ = document_.undo().cleanIndex();
+    savedAs_ = document_.path();
+}
+
+void Journal::flush() {
+    if (file_) file_->flush();
+}
+
+QString Journal::path() const { return file_ ? QString::fromStdString(file_->path().string()) : QString(); }
+
+void Journal::begin() {
+    if (file_ || broken_) return;
+    try {
+        QDir().mkpath(folder_);
+        file_ = std::make_unique<JournalFile>(newJournalPath(folder_).toStdString(), [this](const std::string& why) {
+            QMetaObject::invokeMethod(this, [this, why] { Q_EMIT failed(QString::fromStdString(why)); },
+                                      Qt::QueuedConnection);
+        });
+    } catch (const CannotWrite& error) {
+        broken_ = true;
+        Q_EMIT failed(QString::fromUtf8(error.what()));
+        return;
+    }
+    file_->begin(savedAs_.toStdString(), document_.title().toStdString(), states_.front(), saved_ == 0);
+}
+
+void Journal::follow(int index) {
+    const std::shared_ptr<const Scene>& now = document_.committed();
+    const auto at = static_cast<std::size_t>(index);
+    const bool isKnown = at < states_.size() && states_[at] == now;
+    if (isKnown && index == index_) return;
+    if (!isKnown && (at == 0 || at > states_.size())) return;  // another document; it says so itself
+    begin();
+    index_ = index;
+    if (isKnown) {
+        if (file_) file_->move(at);
+        return;
+    }
+    states_.resize(at);
+    states_.push_back(now);
+    const QString name = document_.undo().text(index - 1);
+    if (file_) file_->step(at, name.toStdString(), states_[at - 1], now);
+}
+
+void Journal::followFile() {
+    const int saved = document_.undo().cleanIndex();
+    if (saved == saved_ && document_.path() == savedAs_) return;
+    saved_ = saved;
+    savedAs_ = document_.path();
+    const auto at = saved < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(saved));
+    if (file_) file_->saved(at, savedAs_.toStdString());
+}
+
+}  // namespace keyblock

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes a journal on a thread of its own, because a large scene takes longer to
+// write down than a window may stand still. A line goes to the system with one
+// call, so that a kill leaves whole lines. The file is locked while it is written,
+// and the lock goes with the process, however that ends: a journal without a lock
+// is one that nobody closed.
+#pragma once
+
+#include "solver/scene/scene.h"
+
+#include <condition_variable>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace keyblock {
+
+class JournalFile {
+public:
+    using ScenePtr = std::shared_ptr<const Scene>;
+
+    /// Makes the file. `told` is called from the writer's thread, once, with what keeps it from being written on.
+    /// \throws CannotWrite
+    JournalFile(const std::filesystem::path& path, std::function<void(std::string)> told);
+    /// Writes what waits, and lets go of the file.
+    ~JournalFile();
+    JournalFile(const JournalFile&) = delete;
+    JournalFile& operator=(const JournalFile&) = delete;
+
+    void begin(const std::string& path, const std::string& name, ScenePtr first, bool isSaved);
+    void step(std::size_t index, const std::string& name, ScenePtr before, ScenePtr after);
+    void move(std::size_t index);
+    void saved(std::optional<std::size_t> index, const std::string& path);
+
+    /// Waits until all that was handed over is written.
+    void flush();
+    /// Removes the file; what waits is not written.
+    void remove();
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    void hand(std::function<std::string()> line);
+    void work();
+    void write(const std::string& line);
+    const std::string& textOf(const ScenePtr& scene);
+
+    std::filesystem::path path_;
+    std::function<void(std::string)> told_;
+    int file_ = -1;
+    bool broken_ = false;  // of the writer's thread
+    ScenePtr written_;  // of the writer's thread: the scene that `text_` is of
+    std::string text_;
+    std::mutex mutex_;
+    std::condition_variable wake_, idle_;
+    std::deque<std::function<std::string()>> waiting_;
+    bool works_ = false, ends_ = false;
+    std::thread thread_;
+};
+
+}  // namespace keyblock
