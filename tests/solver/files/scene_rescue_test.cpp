@@ -32,7 +32,7 @@ TEST(SceneRescue, ObjectsThatLackSomethingAreLeftOutAndNamed) {
     EXPECT_EQ(rescue.scene->title, "half");
     ASSERT_EQ(rescue.scene->blocks.size(), 2u);
     EXPECT_EQ(rescue.scene->blocks[1].points[0], Point(2, 0));
-    EXPECT_EQ(rescue.leftOut, (std::vector<std::string>{"/blocks/1", "/blocks/2", "/materials/rock"}));
+    EXPECT_EQ(rescue.leftOut, (std::vector<std::string>{"/blocks/1", "/blocks/2", "/blocks/3/colour", "/materials/rock"}));
     EXPECT_TRUE(std::ranges::any_of(rescue.problems, [](const Problem& p) { return p.line == 7; }));
     EXPECT_FALSE(rescue.brokeOff);
 }
