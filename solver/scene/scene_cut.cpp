@@ -96,15 +96,6 @@ void addSplits(const Cut& cut, const CutBlock& block, int source, std::vector<Cu
         }
 }
 
-/// The side of the domain that an edge of a block lies on, run counter-clockwise.
-BoundarySide sideOf(const Point& from, const Point& to) {
-    constexpr double slack = 1e-9;  // an edge at 45° does not change sides by round-off
-    const Point outward = -turnLeft(to - from);
-    if (std::abs(outward.y()) >= std::abs(outward.x()) * (1.0 - slack))
-        return outward.y() > 0.0 ? BoundarySide::Top : BoundarySide::Bottom;
-    return outward.x() > 0.0 ? BoundarySide::Right : BoundarySide::Left;
-}
-
 /// Makes the scene's blocks of those of the cut.
 class Builder {
 public:

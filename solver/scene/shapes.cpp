@@ -98,6 +98,14 @@ int jointOf(const Scene& scene, const std::optional<std::string>& name) {
     return found == scene.jointMaterials.end() ? builtInJoint : static_cast<int>(found - scene.jointMaterials.begin());
 }
 
+BoundarySide sideOf(const Point& from, const Point& to) {
+    constexpr double slack = 1e-9;  // an edge at 45° does not change sides by round-off
+    const Point outward = -turnLeft(to - from);
+    if (std::abs(outward.y()) >= std::abs(outward.x()) * (1.0 - slack))
+        return outward.y() > 0.0 ? BoundarySide::Top : BoundarySide::Bottom;
+    return outward.x() > 0.0 ? BoundarySide::Right : BoundarySide::Left;
+}
+
 bool isOpenFromStart(const Scene& scene, const SceneTunnel& tunnel) {
     return std::none_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) {
         return std::find(stage.excavate.begin(), stage.excavate.end(), tunnel.name) != stage.excavate.end();

@@ -31,6 +31,10 @@ int findTunnel(const Scene& scene, const std::string& name);
 /// \pre the scene has a domain.
 int jointOf(const Scene& scene, const std::optional<std::string>& name);
 
+/// The side of the domain that an edge lies on, run counter-clockwise: the one that its outward normal points to, at 45°
+/// bottom or top.
+BoundarySide sideOf(const Point& from, const Point& to);
+
 /// True for a tunnel that no stage excavates.
 bool isOpenFromStart(const Scene& scene, const SceneTunnel& tunnel);
 

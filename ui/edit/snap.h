@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The place that a person means near the mouse. What is nearest is often not what
+// is meant: an end a few pixels away is meant before a line just under the mouse.
+// So kinds come by relevance, and distance decides among what is about as relevant.
+#pragma once
+
+#include "geometry/grid.h"
+#include "ui/edit/scene_objects.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+enum class SnapKind { End, Intersection, Middle, Foot, OnLine, Grid };
+
+struct Snap {
+    Point place{0.0, 0.0};  // [m]
+    SnapKind kind = SnapKind::Grid;
+    std::string name;  // for people: `end of joint J12`
+    std::string pointer;  // of the object; empty: the grid
+};
+
+/// What may be snapped to.
+struct SnapWish {
+    double radius = 0.0;  // how far from the mouse [m]
+    bool objects = true;
+    std::optional<double> grid{};  // spacing [m]; the grid is taken from any distance
+    std::optional<Point> previous{};  // the last point drawn, from which a foot is dropped
+    std::vector<std::string> except{};  // pointers of what is being drawn or dragged, left out
+};
+
+/// The lines of a scene, ready for many questions.
+class SnapIndex {
+public:
+    explicit SnapIndex(const std::vector<SceneObject>& objects);
+
+    /// The best snap near `place`; none where nothing is near and there is no grid.
+    std::optional<Snap> at(const Point& place, const SnapWish& wish) const;
+
+private:
+    struct Line {
+        Point a{0.0, 0.0}, b{0.0, 0.0};
+        int object = 0;
+        bool endA = false, endB = false;  // an end or a corner, not a point of an arc
+        bool curved = false;
+    };
+    struct Mark {
+        Point place{0.0, 0.0};
+        int object = 0;
+    };
+    struct Name {
+        std::string pointer, title;
+        bool hasCorners = false;
+    };
+    class Search;
+
+    void add(const ObjectLine& line, int object);
+    static std::vector<Box> boxesOf(const std::vector<Line>& lines);
+
+    std::vector<Name> names_;
+    std::vector<Line> lines_;
+    std::vector<Mark> marks_, middles_;
+    std::optional<BoxGrid> grid_;
+};
+
+}  // namespace keyblock
