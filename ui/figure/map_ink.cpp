@@ -7,6 +7,7 @@
 #include "ui/figure/contact_ink.h"
 #include "ui/figure/mark_ink.h"
 #include "ui/picture/clip_to_box.h"
+#include "ui/picture/detail.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,33 +18,17 @@ namespace {
 
 using namespace paper_theme;
 
-constexpr double markDistance = 1.45, shank = 0.7, casing = 1.15;  // [mm]
-constexpr double leastMoved = 1.0;  // on paper, for a block to be shown where it was [mm]
-constexpr double leastScaleForRings = 3.0;  // mm per m; below it artificial points are not drawn
-constexpr double leastSpacingForMarks = 1.7, leastSpacingForPlates = 2.6;  // between bolts on paper [mm]
+constexpr double shank = 0.7, casing = 1.15;  // [mm]
+constexpr DetailSizes onThePaper{.shank = shank, .betweenMarks = 1.45, .moved = 1.0, .scaleForArtificial = 3.0,
+                                 .spacingForMarks = 1.7, .spacingForPlates = 2.6, .boltForMarks = 5.0};  // [mm]
 constexpr double leastSpacingForNames = 3.0;  // below it a name stands beyond the far end or nowhere [mm]
-constexpr double leastBoltForMarks = 5.0;  // length on paper [mm]
 constexpr std::size_t manyAnchors = 12;
 constexpr double contactOfSpacing = 1.2;  // length of the longest line of a contact, over the size of blocks on paper
 constexpr double shortestScale = 2.6, longestScale = 8.0;  // that length [mm]
 
-bool isArtificial(MarkKind kind) { return kind == MarkKind::Artificial || kind == MarkKind::InGap; }
-
 Point flipped(const Point& direction) { return {direction.x(), -direction.y()}; }
 
-/// Whether two bolts lie on one another within `apart`: no smaller stroke would part them.
-bool coincide(const BoltShape& a, const BoltShape& b, double apart) {
-    const auto near = [&](const Point& p, const Point& q) { return (p - q).norm() <= apart; };
-    return (near(a.nodes.front(), b.nodes.front()) && near(a.nodes.back(), b.nodes.back())) ||
-           (near(a.nodes.front(), b.nodes.back()) && near(a.nodes.back(), b.nodes.front()));
-}
-
 }  // namespace
-
-Point alongOf(const std::vector<Point>& nodes) {
-    const Point along = nodes.back() - nodes.front();
-    return along.norm() > 0.0 ? Point(along.normalized()) : Point(1.0, 0.0);
-}
 
 MapInk::MapInk(const SectionPicture& picture, const Box& frame)
     : picture_(picture), frame_(frame), window_(picture.window), placement_(grown(frame, -0.6)) {
@@ -51,43 +36,9 @@ MapInk::MapInk(const SectionPicture& picture, const Box& frame)
     scale_ = (size.array() / extent.array()).minCoeff();
     const Point middle = 0.5 * (window_.min + window_.max);
     window_ = boxAbout(middle, size / scale_);
-    measureSpacing();
-    for (std::size_t i = 0; i < picture.bolts.size(); ++i) marks_.push_back(marksToDraw(i));
-}
-
-void MapInk::measureSpacing() {
-    for (const BoltShape& bolt : picture_.bolts) {
-        double nearest = 1e9;
-        for (const BoltShape& other : picture_.bolts)
-            if (&other != &bolt && !coincide(bolt, other, 0.5 * shank / scale_))
-                nearest = std::min(nearest, distanceToSegment(other.nodes.front(), other.nodes.back(),
-                                                              bolt.nodes.back()));
-        spacing_.push_back(nearest * scale_);
-    }
-}
-
-/// Crowded bolts, short ones and small scales leave room for what let go alone.
-std::vector<Mark> MapInk::marksToDraw(std::size_t index) const {
-    const BoltShape& bolt = picture_.bolts[index];
-    std::vector<Mark> marks = bolt.marks;
-    const double length = (bolt.nodes.back() - bolt.nodes.front()).norm() * scale_;
-    const bool noRoom = length < leastBoltForMarks || spacing_[index] < leastSpacingForMarks;
-    std::erase_if(marks, [&](const Mark& mark) {
-        if (mark.kind == MarkKind::Plate) return spacing_[index] < leastSpacingForPlates;
-        if (isArtificial(mark.kind)) return noRoom || scale_ < leastScaleForRings;
-        return noRoom && mark.kind == MarkKind::Bonded;
-    });
-    return thinned(std::move(marks), markDistance / scale_);
-}
-
-std::vector<MarkKind> MapInk::kinds() const {
-    std::vector<MarkKind> found;
-    for (const MarkKind kind : keyOrder)
-        if (std::any_of(marks_.begin(), marks_.end(), [&](const auto& marks) {
-                return std::any_of(marks.begin(), marks.end(), [&](const Mark& m) { return m.kind == kind; });
-            }))
-            found.push_back(kind);
-    return found;
+    spacing_ = boltSpacing(picture, scale_, onThePaper);
+    for (std::size_t i = 0; i < picture.bolts.size(); ++i)
+        marks_.push_back(marksToDraw(picture.bolts[i], spacing_[i], scale_, onThePaper));
 }
 
 Point MapInk::onPaper(const Point& p) const {
@@ -115,25 +66,16 @@ void MapInk::drawBlock(Ink& ink, const BlockShape& block, const Stroke& outline)
     ink.polygon(onPaper(shown), fill, outline);
 }
 
-/// Those that went so far that the eye asks where they came from; none where nearly everything moved.
-std::vector<const BlockShape*> MapInk::movedBlocks() const {
-    std::vector<const BlockShape*> moved;
-    for (const BlockShape& block : picture_.blocks)
-        if (block.displaced * scale_ > leastMoved) moved.push_back(&block);
-    if (moved.size() > std::max<std::size_t>(3, picture_.blocks.size() / 10)) moved.clear();
-    return moved;
-}
-
 void MapInk::drawBlocks(Ink& ink) const {
     for (const BlockShape& block : picture_.blocks) drawBlock(ink, block, {jointLine, joint});
     drawLines(ink, picture_.seams, {seamLine, seam});
     drawLines(ink, picture_.borders, {jointLine, black});
     drawLines(ink, picture_.walls, {wall, black});
-    for (const BlockShape* block : movedBlocks()) {
+    for (const BlockShape* block : movedBlocks(picture_, scale_, onThePaper)) {
         const std::vector<Point> before = clippedToBox(block->before, window_);
         if (!before.empty()) ink.polygon(onPaper(before), {}, Stroke{0.17, black, {0.8, 0.6}});
     }
-    for (const BlockShape* block : movedBlocks()) drawBlock(ink, *block, {wall, black});
+    for (const BlockShape* block : movedBlocks(picture_, scale_, onThePaper)) drawBlock(ink, *block, {wall, black});
 }
 
 void MapInk::drawArrows(Ink& ink) const {
@@ -276,7 +218,7 @@ Point MapInk::footWithin(const std::vector<Point>& outline) const {
 
 /// How far the blocks went that are shown where they were.
 void MapInk::drawMoved(Ink& ink) {
-    for (const BlockShape* block : movedBlocks()) {
+    for (const BlockShape* block : movedBlocks(picture_, scale_, onThePaper)) {
         const std::vector<Point> shown = clippedToBox(block->outline, window_);
         if (shown.empty()) continue;
         const Point centre = footWithin(onPaper(shown));
@@ -303,7 +245,7 @@ void MapInk::draw(Ink& ink) {
         placement_.keepOff(onPaper(bolt.nodes.front()), onPaper(bolt.nodes.back()), 0.9);
     }
     for (const LineShape& line : picture_.walls) placement_.keepLabelsOff(onPaper(line.from), onPaper(line.to));
-    for (const BlockShape* block : movedBlocks())
+    for (const BlockShape* block : movedBlocks(picture_, scale_, onThePaper))
         for (std::size_t i = 0; i < block->outline.size(); ++i)
             placement_.keepLabelsOff(onPaper(block->outline[i]),
                                      onPaper(block->outline[(i + 1) % block->outline.size()]));

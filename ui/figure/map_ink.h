@@ -6,6 +6,7 @@
 #pragma once
 
 #include "ui/figure/ink.h"
+#include "ui/picture/detail.h"
 #include "ui/picture/placement.h"
 #include "ui/picture/section.h"
 
@@ -13,16 +14,13 @@
 
 namespace keyblock {
 
-/// Unit vector from the first to the last; along x where they meet.
-Point alongOf(const std::vector<Point>& nodes);
-
 class MapInk {
 public:
     /// The picture in `frame` [mm]; the window is widened to the frame's shape.
     MapInk(const SectionPicture& picture, const Box& frame);
 
     /// Kinds of marks that will be drawn, each once, in the order of the key.
-    std::vector<MarkKind> kinds() const;
+    std::vector<MarkKind> kinds() const { return kindsOf(marks_); }
 
     /// Length on paper of the longest line of a contact [mm]; 0 where none are shown.
     double longestContact() const;
@@ -35,8 +33,6 @@ private:
     void drawLines(Ink& ink, const std::vector<LineShape>& lines, const Stroke& stroke) const;
     void drawBlock(Ink& ink, const BlockShape& block, const Stroke& outline) const;
     void drawBlocks(Ink& ink) const;
-    void measureSpacing();
-    std::vector<Mark> marksToDraw(std::size_t index) const;
     void drawShank(Ink& ink, std::size_t index) const;
     void drawMarks(Ink& ink, std::size_t index) const;
     void drawArrows(Ink& ink) const;
@@ -50,7 +46,6 @@ private:
     void drawMoved(Ink& ink);
     Point footWithin(const std::vector<Point>& outline) const;
     void drawLeader(Ink& ink, const Point& from, const Box& label) const;
-    std::vector<const BlockShape*> movedBlocks() const;
     double ribbonRoom(const BoltShape& bolt) const;
 
     const SectionPicture& picture_;

@@ -8,14 +8,7 @@
 #include "ui/figure/ink.h"
 #include "ui/picture/marks.h"
 
-#include <array>
-
 namespace keyblock {
-
-/// Kinds of marks as the key of a picture tells them.
-inline constexpr std::array keyOrder{MarkKind::Bonded,   MarkKind::Artificial, MarkKind::Slipping,
-                                     MarkKind::Gone,     MarkKind::Ruptured,   MarkKind::Yielded,
-                                     MarkKind::InGap,    MarkKind::Plate,      MarkKind::PlateLost};
 
 /// A mark at `at` [mm] on a bolt that runs along the unit vector `along`, y downwards; small ones for bolts with many.
 void drawMark(Ink& ink, MarkKind kind, const Point& at, const Point& along, bool small = false);

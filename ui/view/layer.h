@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One layer of the section on the card: corners joined to lines or to triangles.
+// The next frame of the same run has the same corners elsewhere, so how they are
+// joined goes to the card only when it changes.
+#pragma once
+
+#include "ui/picture/colour.h"
+
+#include <vtkNew.h>
+
+#include <cstdint>
+#include <vector>
+
+class vtkActor;
+class vtkCellArray;
+class vtkFloatArray;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkRenderer;
+class vtkUnsignedCharArray;
+
+namespace keyblock {
+
+struct LayerShapes {
+    std::vector<float> corners;  // x, y of each [m from the view's origin]
+    std::vector<std::uint8_t> colours;  // red, green, blue of each; empty: all have the layer's
+    std::vector<int> cells;  // corners of each line (two) or triangle (three)
+};
+
+enum class LayerForm { Lines, Triangles };
+
+class Layer {
+public:
+    /// Higher layers cover lower ones, counted from 0.
+    Layer(vtkRenderer& renderer, LayerForm form, int height);
+    ~Layer();
+    Layer(const Layer&) = delete;
+    Layer& operator=(const Layer&) = delete;
+
+    /// Takes the place of what was shown before.
+    void show(const LayerShapes& shapes);
+    void setColour(const Colour& colour, double opacity = 1.0);
+    /// Of lines, in pixels of the device.
+    void setWidth(double pixels);
+    /// How often corners were joined anew.
+    int joinings() const { return joinings_; }
+
+private:
+    void join(const std::vector<int>& cells);
+
+    vtkRenderer& renderer_;
+    LayerForm form_;
+    float depth_;
+    std::vector<int> cells_;
+    int joinings_ = 0;
+    vtkNew<vtkFloatArray> places_;
+    vtkNew<vtkUnsignedCharArray> colours_;
+    vtkNew<vtkPolyData> data_;
+    vtkNew<vtkPolyDataMapper> mapper_;
+    vtkNew<vtkActor> actor_;
+};
+
+}  // namespace keyblock

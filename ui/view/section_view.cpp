@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/section_view.h"
+
+#include "ui/picture/detail.h"
+#include "ui/view/layer.h"
+#include "ui/view/screen_sizes.h"
+#include "ui/view/section_shapes.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <GL/gl.h>
+
+#include <algorithm>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double jointWidth = 1.0, seamWidth = 0.8, borderWidth = 1.2, wallWidth = 2.0, selectedWidth = 9.0;  // [px]
+constexpr double seamOpacity = 0.35;
+
+/// Lines are smoothed one by one, which costs nothing for what they do not touch; and as lines lie over all edges of
+/// fills, nothing else needs it. VTK offers this for whole pictures alone.
+void smoothLines(vtkObject*, unsigned long, void*, void*) { glEnable(GL_LINE_SMOOTH); }
+
+}  // namespace
+
+/// From below.
+struct SectionView::Layers {
+    explicit Layers(vtkRenderer& to)
+        : openings(to, LayerForm::Triangles, 0), blocks(to, LayerForm::Triangles, 1), joints(to, LayerForm::Lines, 2),
+          seams(to, LayerForm::Lines, 3), borders(to, LayerForm::Lines, 4), walls(to, LayerForm::Lines, 5),
+          moved(to, LayerForm::Lines, 6), selected(to, LayerForm::Lines, 7), casings(to, LayerForm::Lines, 8),
+          shanks(to, LayerForm::Lines, 9) {}
+
+    Layer openings, blocks, joints, seams, borders, walls, moved, selected, casings, shanks;
+};
+
+SectionView::SectionView(vtkRenderer& renderer) : renderer_(renderer), layers_(std::make_unique<Layers>(renderer)) {
+    renderer_.GetActiveCamera()->ParallelProjectionOn();
+    renderer_.TwoSidedLightingOff();
+    vtkNew<vtkCallbackCommand> smooth;
+    smooth->SetCallback(smoothLines);
+    renderer_.AddObserver("StartEvent", smooth);
+}
+
+SectionView::~SectionView() = default;
+
+void SectionView::paint(const ViewColours& colours, const ViewStyle& style) {
+    colours_ = colours;
+    pixelRatio_ = style.pixelRatio;
+    const auto share = [](std::uint8_t value) { return value / 255.0; };
+    renderer_.SetBackground(share(colours.ground.red), share(colours.ground.green), share(colours.ground.blue));
+    Layers& on = *layers_;
+    on.openings.setColour(colours.opening);
+    on.joints.setColour(colours.joint, colours.jointOpacity);
+    on.seams.setColour(colours.joint, seamOpacity);
+    for (Layer* edge : {&on.borders, &on.walls, &on.moved}) edge->setColour(colours.wall);
+    on.selected.setColour(colours.accent);
+    on.casings.setColour(colours.casing);
+    on.shanks.setColour(colours.ink);
+    on.joints.setWidth(jointWidth * pixelRatio_);
+    on.seams.setWidth(seamWidth * pixelRatio_);
+    on.borders.setWidth(borderWidth * pixelRatio_);
+    for (Layer* edge : {&on.walls, &on.moved}) edge->setWidth(wallWidth * pixelRatio_);
+    on.selected.setWidth(selectedWidth * pixelRatio_);
+}
+
+void SectionView::show(const SectionPicture& picture, const ViewColours& colours, const ViewStyle& style) {
+    paint(colours, style);
+    origin_ = 0.5 * (picture.model.min + picture.model.max);
+    const SectionShapes shapes(picture, origin_);
+    Layers& on = *layers_;
+    on.openings.show(shapes.openings());
+    on.blocks.show(shapes.blocks(colours, style.drawing));
+    on.joints.show(shapes.outlines());
+    on.seams.show(shapes.lines(picture.seams));
+    on.borders.show(shapes.lines(picture.borders));
+    on.walls.show(shapes.lines(picture.walls));
+    on.selected.show(shapes.whole(style.selectedBolts));
+    on.casings.show(shapes.shanks(nullptr));
+    on.shanks.show(shapes.shanks(&colours));
+    laidAt_ = 0.0;
+}
+
+void SectionView::clear(const ViewColours& colours) {
+    paint(colours, {});
+    Layers& on = *layers_;
+    for (Layer* layer : {&on.openings, &on.blocks, &on.joints, &on.seams, &on.borders, &on.walls, &on.moved,
+                         &on.selected, &on.casings, &on.shanks})
+        layer->show({});
+}
+
+void SectionView::look(const Point& centre, double metresPerPixel, int height, const SectionPicture* picture) {
+    if (picture && laidAt_ != metresPerPixel) {
+        laidAt_ = metresPerPixel;
+        laySized(*picture);
+    }
+    vtkCamera& camera = *renderer_.GetActiveCamera();
+    const Point at = centre - origin_;
+    camera.SetFocalPoint(at.x(), at.y(), 0.0);
+    camera.SetPosition(at.x(), at.y(), 10.0);
+    camera.SetViewUp(0.0, 1.0, 0.0);
+    camera.SetParallelScale(0.5 * height * metresPerPixel);
+    camera.SetClippingRange(1.0, 20.0);
+}
+
+void SectionView::laySized(const SectionPicture& picture) {
+    const double scale = 1.0 / (laidAt_ * pixelRatio_);  // pixels of the screen's units per metre
+    Layers& on = *layers_;
+    on.moved.show(SectionShapes(picture, origin_).outlines(movedBlocks(picture, scale, onTheScreen)));
+    const double shank = shankWidth(picture, scale);
+    on.shanks.setWidth(shank * pixelRatio_);
+    on.casings.setWidth(shank * casingOfShank * pixelRatio_);
+}
+
+int SectionView::joinings() const { return layers_->blocks.joinings(); }
+
+}  // namespace keyblock
