@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/canvas.h"
+
+#include "ui/canvas/canvas_sheet.h"
+#include "ui/canvas/display_check.h"
+#include "ui/canvas/section_widget.h"
+#include "ui/canvas/view_theme.h"
+#include "ui/canvas/without_gl.h"
+#include "ui/look/theme.h"
+
+#include <QPainter>
+#include <QResizeEvent>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double rimOfRoom = 12.0;  // between what is fitted and the edge [px]
+constexpr double reachOfPick = 6.0;  // [px]
+
+}  // namespace
+
+Canvas::Canvas(const Themes& themes, QWidget* parent)
+    : QWidget(parent), themes_(themes), sheet_(new CanvasSheet(*this)), timer_(new QTimer(this)) {
+    setObjectName("canvas");
+    setAccessibleName(tr("Section"));
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setHint(tr("Nothing here yet"), tr("Open a scene, or draw an outline."));
+    if (const auto& missing = missingOpenGl()) withoutGl_ = makeWithoutGlPanel(*missing, this);
+    else section_ = new SectionWidget(this);
+    sheet_->raise();
+    sheet_->setVisible(section_ != nullptr);
+    timer_->setSingleShot(true);
+    timer_->setInterval(0);
+    connect(timer_, &QTimer::timeout, this, &Canvas::renderNow);
+    connect(&themes_, &Themes::changed, this, &Canvas::sceneChanged);
+}
+
+Canvas::~Canvas() = default;
+
+void Canvas::show(std::shared_ptr<const SectionPicture> picture) {
+    const bool isFirst = picture && !picture_;
+    picture_ = std::move(picture);
+    index_.reset();
+    if (isFirst) {
+        fits_ = false;
+        layOut();
+    }
+    sceneChanged();
+}
+
+void Canvas::setTool(CanvasTool* tool) {
+    tool_ = tool;
+    showCursor();
+    refresh();
+}
+
+void Canvas::addOverlay(const CanvasOverlay* overlay) {
+    overlays_.push_back(overlay);
+    refresh();
+}
+
+void Canvas::removeOverlay(const CanvasOverlay* overlay) {
+    std::erase(overlays_, overlay);
+    refresh();
+}
+
+void Canvas::setDrawing(bool drawing) {
+    style_.drawing = drawing;
+    sceneChanged();
+}
+
+void Canvas::setSelectedBolts(const std::vector<int>& bolts) {
+    if (bolts == style_.selectedBolts) return;
+    style_.selectedBolts = bolts;
+    sceneChanged();
+}
+
+void Canvas::setHint(const QString& title, const QString& text) {
+    hintTitle_ = title;
+    hintText_ = text;
+    refresh();
+}
+
+QRectF Canvas::room() const {
+    return QRectF(rect()).adjusted(rimOfRoom, rimOfRoom, -rimOfRoom, -rimOfRoom);
+}
+
+void Canvas::fit() {
+    if (!picture_) return;
+    CanvasMap about = map_;
+    about.show(picture_->window, room());
+    const double off = (about.centre() - map_.centre()).norm() * map_.pixelsPerMetre();
+    const bool isSeen = off < 1.0 && std::abs(about.pixelsPerMetre() / map_.pixelsPerMetre() - 1.0) < 1e-3;
+    zoomTo(isSeen ? picture_->model : picture_->window);
+}
+
+void Canvas::zoomTo(const Box& box) {
+    map_.show(box, room());
+    mapChanged();
+}
+
+void Canvas::zoomBy(double factor, const QPointF& pixel) {
+    map_.zoomBy(factor, pixel);
+    mapChanged();
+}
+
+void Canvas::panBy(const QPointF& pixels) {
+    map_.panBy(pixels);
+    mapChanged();
+}
+
+std::optional<Pick> Canvas::pickAt(const QPointF& pixel) const {
+    if (!picture_) return std::nullopt;
+    if (!index_) index_ = std::make_unique<PickIndex>(picture_);
+    return index_->at(map_.toPlace(pixel), reachOfPick / map_.pixelsPerMetre());
+}
+
+void Canvas::refresh() { sheet_->update(); }
+
+void Canvas::layOut() {
+    if (section_) section_->setGeometry(rect());
+    if (withoutGl_) withoutGl_->setGeometry(rect());
+    sheet_->setGeometry(rect());
+    map_.resize(size());
+    if (!fits_ && picture_ && width() > 2 * rimOfRoom && height() > 2 * rimOfRoom) {
+        map_.show(picture_->window, room());
+        fits_ = true;
+    }
+}
+
+void Canvas::sceneChanged() {
+    shapesChanged_ = true;
+    sheet_->forget();
+    schedule();
+}
+
+void Canvas::mapChanged() {
+    sheet_->forget();
+    schedule();
+    Q_EMIT viewChanged();
+}
+
+void Canvas::schedule() {
+    sheet_->update();
+    if (section_ && !timer_->isActive()) timer_->start();
+}
+
+/// All that changed since the last time at once, so that ten wheel steps cost one picture.
+void Canvas::renderNow() {
+    if (!section_ || !isVisible()) return;
+    const ViewColours colours = viewColoursOf(themes_.current(), style_.drawing);
+    if (shapesChanged_) {
+        style_.pixelRatio = devicePixelRatioF();
+        if (picture_) section_->view().show(*picture_, colours, style_);
+        else section_->view().clear(colours);
+        shapesChanged_ = false;
+    }
+    section_->render(map_.centre(), map_.pixelsPerMetre(), picture_.get());
+}
+
+bool Canvas::event(QEvent* event) {
+    if (event->type() == QEvent::Show || event->type() == QEvent::ScreenChangeInternal) sceneChanged();
+    // Space would be taken by a shortcut of the window before it could begin a pan.
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space &&
+        static_cast<QKeyEvent*>(event)->modifiers() == Qt::NoModifier)
+        event->accept();
+    return QWidget::event(event);
+}
+
+void Canvas::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) sceneChanged();
+}
+
+void Canvas::resizeEvent(QResizeEvent*) {
+    layOut();
+    mapChanged();
+}
+
+void Canvas::paintEvent(QPaintEvent*) {
+    QPainter(this).fillRect(rect(), themes_.current().canvas);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What mouse and keys do to the canvas itself, and what it hands on to the tool.
+#include "ui/canvas/canvas.h"
+
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double zoomOfNotch = 1.2, degreesOfNotch = 15.0;
+
+}  // namespace
+
+CanvasEvent Canvas::eventOf(const QMouseEvent& event) const {
+    return {map_.toPlace(event.localPos()), event.localPos(), event.button(), event.buttons(), event.modifiers()};
+}
+
+bool Canvas::startsPan(const QMouseEvent& event) const {
+    return event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && spaceDown_);
+}
+
+void Canvas::showCursor() {
+    if (panFrom_) setCursor(Qt::ClosedHandCursor);
+    else if (spaceDown_) setCursor(Qt::OpenHandCursor);
+    else setCursor(tool_ ? tool_->cursor() : QCursor(Qt::ArrowCursor));
+}
+
+void Canvas::mousePressEvent(QMouseEvent* event) {
+    if (startsPan(*event)) {
+        panFrom_ = event->localPos();
+        spacePanned_ = spaceDown_;
+        showCursor();
+    } else if (tool_ && !panFrom_) {
+        tool_->press(eventOf(*event));
+        showCursor();
+    }
+}
+
+void Canvas::mouseMoveEvent(QMouseEvent* event) {
+    if (panFrom_) {
+        panBy(event->localPos() - *panFrom_);
+        panFrom_ = event->localPos();
+    } else if (tool_) {
+        tool_->move(eventOf(*event));
+        showCursor();
+    }
+    Q_EMIT hovered(map_.toPlace(event->localPos()), true);
+}
+
+void Canvas::mouseReleaseEvent(QMouseEvent* event) {
+    const bool endsPan = event->button() == Qt::MiddleButton || event->button() == Qt::LeftButton;
+    if (panFrom_ && endsPan) {
+        panFrom_.reset();
+        showCursor();
+    } else if (tool_ && !panFrom_) {
+        tool_->release(eventOf(*event));
+        showCursor();
+    }
+}
+
+void Canvas::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::MiddleButton) {
+        panFrom_.reset();
+        fit();
+    } else if (startsPan(*event)) {
+        mousePressEvent(event);
+    } else if (tool_) {
+        tool_->doubleClick(eventOf(*event));
+        showCursor();
+    }
+}
+
+void Canvas::wheelEvent(QWheelEvent* event) {
+    const double notches = event->angleDelta().y() / 8.0 / degreesOfNotch;
+    event->accept();
+    if (notches == 0.0) return;
+    zoomBy(std::pow(zoomOfNotch, notches), event->position());
+    Q_EMIT hovered(map_.toPlace(event->position()), true);
+}
+
+void Canvas::leaveEvent(QEvent*) {
+    if (tool_) tool_->leave();
+    Q_EMIT hovered(Point(0.0, 0.0), false);
+}
+
+void Canvas::contextMenuEvent(QContextMenuEvent* event) {
+    const QPointF pixel = event->pos();
+    if (tool_) tool_->contextMenu({map_.toPlace(pixel), pixel, Qt::RightButton, Qt::NoButton, event->modifiers()},
+                                  event->globalPos());
+}
+
+void Canvas::keyPressEvent(QKeyEvent* event) {
+    const bool isSpace = event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier;
+    if (isSpace && !event->isAutoRepeat() && !spaceDown_) {
+        spaceDown_ = true;
+        spacePanned_ = false;
+        showCursor();
+    }
+    if (isSpace) return;
+    if (tool_ && tool_->key(*event)) {
+        event->accept();
+        showCursor();
+        return;
+    }
+    QWidget::keyPressEvent(event);
+}
+
+void Canvas::keyReleaseEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Space || event->isAutoRepeat()) return QWidget::keyReleaseEvent(event);
+    const bool tapped = spaceDown_ && !spacePanned_;
+    spaceDown_ = false;
+    showCursor();
+    if (tapped) Q_EMIT spaceTapped();
+}
+
+void Canvas::focusOutEvent(QFocusEvent* event) {
+    QWidget::focusOutEvent(event);
+    spaceDown_ = false;
+    showCursor();
+}
+
+}  // namespace keyblock

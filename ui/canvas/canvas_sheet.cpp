@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/canvas_sheet.h"
+
+#include "ui/canvas/canvas.h"
+#include "ui/canvas/scale_bar.h"
+#include "ui/look/theme.h"
+
+#include <QPainter>
+
+namespace keyblock {
+
+CanvasSheet::CanvasSheet(Canvas& canvas) : QWidget(&canvas), canvas_(canvas) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setAttribute(Qt::WA_TranslucentBackground);
+    setFocusPolicy(Qt::NoFocus);
+}
+
+void CanvasSheet::paintEvent(QPaintEvent*) {
+    if (kept_.isNull()) {
+        kept_ = QPixmap(size() * devicePixelRatioF());
+        kept_.setDevicePixelRatio(devicePixelRatioF());
+        kept_.fill(Qt::transparent);
+        QPainter painter(&kept_);
+        painter.setRenderHint(QPainter::Antialiasing);
+        if (canvas_.picture()) paintPicture(painter);
+        else paintHint(painter);
+    }
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.drawPixmap(0, 0, kept_);
+    for (const CanvasOverlay* overlay : canvas_.overlays_) {
+        painter.save();
+        overlay->paint(painter, canvas_.map());
+        painter.restore();
+    }
+    if (canvas_.tool()) canvas_.tool()->paint(painter, canvas_.map());
+}
+
+void CanvasSheet::paintHint(QPainter& painter) const {
+    const Theme& theme = canvas_.themes_.current();
+    QFont title = font();
+    title.setPixelSize(16);
+    title.setWeight(QFont::DemiBold);
+    painter.setFont(title);
+    painter.setPen(theme.text2);
+    const QRectF middle(0.0, 0.5 * height() - 32.0, width(), 24.0);
+    painter.drawText(middle, Qt::AlignCenter, canvas_.hintTitle_);
+    painter.setFont(font());
+    painter.setPen(theme.text3);
+    painter.drawText(middle.translated(0.0, 28.0), Qt::AlignCenter, canvas_.hintText_);
+}
+
+void CanvasSheet::paintPicture(QPainter& painter) const {
+    paintScaleBar(painter, canvas_.themes_.current(), canvas_.map());
+}
+
+}  // namespace keyblock

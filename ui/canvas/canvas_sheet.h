@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The transparent sheet above the section. What belongs to the picture is painted
+// once for a view and kept, so that a tool that follows the mouse costs only its
+// own strokes.
+#pragma once
+
+#include <QPixmap>
+#include <QWidget>
+
+namespace keyblock {
+
+class Canvas;
+
+class CanvasSheet : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CanvasSheet(Canvas& canvas);
+
+    /// The picture or the view is another one.
+    void forget() { kept_ = {}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void paintHint(QPainter& painter) const;
+    void paintPicture(QPainter& painter) const;
+
+    Canvas& canvas_;
+    QPixmap kept_;
+};
+
+}  // namespace keyblock

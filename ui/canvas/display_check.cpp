@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/display_check.h"
+
+#include "ui/canvas/glx_check.h"
+
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QSurfaceFormat>
+#include <QVTKOpenGLNativeWidget.h>
+
+namespace keyblock {
+
+namespace {
+
+QString text(const char* source) { return QCoreApplication::translate("DisplayCheck", source); }
+
+/// A context as VTK's widget would make it, on a surface that nobody sees.
+std::optional<QString> tryContext() {
+    QOpenGLContext context;
+    context.setFormat(QVTKOpenGLNativeWidget::defaultFormat());
+    if (!context.create()) return text("This display has no OpenGL.");
+    QOffscreenSurface surface;
+    surface.setFormat(context.format());
+    surface.create();
+    if (!surface.isValid() || !context.makeCurrent(&surface)) return text("OpenGL does not start on this display.");
+    const QPair<int, int> version = context.format().version();
+    context.doneCurrent();
+    if (version >= qMakePair(3, 2)) return std::nullopt;
+    return text("This display has OpenGL %1.%2; the section takes 3.2 or newer.").arg(version.first).arg(version.second);
+}
+
+std::optional<QString> check() {
+    const QString platform = QGuiApplication::platformName();
+    if (platform == "offscreen" || platform == "minimal")
+        return text("The Qt platform '%1' has no OpenGL.").arg(platform);
+    if (platform == "xcb" && !glxWorks()) return text("This display has no OpenGL (GLX).");
+    return tryContext();
+}
+
+}  // namespace
+
+const std::optional<QString>& missingOpenGl() {
+    static const std::optional<QString> missing = check();
+    return missing;
+}
+
+}  // namespace keyblock

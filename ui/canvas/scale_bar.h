@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The scale bar at the lower left of the canvas.
+#pragma once
+
+#include <QRectF>
+
+class QPainter;
+
+namespace keyblock {
+
+class CanvasMap;
+struct Theme;
+
+/// The panel that it was painted on [px].
+QRectF paintScaleBar(QPainter& painter, const Theme& theme, const CanvasMap& map);
+
+}  // namespace keyblock
