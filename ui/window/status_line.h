@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The line at the foot of the window: where the cursor is and on what, how large
+// the model is, what undo would take back, units and signs.
+#pragma once
+
+#include <QObject>
+
+#include <memory>
+
+class QLabel;
+class QStatusBar;
+
+namespace keyblock {
+
+class Canvas;
+class Display;
+class Document;
+
+class StatusLine : public QObject {
+    Q_OBJECT
+
+public:
+    StatusLine(QStatusBar& bar, Document& document, Canvas& canvas, Display& display);
+
+private:
+    void showPlace(const QString& place);
+    void showUnder();
+    void showCounts();
+    void showUndo();
+
+    Document& document_;
+    Canvas& canvas_;
+    Display& display_;
+    QLabel *place_, *under_, *counts_, *undo_, *units_;
+};
+
+}  // namespace keyblock
