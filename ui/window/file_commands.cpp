@@ -3,6 +3,7 @@
 #include "ui/window/file_commands.h"
 
 #include "solver/run/errors.h"
+#include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
@@ -102,6 +103,18 @@ void addEditCommands(Commands& commands, Document& document) {
     QObject::connect(&undo, &QUndoStack::indexChanged, &commands, name);
     QObject::connect(&undo, &QUndoStack::cleanChanged, &commands, name);
     name();
+}
+
+void addCanvasCommands(Commands& commands, Canvas& canvas) {
+    const auto middle = [&canvas] { return QPointF(canvas.rect().center()); };
+    commands.add({"view.fit", text("Fit"), "View", "fit", text("Shows what the section is about; again: all of it."),
+                  {QKeySequence("F")}, false, "zoom"},
+                 [&canvas] { canvas.fit(); });
+    commands.add({"view.zoomIn", text("Zoom in"), "View", {}, {}, {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")},
+                  false, "zoom"},
+                 [&canvas, middle] { canvas.zoomBy(1.25, middle()); });
+    commands.add({"view.zoomOut", text("Zoom out"), "View", {}, {}, {QKeySequence("Ctrl+-")}, false, "zoom"},
+                 [&canvas, middle] { canvas.zoomBy(0.8, middle()); });
 }
 
 void addViewCommands(Commands& commands, Themes& themes, Display& display) {

@@ -9,6 +9,7 @@ class QWidget;
 
 namespace keyblock {
 
+class Canvas;
 class Commands;
 class Display;
 class Document;
@@ -16,6 +17,7 @@ class Themes;
 
 void addFileCommands(Commands& commands, Document& document, QWidget& window);
 void addEditCommands(Commands& commands, Document& document);
+void addCanvasCommands(Commands& commands, Canvas& canvas);
 void addViewCommands(Commands& commands, Themes& themes, Display& display);
 
 /// Opens a scene file; asks first where unsaved edits would be lost, tells what keeps it from being opened.

@@ -2,18 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
+#include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
 #include "ui/document/journal.h"
 #include "ui/document/selection.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
+#include "ui/window/drawing_feed.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/menus.h"
+#include "ui/window/status_line.h"
 #include "ui/window/workflow_bar.h"
 
 #include <QCloseEvent>
-#include <QLabel>
 #include <QMenuBar>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -24,13 +26,16 @@ namespace keyblock {
 MainWindow::MainWindow(Themes& themes)
     : themes_(themes), display_(new Display(this)), commands_(new Commands(themes, this)),
       document_(new Document(this)), journal_(new Journal(*document_, journalFolder(), this)),
-      selection_(new Selection(this)), workflow_(new WorkflowBar(themes, this)) {
+      selection_(new Selection(this)), workflow_(new WorkflowBar(themes, this)),
+      canvas_(new Canvas(themes, this)), drawing_(new DrawingFeed(*document_, *canvas_, this)) {
     setObjectName("studio");
     resize(1600, 1000);
     addFileCommands(*commands_, *document_, *this);
     addEditCommands(*commands_, *document_);
     addViewCommands(*commands_, themes_, *display_);
+    addCanvasCommands(*commands_, *canvas_);
     placeBars();
+    placeCanvas();
     fillMenus(*menuBar(), *commands_);
     connect(document_, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(document_, &Document::checkedChanged, this, &MainWindow::showStates);
@@ -38,9 +43,6 @@ MainWindow::MainWindow(Themes& themes)
     connect(journal_, &Journal::failed, this, [this](const QString& why) {
         statusBar()->showMessage(tr("Edits are no longer kept for recovery: %1").arg(why));
     });
-    auto* units = new QLabel(display_->summary(), this);
-    statusBar()->addPermanentWidget(units);
-    connect(display_, &Display::changed, units, [this, units] { units->setText(display_->summary()); });
     showTitle();
 }
 
@@ -63,6 +65,11 @@ void MainWindow::placeBars() {
     for (const auto corner : {Qt::BottomLeftCorner, Qt::BottomRightCorner}) setCorner(corner, Qt::BottomDockWidgetArea);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+}
+
+void MainWindow::placeCanvas() {
+    setCentralWidget(canvas_);
+    new StatusLine(*statusBar(), *document_, *canvas_, *display_);
 }
 
 void MainWindow::showStates() {

@@ -11,9 +11,11 @@
 
 namespace keyblock {
 
+class Canvas;
 class Commands;
 class Display;
 class Document;
+class DrawingFeed;
 class Journal;
 class Selection;
 class Themes;
@@ -34,6 +36,7 @@ protected:
 
 private:
     void placeBars();
+    void placeCanvas();
     void showTitle();
     void showStates();
 
@@ -44,6 +47,8 @@ private:
     Journal* journal_;
     Selection* selection_;
     WorkflowBar* workflow_;
+    Canvas* canvas_;
+    DrawingFeed* drawing_;
 };
 
 }  // namespace keyblock

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/drawing_feed.h"
+
+#include "ui/canvas/canvas.h"
+#include "ui/document/document.h"
+
+namespace keyblock {
+
+DrawingFeed::DrawingFeed(Document& document, Canvas& canvas, QObject* parent)
+    : QObject(parent), document_(document), canvas_(canvas) {
+    connect(&document, &Document::checkedChanged, this, &DrawingFeed::show);
+    // Another document is fitted into the view; an edit leaves the view where it is.
+    connect(&document, &Document::replaced, this, [this] {
+        if (on_) canvas_.show(nullptr);
+    });
+    canvas_.setDrawing(true);
+    showHint();
+}
+
+void DrawingFeed::setOn(bool on) {
+    if (on == on_) return;
+    on_ = on;
+    if (!on) return;
+    canvas_.setDrawing(true);
+    show();
+}
+
+void DrawingFeed::show() {
+    if (!on_) return;
+    showHint();
+    const Checked& checked = document_.checked();
+    const bool broken = hasErrors(checked.problems);
+    // While something is wrong the last good picture stays: the problems say what to do.
+    if (checked.picture || !broken) canvas_.show(checked.picture);
+}
+
+void DrawingFeed::showHint() {
+    if (hasErrors(document_.checked().problems))
+        canvas_.setHint(tr("The section cannot be shown yet"), tr("The problems below say what is missing or wrong."));
+    else
+        canvas_.setHint(tr("Nothing is drawn yet"), tr("Begin with the outline of the rock, then joints and a tunnel."));
+}
+
+}  // namespace keyblock

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shows the scene as it is drawn on the canvas, while that is what is looked at.
+#pragma once
+
+#include <QObject>
+
+namespace keyblock {
+
+class Canvas;
+class Document;
+
+class DrawingFeed : public QObject {
+    Q_OBJECT
+
+public:
+    DrawingFeed(Document& document, Canvas& canvas, QObject* parent = nullptr);
+
+    bool isOn() const { return on_; }
+    /// On: the canvas shows the drawing, and follows it. Off: others show on the canvas what they have.
+    void setOn(bool on);
+
+private:
+    void show();
+    void showHint();
+
+    Document& document_;
+    Canvas& canvas_;
+    bool on_ = true;
+};
+
+}  // namespace keyblock
