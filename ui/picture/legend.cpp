@@ -5,7 +5,7 @@
 namespace keyblock {
 
 Colour LegendBar::colourOf(double shown) const {
-    return colourAt(*map, shareOf(shown));
+    return colourAt(*map, (shown - range.low) / (range.high - range.low));
 }
 
 }  // namespace keyblock

@@ -17,19 +17,16 @@ constexpr int mostTicks = 5;
 constexpr double shareOutside = 0.02;  // of the rock's area, at either end
 constexpr double leastStrain = 1e-9, leastStress = 100.0;  // [Pa] nothing measures less: what is below both is nothing
 
-struct Gathered {
-    std::vector<Weighed> blocks, bolts;
-};
-
-void gather(const SectionRequest& request, const Frame& frame, Gathered& all) {
+void gather(const SectionRequest& request, const Frame& frame, std::vector<Weighed>& blocks,
+            std::vector<Weighed>& bolts) {
     if (request.blocks)
         for (const BlockState& block : frame.blocks)
             if (block.area > 0.0)
-                all.blocks.push_back({request.blocks->value(block) * request.blocks->display.factor, block.area});
+                blocks.push_back({request.blocks->value(block) * request.blocks->display.factor, block.area});
     if (request.bolts)
         for (const BoltFrame& bolt : frame.bolts)
             for (std::size_t i = 0; i + 1 < bolt.nodes.size(); ++i)
-                all.bolts.push_back({request.bolts->value(bolt.nodes[i]) * request.bolts->display.factor, 1.0});
+                bolts.push_back({request.bolts->value(bolt.nodes[i]) * request.bolts->display.factor, 1.0});
 }
 
 ValueRange extent(const std::vector<Weighed>& values) { return rangeWithout(values, 0.0); }
@@ -60,16 +57,19 @@ double roundOff(const QuantityDisplay& display, const Scene& scene) {
     return display.unit == "MPa" ? stress * std::abs(display.factor) : 0.0;
 }
 
-std::optional<LegendBar> blockLegend(const QuantityDisplay& display, std::vector<Weighed> all, double nothing) {
+/// `whole` is what the quantity was seen to reach.
+std::optional<LegendBar> blockLegend(const QuantityDisplay& display, std::vector<Weighed> all, ValueRange whole,
+                                     double nothing) {
     if (all.empty()) return std::nullopt;
     LegendBar bar = barOf(display);
     bar.map = display.isSigned ? &tide : &slate;
     for (Weighed& value : all)
         if (std::abs(value.value) <= nothing) value.value = 0.0;
+    for (double* end : {&whole.low, &whole.high})
+        if (std::abs(*end) <= nothing) *end = 0.0;
     ValueRange range = rangeWithout(all, shareOutside);
     if (range.low > 0.0) range.low = 0.0;
     bar.range = display.isSigned ? roundedSymmetric(range, mostTicks) : roundedRange(range, mostTicks);
-    const ValueRange whole = extent(all);
     bar.goesBelow = whole.low < bar.range.low;
     bar.goesAbove = whole.high > bar.range.high;
     bar.ticks = roundTicks(bar.range, mostTicks);
@@ -78,13 +78,13 @@ std::optional<LegendBar> blockLegend(const QuantityDisplay& display, std::vector
 
 /// Bolts are coloured by size: Ember has one end that is far from the background.
 std::optional<LegendBar> boltLegend(const QuantityDisplay& display, const std::vector<Weighed>& all,
+                                    const ValueRange& whole,
                                     const std::vector<std::pair<double, std::string>>& limits) {
     if (all.empty()) return std::nullopt;
     LegendBar bar = barOf(display);
     if (display.isSigned) bar.notes.front() += bar.notes.front().empty() ? "coloured by size" : ", coloured by size";
     bar.unit += display.unit.find('N') != std::string_view::npos ? " per bolt" : "";
     bar.map = &ember;
-    const ValueRange whole = extent(all);
     double high = std::max(std::abs(whole.low), std::abs(whole.high));
     for (const auto& [limit, name] : limits)
         if (limit > high && limit < 1.5 * high) high = limit;
@@ -127,35 +127,67 @@ std::vector<std::pair<double, std::string>> limitsOf(const Scene& scene, const B
     return limits;
 }
 
-SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request) {
-    Gathered all;
-    ContactScale contacts;
+SectionRanges::SectionRanges(const Scene& scene, const SectionRequest& request)
+    : blockQuantity_(request.blocks), boltQuantity_(request.bolts), contacts_(request.contacts) {
+    if (request.contacts) scale_.spacing = spacingOf(scene);
+    if (request.blocks) roundOff_ = roundOff(request.blocks->display, scene);
+    limits_ = limitsOfAll(scene, request);
+}
+
+void SectionRanges::add(const Frame& frame) {
+    SectionRequest request;
+    request.blocks = blockQuantity_;
+    request.bolts = boltQuantity_;
+    Values values;
+    gather(request, frame, values.blocks, values.bolts);
+    if (contacts_) widen(scale_, frame, values.forces);
+    const auto reach = [](const std::vector<Weighed>& now, std::optional<ValueRange>& reached) {
+        if (now.empty()) return;
+        const ValueRange range = extent(now);
+        reached = reached ? ValueRange{std::min(reached->low, range.low), std::max(reached->high, range.high)} : range;
+    };
+    reach(values.blocks, blockReach_);
+    reach(values.bolts, boltReach_);
+    frames_.push_back(std::move(values));
+}
+
+void SectionRanges::dropEverySecond() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < frames_.size(); i += 2) frames_[kept++] = std::move(frames_[i]);
+    frames_.resize(kept);
+}
+
+SectionLegends SectionRanges::legends() const {
+    std::vector<Weighed> blocks, bolts;
     std::vector<double> forces;
-    for (std::size_t i = 0; i < run.frames().size(); ++i) {
-        const Frame frame = run.frame(i);
-        gather(request, frame, all);
-        if (request.contacts) widen(contacts, frame, forces);
+    for (const Values& frame : frames_) {
+        blocks.insert(blocks.end(), frame.blocks.begin(), frame.blocks.end());
+        bolts.insert(bolts.end(), frame.bolts.begin(), frame.bolts.end());
+        forces.insert(forces.end(), frame.forces.begin(), frame.forces.end());
     }
     SectionLegends legends;
-    if (request.contacts) {
-        contacts.longest = longestOf(std::move(forces));
-        contacts.spacing = spacingOf(run.scene());
-        legends.contacts = contacts;
+    if (contacts_) {
+        legends.contacts = scale_;
+        legends.contacts->longest = longestOf(std::move(forces));
     }
-    if (request.blocks) {
-        const QuantityDisplay& display = request.blocks->display;
-        legends.blocks = blockLegend(display, all.blocks, roundOff(display, run.scene()));
-    }
-    if (request.bolts)
-        legends.bolts = boltLegend(request.bolts->display, all.bolts, limitsOfAll(run.scene(), request));
+    if (blockQuantity_)
+        legends.blocks = blockLegend(blockQuantity_->display, std::move(blocks), blockReach_.value_or(ValueRange{}), roundOff_);
+    if (boltQuantity_)
+        legends.bolts = boltLegend(boltQuantity_->display, bolts, boltReach_.value_or(ValueRange{}), limits_);
     return legends;
 }
 
+SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request) {
+    SectionRanges ranges(run.scene(), request);
+    for (std::size_t i = 0; i < run.frames().size(); ++i) ranges.add(run.frame(i));
+    return ranges.legends();
+}
+
 SectionLegends withNow(SectionLegends legends, const SectionRequest& request, const Frame& frame) {
-    Gathered now;
-    gather(request, frame, now);
-    if (legends.blocks) noteNow(now.blocks, request.blocks->display, *legends.blocks);
-    if (legends.bolts) noteNow(now.bolts, request.bolts->display, *legends.bolts);
+    std::vector<Weighed> blocks, bolts;
+    gather(request, frame, blocks, bolts);
+    if (legends.blocks) noteNow(blocks, request.blocks->display, *legends.blocks);
+    if (legends.bolts) noteNow(bolts, request.bolts->display, *legends.bolts);
     return legends;
 }
 

@@ -8,7 +8,37 @@
 
 namespace keyblock {
 
-/// Legends of what the request asks for.
+/// Legends that grow frame by frame, for a run that goes on.
+class SectionRanges {
+public:
+    /// For what the request asks for. \param scene as it is solved.
+    SectionRanges(const Scene& scene, const SectionRequest& request);
+
+    void add(const Frame& frame);
+    /// Frames whose values are kept.
+    std::size_t frames() const { return frames_.size(); }
+    /// Lets go of the values of every second one: what is left stands for all, but for the largest and smallest.
+    void dropEverySecond();
+
+    SectionLegends legends() const;
+
+private:
+    struct Values {
+        std::vector<Weighed> blocks, bolts;  // in the unit shown
+        std::vector<double> forces;
+    };
+
+    const FrameQuantity<BlockState>* blockQuantity_;
+    const FrameQuantity<BoltNodeFrame>* boltQuantity_;
+    bool contacts_;
+    ContactScale scale_;
+    double roundOff_ = 0.0;  // of the quantity of blocks
+    std::vector<std::pair<double, std::string>> limits_;  // of the bolts
+    std::optional<ValueRange> blockReach_, boltReach_;  // of all frames that were added
+    std::vector<Values> frames_;
+};
+
+/// Legends of what the request asks for, of all frames of the run.
 SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request);
 
 /// The same with a note on the values of one frame, if it has any.
