@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/time_cursor.h"
+
+#include "tests/ui/bricks.h"
+#include "tests/ui/screen/screen.h"
+#include "ui/runs/live_run.h"
+
+#include <gtest/gtest.h>
+
+namespace keyblock {
+namespace {
+
+/// Two stages of five frames each, at 0, 0.25 … 1, with events between and at frames.
+std::shared_ptr<LiveRun> tenFrames() {
+    Scene scene = test::bricks();
+    scene.stages.push_back(scene.stages.front());
+    auto run = std::make_shared<LiveRun>("nowhere.kbrun",
+                                         LiveStart{std::make_shared<const Scene>(scene), HistoryColumns{}});
+    LiveBatch batch;
+    batch.stagesBegun = {0, 1};
+    for (int stage = 0; stage < 2; ++stage)
+        for (int i = 0; i < 5; ++i) batch.frames.push_back({stage, 0.25 * i, 10L * stage + i, {}});
+    const auto add = [&](int stage, double time, EventKind kind) {
+        Event event;
+        event.stage = stage;
+        event.time = time;
+        event.kind = kind;
+        batch.events.push_back(event);
+    };
+    add(0, 0.3, EventKind::Debonding);
+    add(0, 0.35, EventKind::JointSlip);
+    add(0, 0.75, EventKind::Yield);
+    add(1, 0.6, EventKind::JointSlip);
+    add(1, 0.9, EventKind::PlateLoss);
+    run->append(std::move(batch));
+    return run;
+}
+
+class TimeCursorTest : public ::testing::Test {
+protected:
+    void SetUp() override { NEED_SCREEN(); }
+};
+
+TEST_F(TimeCursorTest, JumpsFromEventToEvent) {
+    TimeCursor cursor;
+    EXPECT_FALSE(cursor.nextEvent());  // without a run
+    cursor.setRun(tenFrames(), false);
+    cursor.home();
+    EXPECT_EQ(cursor.frame(), 0u);
+    std::vector<std::size_t> forward;
+    while (cursor.nextEvent()) forward.push_back(*cursor.frame());
+    EXPECT_EQ(forward, (std::vector<std::size_t>{2, 3, 8, 9}));  // two events between two frames are one jump
+    std::vector<std::size_t> back;
+    while (cursor.previousEvent()) back.push_back(*cursor.frame());
+    EXPECT_EQ(back, (std::vector<std::size_t>{8, 3, 2}));
+    cursor.home();
+    cursor.setHidden(EventKind::JointSlip, true);
+    cursor.setHidden(EventKind::Yield, true);
+    forward.clear();
+    while (cursor.nextEvent()) forward.push_back(*cursor.frame());
+    EXPECT_EQ(forward, (std::vector<std::size_t>{2, 9}));
+}
+
+TEST_F(TimeCursorTest, StepsAndJumpsStayWithinTheRun) {
+    TimeCursor cursor;
+    cursor.step(1);
+    cursor.home();
+    cursor.end();
+    cursor.play();
+    EXPECT_FALSE(cursor.hasMoment());
+    cursor.setRun(tenFrames(), false);
+    EXPECT_EQ(cursor.frame(), 9u);
+    cursor.step(5);
+    EXPECT_EQ(cursor.frame(), 9u);
+    cursor.step(-100);
+    EXPECT_EQ(cursor.frame(), 0u);
+    cursor.goTo(StageTime{1, 0.6});
+    EXPECT_EQ(cursor.frame(), 7u);
+    cursor.goTo(StageTime{0, -1.0});
+    EXPECT_EQ(cursor.frame(), 0u);
+    cursor.goTo(1000);
+    EXPECT_EQ(cursor.frame(), 9u);
+    cursor.toggleBookmark();
+    EXPECT_TRUE(cursor.bookmarks().contains(9));
+    cursor.toggleBookmark();
+    EXPECT_TRUE(cursor.bookmarks().empty());
+    cursor.setCursorB(99);
+    EXPECT_EQ(cursor.cursorB(), std::nullopt);
+}
+
+TEST_F(TimeCursorTest, PlaysToTheEndAndLoops) {
+    TimeCursor cursor;
+    cursor.setRun(tenFrames(), false);
+    cursor.setSpeed(4.0);
+    cursor.play();  // from the start, as it stands at the end
+    EXPECT_TRUE(waitFor([&] { return !cursor.isPlaying(); }));
+    EXPECT_EQ(cursor.frame(), 9u);
+    cursor.setLoops(true);
+    int turns = 0;
+    QObject::connect(&cursor, &TimeCursor::moved, &cursor, [&] { turns += cursor.frame() == 0u; });
+    cursor.play();
+    EXPECT_TRUE(waitFor([&] { return turns > 1; }));
+    cursor.pause();
+}
+
+TEST_F(TimeCursorTest, FollowsARunThatGoesOnUntilAPersonLooksBack) {
+    TimeCursor cursor;
+    const auto run = tenFrames();
+    cursor.setRun(run, true);
+    EXPECT_TRUE(cursor.isLive());
+    LiveBatch more;
+    more.newest.frame = std::make_shared<const Frame>(test::frameOf(run->scene(), 0.1, 1.0));
+    run->append(std::move(more));
+    cursor.grown();
+    EXPECT_EQ(cursor.frame(), std::nullopt);  // between stored frames
+    EXPECT_DOUBLE_EQ(cursor.head().time, 1.0);
+    ASSERT_TRUE(cursor.moment());
+    cursor.step(-1);
+    EXPECT_FALSE(cursor.isLive());
+    EXPECT_EQ(cursor.frame(), 9u);
+    LiveBatch frame;
+    frame.frames.push_back({1, 1.5, 30, {}});
+    run->append(std::move(frame));
+    cursor.grown();
+    EXPECT_EQ(cursor.frame(), 9u);  // stays where it was put
+    cursor.end();
+    EXPECT_TRUE(cursor.isLive());
+    cursor.ranOut();
+    EXPECT_FALSE(cursor.isLive());
+    EXPECT_EQ(cursor.frame(), 10u);
+}
+
+}  // namespace
+}  // namespace keyblock

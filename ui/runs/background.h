@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Work that takes longer than the window may wait, on one thread, always the newest:
+// what was asked for meanwhile and overtaken is never begun.
+#pragma once
+
+#include <QObject>
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace keyblock {
+
+class Background : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Background(QObject* parent = nullptr);
+    /// Waits for the job that runs; its result is dropped.
+    ~Background() override;
+
+    /// What is left to do in the window with a job's result; may be empty.
+    using Result = std::function<void()>;
+
+    /// Does the job on the thread, in place of one that still waits; its result runs in this object's thread. A job
+    /// tells its errors by its result.
+    void ask(std::function<Result()> job);
+
+    /// Nothing runs, waits, or has a result on its way.
+    bool isIdle() const { return open_ == 0; }
+
+Q_SIGNALS:
+    void becameIdle();
+
+private:
+    void work();
+    void deliver(const Result& result);
+
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    std::function<Result()> next_;
+    bool ends_ = false;
+    int open_ = 0;  // jobs asked for and not delivered
+    std::thread thread_;
+};
+
+}  // namespace keyblock

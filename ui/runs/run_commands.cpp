@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/run_commands.h"
+
+#include "ui/look/commands.h"
+#include "ui/runs/run_session.h"
+#include "ui/runs/runs.h"
+#include "ui/runs/time_cursor.h"
+
+namespace keyblock {
+
+namespace {
+
+/// Commands are on where they do something.
+void enableRunCommands(Commands& commands, const Runs& runs) {
+    const bool running = runs.isRunning();
+    const bool stopping = running && runs.session()->state() == RunSession::State::Stopping;
+    const bool paused = running && runs.session()->state() == RunSession::State::Paused;
+    commands.action("run.start")->setEnabled(!running);
+    commands.action("run.pause")->setEnabled(running && !stopping);
+    commands.action("run.pause")->setText(paused ? Runs::tr("Continue run") : Runs::tr("Pause run"));
+    commands.action("run.step")->setEnabled(running && !stopping);
+    commands.action("run.stop")->setEnabled(running && !stopping);
+}
+
+void enableTimeCommands(Commands& commands, const TimeCursor& cursor) {
+    const bool any = cursor.hasMoment();
+    for (const char* id : {"time.play", "time.next", "time.previous", "time.home", "time.end", "time.nextEvent",
+                           "time.previousEvent", "time.bookmark", "time.compare"})
+        commands.action(id)->setEnabled(any);
+}
+
+}  // namespace
+
+void addRunCommands(Commands& commands, Runs& runs) {
+    commands.add({"run.start", Runs::tr("Run"), "Run", "play", Runs::tr("Run all stages of the scene"),
+                  {QKeySequence(Qt::Key_F5)}},
+                 [&runs] { runs.start(); });
+    commands.add({"run.pause", Runs::tr("Pause run"), "Run", "pause", Runs::tr("Pause the run, or go on with it"),
+                  {QKeySequence(Qt::Key_F6)}},
+                 [&runs] { runs.pauseOrGoOn(); });
+    commands.add({"run.step", Runs::tr("Single step"), "Run", "step",
+                  Runs::tr("Take one step of the run, and pause"), {QKeySequence(Qt::Key_F7)}},
+                 [&runs] { runs.step(); });
+    commands.add({"run.stop", Runs::tr("Stop run"), "Run", "stop", Runs::tr("Stop the run; what is done is kept"),
+                  {QKeySequence("Shift+F5")}},
+                 [&runs] { runs.stop(); });
+    QObject::connect(&runs, &Runs::sessionChanged, &commands, [&] { enableRunCommands(commands, runs); });
+    enableRunCommands(commands, runs);
+}
+
+void addTimeCommands(Commands& commands, TimeCursor& cursor) {
+    const auto add = [&](const char* id, const QString& text, const char* icon, const QString& help,
+                         const QKeySequence& key, std::function<void()> run) {
+        commands.add({id, text, "Results", icon, help, {key}, false, "time"}, std::move(run));
+    };
+    add("time.play", TimeCursor::tr("Play or pause"), "play", TimeCursor::tr("Play the frames one after the other"),
+        QKeySequence(Qt::Key_Space), [&cursor] { cursor.isPlaying() ? cursor.pause() : cursor.play(); });
+    add("time.next", TimeCursor::tr("Next frame"), "step", TimeCursor::tr("Show the next frame"),
+        QKeySequence(Qt::Key_Period), [&cursor] { cursor.step(1); });
+    add("time.previous", TimeCursor::tr("Previous frame"), "", TimeCursor::tr("Show the frame before"),
+        QKeySequence(Qt::Key_Comma), [&cursor] { cursor.step(-1); });
+    add("time.home", TimeCursor::tr("First frame"), "home", TimeCursor::tr("Show the first frame of the run"),
+        QKeySequence(Qt::Key_Home), [&cursor] { cursor.home(); });
+    add("time.end", TimeCursor::tr("Last frame"), "end",
+        TimeCursor::tr("Show the last frame; follow a run that goes on"), QKeySequence(Qt::Key_End),
+        [&cursor] { cursor.end(); });
+    add("time.nextEvent", TimeCursor::tr("Next event"), "", TimeCursor::tr("Show the next thing that lets go"),
+        QKeySequence(Qt::Key_N), [&cursor] { cursor.nextEvent(); });
+    add("time.previousEvent", TimeCursor::tr("Previous event"), "", TimeCursor::tr("Show what let go before"),
+        QKeySequence("Shift+N"), [&cursor] { cursor.previousEvent(); });
+    add("time.bookmark", TimeCursor::tr("Bookmark frame"), "bookmark",
+        TimeCursor::tr("Mark the frame on the time line, or take its mark away"), QKeySequence("Ctrl+B"),
+        [&cursor] { cursor.toggleBookmark(); });
+    add("time.compare", TimeCursor::tr("Compare from here"), "", 
+        TimeCursor::tr("Set cursor B at the frame shown, to read differences from; once more takes it away"),
+        QKeySequence("Shift+B"), [&cursor] {
+            const auto here = cursor.frame();
+            cursor.setCursorB(cursor.cursorB() == here ? std::nullopt : here);
+        });
+    const auto enable = [&] { enableTimeCommands(commands, cursor); };
+    QObject::connect(&cursor, &TimeCursor::runChanged, &commands, enable);
+    QObject::connect(&cursor, &TimeCursor::moved, &commands, enable);
+    enable();
+}
+
+}  // namespace keyblock

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a person can do by name to runs and to the moment that is shown.
+#pragma once
+
+namespace keyblock {
+
+class Commands;
+class Runs;
+class TimeCursor;
+
+void addRunCommands(Commands& commands, Runs& runs);
+void addTimeCommands(Commands& commands, TimeCursor& cursor);
+
+}  // namespace keyblock

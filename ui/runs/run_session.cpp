@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/run_session.h"
+
+#include "solver/files/resumption.h"
+#include "solver/files/run_store.h"
+#include "solver/files/run_store_writer.h"
+#include "solver/results/words.h"
+#include "solver/scene/check.h"
+#include "ui/runs/live_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <stdexcept>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int interval = 33;  // [ms] between two looks at the run
+constexpr double leastFraction = 0.005;  // below it the time left is a guess
+
+/// The scene, where it can be run. \throws std::runtime_error with the first thing that is wrong.
+void requireRunnable(const Scene& scene, std::optional<SceneCut>& cut) {
+    if (scene.stages.empty())
+        throw std::runtime_error("the scene has no stages, so there is nothing to run; add one");
+    const std::vector<Problem> problems = checkScene(scene, &cut);
+    const auto errors = std::count_if(problems.begin(), problems.end(),
+                                      [](const Problem& problem) { return problem.severity == Severity::Error; });
+    if (errors == 0) return;
+    const auto first = std::find_if(problems.begin(), problems.end(),
+                                    [](const Problem& problem) { return problem.severity == Severity::Error; });
+    throw std::runtime_error("the scene has " + std::string(errors == 1 ? "an error" : "errors") + ": " +
+                             oneLine(*first));
+}
+
+}  // namespace
+
+RunSession::RunSession(RunOrder order, QObject* parent) : QObject(parent), order_(std::move(order)) {
+    timer_.setInterval(interval);
+    connect(&timer_, &QTimer::timeout, this, &RunSession::takeFeed);
+}
+
+RunSession::~RunSession() {
+    control_.stop = true;
+    if (thread_.joinable()) thread_.join();
+}
+
+void RunSession::start() {
+    if (thread_.joinable() || isOver()) return;
+    clock_.start();
+    timer_.start();
+    control_.progress = [this](const Progress& progress) { feed_.progress(progress); };
+    if (order_.watched) {
+        control_.looked = [this](const Frame& frame) { feed_.look(frame); };
+        control_.look = true;
+    }
+    thread_ = std::thread([this] {
+        work(ending_);
+        QMetaObject::invokeMethod(this, &RunSession::finish, Qt::QueuedConnection);
+    });
+}
+
+/// Everything that can be thrown becomes words; the thread ends in any case.
+void RunSession::work(Ending& ending) {
+    try {
+        runIt(ending);
+    } catch (const std::bad_alloc&) {
+        ending.problem = tr("There is not enough memory for this run. Fewer blocks or bolt divisions need less.");
+    } catch (const std::exception& error) {
+        ending.problem = QString::fromStdString(error.what());
+    } catch (...) {
+        ending.problem = tr("The run ended for a reason that it could not tell.");
+    }
+}
+
+void RunSession::runIt(Ending& ending) {
+    const Scene& scene = *order_.scene;
+    std::optional<SceneCut> own;
+    const SceneCut* cut = order_.cut.get();
+    if (!cut) {
+        requireRunnable(scene, own);
+        cut = own ? &*own : nullptr;
+    }
+    const auto solved = cut ? std::make_shared<const Scene>(cut->scene) : order_.scene;
+    const Resumption from = order_.resume ? resumptionOf(order_.store, scene) : Resumption{};
+    ending.nothingToDo = from.finished;
+    if (from.finished) return;
+    if (from.checkpoint) {
+        const RunStore kept(order_.store);
+        feed_.start(solved, kept.columns());
+        feed_.earlier(kept, &*from.checkpoint);
+    }
+    RunStoreWriter store(order_.store, order_.resume);
+    LiveSink sink(store, feed_, solved);
+    ending.stages = keyblock::run(scene, sink, control_, {order_.threads, cut},
+                                 from.checkpoint ? &*from.checkpoint : nullptr);
+    store.close();
+}
+
+void RunSession::pause() {
+    if (state_ != State::Running) return;
+    control_.pause = true;
+    pausedSince_ = clock_.elapsed();
+    setState(State::Paused);
+}
+
+void RunSession::goOn() {
+    if (state_ != State::Paused) return;
+    paused_ += clock_.elapsed() - pausedSince_;
+    control_.steps = 0;
+    control_.pause = false;
+    setState(State::Running);
+}
+
+void RunSession::step() {
+    pause();
+    if (state_ == State::Paused) ++control_.steps;
+}
+
+void RunSession::stop() {
+    if (isOver() || state_ == State::Stopping) return;
+    control_.stop = true;
+    setState(State::Stopping);
+}
+
+void RunSession::takeFeed() {
+    LiveBatch batch = feed_.take();
+    const bool isNew = batch.start.has_value();
+    const bool any = isNew || batch.newest.frame || batch.progress || !batch.stagesBegun.empty() ||
+                     !batch.stagesEnded.empty() || !batch.frames.empty() || !batch.events.empty();
+    if (isNew) run_ = std::make_shared<LiveRun>(order_.store, *batch.start);
+    if (batch.newest.frame || !any) control_.look = order_.watched;
+    if (batch.progress && !startFraction_) startFraction_ = batch.progress->fraction;
+    if (run_) run_->append(std::move(batch));
+    if (isNew) {
+        if (state_ == State::Preparing) setState(State::Running);
+        Q_EMIT began();
+    }
+    if (any && run_) Q_EMIT advanced();
+}
+
+void RunSession::finish() {
+    if (thread_.joinable()) thread_.join();
+    timer_.stop();
+    takeFeed();
+    tellEnding();
+    setState(State::Ended);
+    Q_EMIT ended();
+}
+
+void RunSession::tellEnding() {
+    const QString kept = tr("What was done is kept in %1.").arg(QString::fromStdString(order_.store.string()));
+    if (!ending_.stages.empty()) outcome_ = ending_.stages.back().outcome;
+    if (!ending_.problem.isEmpty()) {
+        failed_ = true;
+        message_ = ending_.problem;
+        if (run_ && !run_->frames().empty()) message_ += QStringLiteral(" ") + kept;
+        return;
+    }
+    if (ending_.nothingToDo) {
+        message_ = tr("This run is finished already; nothing is left to do.");
+        return;
+    }
+    if (ending_.stages.empty()) return;
+    const StageResult& last = ending_.stages.back();
+    const QString name = QString::fromStdString(stageName(*order_.scene, last.stage));
+    const QString why = QString::fromStdString(last.message);
+    switch (last.outcome) {
+        case Outcome::Failed:
+            failed_ = true;
+            message_ = tr("Stage %1 failed: %2. %3").arg(name, why, kept);
+            break;
+        case Outcome::Stopped: message_ = tr("Stopped in stage %1. %2").arg(name, kept); break;
+        case Outcome::Limit: message_ = tr("A limit was reached in stage %1: %2. %3").arg(name, why, kept); break;
+        case Outcome::Collapse: message_ = tr("Collapse in stage %1: %2.").arg(name, why); break;
+        default: message_ = tr("The run is finished."); break;
+    }
+}
+
+double RunSession::fraction() const {
+    if (isOver() && outcome_ && !failed_ && outcome_ != Outcome::Stopped && outcome_ != Outcome::Limit) return 1.0;
+    return run_ && run_->progress() ? std::clamp(run_->progress()->fraction, 0.0, 1.0) : 0.0;
+}
+
+std::optional<double> RunSession::secondsLeft() const {
+    if (!startFraction_ || isOver()) return std::nullopt;
+    const double done = fraction() - *startFraction_;
+    if (done < leastFraction) return std::nullopt;
+    const qint64 until = state_ == State::Paused ? pausedSince_ : clock_.elapsed();
+    return 1e-3 * static_cast<double>(until - paused_) * (1.0 - fraction()) / done;
+}
+
+QString RunSession::stageText() const {
+    if (!run_) return tr("Preparing");
+    const int stage = run_->progress() ? run_->progress()->stage : 0;
+    return tr("Stage %1 of %2 · %3")
+        .arg(stage + 1)
+        .arg(order_.scene->stages.size())
+        .arg(QString::fromStdString(stageName(*order_.scene, stage)));
+}
+
+long RunSession::steps() const { return run_ && run_->progress() ? run_->progress()->steps : 0; }
+
+void RunSession::setState(State state) {
+    state_ = state;
+    Q_EMIT stateChanged();
+}
+
+QString leftText(double seconds) {
+    if (seconds < 90.0) return RunSession::tr("%1 s left").arg(std::max(1L, std::lround(seconds)));
+    const long minutes = std::lround(std::min(seconds, 3.6e6) / 60.0);
+    if (minutes < 90) return RunSession::tr("%1 min left").arg(minutes);
+    return RunSession::tr("%1 h %2 min left").arg(minutes / 60).arg(minutes % 60);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/section_feed.h"
+
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/picture/section_ranges.h"
+#include "ui/runs/live_run.h"
+#include "ui/runs/time_cursor.h"
+#include "ui/runs/view_settings.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace keyblock {
+
+namespace {
+
+constexpr std::size_t mostValues = 100000;  // kept for ranges
+constexpr std::size_t fewestFrames = 8, mostFrames = 64;  // whose values are kept
+constexpr std::size_t mostRead = 400;  // frames of a stored run, evenly over all
+
+/// Bolt of the scene that a pointer leads to; −1: none.
+int boltOf(const QStringList& pointers, std::size_t bolts) {
+    for (const QString& pointer : pointers) {
+        const QStringList parts = pointer.split('/');
+        if (parts.size() < 3 || parts[1] != "bolts") continue;
+        bool isNumber = false;
+        const int index = parts[2].toInt(&isNumber);
+        if (isNumber && index >= 0 && static_cast<std::size_t>(index) < bolts) return index;
+    }
+    return -1;
+}
+
+}  // namespace
+
+/// Legends that grow. Used by one thread at a time.
+struct SectionFeed::Ranges {
+    std::shared_ptr<const LiveRun> run;
+    const FrameQuantity<BlockState>* blocks;
+    const FrameQuantity<BoltNodeFrame>* bolts;
+    bool contacts;
+    SectionRanges ranges;
+    std::optional<std::pair<int, long>> newest;  // stage and step of the last frame that was added
+    std::optional<SectionLegends> legends;
+
+    Ranges(std::shared_ptr<const LiveRun> of, const SectionRequest& request)
+        : run(std::move(of)), blocks(request.blocks), bolts(request.bolts), contacts(request.contacts),
+          ranges(run->scene(), request) {}
+
+    bool fits(const std::shared_ptr<LiveRun>& other, const SectionRequest& request) const {
+        return run == other && blocks == request.blocks && bolts == request.bolts && contacts == request.contacts;
+    }
+
+    void add(const Frame& frame) {
+        const std::pair at{frame.stage, frame.step};
+        if (newest && at <= *newest) return;
+        newest = at;
+        ranges.add(frame);
+        const std::size_t most = std::clamp(mostValues / std::max<std::size_t>(1, frame.blocks.size()), fewestFrames,
+                                            mostFrames);
+        if (ranges.frames() > most) ranges.dropEverySecond();
+        legends.reset();
+    }
+
+    const SectionLegends& current() {
+        if (!legends) legends = ranges.legends();
+        return *legends;
+    }
+};
+
+SectionFeed::SectionFeed(Document& document, Selection& selection, TimeCursor& cursor, ViewSettings& settings,
+                         QObject* parent)
+    : QObject(parent), document_(document), selection_(selection), cursor_(cursor), settings_(settings) {
+    connect(&cursor, &TimeCursor::runChanged, this, &SectionFeed::runChanged);
+    connect(&cursor, &TimeCursor::moved, this, &SectionFeed::make);
+    connect(&settings, &ViewSettings::changed, this, &SectionFeed::make);
+    connect(&selection, &Selection::changed, this, [this] {
+        if (settings_.choice().ribbon == RibbonOf::Selected && showsResults()) make();
+    });
+    connect(&document, &Document::checkedChanged, this, [this] {
+        if (!showsResults()) makeOfScene();
+    });
+    connect(&document, &Document::replaced, this, [this] {
+        picture_.reset();
+        Q_EMIT pictureChanged();
+    });
+    make();
+}
+
+SectionFeed::~SectionFeed() = default;
+
+void SectionFeed::showResults(bool results) {
+    results_ = results;
+    make();
+}
+
+bool SectionFeed::showsResults() const { return results_ && cursor_.hasMoment(); }
+
+/// A run that is chosen is one that a person wants to see.
+void SectionFeed::runChanged() {
+    if (cursor_.run()) results_ = true;
+    ranges_.reset();
+    make();
+}
+
+void SectionFeed::makeOfScene() {
+    if (document_.checked().picture || document_.checked().problems.empty()) put(document_.checked().picture);
+}
+
+SectionRequest SectionFeed::request() const {
+    const ViewChoice& choice = settings_.choice();
+    SectionRequest request;
+    request.frame = 0;
+    request.blocks = choice.blocks;
+    request.bolts = choice.bolts;
+    request.arrows = choice.arrows;
+    request.contacts = choice.contacts;
+    request.factor = choice.factor;
+    if (!choice.callOuts) request.mostEvents = 0;
+    const int bolt = boltOf(selection_.pointers(), cursor_.run()->scene().bolts.size());
+    if (choice.ribbon == RibbonOf::Selected && bolt >= 0) request.ribbon = bolt;
+    return request;
+}
+
+void SectionFeed::make() {
+    if (showsResults() != showed_) {
+        showed_ = !showed_;
+        Q_EMIT modeChanged();
+    }
+    if (!showsResults()) return makeOfScene();
+    const SectionRequest wanted = request();
+    if (!ranges_ || !ranges_->fits(cursor_.run(), wanted)) {
+        ranges_ = std::make_shared<Ranges>(cursor_.run(), wanted);
+        gatherRanges();
+    }
+    painting_.ask([this, wanted, moment = cursor_.moment(), ranges = ranges_,
+                   ribbon = settings_.choice().ribbon]() -> Background::Result {
+        try {
+            SectionRequest full = wanted;
+            ranges->add(*moment->sharedFrame());
+            const SectionLegends& legends = ranges->current();
+            full.legends = &legends;
+            if (legends.bolts) full.ribbonScale = legends.bolts->range.high;
+            auto picture = std::make_shared<SectionPicture>(sectionPicture(*moment, full));
+            if (ribbon == RibbonOf::Nothing) picture->ribbon.reset();
+            return [this, picture] {
+                if (showsResults()) put(picture);
+            };
+        } catch (const std::exception& error) {
+            return [this, text = QString::fromStdString(error.what())] { Q_EMIT failed(text); };
+        }
+    });
+}
+
+/// Values of the frames that a store holds already, read beside the painting.
+void SectionFeed::gatherRanges() {
+    const std::size_t count = cursor_.run()->frames().size();
+    if (count < 2) return;
+    auto ranges = std::make_shared<Ranges>(cursor_.run(), request());
+    gathering_.ask([this, ranges, count]() -> Background::Result {
+        try {
+            const std::size_t read = std::min(count, mostRead);
+            for (std::size_t i = 0; i < read; ++i)
+                ranges->add(ranges->run->frame(read == 1 ? 0 : i * (count - 1) / (read - 1)));
+        } catch (const std::exception&) {
+            // Painting tells of a store that cannot be read; the ranges are of what could.
+        }
+        return [this, ranges] { takeRanges(ranges); };
+    });
+}
+
+void SectionFeed::takeRanges(std::shared_ptr<Ranges> ranges) {
+    if (!ranges_ || !cursor_.run() || !ranges->fits(cursor_.run(), request())) return;
+    ranges_ = std::move(ranges);
+    make();
+}
+
+void SectionFeed::put(std::shared_ptr<const SectionPicture> picture) {
+    if (picture == picture_) return;
+    picture_ = std::move(picture);
+    Q_EMIT pictureChanged();
+}
+
+}  // namespace keyblock

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Makes the pictures of the canvas on a thread of its own: of the moment that the
+// time cursor shows, as the view settings ask for, with ranges over all frames of the
+// run. Of a run that goes on the ranges grow with the frames that are shown.
+#pragma once
+
+#include "ui/picture/section.h"
+#include "ui/runs/background.h"
+
+#include <QObject>
+#include <QStringList>
+
+#include <memory>
+#include <optional>
+
+namespace keyblock {
+
+class Document;
+class LiveRun;
+class Selection;
+class TimeCursor;
+class ViewSettings;
+
+class SectionFeed : public QObject {
+    Q_OBJECT
+
+public:
+    SectionFeed(Document& document, Selection& selection, TimeCursor& cursor, ViewSettings& settings,
+                QObject* parent = nullptr);
+    ~SectionFeed() override;
+
+    /// Results are shown, where there are any; else the scene as it is drawn.
+    void showResults(bool results);
+    bool showsResults() const;
+
+    /// The newest picture; null before the first.
+    const std::shared_ptr<const SectionPicture>& picture() const { return picture_; }
+
+Q_SIGNALS:
+    void pictureChanged();
+    void modeChanged();  // from results to drawing or back
+    void failed(const QString& message);  // a frame could not be read
+
+private:
+    struct Ranges;
+
+    void runChanged();
+    void make();
+    void makeOfScene();
+    void gatherRanges();
+    void takeRanges(std::shared_ptr<Ranges> ranges);
+    SectionRequest request() const;
+    void put(std::shared_ptr<const SectionPicture> picture);
+
+    Document& document_;
+    Selection& selection_;
+    TimeCursor& cursor_;
+    ViewSettings& settings_;
+    bool results_ = true, showed_ = false;
+    std::shared_ptr<Ranges> ranges_;  // of the run and the quantities shown
+    std::shared_ptr<const SectionPicture> picture_;
+    Background painting_, gathering_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/time_cursor.h"
+
+#include "ui/runs/live_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double framesPerSecond = 25.0;
+constexpr int shortestInterval = 33;  // [ms] faster ones leave frames out
+
+StageTime timeOf(const FrameHead& head) { return {head.stage, head.time}; }
+StageTime timeOf(const Event& event) { return {event.stage, event.time}; }
+
+}  // namespace
+
+TimeCursor::TimeCursor(QObject* parent) : QObject(parent) {
+    connect(&timer_, &QTimer::timeout, this, &TimeCursor::advance);
+}
+
+TimeCursor::~TimeCursor() = default;
+
+void TimeCursor::setRun(std::shared_ptr<LiveRun> run, bool goesOn) {
+    timer_.stop();
+    run_ = std::move(run);
+    goesOn_ = run_ && goesOn;
+    live_ = goesOn_;
+    frame_ = run_ && !run_->frames().empty() ? run_->frames().size() - 1 : 0;
+    b_ = std::nullopt;
+    bookmarks_.clear();
+    Q_EMIT runChanged();
+    Q_EMIT changed();
+    Q_EMIT moved();
+}
+
+void TimeCursor::grown() {
+    if (!run_) return;
+    const bool first = !live_ && run_->frames().size() == 1;
+    if (live_ && !run_->frames().empty()) frame_ = run_->frames().size() - 1;
+    Q_EMIT runGrew();
+    if (live_ || first) Q_EMIT moved();
+}
+
+void TimeCursor::ranOut() {
+    goesOn_ = false;
+    const bool followed = std::exchange(live_, false);
+    if (followed && run_ && !run_->frames().empty()) frame_ = run_->frames().size() - 1;
+    Q_EMIT changed();
+    Q_EMIT moved();
+}
+
+bool TimeCursor::hasMoment() const {
+    return run_ && (!run_->frames().empty() || (live_ && run_->newest().frame));
+}
+
+std::optional<std::size_t> TimeCursor::frame() const {
+    if (!hasMoment()) return std::nullopt;
+    if (live_ && run_->newest().frame) return run_->newest().stored;
+    return frame_;
+}
+
+FrameHead TimeCursor::head() const {
+    if (live_ && run_->newest().frame) {
+        const Frame& newest = *run_->newest().frame;
+        return {newest.stage, newest.time, newest.step, newest.energy};
+    }
+    return run_->frames()[frame_];
+}
+
+std::shared_ptr<const Moment> TimeCursor::moment() const {
+    if (!hasMoment()) return nullptr;
+    if (live_ && run_->newest().frame) return std::make_shared<const Moment>(run_);
+    return std::make_shared<const Moment>(run_, frame_);
+}
+
+void TimeCursor::show(std::size_t frame) {
+    if (!live_ && frame == frame_) return;
+    const bool wasLive = std::exchange(live_, false);
+    frame_ = frame;
+    if (wasLive) Q_EMIT changed();
+    Q_EMIT moved();
+}
+
+void TimeCursor::goTo(std::size_t frame) {
+    if (!run_ || run_->frames().empty()) return;
+    show(std::min(frame, run_->frames().size() - 1));
+}
+
+void TimeCursor::goTo(const StageTime& time) {
+    if (!run_ || run_->frames().empty()) return;
+    show(frameAt(time).value_or(0));
+}
+
+void TimeCursor::goLive() {
+    if (!goesOn_ || live_) return;
+    pause();
+    live_ = true;
+    if (!run_->frames().empty()) frame_ = run_->frames().size() - 1;
+    Q_EMIT changed();
+    Q_EMIT moved();
+}
+
+void TimeCursor::step(int by) {
+    if (!run_ || run_->frames().empty()) return;
+    pause();
+    const auto last = static_cast<long>(run_->frames().size()) - 1;
+    // Between stored frames one step back is the last of them.
+    const bool between = live_ && !frame();
+    const long from = static_cast<long>(frame_) + (between && by < 0 ? 1 : 0);
+    if (live_ && from + by > last) return;
+    show(static_cast<std::size_t>(std::clamp(from + by, 0L, last)));
+}
+
+void TimeCursor::home() {
+    if (!run_ || run_->frames().empty()) return;
+    show(0);
+}
+
+void TimeCursor::end() {
+    if (goesOn_) return goLive();
+    if (run_ && !run_->frames().empty()) show(run_->frames().size() - 1);
+}
+
+/// The last frame that is not later.
+std::optional<std::size_t> TimeCursor::frameAt(const StageTime& time) const {
+    const auto& frames = run_->frames();
+    const auto after = std::upper_bound(frames.begin(), frames.end(), time, [](const StageTime& t, const FrameHead& f) {
+        return t < timeOf(f);
+    });
+    if (after == frames.begin()) return std::nullopt;
+    return static_cast<std::size_t>(after - frames.begin()) - 1;
+}
+
+/// The first frame that is not earlier.
+std::optional<std::size_t> TimeCursor::firstFrameFrom(const StageTime& time) const {
+    const auto& frames = run_->frames();
+    const auto from = std::lower_bound(frames.begin(), frames.end(), time, [](const FrameHead& f, const StageTime& t) {
+        return timeOf(f) < t;
+    });
+    if (from == frames.end()) return std::nullopt;
+    return static_cast<std::size_t>(from - frames.begin());
+}
+
+bool TimeCursor::nextEvent() {
+    if (!hasMoment()) return false;
+    pause();
+    const StageTime now = timeOf(head());
+    for (const Event& event : run_->eventList()) {
+        if (hidden_.contains(event.kind) || timeOf(event) <= now) continue;
+        const auto frame = firstFrameFrom(timeOf(event));
+        if (!frame) return false;
+        show(*frame);
+        return true;
+    }
+    return false;
+}
+
+bool TimeCursor::previousEvent() {
+    if (!hasMoment()) return false;
+    pause();
+    const std::size_t shown = frame().value_or(run_->frames().size());
+    const auto& events = run_->eventList();
+    for (auto event = events.rbegin(); event != events.rend(); ++event) {
+        if (hidden_.contains(event->kind)) continue;
+        const auto frame = firstFrameFrom(timeOf(*event));
+        if (!frame || *frame >= shown) continue;
+        show(*frame);
+        return true;
+    }
+    return false;
+}
+
+void TimeCursor::play() {
+    if (!run_ || run_->frames().size() < 2 || isPlaying()) return;
+    if (frame_ + 1 >= run_->frames().size() && !live_) frame_ = 0;
+    if (live_) return;  // it plays itself
+    timer_.start(std::max(shortestInterval, static_cast<int>(std::lround(1000.0 / (framesPerSecond * speed_)))));
+    Q_EMIT changed();
+}
+
+void TimeCursor::pause() {
+    if (!isPlaying()) return;
+    timer_.stop();
+    Q_EMIT changed();
+}
+
+void TimeCursor::advance() {
+    const std::size_t count = run_ ? run_->frames().size() : 0;
+    if (count == 0) return pause();
+    const double wanted = 1e-3 * timer_.interval() * framesPerSecond * speed_;
+    const auto by = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(wanted)));
+    if (frame_ + 1 < count) return show(std::min(frame_ + by, count - 1));
+    if (loops_) return show(0);
+    pause();
+    if (goesOn_) goLive();
+}
+
+void TimeCursor::setSpeed(double speed) {
+    speed_ = std::clamp(speed, 0.05, 100.0);
+    if (isPlaying()) {
+        timer_.stop();
+        play();
+    }
+    Q_EMIT changed();
+}
+
+void TimeCursor::setLoops(bool loops) {
+    loops_ = loops;
+    Q_EMIT changed();
+}
+
+void TimeCursor::setCursorB(std::optional<std::size_t> frame) {
+    if (frame && (!run_ || *frame >= run_->frames().size())) frame = std::nullopt;
+    b_ = frame;
+    Q_EMIT changed();
+}
+
+void TimeCursor::toggleBookmark() {
+    const auto at = frame();
+    if (!at) return;
+    if (!bookmarks_.erase(*at)) bookmarks_.insert(*at);
+    Q_EMIT changed();
+}
+
+void TimeCursor::setHidden(EventKind kind, bool hidden) {
+    if (hidden) hidden_.insert(kind);
+    else hidden_.erase(kind);
+    Q_EMIT changed();
+}
+
+}  // namespace keyblock

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a person wants to see of results: quantities of blocks and bolts, the ribbon,
+// how much displacements are enlarged, and what is drawn over it.
+#pragma once
+
+#include "solver/results/frame_quantities.h"
+#include "ui/picture/arrows.h"
+
+#include <QObject>
+
+#include <optional>
+
+namespace keyblock {
+
+enum class RibbonOf { Nothing, Selected, Largest };  // Selected: where none is, the largest
+
+struct ViewChoice {
+    const FrameQuantity<BlockState>* blocks = nullptr;  // null: plain rock
+    const FrameQuantity<BoltNodeFrame>* bolts = nullptr;  // null: plain
+    RibbonOf ribbon = RibbonOf::Selected;
+    double factor = 1.0;  // on displacements
+    std::optional<ArrowKind> arrows;
+    bool contacts = false;  // forces as lines
+    bool callOuts = true;  // at events
+
+    bool operator==(const ViewChoice&) const = default;
+};
+
+class ViewSettings : public QObject {
+    Q_OBJECT
+
+public:
+    /// σ₁ and N, as it is.
+    explicit ViewSettings(QObject* parent = nullptr);
+
+    const ViewChoice& choice() const { return choice_; }
+    void choose(const ViewChoice& choice);
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    ViewChoice choice_;
+};
+
+}  // namespace keyblock
