@@ -15,6 +15,11 @@ std::uint8_t between(std::uint8_t from, std::uint8_t to, double share) {
 
 }  // namespace
 
+const ColourMap& darkOf(const ColourMap& map) {
+    if (map == slate) return slateDark;
+    return map == ember ? emberDark : map;
+}
+
 Colour colourAt(const ColourMap& map, double share) {
     const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(map.size() - 1);
     const auto lower = std::min(static_cast<std::size_t>(place), map.size() - 2);

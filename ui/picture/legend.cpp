@@ -5,7 +5,7 @@
 namespace keyblock {
 
 Colour LegendBar::colourOf(double shown) const {
-    return colourAt(*map, (shown - range.low) / (range.high - range.low));
+    return colourAt(*map, shareOf(shown));
 }
 
 }  // namespace keyblock

@@ -28,6 +28,10 @@ struct LegendBar {
     std::vector<std::pair<double, std::string>> limits;  // capacities within the range, named
 
     Colour colourOf(double shown) const;
+    /// The colours on the ground of the picture.
+    const ColourMap& mapOn(bool dark) const { return dark ? darkOf(*map) : *map; }
+    /// Where a value lies between the ends of the range: 0 … 1 within it.
+    double shareOf(double shown) const { return (shown - range.low) / (range.high - range.low); }
 };
 
 /// Of the blocks and the bolts of a section; none of a quantity that no frame has a value of.

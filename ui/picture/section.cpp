@@ -54,6 +54,8 @@ public:
         }
         addBlocks();
         addFaces();
+        for (const SceneTunnel& tunnel : scene_.tunnels)
+            picture_.openings.push_back(outline(tunnelProfile(shapeOf(tunnel))));
         addArrows();
         addBolts();
         chooseRibbon();

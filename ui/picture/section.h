@@ -72,6 +72,7 @@ struct SectionPicture {
     Box model, window;  // [m]: all of it, and what is shown
     std::vector<BlockShape> blocks;  // those that are there
     std::vector<LineShape> walls, borders, seams;  // as drawn
+    std::vector<std::vector<Point>> openings;  // profiles of the tunnels [m]; rock that is still there lies over them
     std::vector<BoltShape> bolts;  // those that are there
     std::optional<LegendBar> blockLegend, boltLegend;
     std::optional<ArrowField> arrows;
