@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a person has hidden in the section or locked against the mouse. It belongs
+// to looking, not to the scene: no file says it, no undo changes it. Things are
+// remembered by name, so that they stay hidden when others come or go.
+#pragma once
+
+#include <QObject>
+#include <QSet>
+#include <QString>
+
+namespace keyblock {
+
+class Document;
+
+class Visibility : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Visibility(const Document& document, QObject* parent = nullptr);
+
+    /// Of an object (`/joints/3`) or a whole list (`/joints`). What is in a hidden list is hidden.
+    bool isHidden(const QString& pointer) const { return has(hidden_, pointer); }
+    bool isLocked(const QString& pointer) const { return has(locked_, pointer); }
+    void setHidden(const QString& pointer, bool hidden);
+    void setLocked(const QString& pointer, bool locked);
+
+    /// True while nothing is hidden.
+    bool showsAll() const { return hidden_.isEmpty(); }
+    void showAll();
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    bool has(const QSet<QString>& keys, const QString& pointer) const;
+    QString keyOf(const QString& pointer) const;
+    void put(QSet<QString>& keys, const QString& pointer, bool in);
+
+    const Document& document_;
+    QSet<QString> hidden_, locked_;
+};
+
+}  // namespace keyblock
