@@ -67,6 +67,12 @@ QString Display::number(double shown, int digits) {
         for (int at = (point < 0 ? text.size() : point) - 3; at > first; at -= 3)
             text.insert(at, QChar(0x2009));
     }
+    if (exponent >= 0) {  // 1e-5, not 1e-05
+        int at = exponent + 1;
+        if (text[at] == '+') text.remove(at, 1);
+        else ++at;
+        while (at + 1 < text.size() && text[at] == '0') text.remove(at, 1);
+    }
     return text.replace('-', QChar(0x2212));
 }
 

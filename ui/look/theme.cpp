@@ -149,7 +149,8 @@ QIcon Themes::icon(const QString& name) const {
 }
 
 QIcon Themes::icon(const QString& name, const QColor& colour) const {
-    QIcon icon;
+    QIcon& icon = inked_[name + colour.name()];
+    if (!icon.isNull()) return icon;
     const QByteArray drawing = resource(":/icons/" + name + ".svg");
     if (!drawing.isEmpty()) addDrawing(icon, drawing, colour, QIcon::Normal, QIcon::Off);
     return icon;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <QColor>
+#include <QHash>
 #include <QIcon>
 #include <QObject>
 #include <QString>
@@ -49,6 +50,7 @@ private:
     void apply() const;
 
     bool dark_ = false;
+    mutable QHash<QString, QIcon> inked_;  // by name and colour: rows of trees ask at every paint
 };
 
 }  // namespace keyblock
