@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Fields are shown, typed and taken back as a person expects, and every one of
+// every sample says the value that it has.
+#include "tests/ui/panels/form_bench.h"
+
+#include "solver/scene/pointer.h"
+#include "ui/edit/edits.h"
+#include "ui/panels/field_words.h"
+#include "ui/panels/value_text.h"
+
+namespace keyblock {
+namespace {
+
+QString problemOf(FormRowWidget& row) {
+    for (const QLabel* label : row.findChildren<QLabel*>())
+        if (label->property("role") == "problem" && label->isVisible()) return label->text();
+    return {};
+}
+
+TEST(FieldForm, TypingSetsTheFieldInOneStepThatUndoTakesBack) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    const Scene before = *bench.document.scene();
+    bench.choose({"/joint_sets/0"});
+    bench.type("spacing", "1.25");
+    EXPECT_EQ(bench.document.scene()->jointSets[0].spacing, 1.25);
+    EXPECT_EQ(bench.document.undo().count(), 1);
+    EXPECT_EQ(bench.document.undo().undoText().toStdString(), "Set spacing of " + before.jointSets[0].name);
+    bench.document.undo().undo();
+    EXPECT_EQ(*bench.document.scene(), before);
+}
+
+TEST(FieldForm, SumsUnitsAndDecimalCommasAreTaken) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    bench.choose({"/joint_sets/0"});
+    bench.type("spacing", "=5/2+0.1");
+    EXPECT_NEAR(bench.document.scene()->jointSets[0].spacing, 2.6, 1e-15);
+    bench.type("spacing", "900mm");
+    EXPECT_EQ(bench.document.scene()->jointSets[0].spacing, 0.9);
+    bench.type("spacing", "1,75");
+    EXPECT_EQ(bench.document.scene()->jointSets[0].spacing, 1.75);
+    EXPECT_EQ(bench.line("spacing")->text(), "1.75");
+}
+
+TEST(FieldForm, NumbersAreShownAndTypedInTheUnitsOfTheDisplay) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    const std::string material = bench.document.scene()->materials[0].first;
+    bench.choose({"/materials/" + material});
+    bench.type("youngs_modulus", "47300");
+    EXPECT_EQ(bench.document.scene()->materials[0].second.youngsModulus, 47.3e9);
+    bench.type("youngs_modulus", "60 GPa");
+    EXPECT_EQ(bench.document.scene()->materials[0].second.youngsModulus, 60e9);
+    bench.display.setSystem(UnitSystem::Si);
+    bench.form.refresh();
+    bench.type("youngs_modulus", "5.5e10");
+    EXPECT_EQ(bench.document.scene()->materials[0].second.youngsModulus, 5.5e10);
+}
+
+TEST(FieldForm, WhatIsOutOfRangeIsRefusedAtTheFieldAndNotLost) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    const Scene before = *bench.document.scene();
+    bench.choose({"/joint_sets/0"});
+    bench.type("spacing", "-2");
+    EXPECT_EQ(*bench.document.scene(), before);
+    EXPECT_EQ(bench.line("spacing")->text(), "-2");
+    EXPECT_TRUE(bench.line("spacing")->property("invalid").toBool());
+    EXPECT_TRUE(problemOf(*bench.row("spacing")).contains("out of range")) << problemOf(*bench.row("spacing")).toStdString();
+    bench.type("spacing", "wide");
+    EXPECT_FALSE(problemOf(*bench.row("spacing")).isEmpty());
+    QTest::keyClick(bench.line("spacing"), Qt::Key_Escape);
+    EXPECT_TRUE(problemOf(*bench.row("spacing")).isEmpty());
+    EXPECT_EQ(bench.document.undo().count(), 0);
+}
+
+TEST(FieldForm, SeveralObjectsShowMixedAndAreSetTogether) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    bench.choose({"/joint_sets/0", "/joint_sets/1"});
+    ASSERT_TRUE(bench.line("dip"));
+    EXPECT_TRUE(bench.line("dip")->text().isEmpty());
+    EXPECT_EQ(bench.line("dip")->placeholderText(), "mixed");
+    EXPECT_TRUE(bench.line("dip")->font().italic());
+    EXPECT_FALSE(bench.row("name"));
+    bench.type("dip", "40");
+    EXPECT_EQ(bench.document.scene()->jointSets[0].dip, 40.0);
+    EXPECT_EQ(bench.document.scene()->jointSets[1].dip, 40.0);
+    EXPECT_EQ(bench.document.undo().count(), 1);
+    EXPECT_EQ(bench.document.undo().undoText(), "Set dip of 2 joint sets");
+}
+
+TEST(FieldForm, FieldsThatDoNotApplyAreNotThere) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    bench.choose({"/tunnels/0"});
+    EXPECT_TRUE(bench.row("width"));
+    EXPECT_FALSE(bench.row("diameter"));
+}
+
+TEST(FieldForm, ChangedFieldsHaveAResetArrow) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    bench.choose({"/joint_sets/0"});
+    bench.type("seed", "99");
+    auto* reset = bench.row("seed")->findChild<QWidget*>("reset");
+    ASSERT_TRUE(reset && reset->isVisible());
+    QTest::mouseClick(reset, Qt::LeftButton);
+    EXPECT_EQ(bench.document.scene()->jointSets[0].seed, SceneJointSet{}.seed);
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(reset->isVisible());
+}
+
+TEST(FieldForm, ANameIsChangedWhereverItStands) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    const std::string old = bench.document.scene()->materials[0].first;
+    bench.choose({"/materials/" + old});
+    bench.type("name", "gneiss");
+    EXPECT_EQ(bench.document.scene()->materials[0].first, "gneiss");
+    EXPECT_EQ(bench.document.scene()->domain->material, "gneiss");
+    EXPECT_EQ(bench.form.objects().front(), "/materials/gneiss");
+}
+
+TEST(FieldForm, EmptyMeansAutomaticWhereThatIsAllowed) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    bench.choose({"/bolt_patterns/0"});
+    bench.type("divisions", "40");
+    EXPECT_EQ(bench.document.scene()->boltPatterns[0].divisions, 40);
+    bench.type("divisions", "auto");
+    EXPECT_FALSE(bench.document.scene()->boltPatterns[0].divisions);
+    EXPECT_TRUE(bench.line("spacing_out_of_plane")->placeholderText().startsWith("auto ("));
+}
+
+/// All objects of a scene that a form can show, items of lists inside included.
+void collect(const Structure& structure, const void* object, const std::string& pointer, std::vector<std::string>& all) {
+    all.push_back(pointer);
+    for (const Field& field : structure.fields) {
+        if (!hasChildren(field) || field.children.isNull(object)) continue;
+        for (std::size_t i = 0; i < field.children.count(object); ++i) {
+            std::string place = under(pointer, field.key);
+            if (field.kind == FieldKind::List) place = under(place, i);
+            if (field.kind == FieldKind::Map) place = under(place, field.children.name(object, i));
+            collect(field.children.structure(), field.children.item(object, i), place, all);
+        }
+    }
+}
+
+bool isLine(FieldKind kind) {
+    return kind == FieldKind::Number || kind == FieldKind::Integer || kind == FieldKind::Vector ||
+           kind == FieldKind::Axis || kind == FieldKind::Triple || kind == FieldKind::Place || kind == FieldKind::Text;
+}
+
+TEST(FieldForm, EveryFieldOfEverySampleReadsBackFromItsOwnText) {
+    NEED_SCREEN();
+    FormBench bench(Scene{});
+    std::size_t fields = 0;
+    for (const auto& file : std::filesystem::directory_iterator(KEYBLOCK_SAMPLES_DIR)) {
+        if (file.path().extension() != ".json") continue;
+        const Scene scene = sampleScene(file.path().stem().string());
+        std::vector<std::string> pointers;
+        collect(sceneStructure(), &scene, "", pointers);
+        for (const std::string& pointer : pointers)
+            for (const FormGroup& group : formGroups(scene, {pointer}))
+                for (const FormRow& row : group.rows) {
+                    if (row.renames || !isLine(row.field->kind)) continue;
+                    const std::string unit = unitOf(row.at, *row.field);
+                    const QString text = valueText(row.value, *row.field, unit, bench.display, true);
+                    const auto back = readValue(text, *row.field, unit, bench.display);
+                    ++fields;
+                    ASSERT_TRUE(back.value) << file.path() << ' ' << row.pointers[0] << " '" << text.toStdString() << "' "
+                                            << back.problem.toStdString();
+                    const bool bothEmpty = row.field->emptyIsNull && text.isEmpty();
+                    EXPECT_TRUE(bothEmpty || *back.value == row.value) << file.path() << ' ' << row.pointers[0] << ' ' << text.toStdString();
+                }
+    }
+    EXPECT_GT(fields, 2000u);
+}
+
+TEST(FieldForm, EnteringWhatStandsThereChangesNothing) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("burst-dbolt"));
+    const Scene before = *bench.document.scene();
+    std::vector<std::string> pointers;
+    collect(sceneStructure(), &before, "", pointers);
+    for (const std::string& pointer : pointers) {
+        bench.choose({pointer});
+        for (QLineEdit* line : bench.form.findChildren<QLineEdit*>()) {
+            if (!line->isVisible()) continue;
+            line->setFocus();
+            QTest::keyClick(line, Qt::Key_Return);
+        }
+    }
+    EXPECT_EQ(*bench.document.scene(), before);
+    EXPECT_EQ(bench.document.undo().count(), 0);
+}
+
+struct UnitCase {
+    const char* sample;
+    const char* pointer;
+    const char* path;
+    const char* unit;
+};
+
+TEST(FieldForm, UnitsStandBesideTheirNumbers) {
+    NEED_SCREEN();
+    const UnitCase cases[] = {
+        {"drift-bolted", "/joint_sets/0", "spacing", "m"},
+        {"drift-bolted", "/joint_sets/0", "dip", "°"},
+        {"drift-bolted", "/materials/granite", "youngs_modulus", "MPa"},
+        {"drift-bolted", "/materials/granite", "density", "kg/m³"},
+        {"drift-bolted", "/materials/granite", "poissons_ratio", ""},
+        {"drift-bolted", "/bolt_patterns/0", "pretension", "kN"},
+        {"drift-bolted", "/bolt_patterns/0", "angle_from_wall", "°"},
+        {"rebar-stated", "/bolt_types/rebar-20-paper/anchors/0", "stiffness", "kN/m"},
+        {"drift-bolted", "/analysis", "gravity", "m/s²"}};
+    for (const UnitCase& one : cases) {
+        FormBench bench(sampleScene(one.sample));
+        bench.choose({one.pointer});
+        FormRowWidget* row = bench.row(one.path);
+        ASSERT_TRUE(row) << one.pointer << ' ' << one.path;
+        QString unit;
+        for (const QLabel* label : row->findChildren<QLabel*>())
+            if (label->property("role") == "unit") unit = label->text();
+        EXPECT_EQ(unit.toStdString(), one.unit) << one.pointer << ' ' << one.path;
+    }
+}
+
+}  // namespace
+}  // namespace keyblock

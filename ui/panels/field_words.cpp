@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/field_words.h"
+
+#include <QCoreApplication>
+#include <QHash>
+
+#include <algorithm>
+
+namespace keyblock {
+
+namespace {
+
+QString words(const char* text) { return QCoreApplication::translate("FieldWords", text); }
+
+/// Labels that the key does not give.
+const QHash<QString, QString>& ownLabels() {
+    static const QHash<QString, QString> labels{
+        {"youngs_modulus", words("Young's modulus")}, {"poissons_ratio", words("Poisson's ratio")},
+        {"rho_inf", QString::fromUtf8("ρ∞")}, {"sxx", QString::fromUtf8("σxx")}, {"syy", QString::fromUtf8("σyy")},
+        {"sxy", QString::fromUtf8("σxy")}, {"block_at", words("Block at")}, {"reference_y", words("Reference height")},
+        {"gradient_y", words("Change upwards")}, {"far_end", words("Far end")}, {"sub_blocks", words("Cells")},
+        {"in_situ_stress", words("In-situ stress")}, {"unbalanced", words("Unbalanced force")},
+        {"set", words("Strength changes")}, {"fix", words("Held")}, {"way", words("Way round")},
+        {"max_steps", words("Most steps")}, {"max_passes", words("Most passes")}, {"like", words("Derived from")},
+        {"min_area", words("Least area")}, {"min_width", words("Least width")}, {"continue", words("Go on after collapse")},
+        {"offset", words("Offset of first")}, {"tunnel", words("Along wall of")},
+        {"trace_length_deviation", words("Length deviation")}};
+    return labels;
+}
+
+struct Heading {
+    const char* structure;
+    const char* title;
+    std::vector<std::string_view> keys;
+};
+
+/// Long structures fall into groups; keys named in none stand under the structure's own title.
+const std::vector<Heading>& headings() {
+    static const std::vector<Heading> list{
+        {"bolt pattern", "Bolt", {"type", "length", "angle_from_wall", "divisions", "plate", "pretension"}},
+        {"joint set", "Traces", {"trace_length", "trace_length_deviation", "bridge", "bridge_deviation", "stagger"}},
+        {"stage", "Excavation and support", {"excavate", "relaxation", "install", "remove"}},
+        {"bolt type", "Steel",
+         {"diameter", "area", "second_moment", "plastic_modulus", "density", "shear_modulus", "shear_coefficient",
+          "youngs_modulus", "steel", "tensile_strength", "shear_strength_ratio", "rupture_rule", "bending",
+          "dynamic_factor"}},
+        {"bolt type", "Grout across the bolt", {"normal_stiffness", "normal_per"}},
+        {"bolt type", "Sources", {"sources"}},
+        {"analysis", "Contacts and solution",
+         {"penalty_ratio", "shear_ratio", "tolerance", "max_passes", "iteration", "contact"}},
+        {"joint material", "Stiffness", {"normal_stiffness", "shear_stiffness", "crushing_strength"}},
+    };
+    return list;
+}
+
+/// Parts of `a, or b`.
+std::vector<std::string> alternatives(std::string_view unit) {
+    const std::size_t at = unit.find(", or ");
+    if (at == std::string_view::npos) return {std::string(unit)};
+    return {std::string(unit.substr(0, at)), std::string(unit.substr(at + 5))};
+}
+
+std::string wordIn(const Structure& structure, const void* object, std::string_view key) {
+    const FieldValue value = valueOf(structure, object, key);
+    const auto* text = std::get_if<std::string>(&value);
+    return text ? *text : std::string();
+}
+
+std::string wordOf(const ObjectAt& at, std::string_view key) { return wordIn(*at.structure, at.object, key); }
+
+/// Motions, loads and the like have the time of the stage that they belong to.
+bool inStaticStage(const ObjectAt& at) {
+    return at.owner && at.ownerStructure->name == "stage" && wordIn(*at.ownerStructure, at.owner, "kind") == "static";
+}
+
+bool isGiven(const ObjectAt& at, std::string_view key) {
+    return !std::holds_alternative<std::monostate>(valueOf(*at.structure, at.object, key));
+}
+
+/// True where the second of two units holds.
+bool takesSecond(const ObjectAt& at, const Field& field) {
+    if (at.structure->name == "anchor") return !isGiven(at, "at") && wordOf(at, "per") == "length";
+    if (at.structure->name == "bolt type") return field.key == "normal_stiffness" && wordOf(at, "normal_per") == "length";
+    if (at.structure->name == "dilation") return inStaticStage(at);
+    return false;
+}
+
+QString capitalised(QString text) {
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    return text;
+}
+
+}  // namespace
+
+QString fromUtf8(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
+
+QString labelOf(const Field& field) {
+    QString key = fromUtf8(field.key);
+    const auto own = ownLabels().constFind(key);
+    return own != ownLabels().constEnd() ? *own : capitalised(key.replace('_', ' '));
+}
+
+QString titleOf(const Structure& structure) { return capitalised(fromUtf8(structure.name)); }
+
+QString countedOf(const Structure& structure, int count) {
+    QString name = fromUtf8(structure.name);
+    if (count != 1) name = name.endsWith('y') ? name.chopped(1) + "ies" : name.endsWith('s') ? name : name + 's';
+    return QString("%1 %2").arg(count).arg(name);
+}
+
+QString headingOf(const Structure& structure, const Field& field) {
+    for (const Heading& heading : headings())
+        if (structure.name == heading.structure && std::ranges::count(heading.keys, field.key))
+            return words(heading.title);
+    return titleOf(structure);
+}
+
+std::string unitOf(const ObjectAt& at, const Field& field) {
+    const auto units = alternatives(field.unit);
+    if (units.size() < 2) return units.front();
+    if (field.key == "every") return "s";
+    std::string second = units[1];
+    if (second == "N/m per m" || second == "N/m" || second == "m") return takesSecond(at, field) ? second : units[0];
+    return units[0];
+}
+
+std::vector<std::string> columnUnits(const ObjectAt& at, const Field& field) {
+    if (field.kind != FieldKind::Pairs) return {};
+    const std::size_t comma = field.unit.find(", ");
+    std::vector<std::string> units{std::string(field.unit.substr(0, comma)),
+                                   comma == std::string_view::npos ? "" : std::string(field.unit.substr(comma + 2))};
+    if (const std::size_t either = units[1].find(" or "); either != std::string::npos)
+        units[1] = takesSecond(at, field) ? units[1].substr(either + 4) : units[1].substr(0, either);
+    if (inStaticStage(at)) units[0].clear();  // pseudo-time
+    for (std::string& unit : units)
+        if (unit == "–") unit.clear();
+    return units;
+}
+
+QStringList columnTitles(const Structure& structure, const Field& field) {
+    if (field.key == "steel") return {words("Strain"), words("Stress")};
+    if (structure.name == "anchor") return {words("Slip"), words("Force")};
+    if (structure.name == "motion") return {words("Time"), words("Displacement")};
+    if (structure.name == "load") return {words("Time"), words("Factor")};
+    return {words("Time"), words("Value")};
+}
+
+}  // namespace keyblock

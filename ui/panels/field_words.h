@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The field table in words for people: labels, headings, and the unit that a
+// number has beside the other fields of its object.
+#pragma once
+
+#include "ui/panels/object_at.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+/// `Spacing out of plane`, `Young's modulus`.
+QString labelOf(const Field& field);
+
+/// `Joint set`.
+QString titleOf(const Structure& structure);
+
+/// `3 joint sets`, `1 bolt`.
+QString countedOf(const Structure& structure, int count);
+
+/// The heading under which a field of the object itself stands; most structures have one, their title.
+QString headingOf(const Structure& structure, const Field& field);
+
+/// SI unit of the field's number in this object, where the table leaves a choice (`N/m, or N/m per m`).
+std::string unitOf(const ObjectAt& at, const Field& field);
+
+/// SI units of the columns of a table of pairs; `–` becomes empty.
+std::vector<std::string> columnUnits(const ObjectAt& at, const Field& field);
+
+/// Headings of the columns of a table of pairs: `Time`, `Displacement`.
+QStringList columnTitles(const Structure& structure, const Field& field);
+
+/// Text from UTF-8.
+QString fromUtf8(std::string_view text);
+
+}  // namespace keyblock

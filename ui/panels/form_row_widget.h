@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One line of a form: label, value, unit, reset arrow, and below it what is wrong.
+// Also the heading of a group of them.
+#pragma once
+
+#include "ui/panels/value_editor.h"
+
+class QLabel;
+class QToolButton;
+
+namespace keyblock {
+
+class FormRowWidget : public QWidget {
+    Q_OBJECT
+
+public:
+    FormRowWidget(const FormRow& row, const FormContext& context, QWidget* parent);
+
+    /// The row anew, and what the check says of it.
+    void present(const FormRow& row, const QString& problems, bool error);
+
+    const FormRow& row() const { return row_; }
+    ValueEditor& editor() const { return *editor_; }
+
+    /// Says at the field why what was typed is not taken; empty: takes that back.
+    void setRefusal(const QString& why);
+
+Q_SIGNALS:
+    void entered(const keyblock::FieldValue& value);
+    void resetAsked();
+    void focused();
+
+private:
+    void layOut();
+    void showProblem();
+
+    FormContext context_;
+    FormRow row_;
+    ValueEditor* editor_;
+    QLabel* label_;
+    QLabel* unit_;
+    QToolButton* reset_;
+    QLabel* problem_;
+    QString refusal_, problems_;
+    bool error_ = false;
+};
+
+class FormHeading : public QWidget {
+    Q_OBJECT
+
+public:
+    FormHeading(const FormGroup& group, bool open, const FormContext& context, QWidget* parent);
+
+    void present(const FormGroup& group);
+    const FormGroup& group() const { return group_; }
+
+Q_SIGNALS:
+    void toggled(bool open);
+    void addAsked(const QString& pointer);
+    void removeAsked(const QString& pointer);
+
+protected:
+    void mousePressEvent(QMouseEvent* event) override;
+
+private:
+    void paintFold();
+
+    FormContext context_;
+    FormGroup group_;
+    bool open_;
+    QToolButton* fold_;
+    QLabel* title_;
+    QLabel* detail_;
+    QToolButton* add_;
+    QToolButton* remove_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/property_panel.h"
+
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/edit/names.h"
+#include "ui/look/display.h"
+#include "ui/look/theme.h"
+#include "ui/panels/field_form.h"
+#include "ui/panels/field_help.h"
+#include "ui/panels/field_words.h"
+#include "ui/panels/filter_line.h"
+#include "ui/panels/object_detail.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace keyblock {
+
+namespace {
+
+QLabel* labelOfRole(QWidget* parent, const char* role) {
+    auto* label = new QLabel(parent);
+    label->setProperty("role", role);
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    return label;
+}
+
+std::vector<std::string> pointersOf(const QStringList& list) {
+    std::vector<std::string> pointers;
+    for (const QString& pointer : list) pointers.push_back(pointer.toStdString());
+    if (pointers.empty()) pointers.emplace_back();  // the scene
+    return pointers;
+}
+
+}  // namespace
+
+PropertyPanel::PropertyPanel(const FormContext& context, Selection& selection, QWidget* parent)
+    : QWidget(parent), context_(context), selection_(selection), form_(new FieldForm(context)) {
+    setObjectName("propertyPanel");
+    setAccessibleName(tr("Properties"));
+    setAttribute(Qt::WA_StyledBackground);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(makeHeader());
+    scroll_ = new QScrollArea(this);
+    scroll_->setWidgetResizable(true);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setWidget(form_);
+    column->addWidget(scroll_, 1);
+    column->addWidget(makeFoot());
+    connect(filter_, &QLineEdit::textChanged, form_, &FieldForm::setFilter);
+    connect(form_, &FieldForm::rowFocused, this, &PropertyPanel::showHelp);
+    connect(form_, &FieldForm::renamed, this, [this](const QString& before, const QString& after) {
+        QStringList pointers = selection_.pointers();
+        pointers.replaceInStrings(QRegularExpression("^" + QRegularExpression::escape(before) + "$"), after);
+        selection_.set(pointers);
+    });
+    connect(&selection, &Selection::changed, this, &PropertyPanel::follow);
+    connect(&context.document, &Document::changed, this, &PropertyPanel::showHeader);
+    connect(&context.document, &Document::checkedChanged, this, &PropertyPanel::showHeader);
+    connect(&context.themes, &Themes::changed, this, &PropertyPanel::showHeader);
+    follow();
+}
+
+QWidget* PropertyPanel::makeHeader() {
+    auto* header = new QWidget(this);
+    header->setObjectName("panelHeader");
+    header->setAttribute(Qt::WA_StyledBackground);
+    auto* column = new QVBoxLayout(header);
+    column->setContentsMargins(12, 8, 8, 10);
+    column->setSpacing(2);
+    auto* line = new QHBoxLayout;
+    title_ = labelOfRole(header, "title");
+    title_->setObjectName("propertyTitle");
+    pin_ = new QToolButton(header);
+    pin_->setCheckable(true);
+    pin_->setFixedSize(22, 22);
+    pin_->setToolTip(tr("Keep showing these, whatever is selected"));
+    pin_->setAccessibleName(tr("Pin properties"));
+    connect(pin_, &QToolButton::toggled, this, &PropertyPanel::follow);
+    line->addWidget(title_, 1);
+    line->addWidget(pin_);
+    column->addLayout(line);
+    detail_ = labelOfRole(header, "detail");
+    column->addWidget(detail_);
+    filter_ = new FilterLine(context_.themes, tr("Filter properties"), header);
+    filter_->setObjectName("propertyFilter");
+    column->addSpacing(6);
+    column->addWidget(filter_);
+    return header;
+}
+
+QWidget* PropertyPanel::makeFoot() {
+    auto* foot = new QWidget(this);
+    foot->setObjectName("panelFoot");
+    foot->setAttribute(Qt::WA_StyledBackground);
+    auto* column = new QVBoxLayout(foot);
+    column->setContentsMargins(12, 8, 12, 10);
+    column->setSpacing(2);
+    helpTitle_ = new QLabel(foot);
+    helpTitle_->setTextFormat(Qt::RichText);
+    helpTitle_->setWordWrap(true);
+    helpText_ = new QLabel(foot);
+    helpText_->setProperty("role", "detail");
+    helpText_->setWordWrap(true);
+    helpText_->setTextFormat(Qt::PlainText);
+    helpText_->setObjectName("fieldHelp");
+    helpText_->setAlignment(Qt::AlignTop);
+    helpText_->setMinimumHeight(34);
+    column->addWidget(helpTitle_);
+    column->addWidget(helpText_);
+    return foot;
+}
+
+void PropertyPanel::follow() {
+    if (pin_->isChecked()) return;
+    form_->setObjects(pointersOf(selection_.pointers()));
+    showHeader();
+    const auto at = objectAt(*context_.document.scene(), form_->objects().front());
+    if (!at) return;
+    helpTitle_->setText(QString("<b>%1</b>").arg(titleOf(*at->structure).toHtmlEscaped()));
+    helpText_->setText(plainHelp(at->structure->help));
+}
+
+void PropertyPanel::showHeader() {
+    const Scene& scene = *context_.document.scene();
+    const auto& pointers = form_->objects();
+    const auto at = objectAt(scene, pointers.front());
+    const QIcon icon = context_.themes.icon("pin");
+    pin_->setIcon(icon);
+    if (!at) {
+        title_->setText(tr("Nothing here any more"));
+        return detail_->clear();
+    }
+    if (pointers.size() > 1) {
+        title_->setText(countedOf(*at->structure, static_cast<int>(pointers.size())));
+        return detail_->setText(tr("Edits go to all of them"));
+    }
+    const QString name = QString::fromStdString(nameAt(scene, pointers.front()));
+    const QString kind = fromUtf8(at->structure->name);
+    title_->setText(name.isEmpty() ? titleOf(*at->structure) : QString::fromUtf8("%1 · %2").arg(name, kind));
+    title_->setToolTip(title_->text());
+    detail_->setText(pointers.front().empty() ? context_.document.title()
+                                              : detailOf(context_.document, context_.display, pointers.front()));
+}
+
+void PropertyPanel::showHelp(const FormRow& row) {
+    const FieldHelp help = helpOf(row, context_);
+    helpTitle_->setText(QString("<b>%1</b> %2").arg(help.name.toHtmlEscaped(), help.numbers.toHtmlEscaped()));
+    helpText_->setText(help.text);
+}
+
+bool PropertyPanel::focusField(const QString& path) {
+    filter_->clear();
+    return form_->focusField(path);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The right of the window: what is selected, field by field, with the help of the
+// field in hand at the foot. Nothing selected: the settings of the scene.
+#pragma once
+
+#include "ui/panels/form_rows.h"
+#include "ui/panels/value_editor.h"
+
+#include <QWidget>
+
+class QLabel;
+class QScrollArea;
+class QToolButton;
+
+namespace keyblock {
+
+class FieldForm;
+class FilterLine;
+class Selection;
+
+class PropertyPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    PropertyPanel(const FormContext& context, Selection& selection, QWidget* parent = nullptr);
+
+    /// Puts the cursor in a field of what is selected; false where it is not shown.
+    bool focusField(const QString& path);
+
+    FieldForm& form() const { return *form_; }
+
+private:
+    void follow();
+    void showHeader();
+    void showHelp(const FormRow& row);
+    QWidget* makeHeader();
+    QWidget* makeFoot();
+
+    FormContext context_;
+    Selection& selection_;
+    QLabel *title_, *detail_, *helpTitle_, *helpText_;
+    QToolButton* pin_;
+    FilterLine* filter_;
+    QScrollArea* scroll_;
+    FieldForm* form_;
+};
+
+}  // namespace keyblock

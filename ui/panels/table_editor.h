@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Values with many parts: corners, curves, lists of texts, and names to tick.
+#pragma once
+
+#include "ui/panels/value_editor.h"
+#include "ui/panels/value_text.h"
+
+#include <QStringList>
+
+class QVBoxLayout;
+
+namespace keyblock {
+
+class CellTable;
+class TableChart;
+
+/// Points, pairs (with a chart), texts, and texts by name.
+class TableEditor : public ValueEditor {
+    Q_OBJECT
+
+public:
+    TableEditor(const FormRow& row, const FormContext& context, QWidget* parent);
+    void present(const FormRow& row) override;
+    bool isWide() const override { return true; }
+    bool tellsUnit() const override { return true; }
+    void setRefused(bool refused) override { refused_ = refused; }
+
+private:
+    void enter();
+    QStringList headings() const;
+    std::vector<QStringList> textsOf(const FieldValue& value) const;
+    Typed<FieldValue> read(const std::vector<QStringList>& rows) const;
+    Typed<FieldValue> readPairs(const std::vector<QStringList>& rows) const;
+    std::string unit(int column) const;
+
+    FormContext context_;
+    FormRow row_;
+    CellTable* table_;
+    TableChart* chart_ = nullptr;
+    std::vector<QStringList> shown_;
+    bool refused_ = false;
+};
+
+/// Names of other objects, each ticked or not.
+class NamesEditor : public ValueEditor {
+    Q_OBJECT
+
+public:
+    NamesEditor(const FormContext& context, QWidget* parent);
+    void present(const FormRow& row) override;
+    bool isWide() const override { return true; }
+    void setRefused(bool) override {}
+
+private:
+    void addTick(const QString& name, bool missing);
+    void enter(const QString& name, bool ticked);
+
+    FormContext context_;
+    FormRow row_;
+    QVBoxLayout* ticks_;
+};
+
+}  // namespace keyblock

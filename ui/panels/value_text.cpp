@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/value_text.h"
+
+#include "ui/edit/typed_number.h"
+#include "ui/look/display.h"
+#include "ui/panels/field_words.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+QString words(const char* text) { return QCoreApplication::translate("ValueText", text); }
+
+/// Of 736.8 kN/m a person means 736800 N/m, not what is left of it after a product of two rounded numbers.
+double withoutRoundOff(double value) { return std::isfinite(value) ? QString::number(value, 'g', 15).toDouble() : value; }
+
+double fromShown(double shown, double factor) { return factor == 1.0 ? shown : withoutRoundOff(shown * (1.0 / factor)); }
+
+bool isOneOf(const QString& text, const QStringList& list) { return list.contains(text, Qt::CaseInsensitive); }
+
+bool asksForNull(const QString& text) {
+    return text.isEmpty() || isOneOf(text, {"auto", "automatic", "null", "none", words("automatic")});
+}
+
+QString pointText(const Point& point, std::string_view unit, const Display& display, bool exact) {
+    const auto one = [&](double x) {
+        return exact ? exactNumberText(x, unit, display) : numberText(x, unit, display);
+    };
+    return one(point.x()) + ", " + one(point.y());
+}
+
+QString axisText(const Point& axis, const Display& display, bool exact) {
+    if (axis == Point(1.0, 0.0)) return "x";
+    if (axis == Point(0.0, 1.0)) return "y";
+    return pointText(axis, {}, display, exact);
+}
+
+/// Numbers between semicolons, or between commas; brackets round them are taken off.
+Typed<std::vector<double>> readNumbers(QString text, int count, std::string_view unit, const Display& display) {
+    text = text.trimmed();
+    if ((text.startsWith('(') && text.endsWith(')')) || (text.startsWith('[') && text.endsWith(']')))
+        text = text.mid(1, text.size() - 2);
+    const QStringList parts = text.split(text.contains(';') ? ';' : ',');
+    const QString example = count == 2 ? "2.5, 0.25" : "1, 2, 3";
+    if (parts.size() != count)
+        return {{}, words("%1 numbers are asked for, as in %2; between decimal commas write a semicolon")
+                        .arg(count).arg(example)};
+    std::vector<double> numbers;
+    for (const QString& part : parts) {
+        const Typed<double> number = readNumber(part, unit, display);
+        if (!number.value) return {{}, number.problem};
+        numbers.push_back(*number.value);
+    }
+    return {numbers, {}};
+}
+
+Typed<FieldValue> readPoint(const QString& text, std::string_view unit, const Display& display) {
+    const auto numbers = readNumbers(text, 2, unit, display);
+    if (!numbers.value) return {{}, numbers.problem};
+    return {FieldValue(Point((*numbers.value)[0], (*numbers.value)[1])), {}};
+}
+
+Typed<FieldValue> readTriple(const QString& text, std::string_view unit, const Display& display) {
+    const auto numbers = readNumbers(text, 3, unit, display);
+    if (!numbers.value) return {{}, numbers.problem};
+    return {FieldValue(Stress{(*numbers.value)[0], (*numbers.value)[1], (*numbers.value)[2]}), {}};
+}
+
+Typed<FieldValue> readAxis(const QString& text, const Display& display) {
+    if (text.compare("x", Qt::CaseInsensitive) == 0) return {FieldValue(Point(1.0, 0.0)), {}};
+    if (text.compare("y", Qt::CaseInsensitive) == 0) return {FieldValue(Point(0.0, 1.0)), {}};
+    auto typed = readPoint(text, {}, display);
+    if (!typed.value) typed.problem = words("Write x, y, or a direction as two numbers: 1, 0.5");
+    return typed;
+}
+
+Typed<FieldValue> readPlace(const QString& text, std::string_view unit, const Display& display) {
+    if (isOneOf(text, {"head", words("head")})) return {FieldValue(BoltPlace{true, 0.0}), {}};
+    const Typed<double> number = readNumber(text, unit, display);
+    if (!number.value) return {{}, number.problem};
+    return {FieldValue(BoltPlace{false, *number.value}), {}};
+}
+
+Typed<FieldValue> readInteger(const QString& text, std::string_view unit, const Display& display) {
+    const Typed<double> number = readNumber(text, unit, display);
+    if (!number.value) return {{}, number.problem};
+    if (*number.value != std::floor(*number.value) || std::abs(*number.value) > 2147483647.0)
+        return {{}, words("A whole number is asked for")};
+    return {FieldValue(*number.value), {}};
+}
+
+}  // namespace
+
+QString numberText(double value, std::string_view unit, const Display& display, int digits) {
+    return Display::number(value * display.shown(unit).factor, digits);
+}
+
+QString exactNumberText(double value, std::string_view unit, const Display& display) {
+    const double factor = display.shown(unit).factor;
+    for (int digits = 6; digits < 18; ++digits) {
+        const QString text = QString::number(value * factor, 'g', digits);
+        if (fromShown(text.toDouble(), factor) == value) return Display::number(text.toDouble(), digits);
+    }
+    return Display::number(value * factor, 17);
+}
+
+Typed<double> readNumber(const QString& text, std::string_view unit, const Display& display) {
+    const ShownUnit shown = display.shown(unit);
+    const TypedNumber typed = typedNumber(text.toStdString(), shown.symbol.toStdString());
+    if (!typed.value) return {{}, QString::fromStdString(typed.problem)};
+    return {fromShown(*typed.value, shown.factor), {}};
+}
+
+QString valueText(const FieldValue& value, const Field& field, std::string_view unit, const Display& display,
+                  bool exact) {
+    const auto number = [&](double x) {
+        return exact ? exactNumberText(x, unit, display) : numberText(x, unit, display);
+    };
+    if (const auto* text = std::get_if<std::string>(&value)) return QString::fromStdString(*text);
+    if (const auto* x = std::get_if<double>(&value)) return number(*x);
+    if (const auto* place = std::get_if<BoltPlace>(&value)) return place->head ? words("head") : number(place->s);
+    if (const auto* point = std::get_if<Point>(&value))
+        return field.kind == FieldKind::Axis ? axisText(*point, display, exact)
+                                             : pointText(*point, unit, display, exact);
+    if (const auto* stress = std::get_if<Stress>(&value))
+        return QStringList{number((*stress)[0]), number((*stress)[1]), number((*stress)[2])}.join(", ");
+    return {};
+}
+
+Typed<FieldValue> readValue(const QString& typedText, const Field& field, std::string_view unit,
+                            const Display& display) {
+    const QString text = typedText.trimmed();
+    if (field.nullable && asksForNull(text)) return {FieldValue(), {}};
+    switch (field.kind) {
+        case FieldKind::Text:
+        case FieldKind::Word: return {FieldValue(text.toStdString()), {}};
+        case FieldKind::Integer: return readInteger(text, unit, display);
+        case FieldKind::Vector: return readPoint(text, unit, display);
+        case FieldKind::Axis: return readAxis(text, display);
+        case FieldKind::Triple: return readTriple(text, unit, display);
+        case FieldKind::Place: return readPlace(text, unit, display);
+        default: break;
+    }
+    const Typed<double> number = readNumber(text, unit, display);
+    if (!number.value) return {{}, number.problem};
+    return {FieldValue(*number.value), {}};
+}
+
+QString summaryOf(const FieldValue& value, const Field& field, std::string_view unit, const Display& display) {
+    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? words("yes") : words("no");
+    if (const auto* points = std::get_if<std::vector<Point>>(&value)) return words("%n points").replace("%n", QString::number(points->size()));
+    if (const auto* table = std::get_if<Table>(&value)) return words("%n rows").replace("%n", QString::number(table->size()));
+    if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
+        QStringList list;
+        for (const std::string& text : *texts) list << QString::fromStdString(text);
+        return list.join(", ");
+    }
+    if (std::holds_alternative<std::monostate>(value)) return words("automatic");
+    const QString text = valueText(value, field, unit, display);
+    const QString symbol = display.shown(unit).symbol;
+    return symbol.isEmpty() || unit.empty() || text.isEmpty() ? text : text + ' ' + symbol;
+}
+
+}  // namespace keyblock
