@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The left of the window: everything that the scene holds, by kind. What is chosen
+// here is chosen everywhere.
+#pragma once
+
+#include "ui/panels/tree_nodes.h"
+
+#include <QSet>
+#include <QWidget>
+
+class QMenu;
+class QModelIndex;
+class QTimer;
+class QToolButton;
+
+namespace keyblock {
+
+class Commands;
+class Display;
+class Document;
+class FilterLine;
+class Selection;
+class Themes;
+class TreeModel;
+class TreeView;
+class Visibility;
+struct Edit;
+
+class SceneTree : public QWidget {
+    Q_OBJECT
+
+public:
+    SceneTree(Document& document, Selection& selection, Visibility& visibility, const Display& display,
+              const Commands& commands, const Themes& themes, QWidget* parent = nullptr);
+
+    /// Runs of the scene, in the order in which they are listed under Results.
+    void setRuns(std::vector<RunRow> runs);
+
+    /// Title, filter and add, as the header of a dock.
+    QWidget* header() const { return header_; }
+
+    TreeView& view() const { return *view_; }
+
+    /// Shows the scene as it is now, without waiting for the next round of events.
+    void refresh();
+
+Q_SIGNALS:
+    void runChosen(const QString& id);
+    void zoomAsked(const QStringList& pointers);
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
+
+private:
+    void makeHeader();
+    void fillAddMenu();
+    void addItem(const QString& list);
+    void showSelection();
+    void takeSelection();
+    void openMenu(const QPoint& place);
+    void activate(const QModelIndex& index);
+    void rename(const QString& pointer, const QString& name);
+    void moveStage(const QString& pointer, int to);
+    void duplicate();
+    void remove();
+    void applyEdit(const QString& step, Edit edit);
+    TreeSource source() const;
+    QModelIndex openTo(const QString& pointer);
+    QString chosenTitle() const;
+
+    Document& document_;
+    Selection& selection_;
+    Visibility& visibility_;
+    const Display& display_;
+    const Commands& commands_;
+    const Themes& themes_;
+    std::vector<RunRow> runs_;
+    QString filter_;
+    QSet<QString> open_, seen_;  // headings
+    bool follows_ = false;  // the tree is being brought in line with the selection
+    QWidget* header_;
+    FilterLine* line_;
+    QToolButton *filterButton_, *addButton_;
+    QMenu* addMenu_;
+    TreeModel* model_;
+    TreeView* view_;
+    QTimer* later_;
+};
+
+}  // namespace keyblock

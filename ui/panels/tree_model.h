@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The scene tree for Qt's views. A new scene with the same rows changes their texts
+// in place; else everything is made anew and the view opens again what was open.
+#pragma once
+
+#include "ui/panels/tree_nodes.h"
+
+#include <QAbstractItemModel>
+
+#include <functional>
+
+namespace keyblock {
+
+class TreeModel : public QAbstractItemModel {
+    Q_OBJECT
+
+public:
+    using Rename = std::function<void(const QString& pointer, const QString& name)>;
+    using Move = std::function<void(const QString& pointer, int to)>;
+
+    explicit TreeModel(QObject* parent = nullptr);
+
+    /// Shows the tree; true when rows came or went.
+    bool show(std::unique_ptr<TreeNode> root);
+
+    /// Makes the children that wait in a row.
+    void setFetch(std::function<std::vector<std::unique_ptr<TreeNode>>(const TreeNode&)> fetch) { fetch_ = std::move(fetch); }
+    void setRename(Rename rename) { rename_ = std::move(rename); }
+    void setMove(Move move) { move_ = std::move(move); }
+
+    const TreeNode& nodeAt(const QModelIndex& index) const;
+
+    /// The row of that id; invalid where there is none, also where it waits in a closed list.
+    QModelIndex indexOf(const QString& id) const;
+
+    QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+    QModelIndex parent(const QModelIndex& index) const override;
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& = {}) const override { return 1; }
+    bool hasChildren(const QModelIndex& parent = {}) const override;
+    bool canFetchMore(const QModelIndex& parent) const override;
+    void fetchMore(const QModelIndex& parent) override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+    QStringList mimeTypes() const override;
+    QMimeData* mimeData(const QModelIndexList& indexes) const override;
+    bool canDropMimeData(const QMimeData* dragged, Qt::DropAction action, int row, int column,
+                         const QModelIndex& parent) const override;
+    bool dropMimeData(const QMimeData* dragged, Qt::DropAction action, int row, int column,
+                      const QModelIndex& parent) override;
+
+private:
+    TreeNode* nodeOf(const QModelIndex& index) const;
+    QModelIndex indexOfNode(const TreeNode& node) const;
+
+    std::unique_ptr<TreeNode> root_;
+    std::function<std::vector<std::unique_ptr<TreeNode>>(const TreeNode&)> fetch_;
+    Rename rename_;
+    Move move_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How the scene tree is painted and clicked: rows of 24 px with icon, name, detail,
+// and at the right badge, lock and eye.
+#pragma once
+
+#include <QStyledItemDelegate>
+#include <QTreeView>
+
+namespace keyblock {
+
+class Themes;
+class TreeModel;
+class Visibility;
+struct TreeNode;
+
+class TreeRows : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    TreeRows(const Themes& themes, const Visibility& visibility, QObject* parent);
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+    /// Where the eye and the lock of a row are.
+    static QRect eyeOf(const QRect& row);
+    static QRect lockOf(const QRect& row);
+
+private:
+    int paintRight(QPainter& painter, const QRect& row, const TreeNode& node, bool selected) const;
+
+    const Themes& themes_;
+    const Visibility& visibility_;
+};
+
+class TreeView : public QTreeView {
+    Q_OBJECT
+
+public:
+    TreeView(const Themes& themes, const Visibility& visibility, TreeModel& model, QWidget* parent);
+
+    /// True while a person types a name.
+    bool isEditing() const { return state() == EditingState; }
+
+Q_SIGNALS:
+    void eyeClicked(const QString& id);
+    void lockClicked(const QString& id);
+
+protected:
+    void drawRow(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    void drawBranches(QPainter* painter, const QRect& rect, const QModelIndex& index) const override;
+    void mousePressEvent(QMouseEvent* event) override;
+
+private:
+    const Themes& themes_;
+    const TreeModel& model_;
+};
+
+}  // namespace keyblock
