@@ -6,12 +6,14 @@
 #include "ui/document/document.h"
 #include "ui/document/journal.h"
 #include "ui/document/selection.h"
+#include "ui/document/visibility.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
 #include "ui/window/drawing_feed.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/menus.h"
+#include "ui/window/place_panels.h"
 #include "ui/window/status_line.h"
 #include "ui/window/workflow_bar.h"
 
@@ -26,7 +28,8 @@ namespace keyblock {
 MainWindow::MainWindow(Themes& themes)
     : themes_(themes), display_(new Display(this)), commands_(new Commands(themes, this)),
       document_(new Document(this)), journal_(new Journal(*document_, journalFolder(), this)),
-      selection_(new Selection(this)), workflow_(new WorkflowBar(themes, this)),
+      selection_(new Selection(this)), visibility_(new Visibility(*document_, this)),
+      workflow_(new WorkflowBar(themes, this)),
       canvas_(new Canvas(themes, this)), drawing_(new DrawingFeed(*document_, *canvas_, this)) {
     setObjectName("studio");
     resize(1600, 1000);
@@ -36,6 +39,7 @@ MainWindow::MainWindow(Themes& themes)
     addCanvasCommands(*commands_, *canvas_);
     placeBars();
     placeCanvas();
+    placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_});
     fillMenus(*menuBar(), *commands_);
     connect(document_, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(document_, &Document::checkedChanged, this, &MainWindow::showStates);

@@ -19,6 +19,7 @@ class DrawingFeed;
 class Journal;
 class Selection;
 class Themes;
+class Visibility;
 class WorkflowBar;
 
 class MainWindow : public QMainWindow {
@@ -46,6 +47,7 @@ private:
     Document* document_;
     Journal* journal_;
     Selection* selection_;
+    Visibility* visibility_;
     WorkflowBar* workflow_;
     Canvas* canvas_;
     DrawingFeed* drawing_;
