@@ -17,7 +17,7 @@ namespace keyblock {
 namespace {
 
 QString number(double value, const FormRow& row, const FormContext& context) {
-    return numberText(value, unitOf(row.at, *row.field), context.display, 4);
+    return numberText(value, unitOf(row.at, *row.field), context.display, 3);
 }
 
 QString firstJointMaterial(const Scene& scene) {
