@@ -12,7 +12,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr char menuKey[] = "menu", groupKey[] = "group", iconKey[] = "icon", helpKey[] = "help", keysKey[] = "keys";
+// `icon` is a property that QAction has itself.
+constexpr char menuKey[] = "menu", groupKey[] = "group", iconKey[] = "iconName", helpKey[] = "help", keysKey[] = "keys";
 
 QString settingOf(const QString& id) { return "keys/" + id; }
 
