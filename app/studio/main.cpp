@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
     keyblock::Themes themes;
     keyblock::MainWindow window(themes);
     window.show();
-    if (!parser.positionalArguments().isEmpty()) window.openPath(parser.positionalArguments().first());
+    if (parser.positionalArguments().isEmpty()) window.begin();
+    else window.openPath(parser.positionalArguments().first());
     return QApplication::exec();
 }

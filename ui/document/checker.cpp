@@ -7,10 +7,8 @@
 
 namespace keyblock {
 
-namespace {
-
-/// Whatever a check throws (memory that ran out, say) is a problem to be told, never the end of the program.
-std::shared_ptr<const Checked> checkOf(const std::shared_ptr<const Scene>& scene) {
+// Whatever a check throws (memory that ran out, say) is a problem to be told, never the end of the program.
+std::shared_ptr<const Checked> checkedOf(const std::shared_ptr<const Scene>& scene) {
     auto checked = std::make_shared<Checked>();
     checked->scene = scene;
     try {
@@ -26,8 +24,6 @@ std::shared_ptr<const Checked> checkOf(const std::shared_ptr<const Scene>& scene
     }
     return checked;
 }
-
-}  // namespace
 
 Checker::Checker(QObject* parent) : QObject(parent), thread_([this] { work(); }) {}
 
@@ -57,7 +53,7 @@ void Checker::work() {
             if (ends_) return;
             scene.swap(next_);
         }
-        const std::shared_ptr<const Checked> checked = checkOf(scene);
+        const std::shared_ptr<const Checked> checked = checkedOf(scene);
         QMetaObject::invokeMethod(this, [this, checked] { Q_EMIT finished(checked); }, Qt::QueuedConnection);
     }
 }

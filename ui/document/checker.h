@@ -26,6 +26,9 @@ struct Checked {
     std::shared_ptr<const SectionPicture> picture;  // as drawn; null: errors, or no blocks
 };
 
+/// Checks, cuts and draws a scene here and now; whatever goes wrong is a problem.
+std::shared_ptr<const Checked> checkedOf(const std::shared_ptr<const Scene>& scene);
+
 class Checker : public QObject {
     Q_OBJECT
 

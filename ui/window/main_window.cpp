@@ -5,6 +5,7 @@
 #include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
 #include "ui/document/journal.h"
+#include "ui/document/recent_files.h"
 #include "ui/document/selection.h"
 #include "ui/document/visibility.h"
 #include "ui/look/commands.h"
@@ -14,6 +15,7 @@
 #include "ui/window/file_commands.h"
 #include "ui/window/menus.h"
 #include "ui/window/place_panels.h"
+#include "ui/window/start_binding.h"
 #include "ui/window/status_line.h"
 #include "ui/window/workflow_bar.h"
 
@@ -40,6 +42,8 @@ MainWindow::MainWindow(Themes& themes)
     placeBars();
     placeCanvas();
     placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_});
+    auto* recent = new RecentFiles(*document_, this);
+    start_ = addStartPage(*this, {themes_, *commands_, *document_, *journal_, *recent});
     fillMenus(*menuBar(), *commands_);
     connect(document_, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(document_, &Document::checkedChanged, this, &MainWindow::showStates);
@@ -53,6 +57,8 @@ MainWindow::MainWindow(Themes& themes)
 MainWindow::~MainWindow() = default;
 
 void MainWindow::openPath(const QString& path) { openDocument(*document_, path, *this); }
+
+void MainWindow::begin() { beginWithStartPage(*start_); }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(mayDiscard(*document_, *this));

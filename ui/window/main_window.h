@@ -18,6 +18,7 @@ class Document;
 class DrawingFeed;
 class Journal;
 class Selection;
+class StartPage;
 class Themes;
 class Visibility;
 class WorkflowBar;
@@ -31,6 +32,9 @@ public:
 
     /// Opens a scene or a run; tells what keeps it from being opened.
     void openPath(const QString& path);
+
+    /// What a window that was given nothing to open begins with.
+    void begin();
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -48,6 +52,7 @@ private:
     Journal* journal_;
     Selection* selection_;
     Visibility* visibility_;
+    StartPage* start_ = nullptr;
     WorkflowBar* workflow_;
     Canvas* canvas_;
     DrawingFeed* drawing_;

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The first page: every sample opens from within the program, cards get their
+// pictures, recent files and what can be recovered stand there.
+#include "tests/scratch_folder.h"
+#include "tests/ui/screen/screen.h"
+
+#include "solver/files/scene_file.h"
+#include "ui/document/checker.h"
+#include "ui/document/document.h"
+#include "ui/document/recent_files.h"
+#include "ui/look/commands.h"
+#include "ui/look/theme.h"
+#include "ui/start/start_buttons.h"
+#include "ui/start/start_page.h"
+#include "ui/start/samples.h"
+
+#include <QDir>
+#include <QPushButton>
+#include <QTest>
+#include <gtest/gtest.h>
+
+namespace keyblock {
+namespace {
+
+struct Page {
+    Page() : commands(themes), journal(document), recent(document) {
+        commands.add({"file.new", "New scene", "File", "new", {}, {QKeySequence::New}}, [this] { ++begun; });
+        commands.add({"file.open", "Open…", "File", "open", {}, {QKeySequence::Open}}, [] {});
+        covered.resize(1600, 1000);
+        page = new StartPage({themes, commands, document, journal, recent}, &covered);
+    }
+    Themes themes;
+    Commands commands;
+    Document document;
+    Journal journal;
+    RecentFiles recent;
+    QWidget covered;
+    StartPage* page;
+    int begun = 0;
+};
+
+TEST(StartPages, EverySampleOpensFromWithinTheProgramAsItsFileDoes) {
+    NEED_SCREEN();
+    const std::vector<Sample> samples = gallerySamples();
+    EXPECT_EQ(samples.size(), size_t(QDir(KEYBLOCK_SAMPLES_DIR).entryList({"*.json"}).size()));
+    for (const Sample& sample : samples) {
+        const std::optional<Scene> scene = sampleScene(sample);
+        ASSERT_TRUE(scene) << sample.name.toStdString();
+        EXPECT_FALSE(sample.title.isEmpty() || sample.shows.isEmpty()) << sample.name.toStdString();
+        EXPECT_GT(sample.seconds, 0.0) << sample.name.toStdString() << ": run resources/gallery/measure.py";
+        SceneReading file = readSceneFile(KEYBLOCK_SAMPLES_DIR "/" + sample.name.toStdString() + ".json");
+        for (Stage& stage : file.scene->stages)
+            for (auto* acceleration : {&stage.baseAcceleration, &stage.bodyAcceleration})
+                if (*acceleration) (*acceleration)->file.clear();
+        EXPECT_EQ(sceneText(*scene), sceneText(*file.scene)) << sample.name.toStdString();
+    }
+}
+
+TEST(StartPages, CardsGetPicturesAndOpenCopies) {
+    NEED_SCREEN();
+    Page page;
+    QString opened;
+    QObject::connect(page.page, &StartPage::sampleWanted, [&](const Sample& sample) { opened = sample.name; });
+    page.covered.show();
+    page.page->open();
+    auto* card = page.page->findChild<SampleCard*>("sample.incline");
+    ASSERT_TRUE(card);
+    EXPECT_TRUE(waitFor([&] { return card->hasPicture(); }, 60000));
+    card->setFocus();
+    QTest::keyClick(card, Qt::Key_Return);
+    EXPECT_EQ(opened, "incline");
+    QTest::mouseClick(page.page->findChild<QPushButton*>("start.file.new"), Qt::LeftButton);
+    EXPECT_EQ(page.begun, 1);
+}
+
+TEST(StartPages, AKindOfSamplesCanBeChosen) {
+    NEED_SCREEN();
+    Page page;
+    page.covered.show();
+    page.page->open();
+    QTest::mouseClick(page.page->findChild<QPushButton*>("kind.Drifts"), Qt::LeftButton);
+    EXPECT_FALSE(page.page->findChild<SampleCard*>("sample.drift-bolted")->isHidden());
+    EXPECT_TRUE(page.page->findChild<SampleCard*>("sample.incline")->isHidden());
+}
+
+TEST(StartPages, RecentFilesAndWhatWasNotClosedStandThere) {
+    NEED_SCREEN();
+    const test::ScratchFolder scratch;
+    const QString file = QString::fromStdString((scratch.path() / "crosscut-east.json").string());
+    {
+        Document document;
+        Journal journal(document);
+        document.save(file);
+        Scene scene;
+        scene.title = "edited";
+        document.apply("Set title", scene);
+    }
+    Page page;
+    page.recent.add(file);
+    page.covered.show();
+    page.page->open();
+    EXPECT_TRUE(page.page->findChild<RecentRow*>("recent.crosscut-east.json"));
+    Abandoned asked;
+    QObject::connect(page.page, &StartPage::recoverWanted, [&](const Abandoned& abandoned) { asked = abandoned; });
+    auto* recover = page.page->findChild<QPushButton*>("recovery.Recover");
+    ASSERT_TRUE(recover);
+    QTest::mouseClick(recover, Qt::LeftButton);
+    EXPECT_TRUE(waitFor([&] { return !asked.title.isEmpty(); }));
+    EXPECT_EQ(asked.title, "crosscut-east.json");
+    QTest::mouseClick(page.page->findChild<QPushButton*>("recovery.Discard"), Qt::LeftButton);
+    EXPECT_TRUE(waitFor([] { return abandonedJournals().empty(); }));
+}
+
+TEST(StartPages, TimesAreToldShortly) {
+    const QDateTime now(QDate(2026, 11, 22), QTime(15, 0));
+    EXPECT_EQ(whenText(now.addSecs(-2400), now), "today 14:20");
+    EXPECT_EQ(whenText(now.addDays(-1), now), "yesterday");
+    EXPECT_EQ(whenText(now.addDays(-4), now), "18 Nov");
+    EXPECT_EQ(whenText(now.addYears(-1), now), "22 Nov 2025");
+    EXPECT_EQ(durationText(0.26), "0.3 s");
+    EXPECT_EQ(durationText(29.4), "29 s");
+    EXPECT_EQ(durationText(240), "4 min");
+}
+
+}  // namespace
+}  // namespace keyblock

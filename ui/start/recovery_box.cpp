@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/start/recovery_box.h"
+
+#include "ui/look/theme.h"
+#include "ui/start/start_buttons.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVariant>
+
+namespace keyblock {
+
+namespace {
+
+QPushButton* link(const QString& text, const QString& tip, QWidget* parent) {
+    auto* button = new QPushButton(text, parent);
+    button->setProperty("link", true);
+    button->setCursor(Qt::PointingHandCursor);
+    button->setToolTip(tip);
+    button->setAccessibleName(text);
+    button->setObjectName("recovery." + text);
+    return button;
+}
+
+}  // namespace
+
+RecoveryBox::RecoveryBox(const Abandoned& abandoned, const Themes& themes, QWidget* parent)
+    : QFrame(parent), abandoned_(abandoned) {
+    setObjectName("recoveryBox");
+    auto* icon = new QLabel(this);
+    icon->setPixmap(themes.icon("warning", themes.current().warningFill).pixmap(16, 16));
+    auto* title = new QLabel(tr("%1 was not closed.").arg(abandoned.title), this);
+    title->setObjectName("recoveryTitle");
+    title->setToolTip(abandoned.path);
+    title->setTextFormat(Qt::PlainText);
+    const QString edits = abandoned.changes == 1 ? tr("1 edit")
+                                                 : tr("%1 edits").arg(abandoned.changes);
+    QString told = tr("%1, the last %2. Edits up to 2 s before the end can be recovered.")
+                       .arg(edits, whenText(abandoned.last));
+    if (!abandoned.damage.isEmpty()) told += " " + tr("Of the journal, %1.").arg(abandoned.damage);
+    auto* detail = new QLabel(told, this);
+    detail->setObjectName("recoveryDetail");
+    detail->setWordWrap(true);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(12, 9, 12, 8);
+    grid->setHorizontalSpacing(10);
+    grid->setVerticalSpacing(3);
+    grid->addWidget(icon, 0, 0, Qt::AlignTop);
+    grid->addWidget(title, 0, 1);
+    grid->addWidget(detail, 1, 1);
+    grid->addWidget(makeLinks(), 2, 1);
+    grid->setColumnStretch(1, 1);
+}
+
+QWidget* RecoveryBox::makeLinks() {
+    auto* links = new QWidget(this);
+    auto* row = new QHBoxLayout(links);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(12);
+    auto* all = link(tr("Recover"), tr("Opens it with all its edits and their undo."), links);
+    auto* less = link(tr("Without the last command"),
+                      tr("Leaves out \"%1\", in case that is what ended the program.").arg(abandoned_.lastStep), links);
+    auto* none = link(tr("Discard"), tr("Gives these edits up for good."), links);
+    connect(all, &QPushButton::clicked, this, [this] { Q_EMIT recoverWanted(abandoned_, Recover::Everything); });
+    connect(less, &QPushButton::clicked, this,
+            [this] { Q_EMIT recoverWanted(abandoned_, Recover::WithoutLastCommand); });
+    connect(none, &QPushButton::clicked, this, [this] { Q_EMIT giveUpWanted(abandoned_); });
+    less->setVisible(abandoned_.changes > 0);
+    row->addWidget(all);
+    row->addWidget(less);
+    row->addStretch(1);
+    row->addWidget(none);
+    return links;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The first page: begin, recover, go on with what was open last, or look at a
+// sample. It lies over the window between menu and status bar, and goes as soon as
+// a document is there to work on; the command view.start brings it back.
+#pragma once
+
+#include "ui/document/recovery.h"
+
+#include <QWidget>
+
+class QVBoxLayout;
+
+namespace keyblock {
+
+class Commands;
+class Document;
+class Gallery;
+class Journal;
+class RecentFiles;
+class Themes;
+class Thumbnails;
+struct Sample;
+
+class StartPage : public QWidget {
+    Q_OBJECT
+
+public:
+    /// What the page works on; all must outlive it.
+    struct Rooms {
+        Themes& themes;
+        Commands& commands;
+        Document& document;
+        Journal& journal;
+        RecentFiles& recent;
+    };
+
+    /// `covered` is the widget that the page lies over and follows in size.
+    StartPage(const Rooms& rooms, QWidget* covered);
+
+    static bool isWantedAtStart();
+
+    /// Looks for what can be recovered and shows the page.
+    void open();
+
+Q_SIGNALS:
+    void openWanted(const QString& path);
+    void sampleWanted(const keyblock::Sample& sample);
+    void recoverWanted(const keyblock::Abandoned& abandoned, keyblock::Recover what);
+    void told(const QString& message);  // for the status bar
+    void closed();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QWidget* makeSide();
+    QWidget* makeTitle();
+    QWidget* makeButtons();
+    QWidget* makeFoot();
+    QWidget* makeCommandButton(const QString& id, bool primary);
+    void showRecovery();
+    void showRecent();
+    void follow();
+
+    Rooms rooms_;
+    Thumbnails* thumbnails_;
+    QVBoxLayout* recovery_ = nullptr;  // made with the side
+    QVBoxLayout* recent_ = nullptr;
+    QWidget* side_;
+};
+
+/// Adds the command that brings the page back.
+void addStartCommands(Commands& commands, StartPage& page);
+
+}  // namespace keyblock

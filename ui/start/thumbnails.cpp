@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/start/thumbnails.h"
+
+#include "solver/files/scene_rescue.h"
+#include "ui/document/checker.h"
+#include "ui/look/theme.h"
+#include "ui/start/samples.h"
+#include "ui/start/thumbnail.h"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <algorithm>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int painting = 2;  // rises when the same scene is painted otherwise
+constexpr qint64 largest = 64 << 20;  // bytes of a scene that is looked at
+
+struct Painted {
+    QImage image;
+    SceneFacts facts;
+};
+
+/// Changes whenever the picture would: with the file, its size on the screen, the theme and the program.
+QString cacheFile(const QByteArray& content, QSize size, double ratio, bool dark) {
+    QCryptographicHash hash(QCryptographicHash::Sha1);
+    hash.addData(content);
+    hash.addData(QStringLiteral("%1 %2 %3 %4 %5 %6").arg(painting).arg(size.width()).arg(size.height()).arg(ratio).arg(dark)
+                     .arg(QCoreApplication::applicationVersion()).toUtf8());
+    return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + "/thumbnails/" + hash.result().toHex() +
+           ".png";
+}
+
+bool load(const QString& file, double ratio, Painted& painted) {
+    if (!QFile::exists(file) || !painted.image.load(file)) return false;
+    painted.image.setDevicePixelRatio(ratio);
+    painted.facts = {painted.image.text("blocks").toInt(), painted.image.text("bolts").toInt(),
+                     painted.image.text("errors").toInt(), painted.image.text("warnings").toInt(), true};
+    return true;
+}
+
+/// A picture that cannot be kept is painted again another time.
+void keep(const QString& file, Painted painted) {
+    painted.image.setText("blocks", QString::number(painted.facts.blocks));
+    painted.image.setText("bolts", QString::number(painted.facts.bolts));
+    painted.image.setText("errors", QString::number(painted.facts.errors));
+    painted.image.setText("warnings", QString::number(painted.facts.warnings));
+    QDir().mkpath(QFileInfo(file).path());
+    const QString part = file + ".part-" + QString::number(QCoreApplication::applicationPid());
+    if (painted.image.save(part, "PNG")) QFile::rename(part, file);
+    QFile::remove(part);
+}
+
+int count(const std::vector<Problem>& problems, Severity severity) {
+    return static_cast<int>(std::ranges::count(problems, severity, &Problem::severity));
+}
+
+Painted paint(const QString& path, const QByteArray& content, QSize size, double ratio, const Theme& theme) {
+    Painted painted;
+    const std::string name = path.toStdString();
+    const std::string folder = path.startsWith(':') ? sampleRecordFolder().toStdString()
+                                                    : std::filesystem::path(name).parent_path().string();
+    SceneRescue rescue =
+        rescueSceneText({content.constData(), static_cast<std::size_t>(content.size())}, name, folder);
+    SectionPicture picture;
+    if (rescue.scene) {
+        const auto checked = checkedOf(std::make_shared<const Scene>(std::move(*rescue.scene)));
+        if (checked->picture) picture = *checked->picture;
+        const Scene& solved = checked->cut ? checked->cut->scene : *checked->scene;
+        painted.facts = {static_cast<int>(solved.blocks.size()), static_cast<int>(solved.bolts.size()),
+                         count(rescue.problems, Severity::Error) + count(checked->problems, Severity::Error),
+                         count(checked->problems, Severity::Warning), true};
+    }
+    painted.image = paintThumbnail(picture, QSize(int(size.width() * ratio), int(size.height() * ratio)), ratio, theme);
+    return painted;
+}
+
+Painted picture(const QString& path, QSize size, double ratio, const Theme& theme) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly) || file.size() > largest) return {};
+    const QByteArray content = file.readAll();
+    const QString cached = cacheFile(content, size, ratio, theme.dark);
+    Painted painted;
+    if (load(cached, ratio, painted)) return painted;
+    painted = paint(path, content, size, ratio, theme);
+    if (painted.facts.isThere) keep(cached, painted);
+    return painted;
+}
+
+}  // namespace
+
+Thumbnails::Thumbnails(QObject* parent) : QObject(parent), thread_([this] { work(); }) {}
+
+Thumbnails::~Thumbnails() {
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+}
+
+void Thumbnails::ask(const QString& path, QSize size, double ratio, const Theme& theme) {
+    {
+        const std::lock_guard lock(mutex_);
+        wanted_.push_back({path, size, ratio, &theme});
+    }
+    wake_.notify_one();
+}
+
+void Thumbnails::work() {
+    for (;;) {
+        Wanted wanted;
+        {
+            std::unique_lock lock(mutex_);
+            wake_.wait(lock, [this] { return ends_ || !wanted_.empty(); });
+            if (ends_) return;
+            wanted = wanted_.front();
+            wanted_.pop_front();
+        }
+        const Painted painted = picture(wanted.path, wanted.size, wanted.ratio, *wanted.theme);
+        QMetaObject::invokeMethod(
+            this, [this, wanted, painted] { Q_EMIT ready(wanted.path, wanted.size, painted.image, painted.facts); },
+            Qt::QueuedConnection);
+    }
+}
+
+}  // namespace keyblock

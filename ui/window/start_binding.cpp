@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/start_binding.h"
+
+#include "ui/document/document.h"
+#include "ui/start/samples.h"
+#include "ui/window/file_commands.h"
+
+#include <QMainWindow>
+#include <QStatusBar>
+
+namespace keyblock {
+
+namespace {
+
+void openSample(const Sample& sample, Document& document, QMainWindow& window) {
+    std::optional<Scene> scene = sampleScene(sample);
+    if (!scene)
+        window.statusBar()->showMessage(StartPage::tr("The sample %1 cannot be read.").arg(sample.title));
+    else if (mayDiscard(document, window))
+        document.startNew(std::move(*scene), sample.name);
+}
+
+}  // namespace
+
+StartPage* addStartPage(QMainWindow& window, const StartPage::Rooms& rooms) {
+    auto* page = new StartPage(rooms, &window);
+    Document& document = rooms.document;
+    Journal& journal = rooms.journal;
+    QObject::connect(page, &StartPage::openWanted, &window,
+                     [&](const QString& path) { openDocument(document, path, window); });
+    QObject::connect(page, &StartPage::sampleWanted, &window,
+                     [&](const Sample& sample) { openSample(sample, document, window); });
+    QObject::connect(page, &StartPage::recoverWanted, &window, [&, page](const Abandoned& abandoned, Recover what) {
+        if (!mayDiscard(document, window)) return;
+        const QString why = recover(abandoned, what, document, journal);
+        if (why.isEmpty()) return;
+        window.statusBar()->showMessage(why);
+        page->open();
+    });
+    QObject::connect(page, &StartPage::told, &window, [&](const QString& text) { window.statusBar()->showMessage(text); });
+    addStartCommands(rooms.commands, *page);
+    return page;
+}
+
+void beginWithStartPage(StartPage& page) {
+    if (StartPage::isWantedAtStart() || !abandonedJournals().empty()) page.open();
+}
+
+}  // namespace keyblock
