@@ -29,8 +29,16 @@ QToolButton* headerButton(QWidget* header, const Themes& themes, const char* ico
     return button;
 }
 
+/// Its size hint is what a dock leaves for it, shown or not.
+class DockHeader : public QWidget {
+public:
+    using QWidget::QWidget;
+    QSize sizeHint() const override { return {QWidget::sizeHint().width(), maximumHeight()}; }
+    QSize minimumSizeHint() const override { return {QWidget::minimumSizeHint().width(), maximumHeight()}; }
+};
+
 QWidget* makeHeader(QDockWidget& dock, const Themes& themes) {
-    auto* header = new QWidget(&dock);
+    auto* header = new DockHeader(&dock);
     header->setObjectName("dockHeader");
     header->setAttribute(Qt::WA_StyledBackground);
     header->setFixedHeight(headerHeight);
@@ -55,6 +63,7 @@ void hideSecondHeader(QMainWindow& window, QDockWidget& dock, QWidget& header) {
     const bool tabbed = !dock.isFloating() && !window.tabifiedDockWidgets(&dock).isEmpty();
     header.setFixedHeight(tabbed ? 0 : headerHeight);
     header.setVisible(!tabbed);
+    header.updateGeometry();
 }
 
 }  // namespace
