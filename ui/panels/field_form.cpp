@@ -251,7 +251,7 @@ void FieldForm::applyOne(const QString& step, Edit edit) {
 
 bool FieldForm::focusField(const QString& path) {
     for (FormRowWidget* row : rows_)
-        if (row->row().path == path.toStdString()) {
+        if (isWithin('/' + path.toStdString(), '/' + row->row().path)) {
             row->editor().setFocus();
             return true;
         }

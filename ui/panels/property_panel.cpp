@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/property_panel.h"
 
+#include "solver/scene/pointer.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/edit/names.h"
@@ -155,6 +156,12 @@ void PropertyPanel::showHelp(const FormRow& row) {
     const FieldHelp help = helpOf(row, context_);
     helpTitle_->setText(QString("<b>%1</b> %2").arg(help.name.toHtmlEscaped(), help.numbers.toHtmlEscaped()));
     helpText_->setText(help.text);
+}
+
+void PropertyPanel::focusPointer(const QString& pointer) {
+    const std::string& object = form_->objects().front();
+    const std::string field = pointer.toStdString();
+    if (isWithin(field, object) && field.size() > object.size()) focusField(QString::fromStdString(field.substr(object.size() + 1)));
 }
 
 bool PropertyPanel::focusField(const QString& path) {

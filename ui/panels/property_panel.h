@@ -29,6 +29,9 @@ public:
     /// Puts the cursor in a field of what is selected; false where it is not shown.
     bool focusField(const QString& path);
 
+    /// The same by the pointer of the field, in whatever object is shown.
+    void focusPointer(const QString& pointer);
+
     FieldForm& form() const { return *form_; }
 
 private:

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Problems say what is wrong and where, and their links mend or show it.
+#include "tests/ui/panels/form_bench.h"
+
+#include "ui/document/selection.h"
+#include "ui/edit/edits.h"
+#include "ui/panels/problems_panel.h"
+
+namespace keyblock {
+namespace {
+
+struct ProblemsBench {
+    Themes themes;
+    Display display;
+    Document document;
+    Selection selection;
+    ProblemsPanel panel{document, selection, display, themes};
+
+    explicit ProblemsBench(Scene scene) {
+        document.startNew(std::move(scene));
+        panel.resize(800, 200);
+        panel.show();
+        settle();
+    }
+
+    void settle() {
+        ASSERT_TRUE(waitFor([this] { return document.checkIsCurrent(); }));
+        panel.refresh();
+    }
+
+    int rowWith(const QString& text) const {
+        for (std::size_t i = 0; i < panel.list().rows().size(); ++i)
+            if (panel.list().rows()[i].title.contains(text)) return static_cast<int>(i);
+        return -1;
+    }
+};
+
+TEST(Problems, AMaterialThatIsMissingIsAddedByItsLink) {
+    NEED_SCREEN();
+    Scene scene = sampleScene("drift-bolted");
+    scene.domain->material = "marble";
+    ProblemsBench bench(std::move(scene));
+    const int row = bench.rowWith("marble");
+    ASSERT_GE(row, 0);
+    EXPECT_EQ(bench.panel.list().rowAt(row).link, "Add marble");
+    EXPECT_GE(bench.panel.urgent(), 1);
+    bench.panel.follow(row);
+    bench.settle();
+    EXPECT_EQ(bench.document.scene()->materials.back().first, "marble");
+    EXPECT_LT(bench.rowWith("marble"), 0);
+    bench.document.undo().undo();
+    EXPECT_EQ(bench.document.scene()->materials.size(), 1u);
+}
+
+TEST(Problems, SliversThatAreKeptAreMergedByTheirLink) {
+    NEED_SCREEN();
+    Scene scene = sampleScene("drift-bolted");
+    scene.cutting.minArea = scene.cutting.minWidth = 0.0;
+    scene.joints.push_back({"fault", {{-20.0, 1.0}, {3.0, 2.6}}, {}});
+    ProblemsBench bench(std::move(scene));
+    const int row = bench.rowWith("sliver");
+    ASSERT_GE(row, 0);
+    EXPECT_TRUE(bench.panel.list().rowAt(row).box);
+    bench.panel.follow(row);
+    bench.settle();
+    EXPECT_FALSE(bench.document.scene()->cutting.minArea);
+    EXPECT_LT(bench.rowWith("sliver"), 0);
+}
+
+TEST(Problems, ShowSelectsWhatItIsAboutAndAsksForItsPlace) {
+    NEED_SCREEN();
+    Scene scene = sampleScene("drift-bolted");
+    scene.jointSets[1].spacing = -1.0;
+    scene.tunnels[0].width = -2.0;
+    ProblemsBench bench(std::move(scene));
+    const int row = bench.rowWith("Joint set");
+    ASSERT_GE(row, 0);
+    QString field;
+    QObject::connect(&bench.panel, &ProblemsPanel::fieldAsked, [&](const QString& pointer) { field = pointer; });
+    bench.panel.showRow(row);
+    EXPECT_EQ(bench.selection.pointers(), QStringList{"/joint_sets/1"});
+    EXPECT_EQ(field, "/joint_sets/1/spacing");
+}
+
+TEST(Problems, TheReportOfTheCutOpensNoteByNote) {
+    NEED_SCREEN();
+    ProblemsBench bench(sampleScene("drift-bolted"));
+    const int report = bench.rowWith("Cut report");
+    ASSERT_GE(report, 0);
+    const std::size_t notes = bench.document.checked().cut->notes.size();
+    const std::size_t rows = bench.panel.list().rows().size();
+    if (notes == 0) GTEST_SKIP() << "the sample is cut without a note";
+    bench.panel.follow(report);
+    EXPECT_GT(bench.panel.list().rows().size(), rows);
+    bench.panel.follow(report);
+    EXPECT_EQ(bench.panel.list().rows().size(), rows);
+}
+
+TEST(Problems, ANameThatIsTakenIsChangedToAFreeOne) {
+    NEED_SCREEN();
+    Scene scene = sampleScene("drift-bolted");
+    scene.jointSets[1].name = scene.jointSets[0].name;
+    ProblemsBench bench(std::move(scene));
+    const int row = bench.rowWith("is taken");
+    ASSERT_GE(row, 0);
+    bench.panel.follow(row);
+    EXPECT_NE(bench.document.scene()->jointSets[1].name, bench.document.scene()->jointSets[0].name);
+}
+
+}  // namespace
+}  // namespace keyblock

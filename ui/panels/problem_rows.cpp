@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/problem_rows.h"
+
+#include "ui/document/document.h"
+#include "ui/edit/edits.h"
+#include "ui/edit/locate.h"
+#include "ui/edit/scene_objects.h"
+#include "ui/look/display.h"
+#include "ui/panels/field_words.h"
+#include "ui/panels/value_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <map>
+
+namespace keyblock {
+
+namespace {
+
+constexpr std::size_t mostNotes = 200;  // of a kind, one by one
+
+QString words(const char* text) { return QCoreApplication::translate("Problems", text); }
+
+QString capitalised(QString text) {
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    return text;
+}
+
+/// The part of the work that a pointer belongs to.
+QString roomOf(const std::string& pointer) {
+    const QString key = QString::fromStdString(pointer).section('/', 1, 1);
+    static const std::map<QString, const char*> rooms{
+        {"materials", "materials"}, {"joint_materials", "materials"}, {"bolts", "support"}, {"bolt_patterns", "support"},
+        {"bolt_types", "support"}, {"stages", "stages"}, {"monitors", "results"}, {"quantities", "results"},
+        {"supports", "supports"}, {"in_situ_stress", "loads"}, {"analysis", "settings"}, {"output", "settings"},
+        {"limits", "settings"}, {"safety", "settings"}, {"cutting", "cut"}, {"joints", "geometry"},
+        {"joint_sets", "geometry"}, {"domain", "geometry"}, {"tunnels", "geometry"}, {"blocks", "geometry"},
+        {"regions", "geometry"}, {"voronoi", "geometry"}};
+    const auto found = rooms.find(key);
+    return found == rooms.end() ? words("whole scene") : words(found->second);
+}
+
+std::optional<Box> boxOfObject(const SceneObject& object) {
+    std::vector<Point> points = object.marks;
+    for (const ObjectLine& line : object.lines) points.insert(points.end(), line.points.begin(), line.points.end());
+    points.insert(points.end(), object.area.begin(), object.area.end());
+    std::erase_if(points, [](const Point& p) { return !p.allFinite(); });
+    return points.empty() ? std::nullopt : std::optional(boxOf(points));
+}
+
+class Rows {
+public:
+    Rows(const Document& document, const Display& display, const std::set<int>& open)
+        : checked_(document.checked()), scene_(*checked_.scene), display_(display), open_(open) {}
+
+    std::vector<ProblemRow> all() {
+        for (const Severity severity : {Severity::Error, Severity::Warning, Severity::Note})
+            for (const Problem& problem : checked_.problems)
+                if (problem.severity == severity) rows_.push_back(rowOf(problem));
+        if (checked_.cut && needsCut(scene_)) {
+            addSlivers();
+            addReport();
+        }
+        return std::move(rows_);
+    }
+
+private:
+    QString placeText(const Point& p) const {
+        return QString("%1, %2").arg(numberText(p.x(), "m", display_, 4), numberText(p.y(), "m", display_, 4));
+    }
+
+    QString where(const std::optional<Box>& box, const QString& room) const {
+        if (!box) return room;
+        return QString::fromUtf8("%1 · %2").arg(placeText(0.5 * (box->min + box->max)), room);
+    }
+
+    std::optional<Box> boxAt(const std::string& pointer) {
+        if (const auto value = valueAt(scene_, pointer))
+            if (const auto* point = std::get_if<Point>(&*value); point && point->allFinite()) return Box{*point, *point};
+        if (pointer.empty()) return std::nullopt;
+        if (objects_.empty())
+            for (const SceneObject& object : objectsOf(scene_)) objects_.emplace(object.pointer, boxOfObject(object));
+        const auto found = objects_.find(objectPointer(scene_, pointer));
+        return found == objects_.end() ? std::nullopt : found->second;
+    }
+
+    ProblemRow rowOf(const Problem& problem) {
+        ProblemRow row;
+        row.sign = problem.severity == Severity::Error     ? ProblemRow::Sign::Error
+                   : problem.severity == Severity::Warning ? ProblemRow::Sign::Warning : ProblemRow::Sign::Note;
+        const std::string object = objectPointer(scene_, problem.pointer);
+        const QString title = object.empty() ? QString() : QString::fromStdString(titleAt(scene_, object));
+        const QString message = QString::fromStdString(problem.message);
+        row.title = title.isEmpty() ? capitalised(message) : capitalised(title) + ": " + message;
+        row.detail = QString::fromStdString(problem.remedy);
+        row.pointer = QString::fromStdString(problem.pointer);
+        row.box = boxAt(problem.pointer);
+        row.where = where(row.box, roomOf(problem.pointer));
+        row.remedy = remedyFor(scene_, problem);
+        row.link = row.remedy ? row.remedy->text : problem.pointer.empty() ? QString() : words("Show");
+        return row;
+    }
+
+    void addSlivers() {
+        const Slivers slivers = sliversOf(scene_, *checked_.cut);
+        if (slivers.count == 0) return;
+        ProblemRow row;
+        row.sign = ProblemRow::Sign::Warning;
+        row.title = slivers.count == 1 ? words("A sliver is kept") : words("%1 slivers are kept").arg(slivers.count);
+        row.detail = words("Narrower than %1, %2 in all: they slow every step. The default limits merge them.")
+                         .arg(measure(slivers.width, "m"), measure(slivers.area, "m²"));
+        row.box = slivers.box;
+        row.where = where(row.box, words("cut"));
+        row.remedy = mergeSlivers(slivers);
+        row.link = row.remedy->text;
+        rows_.push_back(std::move(row));
+    }
+
+    QString measure(double value, std::string_view unit) const {
+        return numberText(value, unit, display_, 3) + ' ' + display_.shown(unit).symbol;
+    }
+
+    /// `4 merged traces, 2 trimmed ends`.
+    QString counts(const std::map<CutNoteKind, int>& kinds) const {
+        QStringList parts;
+        for (const auto& [kind, count] : kinds) {
+            const QString word = fromUtf8(wordOf(kind));
+            parts << QString("%1 %2%3").arg(count).arg(word, count == 1 ? "" : "s");
+        }
+        return parts.isEmpty() ? words("Nothing merged, trimmed or dropped") : capitalised(parts.join(", "));
+    }
+
+    void addReport() {
+        const SceneCut& cut = *checked_.cut;
+        std::map<CutNoteKind, int> kinds;
+        for (const CutNote& note : cut.notes) ++kinds[note.kind];
+        ProblemRow row;
+        row.sign = ProblemRow::Sign::Report;
+        row.title = words("Cut report: %1 blocks").arg(Display::number(cut.blocks, 12));
+        if (cut.open > 0) row.title += words(", %1 left out in open tunnels").arg(cut.open);
+        row.detail = counts(kinds);
+        row.where = words("whole section");
+        const bool open = open_.count(allNotes) > 0;
+        if (!kinds.empty()) row.link = open ? words("Hide report") : words("Show report");
+        row.opens = kinds.empty() ? -1 : allNotes;
+        rows_.push_back(row);
+        if (!open) return;
+        std::map<CutNoteKind, std::size_t> told;
+        for (const CutNote& note : cut.notes)
+            if (++told[note.kind] <= mostNotes) rows_.push_back(rowOf(note));
+    }
+
+    ProblemRow rowOf(const CutNote& note) const {
+        ProblemRow row;
+        row.depth = 1;
+        row.title = capitalised(fromUtf8(wordOf(note.kind)));
+        row.detail = capitalised(QString::fromStdString(noteText(*checked_.cut, note)));
+        row.pointer = pointerOfSource(note.source);
+        if (note.place.allFinite()) row.box = Box{note.place, note.place};
+        row.where = where(row.box, words("cut"));
+        row.link = words("Show");
+        return row;
+    }
+
+    /// Sources of the cut count joints first, then joint sets.
+    QString pointerOfSource(int source) const {
+        const int joints = static_cast<int>(scene_.joints.size()), sets = static_cast<int>(scene_.jointSets.size());
+        if (source >= 0 && source < joints) return QString("/joints/%1").arg(source);
+        if (source >= joints && source < joints + sets) return QString("/joint_sets/%1").arg(source - joints);
+        return {};
+    }
+
+    const Checked& checked_;
+    const Scene& scene_;
+    const Display& display_;
+    const std::set<int>& open_;
+    std::map<std::string, std::optional<Box>> objects_;
+    std::vector<ProblemRow> rows_;
+};
+
+}  // namespace
+
+std::vector<ProblemRow> problemRows(const Document& document, const Display& display, const std::set<int>& open) {
+    return Rows(document, display, open).all();
+}
+
+int urgentCount(const std::vector<ProblemRow>& rows) {
+    return static_cast<int>(std::ranges::count_if(rows, [](const ProblemRow& row) {
+        return row.sign == ProblemRow::Sign::Error || row.sign == ProblemRow::Sign::Warning;
+    }));
+}
+
+}  // namespace keyblock

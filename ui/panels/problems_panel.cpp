@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/problems_panel.h"
+
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/edit/edits.h"
+#include "ui/edit/locate.h"
+#include "ui/look/display.h"
+#include "ui/look/theme.h"
+
+#include <QKeyEvent>
+#include <QListView>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QTimer>
+#include <QVBoxLayout>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int rowHeight = 42, noteHeight = 36, inset = 12, iconSize = 16, textLeft = 37, step = 20;
+
+QFont fontOf(const QFont& base, int pixels, QFont::Weight weight) {
+    QFont font = base;
+    font.setPixelSize(pixels);
+    font.setWeight(weight);
+    return font;
+}
+
+const ProblemRow& rowOf(const QModelIndex& index) {
+    return static_cast<const ProblemList*>(index.model())->rowAt(index.row());
+}
+
+QIcon signOf(const ProblemRow& row, const Themes& themes) {
+    const Theme& t = themes.current();
+    switch (row.sign) {
+        case ProblemRow::Sign::Error: return themes.icon("error", t.error);
+        case ProblemRow::Sign::Warning: return themes.icon("warning", t.warningFill);
+        default: return themes.icon(row.depth > 0 ? "minus" : "help", t.text2);
+    }
+}
+
+}  // namespace
+
+void ProblemList::show(std::vector<ProblemRow> rows) {
+    beginResetModel();
+    rows_ = std::move(rows);
+    endResetModel();
+}
+
+int ProblemList::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+QVariant ProblemList::data(const QModelIndex& index, int role) const {
+    const ProblemRow& row = rowAt(index.row());
+    if (role == Qt::DisplayRole || role == Qt::AccessibleTextRole) return row.title;
+    if (role == Qt::AccessibleDescriptionRole) return row.detail;
+    if (role == Qt::ToolTipRole) return row.detail.isEmpty() ? row.title : row.title + "\n" + row.detail;
+    return {};
+}
+
+QSize ProblemRowPaint::sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const {
+    return {320, rowOf(index).depth > 0 ? noteHeight : rowHeight};
+}
+
+QRect ProblemRowPaint::linkOf(const QRect& row, const QString& link, const QFont& font) {
+    const int width = QFontMetrics(fontOf(font, 12, QFont::DemiBold)).horizontalAdvance(link) + 4;  // room for the rounding of elision
+    return {row.right() - inset - width, row.top(), width, row.height()};
+}
+
+void ProblemRowPaint::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    const ProblemRow& row = rowOf(index);
+    const Theme& t = themes_.current();
+    const QRect& box = option.rect;
+    painter->save();
+    painter->setClipRect(box);
+    const bool chosen = option.state & QStyle::State_Selected;
+    if (chosen || option.state & QStyle::State_MouseOver) painter->fillRect(box, chosen ? t.accentRow : t.header);
+    painter->setPen(t.separator);
+    painter->drawLine(box.bottomLeft(), box.bottomRight());
+    const int left = box.left() + row.depth * step;
+    signOf(row, themes_).paint(painter, QRect(left + inset, box.center().y() - iconSize / 2, iconSize, iconSize));
+    const QRect link = linkOf(box, row.link, option.font);
+    const bool narrow = box.width() < 560;
+    const int whereLeft = box.left() + box.width() * 52 / 100;
+    const int textEnd = (narrow ? link.left() : whereLeft) - 12;
+    const QRect upper(left + textLeft, box.top() + 5, textEnd - left - textLeft, 16);
+    const auto line = [&](const QRect& place, const QString& text, int pixels, QFont::Weight weight, const QColor& ink) {
+        painter->setFont(fontOf(option.font, pixels, weight));
+        painter->setPen(ink);
+        painter->drawText(place, Qt::AlignVCenter,
+                          QFontMetrics(painter->font()).elidedText(text, Qt::ElideRight, place.width()));
+    };
+    const int lower = box.height() == rowHeight ? 17 : 15;
+    line(upper, row.title, 12, row.depth > 0 ? QFont::Normal : QFont::DemiBold, t.text);
+    line(upper.translated(0, lower), row.detail, 11, QFont::Normal, t.text2);
+    if (!narrow)
+        line(QRect(whereLeft, box.top(), link.left() - 12 - whereLeft, box.height()), row.where, 11, QFont::Normal, t.text2);
+    line(link, row.link, 12, QFont::DemiBold, t.accent);
+    painter->restore();
+}
+
+ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, const Display& display, const Themes& themes,
+                             QWidget* parent)
+    : QWidget(parent), document_(document), selection_(selection), display_(display), themes_(themes),
+      list_(new ProblemList(this)), view_(new QListView(this)), later_(new QTimer(this)) {
+    setObjectName("problemsPanel");
+    view_->setModel(list_);
+    view_->setItemDelegate(new ProblemRowPaint(themes, this));
+    view_->setObjectName("problemList");
+    view_->setAccessibleName(tr("Problems"));
+    view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    view_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    view_->setResizeMode(QListView::Adjust);
+    view_->setMouseTracking(true);
+    view_->viewport()->installEventFilter(this);
+    view_->installEventFilter(this);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(view_);
+    later_->setSingleShot(true);
+    later_->setInterval(0);
+    const auto schedule = [this] { later_->start(); };
+    connect(later_, &QTimer::timeout, this, &ProblemsPanel::refresh);
+    connect(&document, &Document::checkedChanged, this, schedule);
+    connect(&document, &Document::replaced, this, [this] { open_.clear(); });
+    connect(&display, &Display::changed, this, schedule);
+    connect(&themes, &Themes::changed, view_->viewport(), QOverload<>::of(&QWidget::update));
+    refresh();
+}
+
+void ProblemsPanel::refresh() {
+    later_->stop();
+    const int before = urgent();
+    list_->show(problemRows(document_, display_, open_));
+    if (urgent() != before) Q_EMIT countChanged(urgent());
+}
+
+void ProblemsPanel::follow(int row) {
+    const ProblemRow chosen = list_->rowAt(row);
+    if (chosen.opens >= 0) {
+        if (!open_.erase(chosen.opens)) open_.insert(chosen.opens);
+        return refresh();
+    }
+    if (!chosen.remedy) return showRow(row);
+    Edit edit = chosen.remedy->edit(*document_.scene());
+    if (edit.done()) document_.apply(chosen.remedy->text, std::move(edit.scene));
+}
+
+void ProblemsPanel::showRow(int row) {
+    const ProblemRow chosen = list_->rowAt(row);
+    const std::string object = objectPointer(*document_.scene(), chosen.pointer.toStdString());
+    if (!object.empty()) {
+        selection_.set({QString::fromStdString(object)});
+        Q_EMIT fieldAsked(chosen.pointer);
+    }
+    if (chosen.box) Q_EMIT placeAsked(*chosen.box);
+}
+
+bool ProblemsPanel::eventFilter(QObject* object, QEvent* event) {
+    if (object == view_->viewport() && event->type() == QEvent::MouseButtonRelease) {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        const QModelIndex index = view_->indexAt(mouse->pos());
+        if (!index.isValid() || mouse->button() != Qt::LeftButton) return false;
+        const QRect link = ProblemRowPaint::linkOf(view_->visualRect(index), list_->rowAt(index.row()).link, view_->font());
+        if (link.contains(mouse->pos())) {
+            follow(index.row());
+            return true;
+        }
+        showRow(index.row());
+    }
+    if (object == view_->viewport() && event->type() == QEvent::MouseMove) {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        const QModelIndex index = view_->indexAt(mouse->pos());
+        const bool over = index.isValid() &&
+                          ProblemRowPaint::linkOf(view_->visualRect(index), list_->rowAt(index.row()).link, view_->font())
+                              .contains(mouse->pos());
+        view_->viewport()->setCursor(over ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    }
+    if (object == view_ && event->type() == QEvent::KeyPress && view_->currentIndex().isValid()) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            follow(view_->currentIndex().row());
+            return true;
+        }
+    }
+    return QWidget::eventFilter(object, event);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The dock of problems: what is wrong, where, and a link that mends or shows it.
+#pragma once
+
+#include "ui/panels/problem_rows.h"
+
+#include <QAbstractListModel>
+#include <QStyledItemDelegate>
+#include <QWidget>
+
+class QListView;
+class QTimer;
+
+namespace keyblock {
+
+class Selection;
+class Themes;
+
+class ProblemList : public QAbstractListModel {
+    Q_OBJECT
+
+public:
+    using QAbstractListModel::QAbstractListModel;
+    void show(std::vector<ProblemRow> rows);
+    const ProblemRow& rowAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
+    const std::vector<ProblemRow>& rows() const { return rows_; }
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+
+private:
+    std::vector<ProblemRow> rows_;
+};
+
+class ProblemRowPaint : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    ProblemRowPaint(const Themes& themes, QObject* parent) : QStyledItemDelegate(parent), themes_(themes) {}
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+    /// Where the link of a row stands.
+    static QRect linkOf(const QRect& row, const QString& link, const QFont& font);
+
+private:
+    const Themes& themes_;
+};
+
+class ProblemsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    ProblemsPanel(Document& document, Selection& selection, const Display& display, const Themes& themes,
+                  QWidget* parent = nullptr);
+
+    /// Errors and warnings, for the badge of the dock.
+    int urgent() const { return urgentCount(list_->rows()); }
+
+    /// Does what the link of the row says.
+    void follow(int row);
+
+    /// Selects what the row is about and asks for it to be seen.
+    void showRow(int row);
+
+    const ProblemList& list() const { return *list_; }
+
+    /// Shows the newest check now, without waiting for the next round of events.
+    void refresh();
+
+Q_SIGNALS:
+    void placeAsked(const keyblock::Box& box);
+    void fieldAsked(const QString& pointer);  // of a field of what was just selected
+    void countChanged(int urgent);
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
+
+private:
+    Document& document_;
+    Selection& selection_;
+    const Display& display_;
+    const Themes& themes_;
+    std::set<int> open_;
+    ProblemList* list_;
+    QListView* view_;
+    QTimer* later_;
+};
+
+}  // namespace keyblock
