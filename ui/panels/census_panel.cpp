@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/census_panel.h"
+
+#include "ui/document/document.h"
+#include "ui/look/commands.h"
+#include "ui/look/theme.h"
+#include "ui/panels/census_rows.h"
+#include "ui/panels/census_worker.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTimer>
+#include <QVBoxLayout>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int calmBefore = 500;  // [ms] without an edit before counting begins
+constexpr int costWidth = 176;
+
+QLabel* labelOf(QWidget* parent, const char* role, const QString& text = {}) {
+    auto* label = new QLabel(text, parent);
+    label->setProperty("role", role);
+    return label;
+}
+
+}  // namespace
+
+CensusPanel::CensusPanel(Document& document, const Commands& commands, const Themes& themes, QWidget* parent)
+    : QWidget(parent), document_(document), commands_(commands), themes_(themes), worker_(new CensusWorker(this)),
+      calm_(new QTimer(this)) {
+    setObjectName("censusPanel");
+    setAccessibleName(tr("Census"));
+    setAttribute(Qt::WA_StyledBackground);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    page_ = new QWidget(scroll);
+    page_->setObjectName("censusPage");
+    auto* column = new QVBoxLayout(page_);
+    column->setContentsMargins(12, 8, 12, 8);
+    state_ = labelOf(page_, "detail");
+    state_->setWordWrap(true);
+    column->addWidget(state_);
+    column->addStretch(1);
+    scroll->setWidget(page_);
+    row->addWidget(scroll, 1);
+    row->addWidget(makeCosts());
+    calm_->setSingleShot(true);
+    calm_->setInterval(calmBefore);
+    connect(calm_, &QTimer::timeout, this, &CensusPanel::ask);
+    connect(&document, &Document::changed, this, &CensusPanel::askLater);
+    connect(&document, &Document::checkedChanged, this, &CensusPanel::askLater);
+    connect(worker_, &CensusWorker::answered, this, [this](std::shared_ptr<const Census> census) {
+        census_ = std::move(census);
+        present();
+        Q_EMIT taken();
+    });
+    askLater();
+}
+
+CensusPanel::~CensusPanel() = default;
+
+QWidget* CensusPanel::makeCosts() {
+    auto* costs = new QWidget(this);
+    costs->setObjectName("censusCosts");
+    costs->setAttribute(Qt::WA_StyledBackground);
+    costs->setFixedWidth(costWidth);
+    auto* column = new QVBoxLayout(costs);
+    column->setContentsMargins(16, 12, 16, 12);
+    column->setSpacing(2);
+    column->addWidget(labelOf(costs, "detail", tr("Estimated time")));
+    column->addWidget(time_ = labelOf(costs, "big"));
+    column->addWidget(range_ = labelOf(costs, "hint"));
+    column->addSpacing(8);
+    column->addWidget(labelOf(costs, "detail", tr("Memory")));
+    column->addWidget(memory_ = labelOf(costs, "title"));
+    column->addSpacing(10);
+    time_->setObjectName("estimatedTime");
+    memory_->setObjectName("estimatedMemory");
+    run_ = new QPushButton(tr("Run  F5"), costs);
+    run_->setAccessibleName(tr("Run from the census"));
+    run_->setEnabled(false);
+    const auto icon = [this] { run_->setIcon(themes_.icon("play", themes_.current().ok)); };
+    icon();
+    connect(&themes_, &Themes::changed, run_, icon);
+    connect(run_, &QPushButton::clicked, this, [this] {
+        if (commands_.has("run.start")) commands_.action("run.start")->trigger();
+    });
+    column->addWidget(run_);
+    column->addStretch(1);
+    return costs;
+}
+
+void CensusPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (!census_) askLater();
+}
+
+void CensusPanel::setBusy(bool busy) {
+    busy_ = busy;
+    if (!busy) return askLater();
+    worker_->cancel();
+    calm_->stop();
+}
+
+void CensusPanel::askLater() {
+    worker_->cancel();
+    census_.reset();
+    if (!busy_) calm_->start();
+}
+
+void CensusPanel::ask() {
+    const Checked& checked = document_.checked();
+    if (!document_.checkIsCurrent() || document_.isPreviewing() || !isVisible()) return;  // asked again then
+    if (hasErrors(checked.problems)) return tell(tr("Mend the errors under Problems; then it is told what a run would model."));
+    const CensusQuestion question{checked.scene, checked.cut};
+    if (question.solved().blocks.empty()) return tell(tr("Nothing to model yet: draw an outline or a block."));
+    tell(tr("Counting…"));
+    worker_->ask(question);
+}
+
+void CensusPanel::tell(const QString& why) {
+    delete table_;
+    table_ = nullptr;
+    state_->setText(why);
+    state_->show();
+    time_->setText(QString::fromUtf8("–"));
+    memory_->setText(QString::fromUtf8("–"));
+    range_->clear();
+    run_->setEnabled(false);
+}
+
+void CensusPanel::addRow(int row, const QStringList& texts, const char* role, bool bold) {
+    for (int i = 0; i < texts.size(); ++i) {
+        auto* cell = labelOf(table_, i == 3 && qstrcmp(role, "cell") == 0 ? "detail" : role, texts[i]);
+        QFont font = cell->font();
+        font.setWeight(bold && i < 3 ? QFont::DemiBold : QFont::Normal);
+        cell->setFont(font);
+        cell->setAlignment((i == 1 || i == 2 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        if (i == 3) {
+            cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+            cell->setToolTip(texts[i]);
+            cell->setWordWrap(true);
+        }
+        grid_->addWidget(cell, row, i);
+    }
+}
+
+void CensusPanel::present() {
+    delete table_;
+    table_ = new QWidget(page_);
+    grid_ = new QGridLayout(table_);
+    grid_->setContentsMargins(0, 0, 0, 0);
+    grid_->setHorizontalSpacing(16);
+    grid_->setVerticalSpacing(7);
+    grid_->setColumnStretch(3, 1);
+    grid_->setColumnMinimumWidth(0, 80);
+    state_->hide();
+    int row = 0;
+    addRow(row++, {tr("Modelled"), tr("Count"), tr("Unknowns"), tr("Why")}, "detail", false);
+    bool told = false;
+    for (const CensusRow& part : censusRows(*census_)) {
+        if (part.leftOut && !told) {
+            addRow(row++, {tr("Left out"), {}, {}, {}}, "detail", false);
+            told = true;
+        }
+        if (part.leftOut) {
+            auto* what = labelOf(table_, "cell", part.what);
+            what->setWordWrap(true);
+            grid_->addWidget(what, row, 0, 1, 3);
+            addRow(row++, {{}, {}, {}, part.why}, "cell", false);
+        } else {
+            addRow(row++, {part.what, part.count, part.unknowns, part.why}, "cell", part.total);
+        }
+    }
+    static_cast<QVBoxLayout*>(page_->layout())->insertWidget(0, table_);
+    const CostEstimate& estimate = census_->estimate;
+    const bool runs = !estimate.stages.empty();
+    time_->setText(runs ? costText(estimate.seconds) : QString::fromUtf8("–"));
+    range_->setText(runs ? tr("%1 to %2").arg(costText(estimate.secondsLeast), costText(estimate.secondsMost)) : QString());
+    memory_->setText(runs ? memoryText(estimate.memory) : QString::fromUtf8("–"));
+    for (QLabel* label : {time_, range_, memory_}) label->setToolTip(runs ? estimateDetails(estimate) : QString());
+    run_->setEnabled(runs && commands_.has("run.start"));
+}
+
+}  // namespace keyblock

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The dock that says before a run what it would model, why, and what it may cost.
+#pragma once
+
+#include "solver/run/census.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QTimer;
+
+namespace keyblock {
+
+class CensusWorker;
+class Commands;
+class Document;
+class Themes;
+
+class CensusPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    CensusPanel(Document& document, const Commands& commands, const Themes& themes, QWidget* parent = nullptr);
+    ~CensusPanel() override;
+
+    /// While something runs, nothing is counted: the estimate would be wrong and take the run's time.
+    void setBusy(bool busy);
+
+    /// The newest census; null while it is taken or where none can be.
+    const std::shared_ptr<const Census>& census() const { return census_; }
+
+Q_SIGNALS:
+    void taken();
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void askLater();
+    void ask();
+    void present();
+    void tell(const QString& why);
+    QWidget* makeCosts();
+    void addRow(int row, const QStringList& texts, const char* role, bool bold);
+
+    Document& document_;
+    const Commands& commands_;
+    const Themes& themes_;
+    CensusWorker* worker_;
+    QTimer* calm_;
+    std::shared_ptr<const Census> census_;
+    bool busy_ = false;
+    QWidget* table_ = nullptr;
+    QWidget* page_;
+    QGridLayout* grid_ = nullptr;
+    QLabel *time_, *range_, *memory_, *state_;
+    QPushButton* run_;
+};
+
+}  // namespace keyblock
