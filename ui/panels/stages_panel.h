@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The dock of stages: what happens, one after another, and what is there in which
+// stage. A stage that is chosen here shows its loads and tables in the properties.
+#pragma once
+
+#include "ui/panels/value_editor.h"
+
+#include <QWidget>
+
+class QTimer;
+class QToolButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace keyblock {
+
+class PlanView;
+class Selection;
+struct Edit;
+
+class StagesPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    StagesPanel(const FormContext& context, Selection& selection, QWidget* parent = nullptr);
+
+    PlanView& plan() const { return *plan_; }
+
+    /// Shows the scene as it is now, without waiting for the next round of events.
+    void refresh();
+
+private:
+    QWidget* makeButtons();
+    QToolButton* button(QWidget* parent, const char* icon, const QString& name, void (StagesPanel::*act)());
+    void fillRow(QTreeWidgetItem& item, std::size_t stage);
+    void showSelection();
+    void takeSelection();
+    void rename(QTreeWidgetItem* item);
+    void togglePlan(int row, int stage);
+    void addStatic() { add("static"); }
+    void addDynamic() { add("dynamic"); }
+    void add(const char* kind);
+    void duplicate();
+    void remove();
+    void moveUp() { move(-1); }
+    void moveDown() { move(1); }
+    void move(int by);
+    void setKind(int stage, const QString& kind);
+    int chosen() const;
+    void apply(const QString& step, Edit edit, const QString& select);
+
+    FormContext context_;
+    Selection& selection_;
+    bool filling_ = false;
+    QTreeWidget* list_;
+    PlanView* plan_;
+    QList<QToolButton*> buttons_;
+    QTimer* later_;
+};
+
+}  // namespace keyblock
