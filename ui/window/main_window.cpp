@@ -41,7 +41,7 @@ MainWindow::MainWindow(Themes& themes)
     addCanvasCommands(*commands_, *canvas_);
     placeBars();
     placeCanvas();
-    placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_});
+    placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_, *canvas_});
     auto* recent = new RecentFiles(*document_, this);
     start_ = addStartPage(*this, {themes_, *commands_, *document_, *journal_, *recent});
     fillMenus(*menuBar(), *commands_);

@@ -2,24 +2,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/place_panels.h"
 
+#include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/document/visibility.h"
+#include "ui/edit/scene_objects.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
+#include "ui/panels/census_panel.h"
+#include "ui/panels/problems_panel.h"
 #include "ui/panels/property_panel.h"
 #include "ui/panels/scene_tree.h"
+#include "ui/panels/stages_panel.h"
 #include "ui/window/dock.h"
 
 #include <QDockWidget>
 #include <QMainWindow>
 
+#include <algorithm>
+#include <optional>
+
 namespace keyblock {
 
 namespace {
 
-constexpr int treeWidth = 236, propertyWidth = 300;
+constexpr int treeWidth = 236, propertyWidth = 300, bottomHeight = 196;
 
 /// A dock whose header is the panel's own.
 QDockWidget* dockWithHeader(QMainWindow& window, const QString& id, const QString& title, QWidget* widget,
@@ -29,6 +37,49 @@ QDockWidget* dockWithHeader(QMainWindow& window, const QString& id, const QStrin
     dock->setWidget(widget);
     dock->setTitleBarWidget(header);
     return dock;
+}
+
+/// Round the shapes of objects, with room to see where they are; nothing for what has no place.
+std::optional<Box> boxRound(const Scene& scene, const QStringList& pointers) {
+    std::vector<Point> points;
+    for (const SceneObject& object : objectsOf(scene)) {
+        if (!pointers.contains(QString::fromStdString(object.pointer))) continue;
+        points.insert(points.end(), object.marks.begin(), object.marks.end());
+        for (const ObjectLine& line : object.lines) points.insert(points.end(), line.points.begin(), line.points.end());
+    }
+    return points.empty() ? std::nullopt : std::optional(boxOf(points));
+}
+
+void zoomTo(Canvas& canvas, const Box& box) {
+    const double size = (box.max - box.min).maxCoeff();
+    canvas.zoomTo(grown(box, std::max(1.0, 0.25 * size)));
+}
+
+void placeBelow(QMainWindow& window, const PanelNeeds& needs, Panels& panels) {
+    const FormContext context{needs.document, needs.display, needs.themes};
+    panels.problems = new ProblemsPanel(needs.document, needs.selection, needs.display, needs.themes, &window);
+    panels.census = new CensusPanel(needs.document, needs.commands, needs.themes, &window);
+    panels.stages = new StagesPanel(context, needs.selection, &window);
+    panels.problemsDock = makeDock(window, needs.themes, "problemsDock", QMainWindow::tr("Problems"), panels.problems);
+    panels.censusDock = makeDock(window, needs.themes, "censusDock", QMainWindow::tr("Census"), panels.census);
+    panels.stagesDock = makeDock(window, needs.themes, "stagesDock", QMainWindow::tr("Stages"), panels.stages);
+    window.addDockWidget(Qt::BottomDockWidgetArea, panels.problemsDock);
+    window.addDockWidget(Qt::BottomDockWidgetArea, panels.censusDock);
+    window.tabifyDockWidget(panels.problemsDock, panels.stagesDock);
+    panels.problemsDock->raise();
+    window.resizeDocks({panels.problemsDock, panels.censusDock}, {880, 720}, Qt::Horizontal);
+    window.resizeDocks({panels.problemsDock}, {bottomHeight}, Qt::Vertical);
+    const auto badge = [dock = panels.problemsDock](int urgent) {
+        dock->setWindowTitle(urgent > 0 ? QMainWindow::tr("Problems  %1").arg(urgent) : QMainWindow::tr("Problems"));
+    };
+    QObject::connect(panels.problems, &ProblemsPanel::countChanged, panels.problemsDock, badge);
+    QObject::connect(panels.problems, &ProblemsPanel::fieldAsked, panels.properties, &PropertyPanel::focusPointer);
+    QObject::connect(panels.problems, &ProblemsPanel::placeAsked, &needs.canvas,
+                     [canvas = &needs.canvas](const Box& box) { zoomTo(*canvas, box); });
+    QObject::connect(panels.tree, &SceneTree::zoomAsked, &needs.canvas,
+                     [canvas = &needs.canvas, document = &needs.document](const QStringList& pointers) {
+                         if (const auto box = boxRound(*document->scene(), pointers)) zoomTo(*canvas, *box);
+                     });
 }
 
 }  // namespace
@@ -47,6 +98,7 @@ Panels placePanels(QMainWindow& window, const PanelNeeds& needs) {
     window.addDockWidget(Qt::LeftDockWidgetArea, left);
     window.addDockWidget(Qt::RightDockWidgetArea, right);
     window.resizeDocks({left, right}, {treeWidth, propertyWidth}, Qt::Horizontal);
+    placeBelow(window, needs, panels);
     return panels;
 }
 

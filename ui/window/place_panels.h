@@ -2,19 +2,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Makes the panels and puts them where a person expects them: the tree at the
-// left, properties at the right.
+// left, properties at the right, problems, census and stages below.
 #pragma once
 
+class QDockWidget;
 class QMainWindow;
 
 namespace keyblock {
 
+class Canvas;
+class CensusPanel;
 class Commands;
 class Display;
 class Document;
+class ProblemsPanel;
 class PropertyPanel;
 class SceneTree;
 class Selection;
+class StagesPanel;
 class Themes;
 class Visibility;
 
@@ -26,12 +31,17 @@ struct PanelNeeds {
     Display& display;
     Commands& commands;
     Themes& themes;
+    Canvas& canvas;  // shows what they point at
 };
 
 /// The panels, for those who connect them.
 struct Panels {
     SceneTree* tree = nullptr;
     PropertyPanel* properties = nullptr;
+    ProblemsPanel* problems = nullptr;
+    CensusPanel* census = nullptr;
+    StagesPanel* stages = nullptr;
+    QDockWidget *problemsDock = nullptr, *censusDock = nullptr, *stagesDock = nullptr;
 };
 
 Panels placePanels(QMainWindow& window, const PanelNeeds& needs);
