@@ -5,6 +5,7 @@
 #include "solver/results/words.h"
 #include "ui/figure/mark_ink.h"
 #include "ui/figure/paper.h"
+#include "ui/picture/tick_labels.h"
 
 #include <QLinearGradient>
 #include <QPainter>
@@ -57,46 +58,18 @@ void drawLimits(Ink& ink, const LegendBar& bar, const Point& at, const std::func
     }
 }
 
-struct TickLabel {
-    double place = 0.0, middle = 0.0;  // from the bar's left end [mm]; a label stays within its ends
-    std::string text;
-};
-
-/// All ticks where their labels have room, else every second one, and so on; zero stays.
-template <class PlaceOf>
-std::vector<TickLabel> labelsOf(const LegendBar& bar, const PlaceOf& placeOf, double width) {
-    const std::vector<double>& values = bar.ticks.values;
-    const auto zero = std::find(values.begin(), values.end(), 0.0);
-    const std::size_t kept = zero == values.end() ? 0 : static_cast<std::size_t>(zero - values.begin());
-    for (std::size_t each = 1;; ++each) {
-        std::vector<TickLabel> labels;
-        double free = -1e9;
-        bool room = true;
-        for (std::size_t i = kept % each; i < values.size(); i += each) {
-            const std::string text = numberText(values[i], bar.ticks.decimals);
-            const double half = 0.5 * textWidth(text, text_style::tick);
-            const double place = placeOf(values[i]), middle = std::clamp(place, half, std::max(half, width - half));
-            room = room && middle - half >= free;
-            free = middle + half + 0.8;
-            labels.push_back({place, middle, text});
-        }
-        if (room || each >= values.size()) return labels;
-    }
-}
-
 void drawBar(Ink& ink, const LegendBar& bar, const Point& corner, double width,
              const std::vector<std::string>& notes) {
     double y = corner.y() + 2.0;
     ink.text({corner.x(), y}, bar.title + (bar.unit.empty() ? "" : " (" + bar.unit + ")"), text_style::heading);
     y += bar.limits.empty() ? 1.4 : 4.4;
     const double from = bar.goesBelow ? tip : 0.0, to = width - (bar.goesAbove ? tip : 0.0);
-    const auto placeOf = [&](double value) {
-        return from + (to - from) * (value - bar.range.low) / (bar.range.high - bar.range.low);
-    };
+    const auto placeOf = [&](double value) { return from + (to - from) * bar.shareOf(value); };
     const Point at(corner.x(), y);
     fillBar(ink, bar, at, from, to);
     drawLimits(ink, bar, at, placeOf, width);
-    for (const TickLabel& tick : labelsOf(bar, placeOf, width)) {
+    const auto widthOf = [](const std::string& text) { return textWidth(text, text_style::tick); };
+    for (const TickLabel& tick : tickLabels(bar, {from, to, width, 0.8, widthOf})) {
         ink.line(at + Point(tick.place, barHeight), at + Point(tick.place, barHeight + 0.7), {0.13, black});
         ink.text(at + Point(tick.middle, barHeight + 3.0), tick.text, text_style::tick, Align::Centre);
     }

@@ -130,17 +130,6 @@ void MapInk::drawMarks(Ink& ink, std::size_t index) const {
                  static_cast<std::size_t>(real) > manyAnchors);
 }
 
-/// Longest ordinate that a ribbon may have [mm]: 40 % of the way to the nearest other bolt.
-double MapInk::ribbonRoom(const BoltShape& bolt) const {
-    const Point middle = onPaper(Point(0.5 * (bolt.nodes.front() + bolt.nodes.back())));
-    double nearest = 30.0;
-    for (const BoltShape& other : picture_.bolts)
-        if (&other != &bolt && !coincide(bolt, other, 0.5 * shank / scale_))
-            nearest = std::min(nearest, distanceToSegment(onPaper(other.nodes.front()), onPaper(other.nodes.back()),
-                                                          middle));
-    return std::min(12.0, 0.4 * nearest);
-}
-
 void MapInk::drawLeader(Ink& ink, const Point& from, const Box& label) const {
     const Point to = 0.5 * (label.min + label.max);
     const auto inside = clippedToBox(from, to, label);

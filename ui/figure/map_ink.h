@@ -46,7 +46,6 @@ private:
     void drawMoved(Ink& ink);
     Point footWithin(const std::vector<Point>& outline) const;
     void drawLeader(Ink& ink, const Point& from, const Box& label) const;
-    double ribbonRoom(const BoltShape& bolt) const;
 
     const SectionPicture& picture_;
     Box frame_;  // [mm]

@@ -2,71 +2,105 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figure/mark_ink.h"
 
+#include <cmath>
+
 namespace keyblock {
 
 namespace {
 
 using namespace paper_theme;
 
-const Stroke casing{0.3, white};
-
 std::vector<Point> rectangle(const Point& at, const Point& along, double half, double halfAcross) {
     const Point u = half * along, v = halfAcross * turnLeft(along);
     return {at - u - v, at + u - v, at + u + v, at - u + v};
 }
 
-void disc(Ink& ink, const Point& at, double radius) {
-    ink.circle(at, radius + 0.12, white, {});
-    ink.circle(at, radius, black, {});
-}
+/// One mark at its place.
+class MarkInk {
+public:
+    MarkInk(Ink& ink, const MarkTheme& theme, const Point& at, bool small)
+        : ink_(ink), colours_(theme.colours), sizes_(theme.sizes), at_(at), small_(small) {}
 
-void ring(Ink& ink, const Point& at, double radius, bool dashed) {
-    ink.circle(at, radius + 0.1, white, {});
-    ink.circle(at, radius, white,
-               dashed ? Stroke{0.17, softText, {0.35, 0.25}} : Stroke{0.17, black});
-}
+    void disc() {
+        const double radius = sizes_.disc.of(small_);
+        ink_.circle(at_, radius + sizes_.casing, colours_.casing, {});
+        ink_.circle(at_, radius, colours_.ink, {});
+    }
 
-void diamond(Ink& ink, const Point& at, double size) {
-    ink.polygon({at + Point(0, -size), at + Point(size, 0), at + Point(0, size), at + Point(-size, 0)}, slipping,
-                Stroke{0.17, black});
-}
+    void ring(bool dashed) {
+        const double radius = sizes_.ring.of(small_);
+        ink_.circle(at_, radius + 0.8 * sizes_.casing, colours_.casing, {});
+        const Stroke whole{sizes_.line, colours_.ink}, parts{sizes_.line, colours_.soft, {sizes_.dash, sizes_.gap}};
+        ink_.circle(at_, radius, colours_.hollow, dashed ? parts : whole);
+    }
 
-void cross(Ink& ink, const Point& at, double arm) {
-    ink.circle(at, arm + 0.25, white, {});
-    ink.line(at + Point(-arm, -arm), at + Point(arm, arm), {0.28, error});
-    ink.line(at + Point(-arm, arm), at + Point(arm, -arm), {0.28, error});
-}
+    void diamond() {
+        const double size = sizes_.diamond.of(small_);
+        ink_.polygon({at_ + Point(0, -size), at_ + Point(size, 0), at_ + Point(0, size), at_ + Point(-size, 0)},
+                     colours_.slipping, Stroke{sizes_.line, colours_.rim});
+    }
 
-/// Two chevrons that point apart along the bolt.
-void chevrons(Ink& ink, const Point& at, const Point& along) {
-    const Point across = turnLeft(along);
-    ink.circle(at, 1.15, white, {});
-    for (const double side : {-1.0, 1.0})
-        ink.polyline({at + side * 0.35 * along + 0.8 * across, at + side * 1.0 * along,
-                      at + side * 0.35 * along - 0.8 * across}, {0.28, error});
-}
+    void cross() {
+        const double arm = sizes_.cross.of(small_);
+        ink_.circle(at_, arm + 2.0 * sizes_.casing, colours_.casing, {});
+        for (const double side : {-1.0, 1.0})
+            ink_.line(at_ + Point(-arm, -side * arm), at_ + Point(arm, side * arm), {sizes_.stroke, colours_.error});
+    }
 
-void plateLost(Ink& ink, const Point& at, const Point& along) {
-    const Point middle = at + 0.9 * along;
-    ink.polygon(rectangle(middle, along, 0.38, 1.15), white, Stroke{0.2, black});
-    const Point strike = (0.6 * along + 1.3 * turnLeft(along));
-    ink.line(middle - strike, middle + strike, {0.28, error});
-}
+    void square() {
+        cased(rectangle(at_, {1.0, 0.0}, sizes_.square, sizes_.square), colours_.yielded);
+    }
+
+    /// Two chevrons that point apart along the bolt.
+    void chevrons(const Point& along) {
+        const Point across = sizes_.chevronAcross * turnLeft(along);
+        ink_.circle(at_, sizes_.chevronTo + sizes_.casing, colours_.casing, {});
+        for (const double side : {-1.0, 1.0})
+            ink_.polyline({at_ + side * sizes_.chevronFrom * along + across, at_ + side * sizes_.chevronTo * along,
+                           at_ + side * sizes_.chevronFrom * along - across}, {sizes_.stroke, colours_.error});
+    }
+
+    void plate(const Point& along) {
+        cased(rectangle(at_, along, sizes_.plateAlong, sizes_.plateAcross), colours_.ink);
+    }
+
+    void plateLost(const Point& along) {
+        const Point middle = at_ + sizes_.lostAway * along;
+        const Point tilted = std::cos(sizes_.lostTilt) * along + std::sin(sizes_.lostTilt) * turnLeft(along);
+        const auto corners = rectangle(middle, tilted, sizes_.lostAlong, sizes_.lostAcross);
+        ink_.polygon(corners, colours_.casing, Stroke{1.6 * sizes_.casing, colours_.casing});
+        ink_.polygon(corners, colours_.hollow, Stroke{0.7 * sizes_.stroke, colours_.ink});
+        const Point strike = 1.6 * sizes_.lostAlong * tilted + 1.13 * sizes_.lostAcross * turnLeft(tilted);
+        ink_.line(middle - strike, middle + strike, {sizes_.stroke, colours_.error});
+    }
+
+private:
+    void cased(const std::vector<Point>& corners, const Colour& fill) {
+        ink_.polygon(corners, colours_.casing, Stroke{2.0 * sizes_.casing, colours_.casing});
+        ink_.polygon(corners, fill, {});
+    }
+
+    Ink& ink_;
+    const MarkColours& colours_;
+    const MarkSizes& sizes_;
+    Point at_;
+    bool small_;
+};
 
 }  // namespace
 
-void drawMark(Ink& ink, MarkKind kind, const Point& at, const Point& along, bool small) {
+void drawMark(Ink& ink, MarkKind kind, const Point& at, const Point& along, bool small, const MarkTheme& theme) {
+    MarkInk mark(ink, theme, at, small);
     switch (kind) {
-        case MarkKind::Bonded: return disc(ink, at, small ? 0.5 : 0.75);
-        case MarkKind::Artificial: return ring(ink, at, small ? 0.38 : 0.5, false);
-        case MarkKind::InGap: return ring(ink, at, small ? 0.38 : 0.5, true);
-        case MarkKind::Slipping: return diamond(ink, at, small ? 0.75 : 1.0);
-        case MarkKind::Gone: return cross(ink, at, small ? 0.5 : 0.65);
-        case MarkKind::Yielded:
-            return ink.polygon(rectangle(at, {1.0, 0.0}, 0.6, 0.6), yielded, casing);
-        case MarkKind::Ruptured: return chevrons(ink, at, along);
-        case MarkKind::Plate: return ink.polygon(rectangle(at, along, 0.4, 1.2), black, casing);
-        case MarkKind::PlateLost: return plateLost(ink, at, along);
+        case MarkKind::Bonded: return mark.disc();
+        case MarkKind::Artificial: return mark.ring(false);
+        case MarkKind::InGap: return mark.ring(true);
+        case MarkKind::Slipping: return mark.diamond();
+        case MarkKind::Gone: return mark.cross();
+        case MarkKind::Yielded: return mark.square();
+        case MarkKind::Ruptured: return mark.chevrons(along);
+        case MarkKind::Plate: return mark.plate(along);
+        case MarkKind::PlateLost: return mark.plateLost(along);
     }
 }
 

@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The marks of bolts on paper. Shape and colour both tell the kind: bonded dark,
+// The marks of bolts on paper and on the screen. Shape and colour both tell the kind: bonded dark,
 // slipping mid, gone pale also read in grey.
 #pragma once
 
 #include "ui/figure/ink.h"
+#include "ui/figure/mark_theme.h"
 #include "ui/picture/marks.h"
 
 namespace keyblock {
 
 /// A mark at `at` [mm] on a bolt that runs along the unit vector `along`, y downwards; small ones for bolts with many.
-void drawMark(Ink& ink, MarkKind kind, const Point& at, const Point& along, bool small = false);
+void drawMark(Ink& ink, MarkKind kind, const Point& at, const Point& along, bool small = false,
+              const MarkTheme& theme = paperMarks);
 
 /// What the key of a picture calls it.
 std::string nameOf(MarkKind kind);

@@ -4,80 +4,41 @@
 // The ribbon of a section: the values of one bolt drawn beside it, with the limit
 // that they meet.
 #include "ui/figure/map_ink.h"
+#include "ui/picture/ribbon_shape.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace keyblock {
 
-namespace {
-
 using namespace paper_theme;
-
-/// The limit beside a ribbon as lines of steps, an interruption where there is none.
-template <typename Ordinate>
-std::vector<std::vector<Point>> ribbonLimits(const Ribbon& ribbon, const Ordinate& ordinate) {
-    std::vector<std::vector<Point>> lines;
-    for (std::size_t e = 0; e < ribbon.limits.size(); ++e) {
-        const double limit = ribbon.limits[e];
-        if (limit <= 0.0) continue;
-        if (e == 0 || ribbon.limits[e - 1] <= 0.0) lines.emplace_back();
-        if (lines.back().size() > 1 && ribbon.limits[e - 1] == limit) lines.back().pop_back();
-        else lines.back().push_back(ordinate(e, limit));
-        lines.back().push_back(ordinate(e + 1, limit));
-    }
-    return lines;
-}
-
-}  // namespace
 
 void MapInk::drawRibbon(Ink& ink) {
     if (!picture_.ribbon) return;
     const Ribbon& ribbon = *picture_.ribbon;
     const BoltShape& bolt = picture_.bolts[ribbon.shape];
     const std::vector<Point> nodes = onPaper(bolt.nodes);
-    const double largest = ribbon.scale;
-    const double room = ribbonRoom(bolt);
+    const double room = std::min(12.0, 0.4 * scale_ * middleSpacing(picture_, ribbon.shape, 0.35 / scale_));
     if (room < 1.5) return;
-    const Point along = alongOf(nodes), across = turnLeft(along);
-    const auto [low, high] = std::minmax_element(bolt.values.begin(), bolt.values.end());
-    const double sign = *high >= -*low ? 1.0 : -1.0;  // the larger side looks away from the shank
-    const double base = 1.1 + std::max(0.0, sign > 0.0 ? -*low : *high) * room / largest;
-    const auto ordinate = [&](std::size_t node, double value) {
-        return Point(nodes[node] + (base + sign * value * room / largest) * across);
-    };
-    std::vector<Point> outline{nodes.front() + base * across}, curve;
-    for (std::size_t e = 0; e < bolt.values.size(); ++e) {
-        curve.push_back(ordinate(e, bolt.values[e]));
-        curve.push_back(ordinate(e + 1, bolt.values[e]));
-    }
-    outline.insert(outline.end(), curve.begin(), curve.end());
-    outline.push_back(nodes.back() + base * across);
+    const RibbonShape shape = ribbonShape(ribbon, bolt.values, nodes, 1.1, room);
+    const std::vector<Point>& outline = shape.outline;
     ink.polygon(outline, paper_theme::ribbon, {}, 0.16);
     ink.line(outline.front(), outline.back(), {0.13, paper_theme::ribbon});
     ink.polyline(outline, {0.2, paper_theme::ribbon});
-    const auto limits =
-        ribbonLimits(ribbon, [&](std::size_t node, double value) { return ordinate(node, sign * value); });
-    for (const std::vector<Point>& line : limits) {
+    for (const std::vector<Point>& line : shape.limits) {
         ink.polyline(line, {0.2, error, {0.9, 0.45}});
         for (std::size_t i = 0; i + 1 < line.size(); ++i) placement_.keepOff(line[i], line[i + 1], 0.2);
     }
     for (std::size_t i = 0; i + 1 < outline.size(); ++i) placement_.keepOff(outline[i], outline[i + 1], 0.2);
-    for (std::size_t e = 0; e < bolt.values.size(); ++e)  // nor on its fill
-        placement_.keepOff(nodes[e] + base * across, ordinate(e, bolt.values[e]), 0.2);
-    const Point peak = 0.5 * (ordinate(ribbon.peak, bolt.values[ribbon.peak]) +
-                              ordinate(ribbon.peak + 1, bolt.values[ribbon.peak]));
-    const std::string label = numberText(bolt.values[ribbon.peak]) + " " + picture_.boltLegend->unit.substr(
-                                  0, picture_.boltLegend->unit.find(" per"));
+    for (std::size_t e = 0; e < shape.tips.size(); ++e)  // nor on its fill
+        placement_.keepOff(shape.base[e], outline[2 * e + 1], 0.2);
+    const std::string label = numberText(bolt.values[ribbon.peak]) + " " + ribbonUnit(*picture_.boltLegend);
     const Point size(textWidth(label, text_style::number) + 1.0, 3.0);
-    if (const auto box = placement_.placeRound(size, peak, across)) {
-        drawLeader(ink, peak, *box);
+    if (const auto box = placement_.placeRound(size, shape.peak, shape.across)) {
+        drawLeader(ink, shape.peak, *box);
         ink.casedText({box->min.x() + 0.5, box->max.y() - 0.8}, label, text_style::number);
     }
-    ink.circle(peak, 0.35, paper_theme::ribbon, {});
-    if (ribbon.limit)
-        drawLimitName(ink, ribbon, ordinate(0, sign * *ribbon.limit), ordinate(nodes.size() - 1, sign * *ribbon.limit),
-                      across);
+    ink.circle(shape.peak, 0.35, paper_theme::ribbon, {});
+    if (ribbon.limit) drawLimitName(ink, ribbon, shape.limitFrom, shape.limitTo, shape.across);
 }
 
 /// At an end of the limit or beyond it, where there is room; else nowhere.
@@ -85,7 +46,7 @@ void MapInk::drawLimitName(Ink& ink, const Ribbon& ribbon, const Point& from, co
     TextStyle style = text_style::tick;
     style.colour = error;
     const std::string name = ribbon.limitName + " " + numberText(*ribbon.limit) + " " +
-                             picture_.boltLegend->unit.substr(0, picture_.boltLegend->unit.find(" per"));
+                             ribbonUnit(*picture_.boltLegend);
     const Point size(textWidth(name, style) + 0.8, 2.6), along = (to - from).normalized();
     std::vector<Point> centres;
     const auto beside = [&](const Point& end, const Point& away) {

@@ -34,6 +34,16 @@ std::vector<double> boltSpacing(const SectionPicture& picture, double scale, con
     return spacing;
 }
 
+double middleSpacing(const SectionPicture& picture, std::size_t shape, double apart) {
+    const BoltShape& bolt = picture.bolts[shape];
+    const Point middle = 0.5 * (bolt.nodes.front() + bolt.nodes.back());
+    double nearest = 1e9;
+    for (const BoltShape& other : picture.bolts)
+        if (&other != &bolt && !coincide(bolt, other, apart))
+            nearest = std::min(nearest, distanceToSegment(other.nodes.front(), other.nodes.back(), middle));
+    return nearest;
+}
+
 /// Crowded bolts, short ones and small scales leave room for what let go alone.
 std::vector<Mark> marksToDraw(const BoltShape& bolt, double spacing, double scale, const DetailSizes& sizes) {
     std::vector<Mark> marks = bolt.marks;

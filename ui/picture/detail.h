@@ -33,6 +33,9 @@ bool coincide(const BoltShape& a, const BoltShape& b, double apart);
 /// From the head of each bolt to the nearest other bolt, as drawn at `scale` [units per m]; 1e9 of a lonely one.
 std::vector<double> boltSpacing(const SectionPicture& picture, double scale, const DetailSizes& sizes);
 
+/// From the middle of a bolt to the nearest other one [m]; 1e9 of a lonely one. \param apart as for `coincide`.
+double middleSpacing(const SectionPicture& picture, std::size_t shape, double apart);
+
 /// The marks of a bolt that are drawn, what matters most last. \param spacing of that bolt, as above.
 std::vector<Mark> marksToDraw(const BoltShape& bolt, double spacing, double scale, const DetailSizes& sizes);
 

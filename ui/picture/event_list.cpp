@@ -3,6 +3,7 @@
 #include "ui/picture/event_list.h"
 
 #include "solver/results/words.h"
+#include "ui/picture/captions.h"
 
 #include <algorithm>
 #include <array>
@@ -67,6 +68,7 @@ EventEntry entryOf(const RunSource& run, const Event& event) {
     entry.element = event.element;
     entry.place = event.position;
     entry.force = forceOf(event);
+    entry.when = timeText(run.scene(), event.stage, event.time);
     entry.subject = event.bolt >= 0 ? boltName(run.scene(), event.bolt) : blockName(run.blockNames(), event.block);
     return entry;
 }
@@ -107,6 +109,8 @@ std::string countedText(std::span<const Event> events) {
 }
 
 }  // namespace
+
+bool isGrave(EventKind kind) { return gravity(kind) >= 3; }
 
 std::vector<Event> eventsUntil(std::vector<Event> events, const FrameHead& frame) {
     std::erase_if(events, [&](const Event& event) {

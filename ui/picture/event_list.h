@@ -28,6 +28,7 @@ struct EventEntry {
     double force = 0.0;  // that the bolt held just before [N]: largest |N| of them, of a shear rupture |Q|
     std::string subject;  // bolt or block
     std::string what;  // "16 nodes debond"
+    std::string when;  // "0.212 s", of a static stage its pseudo-time
 };
 
 struct EventList {
@@ -35,6 +36,9 @@ struct EventList {
     int leftOut = 0;  // entries beyond the most that were asked for, the least grave first
     std::string counted;  // what is not listed: "690 joints slip, 121 open"; empty: none
 };
+
+/// Whether what holds the rock is lost by it, or rock comes down: what a picture must tell in words.
+bool isGrave(EventKind kind);
 
 /// The run's events until a frame, itself included. \pre in order of time.
 std::vector<Event> eventsUntil(std::vector<Event> events, const FrameHead& frame);

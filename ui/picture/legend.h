@@ -25,6 +25,8 @@ struct LegendBar {
     Ticks ticks;
     bool goesBelow = false, goesAbove = false;  // values outside the range take the end colours
     std::vector<std::string> notes;
+    std::string convention;  // what a positive value means; empty: nothing to tell
+    std::optional<ValueRange> now;  // of the frame, in the unit shown
     std::vector<std::pair<double, std::string>> limits;  // capacities within the range, named
 
     Colour colourOf(double shown) const;

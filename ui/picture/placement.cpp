@@ -13,7 +13,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double nearFoot = 2.0;  // of a leader, in units of the paper
+constexpr double nearFoot = 2.0, step = 2.0, farthest = 40.0;  // of a leader [mm]
 
 }  // namespace
 
@@ -29,8 +29,8 @@ bool Placement::isFree(const Box& box) const {
 
 bool Placement::leaderIsFree(const Point& at, const Point& to) const {
     const double length = (to - at).norm();
-    if (length <= nearFoot) return true;
-    const Point from = at + nearFoot / length * (to - at);
+    if (length <= nearFoot * perMm_) return true;
+    const Point from = at + nearFoot * perMm_ / length * (to - at);
     return std::none_of(lines_.begin(), lines_.end(),
                         [&](const Line& line) {
                             return !line.leadersCross && crossing(from, to, line.a, line.b).has_value();
@@ -51,7 +51,7 @@ std::optional<Box> Placement::place(const Point& size, const std::vector<Point>&
 std::optional<Box> Placement::placeRound(const Point& size, const Point& at, const Point& first) {
     constexpr int directions = 16;
     const double start = std::atan2(first.y(), first.x());
-    for (double away = 0.5 * size.norm() + 2.0; away < 40.0; away += 2.0)
+    for (double away = 0.5 * size.norm() + step * perMm_; away < farthest * perMm_; away += step * perMm_)
         for (int i = 0; i < directions; ++i) {
             const int turn = (i % 2 ? 1 : -1) * ((i + 1) / 2);
             const double angle = start + turn * 2.0 * std::numbers::pi / directions;

@@ -15,14 +15,14 @@ namespace keyblock {
 
 class Placement {
 public:
-    /// Everything stays within `frame`; units are those of the paper.
-    explicit Placement(const Box& frame) : frame_(frame) {}
+    /// Everything stays within `frame`, in units of which `perMm` make what a millimetre is on paper.
+    explicit Placement(const Box& frame, double perMm = 1.0) : frame_(frame), perMm_(perMm) {}
 
     void keepOff(const Box& box) { boxes_.push_back(box); }
     /// A line with `half` its width around it.
     void keepOff(const Point& a, const Point& b, double half) { lines_.push_back({a, b, half, false}); }
     /// The same for what leaders may cross: walls and outlines.
-    void keepLabelsOff(const Point& a, const Point& b) { lines_.push_back({a, b, 0.2, true}); }
+    void keepLabelsOff(const Point& a, const Point& b) { lines_.push_back({a, b, 0.2 * perMm_, true}); }
 
     bool isFree(const Box& box) const;
 
@@ -42,6 +42,7 @@ private:
     bool leaderIsFree(const Point& at, const Point& to) const;
 
     Box frame_;
+    double perMm_;
     std::vector<Box> boxes_;
     std::vector<Line> lines_;
 };

@@ -35,6 +35,7 @@ ValueRange extent(const std::vector<Weighed>& values) { return rangeWithout(valu
 void noteNow(const std::vector<Weighed>& values, const QuantityDisplay& display, LegendBar& bar) {
     if (values.empty()) return;
     const ValueRange now = extent(values);
+    bar.now = now;
     const std::string low = numberText(now.low, bar.ticks.decimals + 1);
     const std::string high = numberText(now.high, bar.ticks.decimals + 1);
     bar.notes.push_back("now " + low + (low == high ? "" : " to " + high) + (display.unit.empty() ? "" : " ") +
@@ -46,6 +47,7 @@ LegendBar barOf(const QuantityDisplay& display) {
     bar.title = display.title;
     bar.unit = display.unit;
     bar.notes.emplace_back(display.convention);
+    bar.convention = display.convention;
     return bar;
 }
 

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Colours and sizes of the marks of bolts, one set for paper in millimetres and one
+// for the screen in pixels. The shapes are the same.
+#pragma once
+
+#include "ui/figure/ink.h"
+
+namespace keyblock {
+
+struct MarkColours {
+    Colour ink = paper_theme::black, casing = paper_theme::white;
+    Colour hollow = paper_theme::white;  // within rings and open rectangles
+    Colour soft = paper_theme::softText, slipping = paper_theme::slipping;
+    Colour rim = paper_theme::black;  // round what slips
+    Colour error = paper_theme::error, yielded = paper_theme::yielded;
+};
+
+/// In units of the ink. Where there are two, the second is of bolts with many marks.
+struct MarkSizes {
+    struct Pair {
+        double usual, small;
+        double of(bool isSmall) const { return isSmall ? small : usual; }
+    };
+    double casing = 0.12;  // round each mark
+    double line = 0.17;  // of rings and rims
+    double stroke = 0.28;  // of crosses, chevrons and what is struck through
+    Pair disc{0.75, 0.5}, ring{0.5, 0.38}, diamond{1.0, 0.75}, cross{0.65, 0.5};
+    double dash = 0.35, gap = 0.25;
+    double square = 0.47;  // half of its side
+    double chevronFrom = 0.35, chevronTo = 1.0, chevronAcross = 0.8;
+    double plateAlong = 0.28, plateAcross = 1.08;  // halves
+    double lostAlong = 0.38, lostAcross = 1.15;  // halves of a lost one
+    double lostAway = 0.9, lostTilt = 0.0;  // from the head; [rad]
+};
+
+struct MarkTheme {
+    MarkColours colours;
+    MarkSizes sizes;
+};
+
+inline const MarkTheme paperMarks{};
+
+/// Sizes on the screen [px].
+inline constexpr MarkSizes screenMarkSizes{
+    .casing = 1.2, .line = 1.2, .stroke = 1.9, .disc = {4.4, 3.3}, .ring = {3.1, 2.6}, .diamond = {5.7, 4.6},
+    .cross = {4.2, 3.4}, .dash = 1.8, .gap = 1.4, .square = 4.0, .chevronFrom = 2.0, .chevronTo = 6.2,
+    .chevronAcross = 5.4, .plateAlong = 2.2, .plateAcross = 6.0, .lostAlong = 2.0, .lostAcross = 5.6, .lostAway = 7.0, .lostTilt = 0.5};
+
+}  // namespace keyblock
