@@ -6,8 +6,6 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
-#include <cmath>
-
 namespace keyblock {
 
 SectionWidget::SectionWidget(QWidget* parent) : QVTKOpenGLNativeWidget(parent), view_(*renderer_) {
@@ -23,7 +21,7 @@ SectionWidget::~SectionWidget() = default;
 
 void SectionWidget::render(const Point& centre, double pixelsPerMetre, const SectionPicture* picture) {
     const double ratio = devicePixelRatioF();
-    view_.look(centre, 1.0 / (pixelsPerMetre * ratio), static_cast<int>(std::lround(height() * ratio)), picture);
+    view_.look(centre, 1.0 / (pixelsPerMetre * ratio), Point(width(), height()) * ratio, picture);
     window_->Render();
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/layer.h"
 
+#include "ui/view/strokes.h"
+
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -15,6 +17,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace keyblock {
 
@@ -34,54 +37,96 @@ Layer::Layer(vtkRenderer& renderer, LayerForm form, int height)
     actor_->GetProperty()->LightingOff();
     actor_->ForceOpaqueOn();  // layers are painted in their order, whatever their opacity
     actor_->VisibilityOff();
+    if (form == LayerForm::Lines) {
+        ways_->SetName(strokeWay);
+        ways_->SetNumberOfComponents(4);
+        data_->GetPointData()->AddArray(ways_);
+        mapper_->MapDataArrayToVertexAttribute(strokeWay, strokeWay, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+        paintStrokes(*actor_, depth_);
+    }
     renderer_.AddActor(actor_);
 }
 
 Layer::~Layer() { renderer_.RemoveActor(actor_); }
 
 void Layer::join(const std::vector<int>& cells) {
+    if (cells_ == cells) return;
     cells_ = cells;
     ++joinings_;
     vtkNew<vtkTypeInt32Array> corners;
     corners->SetNumberOfValues(static_cast<vtkIdType>(cells.size()));
     std::copy(cells.begin(), cells.end(), corners->GetPointer(0));
     vtkNew<vtkCellArray> joined;
-    joined->SetData(form_ == LayerForm::Lines ? 2 : 3, corners);
-    if (form_ == LayerForm::Lines) data_->SetLines(joined);
-    else data_->SetPolys(joined);
+    joined->SetData(3, corners);
+    data_->SetPolys(joined);
+}
+
+void Layer::setCount(std::size_t corners, bool coloured) {
+    const auto count = static_cast<vtkIdType>(corners);
+    places_->SetNumberOfTuples(count);
+    if (form_ == LayerForm::Lines) ways_->SetNumberOfTuples(count);
+    colours_->SetNumberOfTuples(coloured ? count : 0);
+    mapper_->SetScalarVisibility(coloured);
+    data_->GetPointData()->SetScalars(coloured ? colours_.Get() : nullptr);
 }
 
 void Layer::show(const LayerShapes& shapes) {
-    const auto count = static_cast<vtkIdType>(shapes.corners.size() / 2);
     actor_->SetVisibility(!shapes.cells.empty());
     if (shapes.cells.empty()) return;
-    places_->SetNumberOfTuples(count);
+    if (form_ == LayerForm::Lines) showLines(shapes);
+    else showTriangles(shapes);
+    for (vtkDataArray* changed : {static_cast<vtkDataArray*>(places_), static_cast<vtkDataArray*>(ways_),
+                                  static_cast<vtkDataArray*>(colours_)})
+        changed->Modified();
+    data_->GetPoints()->Modified();
+    data_->Modified();
+}
+
+void Layer::showTriangles(const LayerShapes& shapes) {
+    setCount(shapes.corners.size() / 2, !shapes.colours.empty());
     float* place = places_->GetPointer(0);
     for (std::size_t i = 0; i + 1 < shapes.corners.size(); i += 2) {
         *place++ = shapes.corners[i];
         *place++ = shapes.corners[i + 1];
         *place++ = depth_;
     }
-    places_->Modified();
-    data_->GetPoints()->Modified();
-    mapper_->SetScalarVisibility(!shapes.colours.empty());
-    if (!shapes.colours.empty()) {
-        colours_->SetNumberOfTuples(count);
-        std::copy(shapes.colours.begin(), shapes.colours.end(), colours_->GetPointer(0));
-        colours_->Modified();
-        data_->GetPointData()->SetScalars(colours_);
-    } else {
-        data_->GetPointData()->SetScalars(nullptr);
+    std::copy(shapes.colours.begin(), shapes.colours.end(), colours_->GetPointer(0));
+    join(shapes.cells);
+}
+
+/// Each line is two corners at either end, which the card moves apart.
+void Layer::showLines(const LayerShapes& shapes) {
+    const std::size_t lines = shapes.cells.size() / 2;
+    setCount(4 * lines, !shapes.colours.empty());
+    float *place = places_->GetPointer(0), *way = ways_->GetPointer(0);
+    std::uint8_t* colour = colours_->GetPointer(0);
+    for (std::size_t i = 0; i < lines; ++i) {
+        const auto from = static_cast<std::size_t>(shapes.cells[2 * i]);
+        const auto to = static_cast<std::size_t>(shapes.cells[2 * i + 1]);
+        const float* a = &shapes.corners[2 * from];
+        const float* b = &shapes.corners[2 * to];
+        for (const auto& [end, corner, side] : {std::tuple(-1.0f, from, -1.0f), std::tuple(-1.0f, from, 1.0f),
+                                                std::tuple(1.0f, to, -1.0f), std::tuple(1.0f, to, 1.0f)}) {
+            for (const float value : {shapes.corners[2 * corner], shapes.corners[2 * corner + 1], 0.5f * side})
+                *place++ = value;
+            for (const float value : {b[0] - a[0], b[1] - a[1], side, end}) *way++ = value;
+            if (!shapes.colours.empty()) colour = std::copy_n(&shapes.colours[3 * corner], 3, colour);
+        }
     }
-    if (cells_ != shapes.cells) join(shapes.cells);
-    data_->Modified();
+    std::vector<int> cells;
+    cells.reserve(6 * lines);
+    for (int first = 0; first < static_cast<int>(4 * lines); first += 4)
+        for (const int corner : {0, 1, 2, 2, 1, 3}) cells.push_back(first + corner);
+    join(cells);
+}
+
+void Layer::setView(double pixelsPerMetre, double width, double height) {
+    if (form_ == LayerForm::Lines) setStrokes(*actor_, width_, pixelsPerMetre, width, height);
 }
 
 void Layer::setColour(const Colour& colour, double opacity) {
     actor_->GetProperty()->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
-    actor_->GetProperty()->SetOpacity(std::min(opacity, 0.999));
+    actor_->GetProperty()->SetOpacity(opacity);
 }
-
-void Layer::setWidth(double pixels) { actor_->GetProperty()->SetLineWidth(static_cast<float>(pixels)); }
 
 }  // namespace keyblock

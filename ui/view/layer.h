@@ -43,11 +43,16 @@ public:
     void show(const LayerShapes& shapes);
     void setColour(const Colour& colour, double opacity = 1.0);
     /// Of lines, in pixels of the device.
-    void setWidth(double pixels);
+    void setWidth(double pixels) { width_ = pixels; }
+    /// Before the view is painted: its scale and size, in pixels of the device.
+    void setView(double pixelsPerMetre, double width, double height);
     /// How often corners were joined anew.
     int joinings() const { return joinings_; }
 
 private:
+    void showTriangles(const LayerShapes& shapes);
+    void showLines(const LayerShapes& shapes);
+    void setCount(std::size_t corners, bool coloured);
     void join(const std::vector<int>& cells);
 
     vtkRenderer& renderer_;
@@ -55,7 +60,8 @@ private:
     float depth_;
     std::vector<int> cells_;
     int joinings_ = 0;
-    vtkNew<vtkFloatArray> places_;
+    double width_ = 1.0;
+    vtkNew<vtkFloatArray> places_, ways_;
     vtkNew<vtkUnsignedCharArray> colours_;
     vtkNew<vtkPolyData> data_;
     vtkNew<vtkPolyDataMapper> mapper_;

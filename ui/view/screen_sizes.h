@@ -10,7 +10,7 @@ namespace keyblock {
 
 inline constexpr double shankOnScreen = 4.0, casingOfShank = 1.6;  // [px]; over the shank
 
-inline constexpr DetailSizes onTheScreen{.shank = shankOnScreen, .betweenMarks = 9.0, .moved = 6.0,
+inline constexpr DetailSizes onTheScreen{.shank = shankOnScreen, .betweenMarks = 10.5, .moved = 6.0,
                                          .scaleForArtificial = 30.0, .spacingForMarks = 10.0,
                                          .spacingForPlates = 15.0, .boltForMarks = 30.0};
 

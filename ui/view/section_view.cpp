@@ -7,14 +7,10 @@
 #include "ui/view/screen_sizes.h"
 #include "ui/view/section_shapes.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
-#include <vtkNew.h>
 #include <vtkRenderer.h>
 
-#include <GL/gl.h>
-
-#include <algorithm>
+#include <array>
 
 namespace keyblock {
 
@@ -22,10 +18,6 @@ namespace {
 
 constexpr double jointWidth = 1.0, seamWidth = 0.8, borderWidth = 1.2, wallWidth = 2.0, selectedWidth = 9.0;  // [px]
 constexpr double seamOpacity = 0.35;
-
-/// Lines are smoothed one by one, which costs nothing for what they do not touch; and as lines lie over all edges of
-/// fills, nothing else needs it. VTK offers this for whole pictures alone.
-void smoothLines(vtkObject*, unsigned long, void*, void*) { glEnable(GL_LINE_SMOOTH); }
 
 }  // namespace
 
@@ -37,15 +29,16 @@ struct SectionView::Layers {
           moved(to, LayerForm::Lines, 6), selected(to, LayerForm::Lines, 7), casings(to, LayerForm::Lines, 8),
           shanks(to, LayerForm::Lines, 9) {}
 
+    std::array<Layer*, 10> all() {
+        return {&openings, &blocks, &joints, &seams, &borders, &walls, &moved, &selected, &casings, &shanks};
+    }
+
     Layer openings, blocks, joints, seams, borders, walls, moved, selected, casings, shanks;
 };
 
 SectionView::SectionView(vtkRenderer& renderer) : renderer_(renderer), layers_(std::make_unique<Layers>(renderer)) {
     renderer_.GetActiveCamera()->ParallelProjectionOn();
     renderer_.TwoSidedLightingOff();
-    vtkNew<vtkCallbackCommand> smooth;
-    smooth->SetCallback(smoothLines);
-    renderer_.AddObserver("StartEvent", smooth);
 }
 
 SectionView::~SectionView() = default;
@@ -89,13 +82,10 @@ void SectionView::show(const SectionPicture& picture, const ViewColours& colours
 
 void SectionView::clear(const ViewColours& colours) {
     paint(colours, {});
-    Layers& on = *layers_;
-    for (Layer* layer : {&on.openings, &on.blocks, &on.joints, &on.seams, &on.borders, &on.walls, &on.moved,
-                         &on.selected, &on.casings, &on.shanks})
-        layer->show({});
+    for (Layer* layer : layers_->all()) layer->show({});
 }
 
-void SectionView::look(const Point& centre, double metresPerPixel, int height, const SectionPicture* picture) {
+void SectionView::look(const Point& centre, double metresPerPixel, const Point& size, const SectionPicture* picture) {
     if (picture && laidAt_ != metresPerPixel) {
         laidAt_ = metresPerPixel;
         laySized(*picture);
@@ -105,8 +95,9 @@ void SectionView::look(const Point& centre, double metresPerPixel, int height, c
     camera.SetFocalPoint(at.x(), at.y(), 0.0);
     camera.SetPosition(at.x(), at.y(), 10.0);
     camera.SetViewUp(0.0, 1.0, 0.0);
-    camera.SetParallelScale(0.5 * height * metresPerPixel);
+    camera.SetParallelScale(0.5 * size.y() * metresPerPixel);
     camera.SetClippingRange(1.0, 20.0);
+    for (Layer* layer : layers_->all()) layer->setView(1.0 / metresPerPixel, size.x(), size.y());
 }
 
 void SectionView::laySized(const SectionPicture& picture) {

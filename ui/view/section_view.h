@@ -30,9 +30,9 @@ public:
     /// Nothing but the ground.
     void clear(const ViewColours& colours);
 
-    /// Looks at `centre` [m] in the middle of a viewport `height` pixels of the device high, and lays what has its size
-    /// in pixels. \param picture what is shown, or null.
-    void look(const Point& centre, double metresPerPixel, int height, const SectionPicture* picture);
+    /// Looks at `centre` [m] in the middle of a viewport of `size` [px of the device], and lays what has its size in
+    /// pixels. \param picture what is shown, or null.
+    void look(const Point& centre, double metresPerPixel, const Point& size, const SectionPicture* picture);
 
     /// How often corners of blocks were joined anew: once as long as frames of one run follow one another.
     int joinings() const;

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/strokes.h"
+
+#include <vtkActor.h>
+#include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
+
+namespace keyblock {
+
+namespace {
+
+// A place on a line is told by how far it lies along it from its beginning and aside from it, in pixels.
+constexpr const char* cornerValues = R"(//VTK::PositionVC::Dec
+in vec4 strokeWay;
+out vec2 strokePlace;
+out float strokeLength;
+)";
+
+constexpr const char* cornerPlace = R"(//VTK::PositionVC::Impl
+  float wayLength = max(length(strokeWay.xy), 1e-9);
+  vec2 along = strokeWay.xy / wayLength;
+  vec2 aside = vec2(-along.y, along.x);
+  float reach = 0.5 * strokeWidth + 1.0;
+  strokeLength = wayLength * strokeScale;
+  strokePlace = vec2(strokeWay.w < 0.0 ? -reach : strokeLength + reach, strokeWay.z * reach);
+  gl_Position = MCDCMatrix * vec4(vertexMC.xy, strokeDepth, 1.0);
+  gl_Position.xy += 2.0 * reach * (strokeWay.w * along + strokeWay.z * aside) * strokePixel * gl_Position.w;
+)";
+
+constexpr const char* rimValues = R"(//VTK::PositionVC::Dec
+in vec2 strokePlace;
+in float strokeLength;
+)";
+
+constexpr const char* rim = R"(//VTK::Light::Impl
+  float beyond = max(max(-strokePlace.x, strokePlace.x - strokeLength), 0.0);
+  float covered = clamp(0.5 * strokeRim + 0.5 - length(vec2(beyond, strokePlace.y)), 0.0, 1.0);
+  if (covered <= 0.0) discard;
+  gl_FragData[0].a *= covered;
+)";
+
+}  // namespace
+
+void paintStrokes(vtkActor& actor, float depth) {
+    vtkShaderProperty& programs = *actor.GetShaderProperty();
+    programs.AddVertexShaderReplacement("//VTK::PositionVC::Dec", true, cornerValues, false);
+    programs.AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, cornerPlace, false);
+    programs.AddFragmentShaderReplacement("//VTK::PositionVC::Dec", true, rimValues, false);
+    programs.AddFragmentShaderReplacement("//VTK::Light::Impl", true, rim, false);
+    programs.GetVertexCustomUniforms()->SetUniformf("strokeDepth", depth);
+    setStrokes(actor, 1.0, 1.0, 1.0, 1.0);
+}
+
+void setStrokes(vtkActor& actor, double width, double pixelsPerMetre, double viewWidth, double viewHeight) {
+    vtkUniforms& corners = *actor.GetShaderProperty()->GetVertexCustomUniforms();
+    const float pixel[2]{static_cast<float>(1.0 / viewWidth), static_cast<float>(1.0 / viewHeight)};
+    corners.SetUniformf("strokeWidth", static_cast<float>(width));
+    corners.SetUniformf("strokeScale", static_cast<float>(pixelsPerMetre));
+    corners.SetUniform2f("strokePixel", pixel);
+    actor.GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf("strokeRim", static_cast<float>(width));
+}
+
+}  // namespace keyblock
