@@ -82,6 +82,19 @@ void Canvas::setSelectedBolts(const std::vector<int>& bolts) {
     sceneChanged();
 }
 
+void Canvas::setParts(const CanvasParts& parts) {
+    parts_ = parts;
+    sheet_->forget();
+    refresh();
+}
+
+void Canvas::setCulprit(const std::optional<Culprit>& culprit) {
+    if (culprit == culprit_) return;
+    culprit_ = culprit;
+    sheet_->forget();
+    refresh();
+}
+
 void Canvas::setHint(const QString& title, const QString& text) {
     hintTitle_ = title;
     hintText_ = text;

@@ -3,7 +3,7 @@
 #include "ui/canvas/canvas_sheet.h"
 
 #include "ui/canvas/canvas.h"
-#include "ui/canvas/scale_bar.h"
+#include "ui/canvas/section_ink.h"
 #include "ui/look/theme.h"
 
 #include <QPainter>
@@ -53,7 +53,11 @@ void CanvasSheet::paintHint(QPainter& painter) const {
 }
 
 void CanvasSheet::paintPicture(QPainter& painter) const {
-    paintScaleBar(painter, canvas_.themes_.current(), canvas_.map());
+    CanvasParts parts = canvas_.parts();
+    parts.legend = parts.legend && !canvas_.style_.drawing;
+    SectionInk(*canvas_.picture(), canvas_.map(), canvas_.themes_.current(), parts, canvas_.style_.selectedBolts,
+               canvas_.culprit_)
+        .paint(painter);
 }
 
 }  // namespace keyblock

@@ -16,7 +16,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double leastLength = 90.0, height = 36.0, inset = 12.0, padding = 9.0, thickness = 5.0;  // [px]
+constexpr double leastLength = 58.0, height = 36.0, inset = 12.0, padding = 9.0, thickness = 5.0;  // [px]
 
 QString label(double shown) { return QString::fromStdString(numberText(shown)); }
 

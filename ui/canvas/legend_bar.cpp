@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/legend_bar.h"
+
+#include "ui/canvas/call_out.h"
+#include "ui/canvas/view_theme.h"
+#include "ui/look/theme.h"
+#include "ui/picture/tick_labels.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLinearGradient>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double titleRow = 22.0, limitRow = 15.0, barHeight = 11.0, tickRow = 19.0, noteRow = 15.0, tip = 8.0;  // [px]
+constexpr int tickSize = 11, noteSize = 11;  // of the fonts [px]
+
+QString text(const char* source) { return QCoreApplication::translate("Legend", source); }
+QString qt(const std::string& word) { return QString::fromStdString(word); }
+double widthOf(const QString& word, int size) { return QFontMetricsF(screenFont(size)).horizontalAdvance(word); }
+
+/// What the values are now, with the sign convention on the same line where both fit.
+QStringList notesOf(const LegendBar& bar, double width) {
+    QStringList notes;
+    const int decimals = bar.ticks.decimals + 1;
+    if (bar.now)
+        notes << text("Now %1 – %2").arg(qt(numberText(bar.now->low, decimals)), qt(numberText(bar.now->high, decimals)));
+    if (const QString convention = qt(bar.convention); !convention.isEmpty()) {
+        const QString joined = notes.isEmpty() ? convention : notes.last() + " · " + convention;
+        if (!notes.isEmpty() && widthOf(joined, noteSize) <= width) notes.last() = joined;
+        else notes << convention;
+    }
+    return notes << text("Fixed over all frames");
+}
+
+/// With a triangle at ends beyond which there are values.
+QPolygonF outlineOf(const LegendBar& bar, const QPointF& at, double from, double to) {
+    QPolygonF outline;
+    outline << at + QPointF(from, 0.0) << at + QPointF(to, 0.0);
+    if (bar.goesAbove) outline << at + QPointF(to + tip, 0.5 * barHeight);
+    outline << at + QPointF(to, barHeight) << at + QPointF(from, barHeight);
+    if (bar.goesBelow) outline << at + QPointF(from - tip, 0.5 * barHeight);
+    return outline;
+}
+
+void fillBar(QPainter& painter, const Theme& theme, const LegendBar& bar, const QPointF& at, double from, double to) {
+    QLinearGradient gradient(at.x() + from, 0.0, at.x() + to, 0.0);
+    const ColourMap& map = bar.mapOn(theme.dark);
+    for (std::size_t i = 0; i < map.size(); ++i)
+        gradient.setColorAt(static_cast<double>(i) / static_cast<double>(map.size() - 1), qtColour(map[i]));
+    painter.setPen(QPen(theme.border, 1.0));
+    painter.setBrush(gradient);
+    painter.drawPolygon(outlineOf(bar, at, from, to).translated(0.5, 0.5));
+}
+
+/// Names above the bar; one that would touch the name before it is left to its tick.
+void paintLimits(QPainter& painter, const Theme& theme, const LegendBar& bar, const QPointF& at, double from, double to,
+                 double width) {
+    double free = 0.0;
+    painter.setFont(screenFont(tickSize));
+    for (const auto& [value, name] : bar.limits) {
+        const double place = from + (to - from) * bar.shareOf(value);
+        painter.fillRect(QRectF(std::round(at.x() + place) - 1.0, at.y() - 3.0, 2.0, barHeight + 3.0), theme.text);
+        const QString label = qt(name) + ' ' + qt(numberText(value)), number = qt(numberText(value));
+        for (const QString& shown : {label, number}) {
+            const double half = 0.5 * widthOf(shown, tickSize), middle = std::clamp(place, half, width - half);
+            if (middle - half < free) continue;
+            painter.setPen(theme.text2);
+            painter.drawText(QPointF(at.x() + middle - half, at.y() - 6.0), shown);
+            free = middle + half + 6.0;
+            break;
+        }
+    }
+}
+
+}  // namespace
+
+double legendBarHeight(const LegendBar& bar, double width) {
+    return titleRow + (bar.limits.empty() ? 0.0 : limitRow) + barHeight + tickRow +
+           noteRow * static_cast<double>(notesOf(bar, width).size());
+}
+
+void paintLegendBar(QPainter& painter, const Theme& theme, const LegendBar& bar, const QPointF& at, double width) {
+    const QFont bold = screenFont(12, true), plain = screenFont(11);
+    const QString unit = qt(bar.unit);
+    painter.setFont(plain);
+    painter.setPen(theme.text2);
+    painter.drawText(QRectF(at, QSizeF(width, 16.0)), Qt::AlignVCenter | Qt::AlignRight, unit);
+    painter.setFont(bold);
+    painter.setPen(theme.text);
+    const double room = width - widthOf(unit, 11) - 8.0;
+    painter.drawText(QRectF(at, QSizeF(width, 16.0)), Qt::AlignVCenter,
+                     QFontMetricsF(bold).elidedText(qt(bar.title), Qt::ElideRight, room));
+    const QPointF top(std::round(at.x()), std::round(at.y() + titleRow + (bar.limits.empty() ? 0.0 : limitRow)));
+    const double from = bar.goesBelow ? tip : 0.0, to = width - (bar.goesAbove ? tip : 0.0);
+    fillBar(painter, theme, bar, top, from, to);
+    paintLimits(painter, theme, bar, top, from, to, width);
+    painter.setFont(screenFont(tickSize));
+    const auto labelWidth = [](const std::string& label) { return widthOf(qt(label), tickSize); };
+    for (const TickLabel& tick : tickLabels(bar, {from, to, width, 4.0, labelWidth})) {
+        painter.fillRect(QRectF(std::round(top.x() + tick.place), top.y() + barHeight, 1.0, 3.0), theme.text3);
+        painter.setPen(theme.text2);
+        painter.drawText(QPointF(top.x() + tick.middle - 0.5 * labelWidth(tick.text), top.y() + barHeight + 14.0),
+                         qt(tick.text));
+    }
+    painter.setFont(screenFont(noteSize));
+    QRectF row(top + QPointF(0.0, barHeight + tickRow), QSizeF(width, noteRow));
+    for (const QString& note : notesOf(bar, width)) {
+        painter.drawText(row, Qt::AlignVCenter,
+                         QFontMetricsF(painter.font()).elidedText(note, Qt::ElideRight, width));
+        row.translate(0.0, noteRow);
+    }
+}
+
+}  // namespace keyblock

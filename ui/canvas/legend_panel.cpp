@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/legend_panel.h"
+
+#include "ui/canvas/call_out.h"
+#include "ui/canvas/legend_bar.h"
+#include "ui/canvas/legend_key.h"
+#include "ui/look/theme.h"
+#include "ui/picture/ticks.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+
+#include <functional>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double width = 230.0, inset = 10.0, padding = 13.0;  // [px]
+constexpr double leastCanvas = 480.0;  // below it the legend would hide the section [px]
+
+struct Item {
+    double height = 0.0;  // [px]
+    std::function<void(QPainter&, const QPointF&)> paint;
+};
+
+QString deformationText(double factor) {
+    const auto text = [](const char* source) { return QCoreApplication::translate("Legend", source); };
+    if (factor == 1.0) return text("Deformation drawn true to scale");
+    return text("Deformation drawn ×%1").arg(QString::fromStdString(numberText(factor)));
+}
+
+std::vector<Item> itemsOf(const Theme& theme, const LegendContent& content) {
+    const double inner = width - 2.0 * padding;
+    std::vector<Item> items;
+    for (const auto* bar : {&content.picture.blockLegend, &content.picture.boltLegend})
+        if (*bar)
+            items.push_back({legendBarHeight(**bar, inner), [&theme, bar, inner](QPainter& painter, const QPointF& at) {
+                                 paintLegendBar(painter, theme, **bar, at, inner);
+                             }});
+    if (items.empty()) return items;
+    if (const double height = legendKeyHeight(content.kinds, content.culprit); height > 0.0)
+        items.push_back({height, [&theme, &content](QPainter& painter, const QPointF& at) {
+                             paintLegendKey(painter, theme, content.kinds, content.culprit, at);
+                         }});
+    items.push_back({16.0, [&theme, &content, inner](QPainter& painter, const QPointF& at) {
+                         painter.setFont(screenFont(11));
+                         painter.setPen(theme.text2);
+                         painter.drawText(QRectF(at, QSizeF(inner, 16.0)), Qt::AlignVCenter,
+                                          deformationText(content.picture.factor));
+                     }});
+    return items;
+}
+
+constexpr double between = 20.0, above = 9.0, below = 7.0;  // two items, and at the ends [px]
+
+double heightOf(const std::vector<Item>& items) {
+    double height = above + below - between;
+    for (const Item& item : items) height += item.height + between;
+    return height;
+}
+
+}  // namespace
+
+QRectF paintLegend(QPainter& painter, const Theme& theme, const LegendContent& content, const QSizeF& canvas) {
+    if (canvas.width() < leastCanvas) return {};
+    std::vector<Item> items = itemsOf(theme, content);
+    while (!items.empty() && heightOf(items) > canvas.height() - 2.0 * inset) items.pop_back();
+    if (items.empty()) return {};
+    const QRectF panel(canvas.width() - inset - width, inset, width, heightOf(items));
+    paintPanel(painter, theme, panel);
+    QPointF at(panel.left() + padding, panel.top() + above);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        items[i].paint(painter, at);
+        at.ry() += items[i].height + between;
+        if (i + 1 == items.size()) break;
+        painter.fillRect(QRectF(panel.left() + 1.0, std::round(at.y() - 0.55 * between), width - 2.0, 1.0),
+                         theme.separator);
+    }
+    return panel;
+}
+
+}  // namespace keyblock

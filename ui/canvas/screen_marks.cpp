@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/screen_marks.h"
+
+#include "ui/canvas/view_theme.h"
+#include "ui/figure/mark_ink.h"
+#include "ui/figure/paper.h"
+#include "ui/look/theme.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+
+namespace keyblock {
+
+MarkTheme screenMarks(const Theme& theme) {
+    MarkTheme marks;
+    marks.colours.ink = colourOf(theme.markInk);
+    marks.colours.casing = marks.colours.hollow = colourOf(theme.markCasing);
+    marks.colours.soft = colourOf(theme.text2);
+    marks.colours.slipping = colourOf(theme.slipping);
+    marks.colours.rim = colourOf(theme.dark ? theme.markCasing : theme.markInk);
+    marks.colours.error = colourOf(theme.error);
+    marks.colours.yielded = colourOf(theme.yielded);
+    marks.sizes = screenMarkSizes;
+    return marks;
+}
+
+void paintMark(QPainter& painter, MarkKind kind, const QPointF& at, const QPointF& along, bool small,
+               const MarkTheme& theme) {
+    painter.save();
+    painter.translate(at);
+    painter.scale(1.0 / unitsPerMm, 1.0 / unitsPerMm);  // a millimetre of the ink is a pixel here
+    Ink ink(painter);
+    drawMark(ink, kind, {0.0, 0.0}, {along.x(), along.y()}, small, theme);
+    painter.restore();
+}
+
+QString markName(MarkKind kind) {
+    const auto text = [](const char* source) { return QCoreApplication::translate("Marks", source); };
+    switch (kind) {
+        case MarkKind::Bonded: return text("Real, bonded");
+        case MarkKind::Artificial: return text("Artificial");
+        case MarkKind::InGap: return text("Artificial, gap");
+        case MarkKind::Slipping: return text("Slipping");
+        case MarkKind::Gone: return text("Gone");
+        case MarkKind::Yielded: return text("Steel yielded");
+        case MarkKind::Ruptured: return text("Ruptured");
+        case MarkKind::Plate: return text("Face plate");
+        case MarkKind::PlateLost: return text("Plate lost");
+    }
+    return {};
+}
+
+}  // namespace keyblock

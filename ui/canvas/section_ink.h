@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a picture of a section has above the card: marks and names of bolts, the
+// ribbon, call-outs, legend and scale bar. What explains takes its room first, then
+// names, then call-outs where they cover nothing.
+#pragma once
+
+#include "ui/canvas/call_out.h"
+#include "ui/canvas/canvas_map.h"
+#include "ui/canvas/canvas_parts.h"
+#include "ui/picture/placement.h"
+#include "ui/picture/ribbon_shape.h"
+#include "ui/picture/section.h"
+
+#include <QRectF>
+
+#include <vector>
+
+class QPainter;
+
+namespace keyblock {
+
+struct Theme;
+
+class SectionInk {
+public:
+    /// All must outlive it. `selected` are rows of the scene's bolts.
+    SectionInk(const SectionPicture& picture, const CanvasMap& map, const Theme& theme, const CanvasParts& parts,
+               const std::vector<int>& selected, const std::optional<Culprit>& culprit);
+
+    void paint(QPainter& painter);
+
+private:
+    Point onSheet(const Point& place) const;
+    QPolygonF onSheet(const std::vector<Point>& places) const;
+    std::vector<Point> sheetPoints(const std::vector<Point>& places) const;
+    void chooseMarks();
+    void keepOffBolts();
+    void paintMoved(QPainter& painter) const;
+    void paintCulprit(QPainter& painter) const;
+    void paintBroken(QPainter& painter) const;
+    void paintMarks(QPainter& painter) const;
+    void paintNames(QPainter& painter);
+    void paintName(QPainter& painter, const BoltShape& bolt, const QString& name, const QRectF& box) const;
+    void paintRibbon(QPainter& painter);
+    void callOutRibbon(const RibbonShape& shape);
+    void callOutMoved();
+    void callOutEvents();
+    void paintCallOuts(QPainter& painter);
+    void explain(QPainter& painter);
+    bool isSelected(const BoltShape& bolt) const;
+    bool isSeen(const Point& place) const;
+    Point footWithin(const std::vector<Point>& outline) const;
+
+    const SectionPicture& picture_;
+    const CanvasMap& map_;
+    const Theme& theme_;
+    const CanvasParts& parts_;
+    const std::vector<int>& selected_;
+    const std::optional<Culprit>& culprit_;
+    std::vector<double> spacing_;  // of each bolt [px]
+    std::vector<std::vector<Mark>> marks_;  // of each bolt, thinned
+    std::vector<const BlockShape*> moved_;
+    std::vector<CallOut> callOuts_;  // the first has the first choice
+    Placement placement_;
+};
+
+}  // namespace keyblock
