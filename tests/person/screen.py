@@ -4,7 +4,7 @@
 # A person at a screen of her own: a server without a display shows the program
 # under a window manager, widgets are found by the names that screen readers say,
 # and mouse and keys are real events. Debian: xvfb openbox xdotool at-spi2-core
-# python3-pyatspi imagemagick dbus; run by /usr/bin/python3 in dbus-run-session.
+# python3-pyatspi imagemagick dbus wmctrl; the Python is Debian's, /usr/bin/python3.
 import os
 import shutil
 import subprocess
@@ -28,9 +28,21 @@ def wait(condition, seconds=20, step=0.05):
     return None
 
 
+def in_own_session():
+    """First line of a script: goes on in a session bus and a home folder of its own, shared with nobody."""
+    if os.environ.get("KEYBLOCK_PERSON"):
+        return
+    home = tempfile.mkdtemp(prefix="keyblock-person-")
+    os.environ.update(KEYBLOCK_PERSON=home, HOME=home, XDG_RUNTIME_DIR=home, LC_ALL="C.UTF-8")
+    for name in ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"):
+        os.environ.pop(name, None)
+    sys.stdout.flush()
+    os.execvp("dbus-run-session", ["dbus-run-session", "--", "/usr/bin/python3", *sys.argv])
+
+
 class Screen:
-    def __init__(self, program, arguments=(), pictures=None, size="1600x1000", scale="1", home=None):
-        self.home = home or tempfile.mkdtemp(prefix="keyblock-person-")
+    def __init__(self, program, arguments=(), pictures=None, size="1600x1000", scale="1"):
+        self.home = os.environ["KEYBLOCK_PERSON"]
         self.pictures = pictures
         self.clicks = self.shots = 0
         os.makedirs(pictures, exist_ok=True)
@@ -38,24 +50,38 @@ class Screen:
             ["Xvfb", "-displayfd", "1", "-screen", "0", size + "x24", "-nolisten", "tcp"],
             stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         display = ":" + self.server.stdout.readline().decode().strip()
-        os.chmod(self.home, 0o700)
-        os.environ.update(DISPLAY=display, HOME=self.home, XDG_RUNTIME_DIR=self.home, QT_SCALE_FACTOR=scale,
-                          QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", QT_ACCESSIBILITY="1", LC_ALL="C.UTF-8")
-        for name in ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"):
-            os.environ.pop(name, None)
+        os.environ.update(DISPLAY=display, QT_SCALE_FACTOR=scale, QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1",
+                          QT_ACCESSIBILITY="1")
         self.manager = subprocess.Popen(["openbox"], stderr=subprocess.DEVNULL)
         self.log = open(os.path.join(self.home, "log"), "w")
-        self.program = subprocess.Popen([program, *arguments], stdout=self.log, stderr=self.log)
-        import pyatspi  # only once the bus has a display
+        # The bus of screen readers has to be there before the program looks for it.
+        self._run("dbus-send", "--session", "--print-reply", "--dest=org.a11y.Bus", "/org/a11y/bus",
+                  "org.a11y.Bus.GetAddress")
+        # Qt misses the bus at times when it starts; then it never tells its names, and is started again.
+        for _ in range(20):
+            self.program = subprocess.Popen([program, *arguments], stdout=self.log, stderr=self.log)
+            self.window = wait(self._window, 30) or self._fail("the window is not on the screen")
+            if wait(self._is_told, 4, 0.5):
+                break
+            self.program.kill()
+            self.program.wait()
+            for folder in (".local", ".config", ".cache/keyblock"):  # nobody has been here yet
+                shutil.rmtree(os.path.join(self.home, folder), ignore_errors=True)
+        import pyatspi
         self.spi = pyatspi
         self.root = wait(self._application) or self._fail("the program is not on the screen")
-        self.window = wait(self._window, 20) or self._fail("the window is not on the screen")
+        self.root.set_cache_mask(self.spi.Atspi.Cache.NONE if hasattr(self.spi, "Atspi") else 0)
         self.pause(1)
         self.raise_window()
 
     def _fail(self, text):
         self.close()
         raise Gone(text)
+
+    def _is_told(self):
+        """Whether the program has told its names: asked by somebody else, as who looks too early never sees it."""
+        count = "import pyatspi; print(pyatspi.Registry.getDesktop(0).childCount)"
+        return self._run("/usr/bin/python3", "-c", count) not in ("", "0")
 
     def _application(self):
         desktop = self.spi.Registry.getDesktop(0)
