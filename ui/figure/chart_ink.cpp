@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figure/chart_ink.h"
 
+#include "solver/results/reference_table.h"
 #include "ui/figure/application.h"
 #include "ui/figure/paper.h"
 
@@ -16,7 +17,6 @@ namespace {
 
 using namespace paper_theme;
 
-constexpr double panelGap = 3.2, rightRoom = 17.0;  // [mm]
 constexpr double keySample = 6.0, keyGap = 3.0, keyRow = 2.8;  // [mm]
 constexpr std::size_t mostMarks = 60;  // of a reference: more points are a line alone
 
@@ -63,20 +63,25 @@ protected:
     QRect clipRect() const override { return this->parentPlot()->viewport(); }
 };
 
-Colour colourOf(CurveStyle style) {
+Colour colourOf(const ChartTheme& theme, CurveStyle style) {
     switch (style) {
         case CurveStyle::Main:
-        case CurveStyle::Stems: return paper_theme::ribbon;
-        case CurveStyle::Second: return rgb(0xB63100);
-        case CurveStyle::Third: return rgb(0x1B7F55);
-        case CurveStyle::Fourth: return rgb(0x4A5260);
-        case CurveStyle::Reference: return rgb(0x111111);
-        case CurveStyle::SecondReference: return rgb(0x8A5A00);
-        case CurveStyle::ThirdReference: return rgb(0x7A2E7A);
-        case CurveStyle::FourthReference: return rgb(0x2B6E8F);
+        case CurveStyle::Stems: return theme.main;
+        case CurveStyle::Second: return theme.second;
+        case CurveStyle::Third: return theme.third;
+        case CurveStyle::Fourth: return theme.fourth;
+        case CurveStyle::Reference: return theme.references[0];
+        case CurveStyle::SecondReference: return theme.references[1];
+        case CurveStyle::ThirdReference: return theme.references[2];
+        case CurveStyle::FourthReference: return theme.references[3];
         case CurveStyle::Envelope: break;
     }
-    return rgb(0x8A93A0);
+    return theme.envelope;
+}
+
+TextStyle inked(TextStyle style, const Colour& colour) {
+    style.colour = colour;
+    return style;
 }
 
 /// In widths of the line; empty: solid.
@@ -93,41 +98,43 @@ std::vector<double> dashesOf(CurveStyle style) {
 constexpr double referenceLine = 0.25;  // [mm]
 
 /// Each reference has a mark of its own.
-void drawMark(Ink& ink, CurveStyle style, const Point& at) {
+void drawMark(Ink& ink, const ChartTheme& theme, CurveStyle style, const Point& at) {
     const double r = 0.65;
-    const Stroke line{0.17, colourOf(style)};
+    const Stroke line{0.17, colourOf(theme, style)};
     const auto outline = [&](std::vector<Point> points) {
         for (Point& point : points) point = at + r * point;
-        ink.polygon(points, white, line);
+        ink.polygon(points, theme.ground, line);
     };
     switch (style) {
         case CurveStyle::SecondReference: return outline({{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}});
         case CurveStyle::ThirdReference: return outline({{0.0, -1.1}, {1.0, 0.8}, {-1.0, 0.8}});
         case CurveStyle::FourthReference: return outline({{0.0, -1.2}, {1.2, 0.0}, {0.0, 1.2}, {-1.2, 0.0}});
-        default: ink.circle(at, r, white, line);
+        default: ink.circle(at, r, theme.ground, line);
     }
 }
 
-QPen penOf(CurveStyle style) {
+QPen penOf(const ChartTheme& theme, CurveStyle style) {
+    const Colour colour = colourOf(theme, style);
     if (isReference(style)) {
         const std::vector<double> dashes = dashesOf(style);
-        return pen(referenceLine, colourOf(style), QVector<qreal>(dashes.begin(), dashes.end()));
+        return pen(referenceLine, colour, QVector<qreal>(dashes.begin(), dashes.end()));
     }
     switch (style) {
-        case CurveStyle::Envelope: return pen(0.17, colourOf(style), {5.0, 3.0});
-        case CurveStyle::Stems: return pen(0.3, colourOf(style));
-        case CurveStyle::Third: return pen(0.3, colourOf(style), {6.0, 2.5});
-        case CurveStyle::Fourth: return pen(0.3, colourOf(style), {1.5, 2.5});
-        default: return pen(0.3, colourOf(style));
+        case CurveStyle::Envelope: return pen(0.17, colour, {5.0, 3.0});
+        case CurveStyle::Stems: return pen(0.3, colour);
+        case CurveStyle::Third: return pen(0.3, colour, {6.0, 2.5});
+        case CurveStyle::Fourth: return pen(0.3, colour, {1.5, 2.5});
+        default: return pen(0.3, colour);
     }
 }
 
 class ChartPainter {
 public:
-    ChartPainter(const Chart& chart, double width) : chart_(chart), keyRoom_(width - 16.0) {
+    ChartPainter(const Chart& chart, double width, const ChartTheme& theme, const ChartLayout& layout)
+        : chart_(chart), theme_(theme), layout_(layout), keyRoom_(width - 16.0) {
         plot_.plotLayout()->clear();
         plot_.setBackground(Qt::NoBrush);
-        plot_.plotLayout()->setRowSpacing(units(panelGap));
+        plot_.plotLayout()->setRowSpacing(units(layout.panelGap));
         auto* group = new QCPMarginGroup(&plot_);
         for (std::size_t i = 0; i < chart.panels.size(); ++i) addPanel(i, group);
     }
@@ -152,21 +159,21 @@ public:
 
 private:
     void styleAxis(QCPAxis* axis, bool labels) const {
-        axis->setBasePen(pen(0.15, paper_theme::axis));
-        axis->setTickPen(pen(0.15, paper_theme::axis));
+        axis->setBasePen(pen(0.15, theme_.axis));
+        axis->setTickPen(pen(0.15, theme_.axis));
         axis->setSubTicks(false);
         axis->setTickLengthIn(0);
         axis->setTickLengthOut(labels ? units(0.7) : 0);
         axis->setTickLabels(labels);
         axis->setTickLabelFont(fontOf(text_style::tick));
-        axis->setTickLabelColor(qt(softText));
+        axis->setTickLabelColor(qt(theme_.softText));
         axis->setTickLabelPadding(units(0.6));
         axis->setLabelFont(fontOf(text_style::body));
-        axis->setLabelColor(qt(black));
+        axis->setLabelColor(qt(theme_.text));
         axis->setLabelPadding(units(0.7));
         axis->setPadding(0);
-        axis->grid()->setPen(pen(0.13, paper_theme::grid));
-        axis->grid()->setZeroLinePen(pen(0.15, paper_theme::axis));
+        axis->grid()->setPen(pen(0.13, theme_.grid));
+        axis->grid()->setZeroLinePen(pen(0.15, theme_.axis));
     }
 
     void addPanel(std::size_t index, QCPMarginGroup* group) {
@@ -177,8 +184,9 @@ private:
         rect->addAxis(QCPAxis::atLeft);
         plot_.plotLayout()->addElement(static_cast<int>(index), 0, rect);
         rect->setMarginGroup(QCP::msLeft | QCP::msRight, group);
-        const double above = (index == 0 ? 2.6 : 1.2) + keyRow * keyRowsOf(panel), below = last ? 2.0 : 0.6;
-        rect->setMinimumMargins(QMargins(units(9.0), units(above), units(rightRoom), units(below)));
+        const double title = layout_.titlesBeside ? 0.0 : 1.4;
+        const double above = (index == 0 ? 1.2 + title : 1.2) + keyRow * keyRowsOf(panel), below = last ? 2.0 : 0.6;
+        rect->setMinimumMargins(QMargins(units(layout_.leftRoom), units(above), units(layout_.rightRoom), units(below)));
         rects_.push_back(rect);
         QCPAxis* x = rect->axis(QCPAxis::atBottom);
         QCPAxis* y = rect->axis(QCPAxis::atLeft);
@@ -186,12 +194,12 @@ private:
         styleAxis(y, true);
         x->grid()->setVisible(false);
         x->setTicker(QSharedPointer<QCPAxisTicker>(new RoundTicker(8)));
-        y->setTicker(QSharedPointer<QCPAxisTicker>(new RoundTicker(mostPanelTicks)));
+        y->setTicker(QSharedPointer<QCPAxisTicker>(new RoundTicker(layout_.mostTicks)));
         x->setRange(chart_.x.low, chart_.x.high);
         y->setRange(panel.range.low, panel.range.high);
         if (last) x->setLabel(QString::fromStdString(elided(chart_.xTitle, text_style::body, keyRoom_ - 10.0, true)));
-        for (const double place : chart_.dividers) addVertical(x, y, place, pen(0.17, softText, {1.0, 2.0}));
-        for (const double place : chart_.events) addVertical(x, y, place, pen(0.1, rgb(0xC9A3A6)));
+        for (const double place : chart_.dividers) addVertical(x, y, place, pen(0.17, theme_.softText, {1.0, 2.0}));
+        for (const double place : chart_.events) addVertical(x, y, place, pen(0.1, theme_.event));
         for (const ChartLimit& limit : panel.limits) addLimit(x, y, limit);
         for (const ChartCurve& curve : panel.curves) addCurve(x, y, curve);
     }
@@ -207,7 +215,7 @@ private:
     }
 
     void addLimit(QCPAxis* x, QCPAxis* y, const ChartLimit& limit) {
-        const QPen line = limit.ultimate ? pen(0.2, error, {6.0, 3.0}) : pen(0.2, softText, {1.5, 2.5});
+        const QPen line = limit.ultimate ? pen(0.2, theme_.limit, {6.0, 3.0}) : pen(0.2, theme_.softText, {1.5, 2.5});
         if (limit.x.empty()) addLine(x, y, {x->range().lower, x->range().upper}, {limit.value, limit.value}, line);
         else
             addLine(x, y, QVector<double>(limit.x.begin(), limit.x.end()),
@@ -217,17 +225,17 @@ private:
     void addCurve(QCPAxis* x, QCPAxis* y, const ChartCurve& curve) {
         if (curve.style == CurveStyle::Stems) {
             for (std::size_t i = 0; i < curve.x.size(); ++i)
-                addLine(x, y, {curve.x[i], curve.x[i]}, {0.0, curve.y[i]}, penOf(curve.style));
+                addLine(x, y, {curve.x[i], curve.x[i]}, {0.0, curve.y[i]}, penOf(theme_, curve.style));
             auto* dots = new Unclipped<QCPGraph>(x, y);
             dots->setData(QVector<double>(curve.x.begin(), curve.x.end()),
                           QVector<double>(curve.y.begin(), curve.y.end()));
             dots->setLineStyle(QCPGraph::lsNone);
             dots->setScatterStyle(
-                QCPScatterStyle(QCPScatterStyle::ssDisc, qt(colourOf(curve.style)), units(0.9)));
+                QCPScatterStyle(QCPScatterStyle::ssDisc, qt(colourOf(theme_, curve.style)), units(0.9)));
             return;
         }
         addLine(x, y, QVector<double>(curve.x.begin(), curve.x.end()), QVector<double>(curve.y.begin(), curve.y.end()),
-                penOf(curve.style));
+                penOf(theme_, curve.style));
     }
 
     void drawZones(QCPPainter& painter) const {
@@ -235,7 +243,7 @@ private:
             for (const QCPAxisRect* rect : rects_) {
                 const QCPAxis* x = const_cast<QCPAxisRect*>(rect)->axis(QCPAxis::atBottom);
                 const double left = x->coordToPixel(zone.from), right = x->coordToPixel(zone.to);
-                painter.fillRect(QRectF(left, rect->top(), right - left, rect->height()), qt(slipping, 0.11));
+                painter.fillRect(QRectF(left, rect->top(), right - left, rect->height()), qt(theme_.zone, 0.11));
             }
     }
 
@@ -274,12 +282,13 @@ private:
                            rects_[index]->top() / unitsPerMm - 0.9 - keyRow * (keyRowsOf(panel) - 1));
         for (const KeyEntry& entry : keyOf(panel)) {
             const Point at = corner + Point(entry.x, keyRow * entry.row);
-            Stroke line{referenceLine, colourOf(entry.curve->style), dashesOf(entry.curve->style)};
+            Stroke line{referenceLine, colourOf(theme_, entry.curve->style), dashesOf(entry.curve->style)};
             for (double& dash : line.dashes) dash *= referenceLine;
             ink.line(at + Point(0.0, -0.7), at + Point(keySample, -0.7), line);
             if (entry.curve->x.size() <= mostMarks)
-                drawMark(ink, entry.curve->style, at + Point(0.5 * keySample, -0.7));
-            ink.text(at + Point(keySample + 1.0, 0.0), entry.name, text_style::tick);
+                drawMark(ink, theme_, entry.curve->style, at + Point(0.5 * keySample, -0.7));
+            ink.text(at + Point(keySample + 1.0, 0.0), entry.name,
+                     inked(text_style::tick, theme_.text));
         }
     }
 
@@ -289,19 +298,33 @@ private:
         for (const ChartCurve& curve : chart_.panels[index].curves) {
             if (!isReference(curve.style) || curve.x.size() > mostMarks) continue;
             for (std::size_t i = 0; i < curve.x.size(); ++i)
-                drawMark(ink, curve.style,
+                drawMark(ink, theme_, curve.style,
                          {x->coordToPixel(curve.x[i]) / unitsPerMm, y->coordToPixel(curve.y[i]) / unitsPerMm});
         }
     }
 
-    /// The panel's title above it, and names at the right ends of limits and curves, pushed apart where they meet.
+    void nameAbove(Ink& ink, const ChartPanel& panel, const QCPAxisRect& rect) const {
+        const Point at(rect.left() / unitsPerMm, rect.top() / unitsPerMm - 0.9 - keyRow * keyRowsOf(panel));
+        ink.text(at, panel.title, inked(text_style::number, theme_.text));
+        ink.text(at + Point(textWidth(panel.title, text_style::number) + 2.0, 0.0), panel.note,
+                 inked(text_style::note, theme_.softText));
+    }
+
+    void nameBeside(Ink& ink, const ChartPanel& panel, const QCPAxisRect& rect) const {
+        const Point at(rect.left() / unitsPerMm - 7.5, (rect.top() + 0.5 * rect.height()) / unitsPerMm);
+        const Title parted = partedTitle(panel.title);
+        ink.text(at, elided(parted.name, text_style::number, layout_.leftRoom - 8.0),
+                 inked(text_style::number, theme_.text), Align::Right);
+        ink.text(at + Point(0.0, 2.6), parted.unit, inked(text_style::note, theme_.softText), Align::Right);
+    }
+
+    /// The panel's title, and names at the right ends of limits and curves, pushed apart where they meet.
     void nameEnds(Ink& ink, std::size_t index) const {
         const ChartPanel& panel = chart_.panels[index];
         QCPAxisRect* rect = rects_[index];
         const QCPAxis* y = rect->axis(QCPAxis::atLeft);
-        const Point at(rect->left() / unitsPerMm, rect->top() / unitsPerMm - 0.9 - keyRow * keyRowsOf(panel));
-        ink.text(at, panel.title, text_style::number);
-        ink.text(at + Point(textWidth(panel.title, text_style::number) + 2.0, 0.0), panel.note, text_style::note);
+        if (layout_.titlesBeside) nameBeside(ink, panel, *rect);
+        else nameAbove(ink, panel, *rect);
         struct End {
             double y;
             std::string name;
@@ -310,11 +333,12 @@ private:
         std::vector<End> ends;
         for (const ChartLimit& limit : panel.limits)
             if (!limit.name.empty())
-                ends.push_back(
-                    {y->coordToPixel(limit.value) / unitsPerMm, limit.name, limit.ultimate ? error : softText});
+                ends.push_back({y->coordToPixel(limit.value) / unitsPerMm, limit.name,
+                                limit.ultimate ? theme_.limit : theme_.softText});
         for (const ChartCurve& curve : panel.curves)
             if (!curve.name.empty() && !curve.y.empty() && !isReference(curve.style))
-                ends.push_back({y->coordToPixel(curve.y.back()) / unitsPerMm, curve.name, colourOf(curve.style)});
+                ends.push_back(
+                    {y->coordToPixel(curve.y.back()) / unitsPerMm, curve.name, colourOf(theme_, curve.style)});
         std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.y < b.y; });
         const double row = 2.5, bottom = (rect->top() + rect->height()) / unitsPerMm;
         double free = rect->top() / unitsPerMm;
@@ -324,7 +348,7 @@ private:
             TextStyle style = text_style::tick;
             style.colour = end.colour;
             ink.text({(rect->left() + rect->width()) / unitsPerMm + 1.0, place + 0.7},
-                     elided(end.name, style, rightRoom - 1.5, true), style);
+                     elided(end.name, style, layout_.rightRoom - 1.5, true), style);
             free = place + row;
             rest -= row;
         }
@@ -332,12 +356,19 @@ private:
 
     ChartPlace placeIn(const Box& box) const {
         const QCPAxisRect *first = rects_.front(), *last = rects_.back();
-        return {box.min.x() + first->left() / unitsPerMm,
-                box.min.x() + (first->left() + first->width()) / unitsPerMm, box.min.y() + first->top() / unitsPerMm,
-                box.min.y() + (last->top() + last->height()) / unitsPerMm};
+        ChartPlace place{box.min.x() + first->left() / unitsPerMm,
+                         box.min.x() + (first->left() + first->width()) / unitsPerMm,
+                         box.min.y() + first->top() / unitsPerMm,
+                         box.min.y() + (last->top() + last->height()) / unitsPerMm};
+        for (const QCPAxisRect* rect : rects_)
+            place.panels.push_back({box.min.y() + rect->top() / unitsPerMm,
+                                    box.min.y() + (rect->top() + rect->height()) / unitsPerMm});
+        return place;
     }
 
     const Chart& chart_;
+    const ChartTheme& theme_;
+    const ChartLayout& layout_;
     double keyRoom_;  // [mm]
     QCustomPlot plot_;
     std::vector<QCPAxisRect*> rects_;
@@ -345,9 +376,18 @@ private:
 
 }  // namespace
 
-ChartPlace drawChart(QCPPainter& painter, const Chart& chart, const Box& box) {
+const ChartTheme& paperChartTheme() {
+    static const ChartTheme theme{white, black, softText, paper_theme::axis, paper_theme::grid,
+                                  paper_theme::ribbon, rgb(0xB63100), rgb(0x1B7F55), rgb(0x4A5260), rgb(0x8A93A0),
+                                  {rgb(0x111111), rgb(0x8A5A00), rgb(0x7A2E7A), rgb(0x2B6E8F)},
+                                  error, rgb(0xC9A3A6), slipping};
+    return theme;
+}
+
+ChartPlace drawChart(QCPPainter& painter, const Chart& chart, const Box& box, const ChartTheme& theme,
+                     const ChartLayout& layout) {
     needApplication();
-    return ChartPainter(chart, box.max.x() - box.min.x()).draw(painter, box);
+    return ChartPainter(chart, box.max.x() - box.min.x(), theme, layout).draw(painter, box);
 }
 
 }  // namespace keyblock

@@ -1,23 +1,52 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Charts on paper by QCustomPlot, which lays out axes and draws curves; names at
-// the ends of curves and limits are put there by us, where they cover nothing.
+// Charts by QCustomPlot, which lays out axes and draws curves; names at the ends of
+// curves and limits are put there by us, where they cover nothing. Paper and screen
+// draw the same charts in the colours of a theme.
 #pragma once
 
 #include "ui/figure/ink.h"
 #include "ui/picture/chart.h"
 
+#include <array>
+#include <vector>
+
 class QCPPainter;
 
 namespace keyblock {
 
+/// What a chart is drawn in. The ground is whoever's who paints it.
+struct ChartTheme {
+    Colour ground, text, softText, axis, grid;
+    Colour main, second, third, fourth, envelope;
+    std::array<Colour, 4> references;
+    Colour limit;  // ultimate ones
+    Colour event;  // faint lines
+    Colour zone;  // tint
+};
+
+/// Room round the panels [mm].
+struct ChartLayout {
+    double leftRoom = 9.0, rightRoom = 17.0, panelGap = 3.2;
+    bool titlesBeside = false;  // titles left of the panels, units below them; else above
+    int mostTicks = mostPanelTicks;  // of a panel
+};
+
+/// White, black ink.
+const ChartTheme& paperChartTheme();
+
 /// Where the curves are: the abscissas' range from left to right, and the panels from top to bottom [mm].
 struct ChartPlace {
+    struct Panel {
+        double top = 0.0, bottom = 0.0;
+    };
     double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
+    std::vector<Panel> panels{};
 };
 
 /// Draws the chart into the box [mm].
-ChartPlace drawChart(QCPPainter& painter, const Chart& chart, const Box& box);
+ChartPlace drawChart(QCPPainter& painter, const Chart& chart, const Box& box,
+                     const ChartTheme& theme = paperChartTheme(), const ChartLayout& layout = {});
 
 }  // namespace keyblock

@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <string_view>
 
 namespace keyblock {
 
@@ -116,10 +114,37 @@ void addBondLimits(const BoltFrame& bolt, double factor, ChartPanel& panel) {
     addSteps(bolt, residuals, {"residual", 0.0, false}, panel);
 }
 
+}  // namespace
+
+void BoltReach::add(const Frame& frame) {
+    const BoltFrame& bolt = frame.bolts[static_cast<std::size_t>(bolt_)];
+    if (bolt.nodes.size() < 2) return;
+    for (const NodeQuantity& quantity : boltQuantities()) {
+        ValueRange& reached = reached_[quantity.column];
+        const ValueRange reach = reachOf(bolt, quantity);
+        reached = {std::min(reached.low, reach.low), std::max(reached.high, reach.high)};
+        double& most = largest_[quantity.column];
+        most = std::max(most, keyblock::largest(bolt, quantity));
+    }
+    largestForce_ = std::max(largestForce_, keyblock::largest(bolt, *findQuantity(boltQuantities(), "axial_force")));
+}
+
+ValueRange BoltReach::reached(std::string_view column) const {
+    const auto found = reached_.find(column);
+    return found == reached_.end() ? ValueRange{} : found->second;
+}
+
+double BoltReach::largest(std::string_view column) const {
+    const auto found = largest_.find(column);
+    return found == largest_.end() ? 0.0 : found->second;
+}
+
+namespace {
+
 class BoltChartBuilder {
 public:
-    BoltChartBuilder(const RunSource& run, std::size_t index, int bolt)
-        : run_(run), index_(index), bolt_(bolt), frame_(run.frame(index)) {}
+    BoltChartBuilder(const RunSource& run, std::size_t index, int bolt, const BoltReach* known)
+        : run_(run), index_(index), bolt_(bolt), frame_(run.frame(index)), known_(known), reach_(bolt) {}
 
     BoltChart build() {
         const Bolt& bolt = run_.scene().bolts[static_cast<std::size_t>(bolt_)];
@@ -128,7 +153,12 @@ public:
         chart_.chart.xTitle = "distance from the far end (m)";
         chart_.chart.x = {0.0, chart_.length};
         addBand(bolt);
-        gatherEnvelopes();
+        if (known_) {
+            reach_ = *known_;
+            reach_.add(frame_);
+        } else {
+            gatherEnvelopes();
+        }
         chart_.subtitle = subtitleText(bolt);
         addPanels(bolt);
         addZones();
@@ -153,7 +183,7 @@ private:
         if (now().lost) text += "; lost";
         const NodeQuantity& axial = *findQuantity(boltQuantities(), "axial_force");
         const double force = largest(now(), axial);
-        return text + "; largest axial force now " + numberText(force > nothing * most_ ? force * 1e-3 : 0.0) + " kN.";
+        return text + "; largest axial force now " + numberText(force > nothing * reach_.largestForce() ? force * 1e-3 : 0.0) + " kN.";
     }
 
     /// Bond forces; slip, too, where some nodes have no anchor that could tell it.
@@ -173,8 +203,7 @@ private:
     /// Shear and moment where the bolt has seen any: a bar that was cut off bears none any more.
     bool isShown(const NodeQuantity& quantity) const {
         const bool beside = quantity.name == "shear_force" || quantity.name == "moment";
-        const auto seen = largest_.find(quantity.column);
-        return !beside || (seen != largest_.end() && seen->second > std::max(1.0, nothing * most_));
+        return !beside || reach_.largest(quantity.column) > std::max(1.0, nothing * reach_.largestForce());
     }
 
     void gatherEnvelopes() {
@@ -190,14 +219,7 @@ private:
             const Frame frame = run_.frame(f);
             const BoltFrame& bolt = frame.bolts[static_cast<std::size_t>(bolt_)];
             if (bolt.nodes.size() < 2) continue;
-            for (const NodeQuantity& quantity : boltQuantities()) {
-                ValueRange& reached = reached_[quantity.column];
-                const ValueRange reach = reachOf(bolt, quantity);
-                reached = {std::min(reached.low, reach.low), std::max(reached.high, reach.high)};
-                double& most = largest_[quantity.column];
-                most = std::max(most, largest(bolt, quantity));
-            }
-            most_ = std::max(most_, largest(bolt, *findQuantity(boltQuantities(), "axial_force")));
+            reach_.add(frame);
             for (Envelope& envelope : chart_.envelopes) widen(envelope, bolt);
         }
         std::erase_if(chart_.envelopes, [&](const Envelope& envelope) { return !isShown(quantityOf(envelope)); });
@@ -230,7 +252,7 @@ private:
             for (const auto& [limit, name] : limitsOf(run_.scene(), bolt, quantity))
                 panel.limits.push_back({name, limit, name == "ultimate"});
             if (quantity.name == "anchor_force") addBondLimits(now(), quantity.display.factor, panel);
-            const ValueRange& reached = reached_[quantity.column];
+            const ValueRange reached = reach_.reached(quantity.column);
             panel.reached = {reached.low * quantity.display.factor, reached.high * quantity.display.factor};
             fitRange(panel);
             chart_.chart.panels.push_back(std::move(panel));
@@ -282,16 +304,19 @@ private:
     std::size_t index_;
     int bolt_;
     Frame frame_;
-    std::map<std::string_view, ValueRange> reached_;  // by column, at real nodes until now
-    std::map<std::string_view, double> largest_;  // by column, at all nodes until now
-    double most_ = 0.0;  // axial force until now [N]
+    const BoltReach* known_;  // null: read from the frames until now
+    BoltReach reach_;
     BoltChart chart_;
 };
 
 }  // namespace
 
 BoltChart boltChart(const RunSource& run, std::size_t frame, int bolt) {
-    return BoltChartBuilder(run, frame, bolt).build();
+    return BoltChartBuilder(run, frame, bolt, nullptr).build();
+}
+
+BoltChart boltChart(const RunSource& run, std::size_t frame, const BoltReach& reach) {
+    return BoltChartBuilder(run, frame, reach.bolt(), &reach).build();
 }
 
 int mostLoadedBolt(const Frame& frame) {

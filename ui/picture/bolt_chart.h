@@ -10,7 +10,9 @@
 #include "ui/picture/chart.h"
 #include "ui/picture/marks.h"
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace keyblock {
@@ -28,6 +30,29 @@ struct BoltChart {
     Chart chart;  // abscissa: s [m]
     std::vector<Envelope> envelopes;  // of the panels that have one
 };
+
+/// What a bolt has been through in frames, of any of its places: for panels and ranges that stay from moment to moment.
+class BoltReach {
+public:
+    explicit BoltReach(int bolt) : bolt_(bolt) {}
+
+    void add(const Frame& frame);
+
+    int bolt() const { return bolt_; }
+    ValueRange reached(std::string_view column) const;  // at real nodes, with zero
+    double largest(std::string_view column) const;  // size, at all nodes
+    double largestForce() const { return largestForce_; }  // axial [N]
+
+private:
+    int bolt_;
+    std::map<std::string_view, ValueRange> reached_;
+    std::map<std::string_view, double> largest_;
+    double largestForce_ = 0.0;
+};
+
+/// The same of one frame, with ranges of what the bolt has been through; without envelopes, and no other frame is read.
+/// \pre the frame holds the bolt.
+BoltChart boltChart(const RunSource& run, std::size_t frame, const BoltReach& reach);
 
 /// \pre the frame holds the bolt.
 BoltChart boltChart(const RunSource& run, std::size_t frame, int bolt);

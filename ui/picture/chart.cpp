@@ -3,6 +3,7 @@
 #include "ui/picture/chart.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -37,6 +38,28 @@ void fitRange(ChartPanel& panel) {
     if (-range.low < negligible * range.high) range.low = 0.0;
     if (range.high < -negligible * range.low) range.high = 0.0;
     panel.range = roundedRange(range, mostPanelTicks);
+}
+
+ChartCurve thinned(const ChartCurve& curve, std::size_t most) {
+    const std::size_t count = curve.y.size(), runs = std::max<std::size_t>(1, most / 4);
+    if (count <= most) return curve;
+    ChartCurve kept = curve;
+    kept.x.clear();
+    kept.y.clear();
+    for (std::size_t r = 0; r < runs; ++r) {
+        const std::size_t first = r * count / runs, end = (r + 1) * count / runs;
+        const auto [low, high] = std::minmax_element(curve.y.begin() + static_cast<long>(first),
+                                                     curve.y.begin() + static_cast<long>(end));
+        std::array<std::size_t, 4> chosen{first, static_cast<std::size_t>(low - curve.y.begin()),
+                                          static_cast<std::size_t>(high - curve.y.begin()), end - 1};
+        std::sort(chosen.begin(), chosen.end());
+        for (std::size_t i = 0; i < chosen.size(); ++i) {
+            if (i > 0 && chosen[i] == chosen[i - 1]) continue;
+            kept.x.push_back(curve.x[chosen[i]]);
+            kept.y.push_back(curve.y[chosen[i]]);
+        }
+    }
+    return kept;
 }
 
 }  // namespace keyblock

@@ -73,4 +73,8 @@ struct Chart {
 /// limits beyond go. A panel of nothing but zeros has the range 0 … 1.
 void fitRange(ChartPanel& panel);
 
+/// The curve by at most about `most` points: of each run of points the first, the last, the least and the largest stay,
+/// in their order, so that no peak goes.
+ChartCurve thinned(const ChartCurve& curve, std::size_t most);
+
 }  // namespace keyblock
