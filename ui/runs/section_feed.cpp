@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/section_feed.h"
 
-#include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/picture/section_ranges.h"
 #include "ui/runs/live_run.h"
@@ -69,21 +68,13 @@ struct SectionFeed::Ranges {
     }
 };
 
-SectionFeed::SectionFeed(Document& document, Selection& selection, TimeCursor& cursor, ViewSettings& settings,
-                         QObject* parent)
-    : QObject(parent), document_(document), selection_(selection), cursor_(cursor), settings_(settings) {
+SectionFeed::SectionFeed(const Selection& selection, TimeCursor& cursor, ViewSettings& settings, QObject* parent)
+    : QObject(parent), selection_(selection), cursor_(cursor), settings_(settings) {
     connect(&cursor, &TimeCursor::runChanged, this, &SectionFeed::runChanged);
     connect(&cursor, &TimeCursor::moved, this, &SectionFeed::make);
     connect(&settings, &ViewSettings::changed, this, &SectionFeed::make);
     connect(&selection, &Selection::changed, this, [this] {
-        if (settings_.choice().ribbon == RibbonOf::Selected && showsResults()) make();
-    });
-    connect(&document, &Document::checkedChanged, this, [this] {
-        if (!showsResults()) makeOfScene();
-    });
-    connect(&document, &Document::replaced, this, [this] {
-        picture_.reset();
-        Q_EMIT pictureChanged();
+        if (settings_.choice().ribbon == RibbonOf::Selected) make();
     });
     make();
 }
@@ -101,11 +92,8 @@ bool SectionFeed::showsResults() const { return results_ && cursor_.hasMoment();
 void SectionFeed::runChanged() {
     if (cursor_.run()) results_ = true;
     ranges_.reset();
+    picture_.reset();
     make();
-}
-
-void SectionFeed::makeOfScene() {
-    if (document_.checked().picture || document_.checked().problems.empty()) put(document_.checked().picture);
 }
 
 SectionRequest SectionFeed::request() const {
@@ -128,7 +116,7 @@ void SectionFeed::make() {
         showed_ = !showed_;
         Q_EMIT modeChanged();
     }
-    if (!showsResults()) return makeOfScene();
+    if (!showsResults()) return;
     const SectionRequest wanted = request();
     if (!ranges_ || !ranges_->fits(cursor_.run(), wanted)) {
         ranges_ = std::make_shared<Ranges>(cursor_.run(), wanted);
@@ -144,8 +132,8 @@ void SectionFeed::make() {
             if (legends.bolts) full.ribbonScale = legends.bolts->range.high;
             auto picture = std::make_shared<SectionPicture>(sectionPicture(*moment, full));
             if (ribbon == RibbonOf::Nothing) picture->ribbon.reset();
-            return [this, picture] {
-                if (showsResults()) put(picture);
+            return [this, picture, run = ranges->run] {
+                if (showsResults() && cursor_.run() == run) put(picture);
             };
         } catch (const std::exception& error) {
             return [this, text = QString::fromStdString(error.what())] { Q_EMIT failed(text); };

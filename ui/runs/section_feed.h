@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes the pictures of the canvas on a thread of its own: of the moment that the
+// Makes pictures of results on a thread of its own: of the moment that the
 // time cursor shows, as the view settings ask for, with ranges over all frames of the
 // run. Of a run that goes on the ranges grow with the frames that are shown.
 #pragma once
@@ -17,7 +17,6 @@
 
 namespace keyblock {
 
-class Document;
 class LiveRun;
 class Selection;
 class TimeCursor;
@@ -27,15 +26,14 @@ class SectionFeed : public QObject {
     Q_OBJECT
 
 public:
-    SectionFeed(Document& document, Selection& selection, TimeCursor& cursor, ViewSettings& settings,
-                QObject* parent = nullptr);
+    SectionFeed(const Selection& selection, TimeCursor& cursor, ViewSettings& settings, QObject* parent = nullptr);
     ~SectionFeed() override;
 
-    /// Results are shown, where there are any; else the scene as it is drawn.
+    /// Whether results are wanted, where there are any, or the scene as it is drawn.
     void showResults(bool results);
     bool showsResults() const;
 
-    /// The newest picture; null before the first.
+    /// The newest picture of results; null before the first.
     const std::shared_ptr<const SectionPicture>& picture() const { return picture_; }
 
 Q_SIGNALS:
@@ -48,14 +46,12 @@ private:
 
     void runChanged();
     void make();
-    void makeOfScene();
     void gatherRanges();
     void takeRanges(std::shared_ptr<Ranges> ranges);
     SectionRequest request() const;
     void put(std::shared_ptr<const SectionPicture> picture);
 
-    Document& document_;
-    Selection& selection_;
+    const Selection& selection_;
     TimeCursor& cursor_;
     ViewSettings& settings_;
     bool results_ = true, showed_ = false;

@@ -97,6 +97,11 @@ void TimeCursor::goTo(const StageTime& time) {
     show(frameAt(time).value_or(0));
 }
 
+void TimeCursor::goToEvent(const Event& event) {
+    if (!run_ || run_->frames().empty()) return;
+    show(firstFrameFrom(timeOf(event)).value_or(run_->frames().size() - 1));
+}
+
 void TimeCursor::goLive() {
     if (!goesOn_ || live_) return;
     pause();

@@ -57,6 +57,7 @@ public:
 
     void goTo(std::size_t frame);
     void goTo(const StageTime& time);  // to the last frame that is not later
+    void goToEvent(const Event& event);  // to the first frame that shows it; else the last
     void goLive();
     void step(int by);
     void home();

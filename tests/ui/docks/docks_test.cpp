@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the docks make of a run, and that a person's clicks lead where they say.
+#include "tests/ui/bricks.h"
+#include "tests/ui/screen/screen.h"
+#include "ui/docks/events_list.h"
+#include "ui/docks/health_strip.h"
+#include "ui/docks/time_line.h"
+#include "ui/docks/time_track.h"
+#include "ui/document/selection.h"
+#include "ui/look/commands.h"
+#include "ui/look/theme.h"
+#include "ui/runs/live_run.h"
+#include "ui/runs/run_commands.h"
+#include "ui/runs/time_cursor.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeView>
+
+namespace keyblock {
+namespace {
+
+Event eventOf(int stage, double time, EventKind kind, int bolt = -1, int block = -1) {
+    Event event;
+    event.stage = stage;
+    event.time = time;
+    event.kind = kind;
+    event.bolt = bolt;
+    event.block = block;
+    return event;
+}
+
+/// One dynamic stage of 1 s, eleven frames, some events.
+std::shared_ptr<LiveRun> elevenFrames() {
+    Scene scene = test::bricks();
+    scene.stages.front().duration = 1.0;
+    auto run = std::make_shared<LiveRun>("nowhere.kbrun",
+                                         LiveStart{std::make_shared<const Scene>(scene), HistoryColumns{}});
+    LiveBatch batch;
+    batch.stagesBegun = {0};
+    for (int i = 0; i <= 10; ++i) batch.frames.push_back({0, 0.1 * i, i, {}});
+    batch.events = {eventOf(0, 0.15, EventKind::JointSlip, -1, 1), eventOf(0, 0.45, EventKind::Debonding, 0),
+                    eventOf(0, 0.75, EventKind::PlateLoss, 0)};
+    batch.events[2].cause = 1;
+    run->append(std::move(batch));
+    return run;
+}
+
+TEST(TimeTrack, ThousandsOfEventsThinOutAndTheGravestStay) {
+    std::vector<Event> events;
+    std::vector<double> places;
+    for (int i = 0; i < 5000; ++i) {
+        events.push_back(eventOf(0, 0.0, i == 2500 ? EventKind::ShearRupture : i % 50 ? EventKind::JointSlip
+                                                                                      : EventKind::Debonding));
+        places.push_back(0.2 * i);
+    }
+    events.push_back(eventOf(0, 0.0, EventKind::BlockFalls));
+    places.push_back(std::nan(""));  // hidden
+    const std::vector<PlacedEvent> placed = placedEvents(events, places, 10.0);
+    EXPECT_GT(placed.size(), 50u);
+    bool rupture = false;
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        EXPECT_TRUE(i == 0 || placed[i].x - placed[i - 1].x >= 10.0);
+        rupture = rupture || placed[i].event == 2500;
+        EXPECT_NE(placed[i].group, EventGroup::Falls);
+    }
+    EXPECT_TRUE(rupture);
+}
+
+TEST(TimeAxis, GivesDynamicStagesMoreRoomAndComesBack) {
+    Scene scene;
+    scene.stages.resize(2);
+    scene.stages[1].kind = StageKind::Dynamic;
+    scene.stages[1].duration = 0.5;
+    const TimeAxis axis(scene);
+    EXPECT_DOUBLE_EQ(axis.at(0, 1.0), 0.25);
+    EXPECT_DOUBLE_EQ(axis.at(1, 0.25), 0.625);
+    for (const double place : {0.0, 0.1, 0.3, 0.9, 1.0}) {
+        const TimeAxis::Moment moment = axis.momentAt(place);
+        EXPECT_NEAR(axis.at(moment.stage, moment.time), place, 1e-12);
+    }
+    EXPECT_DOUBLE_EQ(axis.at(7, 0.0), 1.0);
+    EXPECT_EQ(axis.momentAt(-1.0).time, 0.0);
+    EXPECT_TRUE(TimeAxis(Scene{}).isEmpty());
+}
+
+TEST(HealthRows, TellTheWorstOfTheStepsAndTheBlockBehindIt) {
+    const auto run = elevenFrames();
+    EXPECT_EQ(healthAt(*run, 0, 1.0)[0].state, HealthState::Unknown);  // nobody watched the steps
+    const auto add = [&](double time, int passes, double depth, int block) {
+        LiveBatch batch;
+        HealthSample sample;
+        sample.time = time;
+        sample.steps = static_cast<long>(100.0 * time);
+        sample.worst = {passes, block, 1e-9, depth, block};
+        batch.health = sample;
+        run->append(std::move(batch));
+    };
+    add(0.2, 3, 1e-6, 0);
+    add(0.4, 38, 2e-3, 2);
+    const HealthRows before = healthAt(*run, 0, 0.3), after = healthAt(*run, 0, 0.5);
+    EXPECT_EQ(before[0].state, HealthState::Good);
+    EXPECT_EQ(after[0].state, HealthState::Warning);
+    EXPECT_EQ(after[0].block, 2);
+    EXPECT_EQ(after[2].state, HealthState::Bad);
+    EXPECT_EQ(after[2].value, 2e-3);
+    EXPECT_EQ(after[2].course.size(), 2u);
+}
+
+TEST(LiveRunHealth, StaysSmallHoweverLongTheRun) {
+    const auto run = elevenFrames();
+    for (int i = 0; i < 20000; ++i) {
+        LiveBatch batch;
+        HealthSample sample;
+        sample.time = 1e-5 * i;
+        sample.worst.passes = i == 12345 ? 33 : 2;
+        batch.health = sample;
+        run->append(std::move(batch));
+    }
+    EXPECT_LE(run->health().size(), 400u);
+    int most = 0;
+    for (const HealthSample& sample : run->health()) most = std::max(most, sample.worst.passes);
+    EXPECT_EQ(most, 33);
+}
+
+class DocksTest : public ::testing::Test {
+protected:
+    void SetUp() override { NEED_SCREEN(); }
+};
+
+TEST_F(DocksTest, AClickOnAnEventGoesThereAndSelectsItsBolt) {
+    Themes themes;
+    TimeCursor cursor;
+    Selection selection;
+    EventsList list(themes, cursor, selection);
+    list.resize(500, 200);
+    list.show();
+    cursor.setRun(elevenFrames(), false);
+    auto* view = list.findChild<QTreeView*>("events");
+    ASSERT_EQ(view->model()->rowCount(), 3);
+    EXPECT_EQ(list.count(), 3u);
+    const QRect cell = view->visualRect(view->model()->index(1, EventsModel::What));
+    QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, cell.center());
+    EXPECT_EQ(cursor.frame(), 5u);
+    EXPECT_EQ(selection.pointers(), QStringList{"/bolts/0"});
+    int asked = -1;
+    QObject::connect(&list, &EventsList::blockAsked, &list, [&](int block) { asked = block; });
+    QTest::mouseClick(view->viewport(), Qt::LeftButton, {},
+                      view->visualRect(view->model()->index(0, EventsModel::What)).center());
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(cursor.frame(), 2u);
+    const QString chain = view->model()->index(2, 0).data(Qt::ToolTipRole).toString();
+    EXPECT_TRUE(chain.contains("debonding") && chain.contains("plate loss") && chain.startsWith("the load"))
+        << chain.toStdString();
+    cursor.setHidden(EventKind::Debonding, true);
+    EXPECT_EQ(view->model()->rowCount(), 2);
+}
+
+TEST_F(DocksTest, TheTimeLineScrubsZoomsAndCounts) {
+    Themes themes;
+    Commands commands(themes);
+    TimeCursor cursor;
+    addTimeCommands(commands, cursor);
+    Selection selection;
+    TimeLine line(themes, commands, cursor, selection);
+    line.resize(1200, 104);
+    line.show();
+    EXPECT_EQ(line.height(), 30);  // nothing to tell yet
+    cursor.setRun(elevenFrames(), false);
+    EXPECT_EQ(line.height(), 104);
+    line.resize(1200, 104);
+    QCoreApplication::processEvents();
+    auto* track = line.findChild<TimeTrack*>("timeTrack");
+    QTest::mouseClick(track, Qt::LeftButton, {}, {track->width() / 2, 50});
+    EXPECT_EQ(cursor.frame(), 5u);
+    EXPECT_TRUE(line.findChild<QLabel*>("timeFrame")->text().contains("6"));
+    QTest::mouseClick(track, Qt::LeftButton, Qt::ControlModifier, {20, 50});
+    EXPECT_EQ(cursor.cursorB(), 0u);
+    EXPECT_EQ(cursor.frame(), 5u);
+    auto* slip = line.findChild<QToolButton*>("count0");
+    EXPECT_TRUE(slip->text().endsWith("1")) << slip->text().toStdString();
+    QTest::mouseClick(slip, Qt::LeftButton);
+    EXPECT_TRUE(cursor.hiddenKinds().contains(EventKind::JointSlip));
+    EXPECT_FALSE(line.findChild<QToolButton*>("count2")->isEnabled());  // nothing yielded
+    cursor.setRun(nullptr, false);
+    EXPECT_EQ(line.height(), 30);
+    QTest::mouseClick(track, Qt::LeftButton, {}, {300, 50});
+}
+
+}  // namespace
+}  // namespace keyblock

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/chart_view.h"
+
+#include "ui/figure/chart_pixmap.h"
+#include "ui/look/display.h"
+#include "ui/look/theme.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int leastWidth = 140, leastHeight = 70;  // [px] below it nothing can be read
+constexpr double pixelsPerTick = 17.0;
+
+Colour plain(const QColor& colour) {
+    return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),
+            static_cast<std::uint8_t>(colour.blue())};
+}
+
+Colour mixed(const QColor& a, const QColor& b, double share) {
+    const auto mix = [&](int from, int to) { return static_cast<std::uint8_t>(std::lround(from + share * (to - from))); };
+    return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
+}
+
+}  // namespace
+
+ChartTheme chartThemeOf(const Theme& theme) {
+    ChartTheme chart;
+    chart.ground = plain(theme.panel);
+    chart.text = plain(theme.text);
+    chart.softText = plain(theme.text2);
+    chart.axis = plain(theme.border);
+    chart.grid = plain(theme.chartGrid);
+    chart.main = plain(theme.accent);
+    chart.second = plain(theme.text2);
+    chart.third = plain(theme.ok);
+    chart.fourth = plain(theme.warning);
+    chart.envelope = plain(theme.text3);
+    chart.references = {plain(theme.text), plain(theme.warning), plain(theme.yielded), plain(theme.ok)};
+    chart.limit = plain(theme.error);
+    chart.event = mixed(theme.panel, theme.slipping, 0.35);
+    chart.zone = plain(theme.slipping);
+    return chart;
+}
+
+ChartView::ChartView(const Themes& themes, QWidget* parent) : QWidget(parent), themes_(themes) {
+    setObjectName("chart");
+    setAccessibleName(tr("Chart"));
+    setMouseTracking(true);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(&themes, &Themes::changed, this, [this] {
+        drawn_ = {};
+        update();
+    });
+}
+
+void ChartView::show(Chart chart) {
+    const auto most = static_cast<std::size_t>(std::max(400, 3 * width()));
+    for (ChartPanel& panel : chart.panels)
+        for (ChartCurve& curve : panel.curves) curve = thinned(curve, most);
+    chart_ = std::move(chart);
+    drawn_ = {};
+    update();
+}
+
+void ChartView::clear(const QString& message) {
+    if (!chart_ && message == message_) return;
+    chart_.reset();
+    now_.reset();
+    message_ = message;
+    drawn_ = {};
+    update();
+}
+
+void ChartView::setNow(std::optional<ChartNow> now) {
+    now_ = std::move(now);
+    update();
+}
+
+void ChartView::setRoom(const ChartLayout& layout) {
+    layout_ = layout;
+    drawn_ = {};
+    update();
+}
+
+double ChartView::xOf(double value) const {
+    const ValueRange& range = chart_->x;
+    return pixelsPerMm * (place_.left + (place_.right - place_.left) * (value - range.low) / (range.high - range.low));
+}
+
+double ChartView::yOf(std::size_t panel, double value) const {
+    const ValueRange& range = chart_->panels[panel].range;
+    const ChartPlace::Panel& place = place_.panels[panel];
+    return pixelsPerMm *
+           (place.bottom - (place.bottom - place.top) * (value - range.low) / (range.high - range.low));
+}
+
+void ChartView::redraw() {
+    const double ratio = devicePixelRatioF();
+    drawn_ = QPixmap(size() * ratio);
+    drawn_.setDevicePixelRatio(ratio);
+    drawn_.fill(themes_.current().panel);
+    ChartLayout layout = layout_;
+    const double perPanel = static_cast<double>(height() - 24) / static_cast<double>(chart_->panels.size());
+    layout.mostTicks = std::clamp(static_cast<int>(perPanel / pixelsPerTick), 2, mostPanelTicks);
+    const Box box{{0.6, 0.8}, {width() / pixelsPerMm - 0.6, height() / pixelsPerMm - 0.6}};
+    place_ = drawChart(drawn_, pixelsPerMm, *chart_, box, chartThemeOf(themes_.current()), layout);
+    Q_EMIT drawn();
+}
+
+void ChartView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Theme& theme = themes_.current();
+    if (!chart_ || chart_->panels.empty() || width() < leastWidth || height() < leastHeight) {
+        painter.fillRect(rect(), theme.panel);
+        painter.setPen(theme.text3);
+        painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap, message_);
+        return;
+    }
+    if (drawn_.isNull()) redraw();
+    painter.drawPixmap(0, 0, drawn_);
+    if (now_) paintNow(painter);
+}
+
+/// A dot on the curve with its value, and hair lines to the axes; a line through all panels where time is the axis.
+void ChartView::paintNow(QPainter& painter) const {
+    const Theme& theme = themes_.current();
+    if (now_->x < chart_->x.low || now_->x > chart_->x.high || place_.panels.empty()) return;
+    const double x = xOf(now_->x);
+    QPen hair(theme.accent, 1.0);
+    hair.setDashPattern({2.0, 2.0});
+    painter.setPen(hair);
+    painter.drawLine(QPointF(x, pixelsPerMm * place_.top), QPointF(x, pixelsPerMm * place_.bottom));
+    QFont font = painter.font();
+    font.setPixelSize(11);
+    font.setWeight(QFont::DemiBold);
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    for (std::size_t p = 0; p < now_->y.size() && p < place_.panels.size(); ++p) {
+        if (!now_->y[p]) continue;
+        const double y = yOf(p, *now_->y[p]);
+        if (y < pixelsPerMm * place_.panels[p].top - 4.0 || y > pixelsPerMm * place_.panels[p].bottom + 4.0) continue;
+        painter.setPen(hair);
+        if (!chart_->overTime) painter.drawLine(QPointF(pixelsPerMm * place_.left, y), QPointF(x, y));
+        painter.setPen(QPen(theme.panel, 1.5));
+        painter.setBrush(theme.accent);
+        painter.drawEllipse(QPointF(x, y), 4.0, 4.0);
+        const QString value = Display::number(*now_->y[p], 4);
+        const double wide = metrics.horizontalAdvance(value);
+        const bool left = x + 8.0 + wide > width() - 4.0;
+        const QRectF box(left ? x - 8.0 - wide : x + 8.0, std::max(y - 16.0, pixelsPerMm * place_.panels[p].top - 8.0),
+                         wide, 14.0);
+        QColor ground = theme.panel;
+        ground.setAlphaF(0.8);
+        painter.fillRect(box.adjusted(-2.0, 0.0, 2.0, 0.0), ground);
+        painter.setPen(theme.accent);
+        painter.drawText(box, Qt::AlignCenter, value);
+    }
+}
+
+void ChartView::resizeEvent(QResizeEvent*) { drawn_ = {}; }
+
+void ChartView::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || !chart_ || drawn_.isNull() || place_.right <= place_.left) return;
+    const double share = (event->localPos().x() / pixelsPerMm - place_.left) / (place_.right - place_.left);
+    if (share >= -0.02 && share <= 1.02)
+        Q_EMIT picked(chart_->x.low + std::clamp(share, 0.0, 1.0) * (chart_->x.high - chart_->x.low));
+}
+
+void ChartView::mouseMoveEvent(QMouseEvent* event) {
+    if (event->buttons() & Qt::LeftButton) return mousePressEvent(event);
+    if (!chart_ || drawn_.isNull() || place_.right <= place_.left) return;
+    const double share = (event->localPos().x() / pixelsPerMm - place_.left) / (place_.right - place_.left);
+    if (share < 0.0 || share > 1.0) return QToolTip::hideText();
+    QToolTip::showText(event->globalPos(), valuesAt(chart_->x.low + share * (chart_->x.high - chart_->x.low)), this);
+}
+
+/// What each curve has at the abscissa, by its point nearest to it.
+QString ChartView::valuesAt(double x) const {
+    QString text = QString::fromStdString(chart_->xTitle) + QStringLiteral(": ") + Display::number(x, 4);
+    for (const ChartPanel& panel : chart_->panels)
+        for (const ChartCurve& curve : panel.curves) {
+            if (curve.x.empty() || (curve.name.empty() && panel.curves.size() > 1)) continue;
+            std::size_t nearest = 0;
+            for (std::size_t i = 1; i < curve.x.size(); ++i)
+                if (std::abs(curve.x[i] - x) < std::abs(curve.x[nearest] - x)) nearest = i;
+            text += QStringLiteral("\n") + QString::fromStdString(curve.name.empty() ? panel.title : curve.name) +
+                    QStringLiteral(": ") + Display::number(curve.y[nearest], 4);
+        }
+    return text;
+}
+
+void ChartView::contextMenuEvent(QContextMenuEvent* event) {
+    if (!chart_ || drawn_.isNull()) return;
+    QMenu menu(this);
+    menu.addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setPixmap(drawn_); });
+    menu.addAction(tr("Copy values"), this, [this] { QApplication::clipboard()->setText(table()); });
+    menu.exec(event->globalPos());
+}
+
+/// A block of columns for each curve, one below the other, as spreadsheets take it.
+QString ChartView::table() const {
+    QString text;
+    for (const ChartPanel& panel : chart_->panels)
+        for (const ChartCurve& curve : panel.curves) {
+            const std::string name = panel.title + (curve.name.empty() ? "" : " " + curve.name);
+            text += QString::fromStdString(chart_->xTitle) + '\t' + QString::fromStdString(name) + '\n';
+            for (std::size_t i = 0; i < curve.x.size(); ++i)
+                text += QString::number(curve.x[i], 'g', 12) + '\t' + QString::number(curve.y[i], 'g', 12) + '\n';
+        }
+    return text;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A chart in a dock: drawn as on paper, in the colours of the window, with the
+// moment that is shown marked on it.
+#pragma once
+
+#include "ui/figure/chart_ink.h"
+
+#include <QPixmap>
+#include <QString>
+#include <QWidget>
+
+#include <optional>
+
+namespace keyblock {
+
+class Themes;
+struct Theme;
+
+ChartTheme chartThemeOf(const Theme& theme);
+
+/// Where the moment lies on a chart: on the first curve of the panels that have a value.
+struct ChartNow {
+    double x = 0.0;
+    std::vector<std::optional<double>> y;  // a panel each
+};
+
+class ChartView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ChartView(const Themes& themes, QWidget* parent = nullptr);
+
+    void show(Chart chart);
+    using QWidget::show;
+    /// No chart, and why.
+    void clear(const QString& message);
+    void setNow(std::optional<ChartNow> now);
+    void setRoom(const ChartLayout& layout);
+    const std::optional<Chart>& chart() const { return chart_; }
+
+    /// Pixel of an abscissa; of a value in a panel. \pre there is a chart, drawn once.
+    double xOf(double value) const;
+    double yOf(std::size_t panel, double value) const;
+
+    static constexpr double pixelsPerMm = 5.25;  // makes 10.5 px of the figures' 2 mm letters
+
+Q_SIGNALS:
+    void picked(double x);  // a place on the axis of abscissas was clicked
+    void drawn();  // places of pixels are new
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    QSize minimumSizeHint() const override { return {200, 100}; }
+
+private:
+    void redraw();
+    void paintNow(QPainter& painter) const;
+    QString valuesAt(double x) const;
+    QString table() const;
+
+    const Themes& themes_;
+    std::optional<Chart> chart_;
+    ChartLayout layout_;
+    QString message_;
+    std::optional<ChartNow> now_;
+    QPixmap drawn_;
+    ChartPlace place_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/events_list.h"
+
+#include "solver/results/words.h"
+#include "ui/docks/event_marks.h"
+#include "ui/document/selection.h"
+#include "ui/look/display.h"
+#include "ui/look/theme.h"
+#include "ui/picture/captions.h"
+#include "ui/runs/live_run.h"
+#include "ui/runs/time_cursor.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QPainter>
+#include <QPixmap>
+#include <QScrollBar>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+
+namespace keyblock {
+
+namespace {
+
+QString words(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<int>(text.size())).replace('-', ' ');
+}
+
+QPixmap markOf(const Theme& theme, EventKind kind) {
+    constexpr int side = 16, sharp = 2;
+    QPixmap pixmap(side * sharp, side * sharp);
+    pixmap.setDevicePixelRatio(sharp);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    drawEventMark(painter, theme, groupOf(kind), {0.5 * side, 0.5 * side});
+    return pixmap;
+}
+
+}  // namespace
+
+EventsModel::EventsModel(const Themes& themes, TimeCursor& cursor, QObject* parent)
+    : QAbstractTableModel(parent), themes_(themes), cursor_(cursor) {}
+
+void EventsModel::takeRun() {
+    beginResetModel();
+    rows_.clear();
+    seen_ = 0;
+    if (cursor_.run())
+        for (const Event& event : cursor_.run()->eventList()) {
+            if (!cursor_.hiddenKinds().contains(event.kind)) rows_.push_back(seen_);
+            ++seen_;
+        }
+    endResetModel();
+}
+
+void EventsModel::takeMore() {
+    if (!cursor_.run()) return;
+    const std::vector<Event>& events = cursor_.run()->eventList();
+    std::vector<std::size_t> more;
+    for (; seen_ < events.size(); ++seen_)
+        if (!cursor_.hiddenKinds().contains(events[seen_].kind)) more.push_back(seen_);
+    if (more.empty()) return;
+    const auto first = static_cast<int>(rows_.size());
+    beginInsertRows({}, first, first + static_cast<int>(more.size()) - 1);
+    rows_.insert(rows_.end(), more.begin(), more.end());
+    endInsertRows();
+}
+
+int EventsModel::rowOf(std::size_t event) const {
+    const auto found = std::lower_bound(rows_.begin(), rows_.end(), event);
+    return found == rows_.end() || *found != event ? -1 : static_cast<int>(found - rows_.begin());
+}
+
+int EventsModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int EventsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : columns; }
+
+QVariant EventsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    const std::array<QString, columns> names{tr("No."), tr("Time"), tr("What"), tr("Where"), tr("Force"), tr("After")};
+    return names[static_cast<std::size_t>(section)];
+}
+
+QVariant EventsModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || !cursor_.run()) return {};
+    const std::size_t number = eventAt(index.row());
+    const std::vector<Event>& events = cursor_.run()->eventList();
+    if (number >= events.size()) return {};
+    const Event& event = events[number];
+    if (role == Qt::DisplayRole) return text(event, number, index.column());
+    if (role == Qt::DecorationRole && index.column() == What) return markOf(themes_.current(), event.kind);
+    if (role == Qt::ToolTipRole) return chainOf(number);
+    const bool isNumber = index.column() == Number || index.column() == Force || index.column() == Cause;
+    if (role == Qt::TextAlignmentRole) return int(Qt::AlignVCenter | (isNumber ? Qt::AlignRight : Qt::AlignLeft));
+    if (role == Qt::ForegroundRole && cursor_.hasMoment()) {
+        const FrameHead head = cursor_.head();
+        const bool toCome = std::pair(event.stage, event.time) > std::pair(head.stage, head.time);
+        if (toCome) return themes_.current().text3;
+    }
+    return {};
+}
+
+QVariant EventsModel::text(const Event& event, std::size_t number, int column) const {
+    const LiveRun& run = *cursor_.run();
+    switch (column) {
+        case Number: return QString::number(number + 1);
+        case Time:
+            return QString::fromStdString(stageName(run.scene(), event.stage) + "  " +
+                                          timeText(run.scene(), event.stage, event.time));
+        case What: return words(wordOf(event.kind));
+        case Where: {
+            QString where = event.bolt >= 0 ? QString::fromStdString(boltName(run.scene(), event.bolt))
+                                            : QString::fromStdString(blockName(run.blockNames(), event.block));
+            if (event.bolt >= 0 && event.node >= 0) where += tr(" · node %1").arg(event.node);
+            else if (event.bolt >= 0 && event.element >= 0) where += tr(" · element %1").arg(event.element);
+            else if (event.otherBlock >= 0)
+                where += QStringLiteral(" · ") + QString::fromStdString(blockName(run.blockNames(), event.otherBlock));
+            return where;
+        }
+        case Force: {
+            const bool shear = event.kind == EventKind::ShearRupture || event.kind == EventKind::JointSlip;
+            const double force = shear ? event.shearForce : event.axialForce;
+            return force == 0.0 ? QString() : Display::number(1e-3 * force, 4) + QStringLiteral(" kN");
+        }
+        case Cause: return event.cause >= 0 ? QString::number(event.cause + 1) : QString();
+        default: return {};
+    }
+}
+
+/// From what the load brought about to this event, a line each.
+QString EventsModel::chainOf(std::size_t number) const {
+    const std::vector<Event>& events = cursor_.run()->eventList();
+    QStringList lines;
+    long at = static_cast<long>(number);
+    for (int i = 0; i < 12 && at >= 0 && static_cast<std::size_t>(at) < events.size(); ++i) {
+        const Event& event = events[static_cast<std::size_t>(at)];
+        lines.prepend(QStringLiteral("%1  %2 · %3")
+                          .arg(at + 1)
+                          .arg(words(wordOf(event.kind)), text(event, static_cast<std::size_t>(at), Where).toString()));
+        if (event.cause >= at) break;
+        at = event.cause;
+    }
+    if (at < 0) lines.prepend(tr("the load"));
+    return lines.join(QStringLiteral("\n→ "));
+}
+
+EventsList::EventsList(const Themes& themes, TimeCursor& cursor, Selection& selection, QWidget* parent)
+    : QWidget(parent), cursor_(cursor), selection_(selection), model_(new EventsModel(themes, cursor, this)),
+      view_(new QTreeView(this)), empty_(new QLabel(tr("What lets go stands here, as it happens."), this)) {
+    setObjectName("eventsList");
+    setAttribute(Qt::WA_StyledBackground);
+    setAccessibleName(tr("Events"));
+    view_->setObjectName("events");
+    view_->setAccessibleName(tr("Events"));
+    view_->setModel(model_);
+    view_->setRootIsDecorated(false);
+    view_->setUniformRowHeights(true);
+    view_->setAlternatingRowColors(false);
+    view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    view_->header()->setStretchLastSection(false);
+    view_->header()->setSectionResizeMode(EventsModel::Where, QHeaderView::Stretch);
+    const std::array<int, EventsModel::columns> widths{42, 118, 126, 100, 78, 46};
+    for (int c = 0; c < EventsModel::columns; ++c) view_->setColumnWidth(c, widths[static_cast<std::size_t>(c)]);
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setWordWrap(true);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(view_);
+    column->addWidget(empty_, 1);
+    const auto takeAll = [this] {
+        model_->takeRun();
+        showMoment();
+    };
+    connect(&cursor, &TimeCursor::runChanged, this, takeAll);
+    connect(&cursor, &TimeCursor::runGrew, this, &EventsList::grow);
+    connect(&cursor, &TimeCursor::moved, this, &EventsList::showMoment);
+    connect(&cursor, &TimeCursor::changed, this, [this, hidden = std::set<EventKind>()]() mutable {
+        if (hidden == cursor_.hiddenKinds()) return;
+        hidden = cursor_.hiddenKinds();
+        model_->takeRun();
+        showMoment();
+    });
+    connect(&themes, &Themes::changed, view_->viewport(), QOverload<>::of(&QWidget::update));
+    connect(view_, &QTreeView::clicked, this, &EventsList::open);
+    connect(view_, &QTreeView::activated, this, &EventsList::open);
+    takeAll();
+}
+
+std::size_t EventsList::count() const { return cursor_.run() ? cursor_.run()->eventList().size() : 0; }
+
+/// Stays at the end where it was there.
+void EventsList::grow() {
+    const QScrollBar* bar = view_->verticalScrollBar();
+    const bool atEnd = bar->value() >= bar->maximum();
+    const int before = model_->rowCount();
+    model_->takeMore();
+    if (model_->rowCount() == before) return;
+    showMoment();
+    if (atEnd && cursor_.isLive()) view_->scrollToBottom();
+}
+
+void EventsList::showMoment() {
+    const bool any = model_->rowCount() > 0;
+    view_->setVisible(any);
+    empty_->setVisible(!any);
+    view_->viewport()->update();
+    Q_EMIT countChanged();
+}
+
+void EventsList::open(const QModelIndex& index) {
+    if (!index.isValid() || !cursor_.run()) return;
+    const std::vector<Event>& events = cursor_.run()->eventList();
+    const std::size_t number = model_->eventAt(index.row());
+    if (number >= events.size()) return;
+    const Event event = events[number];
+    cursor_.pause();
+    cursor_.goToEvent(event);
+    if (event.bolt >= 0) selection_.set({QStringLiteral("/bolts/%1").arg(event.bolt)});
+    else if (event.block >= 0) Q_EMIT blockAsked(event.block);
+}
+
+}  // namespace keyblock

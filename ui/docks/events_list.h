@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What let go until the moment that is shown, a row each: when, what, where, at which
+// force and after which other event. A click goes there and selects it.
+#pragma once
+
+#include "solver/results/results.h"
+
+#include <QAbstractTableModel>
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+class QTreeView;
+
+namespace keyblock {
+
+class Selection;
+class Themes;
+class TimeCursor;
+
+class EventsModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Number, Time, What, Where, Force, Cause, columns };
+
+    EventsModel(const Themes& themes, TimeCursor& cursor, QObject* parent = nullptr);
+
+    /// The event of a row, as its number in the run.
+    std::size_t eventAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
+    /// The row of an event; −1: hidden.
+    int rowOf(std::size_t event) const;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+    void takeRun();
+    void takeMore();
+
+private:
+    QVariant text(const Event& event, std::size_t number, int column) const;
+    QString chainOf(std::size_t number) const;
+
+    const Themes& themes_;
+    TimeCursor& cursor_;
+    std::size_t seen_ = 0;  // events of the run
+    std::vector<std::size_t> rows_;
+};
+
+class EventsList : public QWidget {
+    Q_OBJECT
+
+public:
+    EventsList(const Themes& themes, TimeCursor& cursor, Selection& selection, QWidget* parent = nullptr);
+
+    std::size_t count() const;
+    QSize sizeHint() const override { return {415, 214}; }
+
+Q_SIGNALS:
+    void blockAsked(int block);  // row of the solved blocks
+    void countChanged();
+
+private:
+    void grow();
+    void showMoment();
+    void open(const QModelIndex& index);
+
+    TimeCursor& cursor_;
+    Selection& selection_;
+    EventsModel* model_;
+    QTreeView* view_;
+    QLabel* empty_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How well the numbers behave, measure by measure, with the block behind the worst
+// of them and what to do. Judged at the moment that is shown.
+#pragma once
+
+#include "ui/runs/live_feed.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace keyblock {
+
+class LiveRun;
+class Themes;
+class TimeCursor;
+
+enum class HealthState { Unknown, Good, Warning, Bad };
+enum class HealthMeasure { Passes, StepCuts, Penetration, Balance, Residual };
+inline constexpr std::size_t healthMeasures = 5;
+
+/// One measure at a moment.
+struct HealthRow {
+    HealthMeasure measure = HealthMeasure::Passes;
+    HealthState state = HealthState::Unknown;
+    std::optional<double> value;  // as it is counted: passes, cuts in 100 steps, shares
+    double limit = 0.0;
+    int block = -1;  // behind it; −1: none in particular
+    std::vector<double> course;  // values until the moment, for the spark line
+};
+
+using HealthRows = std::array<HealthRow, healthMeasures>;
+
+/// The measures of a run at a moment of a stage; of a run that was opened, those of its stages as a whole.
+HealthRows healthAt(const LiveRun& run, int stage, double time);
+
+class HealthStrip : public QWidget {
+    Q_OBJECT
+
+public:
+    HealthStrip(const Themes& themes, TimeCursor& cursor, QWidget* parent = nullptr);
+
+    /// The worst of the measures, for the tab.
+    HealthState worst() const;
+    QSize minimumSizeHint() const override { return {280, 140}; }
+    QSize sizeHint() const override { return {415, 214}; }
+
+Q_SIGNALS:
+    void blockAsked(int block);  // row of the solved blocks
+    void worstChanged();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    void judge();
+    void paintRow(QPainter& painter, const HealthRow& row, double y) const;
+    void paintCourse(QPainter& painter, const HealthRow& row, const QRectF& box) const;
+    void paintAdvice(QPainter& painter, double y);
+    const HealthRow* worstRow() const;
+    QString adviceOn(const HealthRow& row) const;
+    QString nameOf(HealthMeasure measure) const;
+
+    const Themes& themes_;
+    TimeCursor& cursor_;
+    HealthRows rows_;
+    bool known_ = false;
+    QRectF link_;  // "Show block"
+};
+
+}  // namespace keyblock

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/run_list.h"
+
+#include "ui/look/theme.h"
+#include "ui/runs/runs.h"
+
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace keyblock {
+
+RunList::RunList(const Themes& themes, Runs& runs, QWidget* parent)
+    : QWidget(parent), themes_(themes), runs_(runs), stale_(new QLabel(this)), list_(new QTreeWidget(this)) {
+    setObjectName("runList");
+    setAttribute(Qt::WA_StyledBackground);
+    setAccessibleName(tr("Runs"));
+    stale_->setObjectName("staleRun");
+    stale_->setContentsMargins(12, 5, 12, 5);
+    list_->setObjectName("runs");
+    list_->setAccessibleName(tr("Runs of the scene"));
+    list_->setRootIsDecorated(false);
+    list_->setContextMenuPolicy(Qt::CustomContextMenu);
+    list_->setHeaderLabels({tr("Run"), tr("Ended"), tr("Outcome"), tr("Frames"), tr("Events")});
+    list_->header()->setStretchLastSection(false);
+    list_->header()->setSectionResizeMode(2, QHeaderView::Stretch);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(stale_);
+    column->addWidget(list_, 1);
+    connect(&runs, &Runs::listChanged, this, &RunList::fill);
+    connect(&runs, &Runs::shownChanged, this, &RunList::fill);
+    connect(&runs, &Runs::stalenessChanged, this, &RunList::fill);
+    connect(&themes, &Themes::changed, this, &RunList::fill);
+    connect(list_, &QTreeWidget::itemActivated, this,
+            [this](QTreeWidgetItem* item) { runs_.open(item->data(0, Qt::UserRole).toString()); });
+    connect(list_, &QWidget::customContextMenuRequested, this, &RunList::showMenu);
+    fill();
+}
+
+void RunList::fill() {
+    const Theme& theme = themes_.current();
+    const QString stale = runs_.staleness();
+    stale_->setVisible(!stale.isEmpty());
+    stale_->setText(stale + tr(". F5 runs the scene as it is."));
+    stale_->setStyleSheet(QStringLiteral("background: %1; color: %2;").arg(theme.warningSoft.name(), theme.text.name()));
+    list_->clear();
+    for (const RunEntry& entry : runs_.entries()) {
+        QString outcome = entry.outcomeText();
+        if (entry.ofEarlierScene) outcome += tr(" · of an earlier scene");
+        const auto count = [&](long RunSummary::* what) {
+            return entry.summary ? QLocale::c().toString(qlonglong((*entry.summary).*what)) : QString();
+        };
+        auto* item = new QTreeWidgetItem(
+            list_, {entry.name(), entry.goesOn ? QString() : QLocale().toString(entry.time, QLocale::ShortFormat), outcome,
+                    count(&RunSummary::frames), count(&RunSummary::events)});
+        item->setData(0, Qt::UserRole, entry.path);
+        item->setToolTip(0, entry.problem.isEmpty() ? entry.path : entry.problem);
+        item->setTextAlignment(3, Qt::AlignRight);
+        item->setTextAlignment(4, Qt::AlignRight);
+        QFont font = item->font(0);
+        font.setWeight(entry.path == runs_.shown() ? QFont::DemiBold : QFont::Normal);
+        item->setFont(0, font);
+        const bool good = entry.summary && entry.summary->outcome &&
+                          (entry.summary->outcome == Outcome::Equilibrium || entry.summary->outcome == Outcome::Duration);
+        if (entry.goesOn) item->setIcon(0, themes_.icon("running", theme.accent));
+        else if (!entry.summary) item->setIcon(0, themes_.icon("error", theme.error));
+        else item->setIcon(0, good ? themes_.icon("ok", theme.ok) : themes_.icon("warning", theme.warning));
+    }
+    for (const int column : {0, 1, 3, 4}) list_->resizeColumnToContents(column);
+}
+
+void RunList::showMenu(const QPoint& at) {
+    const QTreeWidgetItem* item = list_->itemAt(at);
+    if (!item) return;
+    const QString store = item->data(0, Qt::UserRole).toString();
+    const QString name = item->text(0);
+    bool resumable = false, goesOn = false;
+    for (const RunEntry& entry : runs_.entries())
+        if (entry.path == store) {
+            resumable = entry.summary && entry.summary->resumable && !entry.ofEarlierScene;
+            goesOn = entry.goesOn;
+        }
+    QMenu menu(this);
+    menu.addAction(tr("Show %1").arg(name), this, [this, store] { runs_.open(store); });
+    QAction* on = menu.addAction(tr("Go on with %1").arg(name), this, [this, store] { runs_.resume(store); });
+    on->setEnabled(resumable && !runs_.isRunning());
+    menu.addSeparator();
+    QAction* away = menu.addAction(tr("Remove %1…").arg(name), this, [this, store, name] {
+        const auto answer = QMessageBox::question(this, tr("Remove run"),
+                                                  tr("Remove %1 and its file %2? This cannot be undone.").arg(name, store));
+        if (answer == QMessageBox::Yes) runs_.remove(store);
+    });
+    away->setEnabled(!goesOn);
+    menu.exec(list_->viewport()->mapToGlobal(at));
+}
+
+}  // namespace keyblock

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far the run is, with what can be done to it: at the right end of the work's
+// order, never in the way. Without a run it is a button that starts one.
+#pragma once
+
+#include <QWidget>
+
+class QToolButton;
+
+namespace keyblock {
+
+class Commands;
+class Runs;
+class Themes;
+
+class RunStatus : public QWidget {
+    Q_OBJECT
+
+public:
+    /// \pre the commands of runs are there.
+    RunStatus(const Themes& themes, Commands& commands, Runs& runs, QWidget* parent = nullptr);
+
+private:
+    class Progress;
+
+    QToolButton* buttonOf(const char* command);
+    void refresh();
+
+    const Themes& themes_;
+    Commands& commands_;
+    Runs& runs_;
+    Progress* progress_;
+    QToolButton *start_, *pause_, *step_, *stop_;
+};
+
+}  // namespace keyblock

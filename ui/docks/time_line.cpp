@@ -1,0 +1,322 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/time_line.h"
+
+#include "solver/results/history.h"
+#include "solver/results/words.h"
+#include "ui/docks/time_track.h"
+#include "ui/document/selection.h"
+#include "ui/look/commands.h"
+#include "ui/look/display.h"
+#include "ui/look/theme.h"
+#include "ui/picture/captions.h"
+#include "ui/runs/live_run.h"
+#include "ui/runs/time_cursor.h"
+
+#include <QComboBox>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int fullHeight = 104, emptyHeight = 30, rowHeight = 28;  // [px]
+constexpr double speeds[]{0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0};
+
+QFrame* separatorIn(QWidget* parent) {
+    auto* line = new QFrame(parent);
+    line->setObjectName("separator");
+    line->setFixedSize(1, 18);
+    return line;
+}
+
+QLabel* labelIn(QWidget* parent, const char* name, const QString& accessible) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(name);
+    label->setAccessibleName(accessible);
+    label->setTextFormat(Qt::PlainText);
+    return label;
+}
+
+/// Row of the history at a moment; −1 before the first.
+long rowAt(const std::vector<HistoryRow>& rows, const FrameHead& head) {
+    const auto after = std::upper_bound(rows.begin(), rows.end(), head, [](const FrameHead& h, const HistoryRow& row) {
+        return std::pair(h.stage, h.time) < std::pair(row.stage, row.time);
+    });
+    return static_cast<long>(after - rows.begin()) - 1;
+}
+
+/// Bolt of the scene that is selected; −1: none.
+int selectedBolt(const Selection& selection, const Scene& scene) {
+    for (const QString& pointer : selection.pointers()) {
+        const QStringList parts = pointer.split('/');
+        if (parts.size() < 3 || parts[1] != "bolts") continue;
+        bool isNumber = false;
+        const int bolt = parts[2].toInt(&isNumber);
+        if (isNumber && bolt >= 0 && static_cast<std::size_t>(bolt) < scene.bolts.size()) return bolt;
+    }
+    return -1;
+}
+
+}  // namespace
+
+TimeLine::TimeLine(const Themes& themes, Commands& commands, TimeCursor& cursor, const Selection& selection,
+                   QWidget* parent)
+    : QWidget(parent), themes_(themes), commands_(commands), cursor_(cursor), selection_(selection),
+      full_(new QWidget(this)), empty_(new QWidget(this)), track_(new TimeTrack(themes, cursor, full_)) {
+    setObjectName("timeLine");
+    setAttribute(Qt::WA_StyledBackground);
+    setAccessibleName(tr("Time line"));
+    auto* column = new QVBoxLayout(full_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(12, 2, 16, 0);
+    row->addWidget(makeTransport());
+    row->addStretch(1);
+    row->addWidget(makeCounts());
+    column->addLayout(row);
+    column->addWidget(track_);
+    auto* hint = new QHBoxLayout(empty_);
+    hint->setContentsMargins(16, 0, 16, 0);
+    auto* text = labelIn(empty_, "timeLineHint", tr("Time line"));
+    text->setText(tr("No run yet. F5 runs all stages; the time line then tells what let go, and when."));
+    hint->addWidget(text);
+    auto* both = new QVBoxLayout(this);
+    both->setContentsMargins(0, 0, 0, 0);
+    both->setSpacing(0);
+    both->addWidget(full_);
+    both->addWidget(empty_);
+    connect(&themes, &Themes::changed, this, &TimeLine::showIcons);
+    connect(&cursor, &TimeCursor::runChanged, this, &TimeLine::showRun);
+    connect(&cursor, &TimeCursor::runGrew, this, &TimeLine::showCounts);
+    connect(&cursor, &TimeCursor::moved, this, &TimeLine::showMoment);
+    connect(&cursor, &TimeCursor::changed, this, [this] {
+        showMoment();
+        showIcons();
+    });
+    connect(&selection, &Selection::changed, this, &TimeLine::showMoment);
+    showIcons();
+    showRun();
+}
+
+QToolButton* TimeLine::buttonOf(const char* command) {
+    QAction* action = commands_.action(command);
+    auto* button = new QToolButton(full_);
+    button->setObjectName(command);
+    button->setAccessibleName(action->text());
+    button->setToolTip(action->toolTip());
+    button->setFixedSize(28, rowHeight);
+    button->setIconSize({16, 16});
+    button->setAutoRaise(true);
+    button->setEnabled(action->isEnabled());
+    connect(button, &QToolButton::clicked, action, &QAction::trigger);
+    connect(action, &QAction::changed, button, [button, action] {
+        button->setEnabled(action->isEnabled());
+        button->setToolTip(action->toolTip());
+    });
+    return button;
+}
+
+QWidget* TimeLine::makeTransport() {
+    auto* bar = new QWidget(full_);
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    row->addWidget(buttonOf("time.home"));
+    play_ = buttonOf("time.play");
+    play_->setProperty("framed", "icon");
+    row->addWidget(play_);
+    row->addWidget(buttonOf("time.end"));
+    loop_ = new QToolButton(bar);
+    loop_->setObjectName("timeLoop");
+    loop_->setAccessibleName(tr("Loop"));
+    loop_->setToolTip(tr("Begin again at the end"));
+    loop_->setCheckable(true);
+    loop_->setFixedSize(28, rowHeight);
+    connect(loop_, &QToolButton::toggled, this, [this](bool on) { cursor_.setLoops(on); });
+    row->addWidget(loop_);
+    speed_ = new QComboBox(bar);
+    speed_->setObjectName("timeSpeed");
+    speed_->setAccessibleName(tr("Speed"));
+    speed_->setToolTip(tr("Speed of playing; 1× is 25 frames a second"));
+    for (const double speed : speeds) speed_->addItem(QString::number(speed) + QStringLiteral("×"), speed);
+    speed_->setCurrentIndex(3);
+    speed_->setFixedSize(58, 24);
+    connect(speed_, QOverload<int>::of(&QComboBox::activated), this,
+            [this](int index) { cursor_.setSpeed(speed_->itemData(index).toDouble()); });
+    row->addWidget(speed_);
+    row->addWidget(separatorIn(bar));
+    stage_ = labelIn(bar, "timeStage", tr("Stage shown"));
+    time_ = labelIn(bar, "timeReadout", tr("Time shown"));
+    frame_ = labelIn(bar, "timeFrame", tr("Frame shown"));
+    time_->setMinimumWidth(86);  // so that nothing jumps while time runs
+    frame_->setMinimumWidth(104);
+    live_ = new QToolButton(bar);
+    live_->setObjectName("timeLive");
+    live_->setText(tr("Live"));
+    live_->setAccessibleName(tr("Live"));
+    live_->setFixedHeight(20);
+    connect(live_, &QToolButton::clicked, this, [this] { cursor_.goLive(); });
+    compare_ = labelIn(bar, "timeCompare", tr("Compared with cursor B"));
+    for (QWidget* widget : {static_cast<QWidget*>(stage_), static_cast<QWidget*>(time_), static_cast<QWidget*>(frame_),
+                            static_cast<QWidget*>(live_), static_cast<QWidget*>(separatorIn(bar)),
+                            static_cast<QWidget*>(compare_)})
+        row->addWidget(widget);
+    return bar;
+}
+
+QWidget* TimeLine::makeCounts() {
+    auto* bar = new QWidget(full_);
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(2);
+    auto* title = labelIn(bar, "timeEvents", tr("Events"));
+    title->setText(tr("Events"));
+    row->addWidget(title);
+    for (std::size_t g = 0; g < eventGroups; ++g) {
+        const auto group = static_cast<EventGroup>(g);
+        auto* button = new QToolButton(bar);
+        button->setObjectName("count" + QString::number(g));
+        button->setAccessibleName(tr("Show events: %1").arg(nameOf(group)));
+        button->setToolTip(tr("Show or hide %1 on the time line; hidden ones are passed over").arg(nameOf(group)));
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setCheckable(true);
+        button->setChecked(true);
+        button->setFixedHeight(24);
+        button->setProperty("count", true);
+        connect(button, &QToolButton::clicked, this, [this, group](bool on) {
+            for (const EventKind kind : kindsOf(group)) cursor_.setHidden(kind, !on);
+        });
+        counts_[g] = button;
+        row->addWidget(button);
+    }
+    row->addWidget(separatorIn(bar));
+    bookmark_ = buttonOf("time.bookmark");
+    row->addWidget(bookmark_);
+    auto* next = new QToolButton(bar);
+    QAction* action = commands_.action("time.nextEvent");
+    next->setObjectName("nextEvent");
+    next->setAccessibleName(action->text());
+    next->setFixedHeight(24);
+    const auto show = [next, action] {
+        next->setText(action->text() + QStringLiteral("  ") + action->shortcut().toString(QKeySequence::NativeText));
+        next->setToolTip(action->toolTip());
+        next->setEnabled(action->isEnabled());
+    };
+    show();
+    connect(action, &QAction::changed, next, show);
+    connect(next, &QToolButton::clicked, action, &QAction::trigger);
+    row->addWidget(next);
+    return bar;
+}
+
+void TimeLine::showIcons() {
+    play_->setIcon(themes_.icon(cursor_.isPlaying() || cursor_.isLive() ? "pause" : "play", themes_.current().text));
+    if (auto* home = full_->findChild<QToolButton*>("time.home")) home->setIcon(themes_.icon("home", themes_.current().text));
+    if (auto* end = full_->findChild<QToolButton*>("time.end")) end->setIcon(themes_.icon("end", themes_.current().text));
+    loop_->setIcon(themes_.icon("loop"));
+    const auto here = cursor_.frame();
+    const bool marked = here && cursor_.bookmarks().contains(*here);
+    bookmark_->setIcon(themes_.icon("bookmark", marked ? themes_.current().accent : themes_.current().text2));
+    for (std::size_t g = 0; g < eventGroups; ++g) {
+        constexpr int side = 16, sharp = 3;
+        QPixmap pixmap(side * sharp, side * sharp);
+        pixmap.setDevicePixelRatio(sharp);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        const bool off = numbers_[g] == 0 || !counts_[g]->isChecked();
+        if (off) painter.setOpacity(0.55);
+        drawEventMark(painter, themes_.current(), static_cast<EventGroup>(g), {0.5 * side, 0.5 * side});
+        painter.end();
+        counts_[g]->setIcon(QIcon(pixmap));
+    }
+}
+
+void TimeLine::showRun() {
+    const bool any = cursor_.run() != nullptr;
+    full_->setVisible(any);
+    empty_->setVisible(!any);
+    setFixedHeight(any ? fullHeight : emptyHeight);
+    counted_ = 0;
+    numbers_ = {};
+    showCounts();
+    showMoment();
+}
+
+void TimeLine::showCounts() {
+    const std::array<long, eventGroups> before = numbers_;
+    const bool first = counted_ == 0;
+    if (cursor_.run()) {
+        const std::vector<Event>& events = cursor_.run()->eventList();
+        for (; counted_ < events.size(); ++counted_)
+            ++numbers_[static_cast<std::size_t>(groupOf(events[counted_].kind))];
+    }
+    if (!first && before == numbers_) return;
+    for (std::size_t g = 0; g < eventGroups; ++g) {
+        const auto group = static_cast<EventGroup>(g);
+        counts_[g]->setText(nameOf(group) + QStringLiteral(" ") + Display::number(static_cast<double>(numbers_[g]), 9));
+        counts_[g]->setEnabled(numbers_[g] > 0);
+    }
+    showIcons();
+}
+
+void TimeLine::showMoment() {
+    if (!cursor_.hasMoment()) {
+        for (QLabel* label : {stage_, time_, frame_, compare_}) label->clear();
+        live_->setVisible(cursor_.goesOn());
+        return;
+    }
+    const LiveRun& run = *cursor_.run();
+    const FrameHead head = cursor_.head();
+    stage_->setText(QString::fromStdString(stageName(run.scene(), head.stage)));
+    time_->setText(tr("t = %1").arg(QString::fromStdString(timeText(run.scene(), head.stage, head.time))));
+    const auto frame = cursor_.frame();
+    const auto count = static_cast<int>(run.frames().size());
+    frame_->setText(frame ? tr("frame %1 of %2").arg(*frame + 1).arg(count) : tr("step %1").arg(head.step));
+    live_->setVisible(cursor_.goesOn());
+    live_->setProperty("live", cursor_.isLive());
+    live_->setText(cursor_.isLive() ? tr("Live") : tr("Go live"));
+    const Theme& theme = themes_.current();
+    live_->setStyleSheet(cursor_.isLive() ? QStringLiteral("QToolButton { background: %1; color: %2; border: none; "
+                                                           "border-radius: 10px; padding: 0 8px; font-weight: 600; }")
+                                                .arg(theme.accentSoft.name(), theme.accent.name())
+                                          : QString());
+    compare_->setText(compareText());
+    const bool marked = frame && cursor_.bookmarks().contains(*frame);
+    bookmark_->setIcon(themes_.icon("bookmark", marked ? theme.accent : theme.text2));
+}
+
+/// B's time, how far A is from it, and what the selected bolt's force changed by.
+QString TimeLine::compareText() const {
+    const auto b = cursor_.cursorB();
+    if (!b) return {};
+    const LiveRun& run = *cursor_.run();
+    const FrameHead &there = run.frames()[*b], here = cursor_.head();
+    QString text = tr("B %1").arg(QString::fromStdString(timeText(run.scene(), there.stage, there.time)));
+    if (there.stage == here.stage)
+        text += QStringLiteral("   Δ(A−B) ") +
+                QString::fromStdString(timeText(run.scene(), here.stage, here.time - there.time));
+    else
+        text += QStringLiteral("   ") + QString::fromStdString(stageName(run.scene(), there.stage));
+    const int bolt = selectedBolt(selection_, run.scene());
+    const long a = rowAt(run.historyRows(), here), from = rowAt(run.historyRows(), there);
+    if (bolt < 0 || a < 0 || from < 0) return text;
+    const auto column = static_cast<std::size_t>(historyColumn(run.scene(), {-1, 0, bolt, BoltQuantity::AxialForce}));
+    const auto valueAt = [&](long row) { return run.historyRows()[static_cast<std::size_t>(row)].values[column]; };
+    const double change = 1e-3 * (valueAt(a) - valueAt(from));
+    if (!std::isfinite(change)) return text;
+    return text + tr("   ΔN %1 %2 kN")
+                      .arg(QString::fromStdString(boltName(run.scene(), bolt)),
+                           (change > 0.0 ? QStringLiteral("+") : QString()) + Display::number(change, 4));
+}
+
+}  // namespace keyblock

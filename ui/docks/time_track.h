@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The stages of a run side by side with what is done of them, the events below, and
+// the two cursors: click and drag to scrub, wheel to zoom.
+#pragma once
+
+#include "ui/docks/event_marks.h"
+#include "ui/runs/time_axis.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+namespace keyblock {
+
+class Themes;
+class TimeCursor;
+
+/// A mark that found room, or a place where events are that did not.
+struct PlacedEvent {
+    EventGroup group = EventGroup::Slip;
+    double x = 0.0;  // [px]
+    std::size_t event = 0;
+};
+
+/// The gravest events first, each where it keeps `least` [px] from those that were put down; `places` [px], one an
+/// event, NaN for those that are not shown.
+std::vector<PlacedEvent> placedEvents(const std::vector<Event>& events, const std::vector<double>& places,
+                                      double least);
+
+class TimeTrack : public QWidget {
+    Q_OBJECT
+
+public:
+    TimeTrack(const Themes& themes, TimeCursor& cursor, QWidget* parent = nullptr);
+
+    /// All stages again.
+    void zoomOut();
+    double low() const { return low_; }
+    double high() const { return high_; }
+
+    static constexpr double inset = 16.0;  // of the axis at both sides [px]
+
+    QSize sizeHint() const override { return {600, 76}; }
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    enum class Drag { Nothing, Time, CursorB, Pan };
+
+    double xOf(double place) const;
+    double placeAt(double x) const;
+    void setWindow(double low, double high);
+    void takeRun();
+    void scrubTo(double x);
+    const std::vector<PlacedEvent>& marks() const;
+    QString tipAt(const QPointF& at) const;
+
+    void paintBands(QPainter& painter) const;
+    void paintBand(QPainter& painter, const TimeAxis::Span& span, double reached, bool current) const;
+    void paintTicks(QPainter& painter) const;
+    void paintMarks(QPainter& painter) const;
+    void paintCursors(QPainter& painter) const;
+    void paintFlag(QPainter& painter, double x, const QString& letter, bool filled) const;
+
+    const Themes& themes_;
+    TimeCursor& cursor_;
+    TimeAxis axis_;
+    double low_ = 0.0, high_ = 1.0;  // part of the axis that is shown
+    Drag drag_ = Drag::Nothing;
+    QPointF dragFrom_;
+    double dragLow_ = 0.0;
+
+    struct Laid {
+        std::size_t events = 0;
+        double low = 0.0, high = 0.0;
+        int width = 0;
+        bool valid = false;
+    };
+    mutable Laid laid_;  // what the marks were laid out for
+    mutable std::vector<PlacedEvent> marks_;
+    mutable std::vector<int> columns_;  // of pixels with events, rising
+};
+
+}  // namespace keyblock

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How the time line looks: bands, ticks, marks and flags, in px.
+#include "solver/results/words.h"
+#include "ui/docks/time_track.h"
+#include "ui/look/display.h"
+#include "ui/look/theme.h"
+#include "ui/picture/ticks.h"
+#include "ui/runs/live_run.h"
+#include "ui/runs/time_cursor.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double bandTop = 13.0, bandHeight = 20.0, marksAt = 46.0, axisAt = 59.0, labelsAt = 71.0;  // [px]
+constexpr double perTick = 62.0;  // [px]
+
+QFont sized(const QWidget& widget, int pixels, bool bold) {
+    QFont font = widget.font();
+    font.setPixelSize(pixels);
+    font.setWeight(bold ? QFont::DemiBold : QFont::Normal);
+    return font;
+}
+
+QColor clear(QColor colour, double opacity) {
+    colour.setAlphaF(opacity);
+    return colour;
+}
+
+/// What a stage is, beside its name.
+QString natureOf(const Stage& stage) {
+    if (stage.kind == StageKind::Dynamic)
+        return TimeTrack::tr("dynamic · %1 s").arg(Display::number(stage.duration, 3));
+    if (stage.relaxation) return TimeTrack::tr("static · relaxation");
+    return TimeTrack::tr("static");
+}
+
+const char* iconOf(const StageRecord* record, bool goesOn) {
+    if (!record) return "not-yet";
+    if (!record->ended) return goesOn ? "running" : "warning";
+    switch (record->result.outcome) {
+        case Outcome::Failed: return "error";
+        case Outcome::Stopped:
+        case Outcome::Limit:
+        case Outcome::Collapse: return "warning";
+        default: return "ok";
+    }
+}
+
+QColor colourOf(const QString& icon, const Theme& theme) {
+    if (icon == "ok") return theme.ok;
+    if (icon == "error") return theme.error;
+    if (icon == "warning") return theme.warning;
+    return icon == "running" ? theme.accent : theme.text3;
+}
+
+}  // namespace
+
+void TimeTrack::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), themes_.current().panel);
+    if (axis_.isEmpty()) return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintBands(painter);
+    paintTicks(painter);
+    painter.setClipRect(QRectF(inset - 8.0, 0.0, width() - 2.0 * inset + 16.0, height()));
+    paintMarks(painter);
+    paintCursors(painter);
+}
+
+void TimeTrack::paintBands(QPainter& painter) const {
+    const auto& records = cursor_.run()->stageList();
+    const auto& frames = cursor_.run()->frames();
+    const auto& newest = cursor_.run()->newest();
+    painter.save();
+    painter.setClipRect(QRectF(inset, 0.0, width() - 2.0 * inset, height()));
+    for (const TimeAxis::Span& span : axis_.spans()) {
+        double reached = 0.0;
+        for (const FrameHead& head : frames)
+            if (head.stage == span.stage) reached = std::max(reached, head.time);
+        if (newest.frame && newest.frame->stage == span.stage) reached = std::max(reached, newest.frame->time);
+        const auto record = std::find_if(records.begin(), records.end(),
+                                         [&](const StageRecord& r) { return r.result.stage == span.stage; });
+        if (record != records.end() && record->ended) reached = std::max(reached, record->result.time);
+        paintBand(painter, span, reached, record != records.end() && !record->ended && cursor_.goesOn());
+    }
+    painter.restore();
+}
+
+void TimeTrack::paintBand(QPainter& painter, const TimeAxis::Span& span, double reached, bool current) const {
+    const Theme& theme = themes_.current();
+    const double left = std::max(xOf(span.from), -10.0), right = std::min(xOf(span.to), width() + 10.0);
+    if (right < 0.0 || left > width()) return;
+    const double done = std::clamp(xOf(axis_.at(span.stage, reached)), left, right);
+    const QRectF band(left, bandTop, right - left, bandHeight);
+    const QRectF computed(left, bandTop, done - left, bandHeight);
+    painter.fillRect(band, current ? theme.accentSoft : theme.panel);
+    painter.fillRect(computed, current ? clear(theme.accent, 0.16) : theme.header);
+    const bool open = right - done > 1.0;
+    if (open) {
+        painter.save();
+        painter.setClipRect(QRectF(done, bandTop, right - done, bandHeight), Qt::IntersectClip);
+        painter.fillRect(QRectF(done, bandTop, right - done, bandHeight), theme.panel);
+        painter.setPen(QPen(theme.separator, 1.0));
+        for (double x = done - bandHeight; x < right; x += 7.0)
+            painter.drawLine(QPointF(x, bandTop + bandHeight), QPointF(x + bandHeight, bandTop));
+        painter.restore();
+    }
+    painter.setPen(QPen(current ? clear(theme.accent, 0.45) : theme.border, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(band.adjusted(0.5, 0.5, -0.5, -0.5));
+
+    const auto& records = cursor_.run()->stageList();
+    const auto record = std::find_if(records.begin(), records.end(),
+                                     [&](const StageRecord& r) { return r.result.stage == span.stage; });
+    const QString icon = iconOf(record == records.end() ? nullptr : &*record, cursor_.goesOn());
+    const double from = std::max(left, inset) + 8.0, to = std::min(right, width() - inset) - 6.0;
+    double x = from;
+    if (to - x < 18.0) return;
+    themes_.icon(icon, colourOf(icon, theme)).paint(&painter, QRect(int(x), int(bandTop) + 3, 14, 14));
+    x += 20.0;
+    const auto write = [&](const QString& text, const QFont& font, const QColor& colour, double end) {
+        painter.setFont(font);
+        const QFontMetricsF metrics(font);
+        const QString shown = metrics.elidedText(text, Qt::ElideRight, end - x);
+        if (end - x < 24.0) return;
+        painter.setPen(colour);
+        painter.drawText(QRectF(x, bandTop, end - x, bandHeight), Qt::AlignVCenter | Qt::AlignLeft, shown);
+        x += metrics.horizontalAdvance(shown) + 12.0;
+    };
+    const Stage& stage = cursor_.run()->scene().stages[static_cast<std::size_t>(span.stage)];
+    const QString unmade = cursor_.goesOn() ? tr("not yet computed") : tr("not computed");
+    const QFont small = sized(*this, 11, false);
+    const double unmadeWidth = QFontMetricsF(small).horizontalAdvance(unmade) + 10.0;
+    const bool tells = open && to - std::max(done, from) > unmadeWidth + 4.0 && to - from > unmadeWidth + 90.0;
+    const double end = tells ? to - unmadeWidth : to;
+    write(QString::fromStdString(stage.name), sized(*this, 12, true), theme.text, end);
+    const QString nature = natureOf(stage);
+    if (x + QFontMetricsF(small).horizontalAdvance(nature) < end) write(nature, small, theme.text2, end);
+    if (!tells) return;
+    painter.setFont(small);
+    painter.setPen(theme.text2);
+    painter.drawText(QRectF(to - unmadeWidth, bandTop, unmadeWidth, bandHeight), Qt::AlignVCenter | Qt::AlignRight,
+                     unmade);
+}
+
+void TimeTrack::paintTicks(QPainter& painter) const {
+    const Theme& theme = themes_.current();
+    painter.setFont(sized(*this, 10, false));
+    const QFontMetricsF metrics(painter.font());
+    painter.setPen(QPen(theme.border, 1.0));
+    painter.drawLine(QPointF(inset, axisAt), QPointF(width() - inset, axisAt));
+    double free = 0.0;
+    for (const TimeAxis::Span& span : axis_.spans()) {
+        const double left = xOf(span.from), right = xOf(span.to);
+        if (right < inset || left > width() - inset) continue;
+        const int most = std::clamp(static_cast<int>((right - left) / perTick), 2, 400);
+        const Ticks ticks = roundTicks({0.0, span.duration}, most);
+        const bool seconds = cursor_.run()->scene().stages[static_cast<std::size_t>(span.stage)].kind ==
+                             StageKind::Dynamic;
+        for (const double value : ticks.values) {
+            const double x = xOf(axis_.at(span.stage, value));
+            const bool isEnd = value >= span.duration * (1.0 - 1e-9) && span.to < 1.0;  // the next begins there
+            if (isEnd || x < inset - 0.5 || x > width() - inset + 0.5) continue;
+            painter.setPen(QPen(theme.border, 1.0));
+            painter.drawLine(QPointF(x, axisAt - (value == 0.0 ? 4.0 : 0.0)), QPointF(x, axisAt + 4.0));
+            QString text = QString::fromStdString(numberText(value, ticks.decimals));
+            if (seconds && (value == 0.0 || value == ticks.values.back())) text += QStringLiteral(" s");
+            const double wide = metrics.horizontalAdvance(text);
+            const double at = value == 0.0 ? x + 3.0 : std::min(x - 0.5 * wide, width() - inset - wide);
+            if (at < free) continue;
+            painter.setPen(theme.text2);
+            painter.drawText(QPointF(at, labelsAt), text);
+            free = at + wide + 6.0;
+        }
+    }
+}
+
+void TimeTrack::paintMarks(QPainter& painter) const {
+    const Theme& theme = themes_.current();
+    const std::vector<PlacedEvent>& placed = marks();
+    painter.setPen(QPen(theme.text3, 1.0));
+    if (columns_.size() > placed.size())  // events without room are told where they are
+        for (const int x : columns_) painter.drawLine(QPointF(x, axisAt - 3.0), QPointF(x, axisAt - 0.5));
+    for (const PlacedEvent& mark : placed)
+        if (mark.group == EventGroup::Rupture || mark.group == EventGroup::Plate) {
+            painter.setPen(QPen(clear(theme.error, 0.3), 1.0));
+            painter.drawLine(QPointF(mark.x, bandTop + bandHeight), QPointF(mark.x, axisAt));
+        }
+    for (const PlacedEvent& mark : placed) drawEventMark(painter, theme, mark.group, {mark.x, marksAt});
+    for (const std::size_t frame : cursor_.bookmarks()) {
+        const FrameHead& head = cursor_.run()->frames()[frame];
+        const double x = xOf(axis_.at(head.stage, head.time));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(theme.accent);
+        const double y = bandTop - 1.0;
+        const QVector<QPointF> ribbon{{x - 3.5, y - 8.0}, {x + 3.5, y - 8.0}, {x + 3.5, y}, {x, y - 3.0}, {x - 3.5, y}};
+        painter.drawPolygon(QPolygonF(ribbon));
+    }
+}
+
+void TimeTrack::paintCursors(QPainter& painter) const {
+    const Theme& theme = themes_.current();
+    if (const auto b = cursor_.cursorB()) {
+        const FrameHead& head = cursor_.run()->frames()[*b];
+        const double x = std::round(xOf(axis_.at(head.stage, head.time))) + 0.5;
+        painter.setPen(QPen(theme.text2, 1.0, Qt::CustomDashLine));
+        QPen dashed(theme.text2, 1.2);
+        dashed.setDashPattern({3.0, 2.5});
+        painter.setPen(dashed);
+        painter.drawLine(QPointF(x, bandTop), QPointF(x, axisAt + 1.0));
+        paintFlag(painter, x, QStringLiteral("B"), false);
+    }
+    if (!cursor_.hasMoment()) return;
+    const FrameHead now = cursor_.head();
+    const double x = std::round(xOf(axis_.at(now.stage, now.time))) + 0.5;
+    painter.setPen(QPen(theme.accent, 1.5));
+    painter.drawLine(QPointF(x, bandTop - 2.0), QPointF(x, axisAt + 1.0));
+    paintFlag(painter, x, QStringLiteral("A"), true);
+}
+
+/// A shield with its letter that points down to the line.
+void TimeTrack::paintFlag(QPainter& painter, double x, const QString& letter, bool filled) const {
+    const Theme& theme = themes_.current();
+    const QVector<QPointF> corners{{x - 7.5, 0.5}, {x + 7.5, 0.5}, {x + 7.5, 8.5}, {x, 13.5}, {x - 7.5, 8.5}};
+    painter.setPen(QPen(filled ? theme.accent : theme.text2, 1.0));
+    painter.setBrush(filled ? theme.accent : theme.panel);
+    painter.drawPolygon(QPolygonF(corners));
+    painter.setFont(sized(*this, 10, true));
+    painter.setPen(filled ? theme.onAccent : theme.text2);
+    painter.drawText(QRectF(x - 7.5, 0.0, 15.0, 11.0), Qt::AlignCenter, letter);
+}
+
+}  // namespace keyblock

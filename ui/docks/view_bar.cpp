@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/view_bar.h"
+
+#include "ui/look/commands.h"
+#include "ui/look/display.h"
+#include "ui/look/theme.h"
+#include "ui/runs/view_settings.h"
+
+#include <QComboBox>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <QToolButton>
+
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr double factors[]{1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
+
+/// A box that says before its choice what is chosen.
+class TitledChoice : public QComboBox {
+public:
+    TitledChoice(const QString& title, QWidget* parent) : QComboBox(parent), title_(title) {
+        setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        setFixedHeight(26);
+    }
+    QSize sizeHint() const override {
+        QFont bold = font();
+        bold.setWeight(QFont::DemiBold);
+        const QFontMetrics metrics(font());
+        const int text = metrics.horizontalAdvance(title_) + 8 + metrics.horizontalAdvance(currentText());
+        return {text + 34, 26};
+    }
+    QSize minimumSizeHint() const override { return {60, 26}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        QStyleOptionComboBox option;
+        initStyleOption(&option);
+        option.currentText.clear();
+        style()->drawComplexControl(QStyle::CC_ComboBox, &option, &painter, this);
+        const QRect room = rect().adjusted(9, 0, -20, 0);
+        const QFontMetrics metrics(font());
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft, title_);
+        const int at = metrics.horizontalAdvance(title_) + 8;
+        painter.setPen(palette().color(isEnabled() ? QPalette::Text : QPalette::PlaceholderText));
+        painter.drawText(room.adjusted(at, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                         metrics.elidedText(currentText(), Qt::ElideRight, room.width() - at));
+    }
+
+private:
+    QString title_;
+};
+
+QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<int>(words.size())); }
+
+/// "Block stress σ₁" is "σ₁" where blocks are spoken of.
+QString shortTitle(std::string_view title) {
+    QString all = text(title);
+    if (all.startsWith("Block stress ")) all = all.mid(13);
+    return all;
+}
+
+}  // namespace
+
+ViewBar::ViewBar(const Themes& themes, Commands& commands, ViewSettings& settings, QWidget* parent)
+    : QWidget(parent), themes_(themes), commands_(commands), settings_(settings), row_(new QHBoxLayout(this)) {
+    setObjectName("viewBar");
+    setAccessibleName(tr("View of results"));
+    setFixedHeight(36);
+    row_->setContentsMargins(12, 0, 12, 0);
+    row_->setSpacing(6);
+    blocks_ = addChoice("viewBlocks", tr("Blocks"));
+    bolts_ = addChoice("viewBolts", tr("Bolts"));
+    ribbon_ = addChoice("viewRibbon", tr("Ribbon"));
+    factor_ = addChoice("viewFactor", tr("Deformation"));
+    fill();
+    row_->addSpacing(8);
+    callOuts_ = addToggle("viewCallOuts", tr("Call-outs at events"), "label");
+    arrows_ = addToggle("viewArrows", tr("Arrows of displacement"), "arrow");
+    contacts_ = addToggle("viewContacts", tr("Forces between blocks"), "load");
+    row_->addStretch(1);
+    addCommands();
+    connect(&settings, &ViewSettings::changed, this, &ViewBar::showChoice);
+    connect(&themes, &Themes::changed, this, &ViewBar::showIcons);
+    showChoice();
+    showIcons();
+}
+
+QComboBox* ViewBar::addChoice(const char* name, const QString& title) {
+    auto* choice = new TitledChoice(title, this);
+    choice->setObjectName(name);
+    choice->setAccessibleName(title);
+    row_->addWidget(choice);
+    connect(choice, QOverload<int>::of(&QComboBox::activated), this, &ViewBar::take);
+    return choice;
+}
+
+QToolButton* ViewBar::addToggle(const char* name, const QString& text, const char* icon) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setAccessibleName(text);
+    button->setToolTip(text);
+    button->setProperty("iconName", icon);
+    button->setCheckable(true);
+    button->setFixedSize(28, 28);
+    row_->addWidget(button);
+    connect(button, &QToolButton::clicked, this, &ViewBar::take);
+    return button;
+}
+
+void ViewBar::fill() {
+    blocks_->addItem(tr("plain"));
+    for (const auto& quantity : blockQuantities()) blocks_->addItem(shortTitle(quantity.display.title));
+    bolts_->addItem(tr("plain"));
+    for (const auto& quantity : boltQuantities()) bolts_->addItem(text(quantity.display.title));
+    ribbon_->addItems({tr("none"), tr("selected bolt"), tr("most loaded bolt")});
+    for (const double factor : factors) factor_->addItem(QStringLiteral("×") + Display::number(factor, 4), factor);
+}
+
+/// Those of other rooms that belong here, as far as they are there.
+void ViewBar::addCommands() {
+    for (const char* id : {"view.zoomBox", "view.fit", "export.figure"}) {
+        if (!commands_.has(id)) continue;
+        auto* button = new QToolButton(this);
+        button->setDefaultAction(commands_.action(id));
+        button->setObjectName(QString::fromUtf8(id) + "Bar");
+        button->setAccessibleName(commands_.action(id)->text());
+        button->setFixedHeight(28);
+        if (QString::fromUtf8(id) == "export.figure") {
+            button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+            button->setProperty("framed", true);
+        }
+        row_->addWidget(button);
+    }
+}
+
+void ViewBar::take() {
+    ViewChoice choice = settings_.choice();
+    const int block = blocks_->currentIndex() - 1, bolt = bolts_->currentIndex() - 1;
+    choice.blocks = block >= 0 ? &blockQuantities()[static_cast<std::size_t>(block)] : nullptr;
+    choice.bolts = bolt >= 0 ? &boltQuantities()[static_cast<std::size_t>(bolt)] : nullptr;
+    choice.ribbon = static_cast<RibbonOf>(ribbon_->currentIndex());
+    choice.factor = factor_->currentData().toDouble();
+    choice.callOuts = callOuts_->isChecked();
+    choice.arrows = arrows_->isChecked() ? std::optional(ArrowKind::Displacements) : std::nullopt;
+    choice.contacts = contacts_->isChecked();
+    settings_.choose(choice);
+    showChoice();
+}
+
+void ViewBar::showChoice() {
+    const ViewChoice& choice = settings_.choice();
+    const auto indexOf = [](const auto& quantities, const auto* chosen) {
+        for (std::size_t i = 0; i < quantities.size(); ++i)
+            if (&quantities[i] == chosen) return static_cast<int>(i) + 1;
+        return 0;
+    };
+    blocks_->setCurrentIndex(indexOf(blockQuantities(), choice.blocks));
+    bolts_->setCurrentIndex(indexOf(boltQuantities(), choice.bolts));
+    ribbon_->setCurrentIndex(static_cast<int>(choice.ribbon));
+    factor_->setCurrentIndex(factor_->findData(choice.factor));
+    ribbon_->setEnabled(choice.bolts != nullptr);
+    callOuts_->setChecked(choice.callOuts);
+    arrows_->setChecked(choice.arrows.has_value());
+    contacts_->setChecked(choice.contacts);
+    for (QComboBox* box : {blocks_, bolts_, ribbon_, factor_}) box->updateGeometry();
+}
+
+void ViewBar::showIcons() {
+    for (QToolButton* button : {callOuts_, arrows_, contacts_})
+        button->setIcon(themes_.icon(button->property("iconName").toString()));
+    update();
+}
+
+void ViewBar::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), themes_.current().panel);
+    painter.setPen(themes_.current().separator);
+    painter.drawLine(0, height() - 1, width(), height() - 1);
+}
+
+}  // namespace keyblock

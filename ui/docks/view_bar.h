@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The bar above the canvas: what of the results is shown, and how.
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QHBoxLayout;
+class QToolButton;
+
+namespace keyblock {
+
+class Commands;
+class Themes;
+class ViewSettings;
+
+class ViewBar : public QWidget {
+    Q_OBJECT
+
+public:
+    ViewBar(const Themes& themes, Commands& commands, ViewSettings& settings, QWidget* parent = nullptr);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    QComboBox* addChoice(const char* name, const QString& title);
+    QToolButton* addToggle(const char* name, const QString& text, const char* icon);
+    void fill();
+    void addCommands();
+    void take();
+    void showChoice();
+    void showIcons();
+
+    const Themes& themes_;
+    Commands& commands_;
+    ViewSettings& settings_;
+    QHBoxLayout* row_;
+    QComboBox *blocks_, *bolts_, *ribbon_, *factor_;
+    QToolButton *callOuts_, *arrows_, *contacts_;
+};
+
+}  // namespace keyblock
