@@ -11,19 +11,23 @@
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
+#include "ui/runs/runs.h"
 #include "ui/window/drawing_feed.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/menus.h"
 #include "ui/window/place_panels.h"
+#include "ui/window/run_area.h"
 #include "ui/window/start_binding.h"
 #include "ui/window/status_line.h"
 #include "ui/window/workflow_bar.h"
 
 #include <QCloseEvent>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QToolBar>
+#include <QVBoxLayout>
 
 namespace keyblock {
 
@@ -32,7 +36,8 @@ MainWindow::MainWindow(Themes& themes)
       document_(new Document(this)), journal_(new Journal(*document_, journalFolder(), this)),
       selection_(new Selection(this)), visibility_(new Visibility(*document_, this)),
       workflow_(new WorkflowBar(themes, this)),
-      canvas_(new Canvas(themes, this)), drawing_(new DrawingFeed(*document_, *canvas_, this)) {
+      canvas_(new Canvas(themes, this)), drawing_(new DrawingFeed(*document_, *canvas_, this)),
+      runs_(new RunArea({*this, themes, *commands_, *document_, *selection_, *canvas_, *drawing_, *workflow_})) {
     setObjectName("studio");
     resize(1600, 1000);
     addFileCommands(*commands_, *document_, *this);
@@ -47,6 +52,7 @@ MainWindow::MainWindow(Themes& themes)
     fillMenus(*menuBar(), *commands_);
     connect(document_, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(document_, &Document::checkedChanged, this, &MainWindow::showStates);
+    connect(runs_, &RunArea::statesChanged, this, &MainWindow::showStates);
     connect(document_, &Document::replaced, selection_, &Selection::clear);
     connect(journal_, &Journal::failed, this, [this](const QString& why) {
         statusBar()->showMessage(tr("Edits are no longer kept for recovery: %1").arg(why));
@@ -56,13 +62,18 @@ MainWindow::MainWindow(Themes& themes)
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::openPath(const QString& path) { openDocument(*document_, path, *this); }
+void MainWindow::openPath(const QString& path) {
+    if (path.endsWith(".kbrun", Qt::CaseInsensitive)) runs_->runs().open(QFileInfo(path).absoluteFilePath());
+    else openDocument(*document_, path, *this);
+}
 
 void MainWindow::begin() { beginWithStartPage(*start_); }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(mayDiscard(*document_, *this));
-    if (event->isAccepted()) journal_->close();
+    if (!event->isAccepted()) return;
+    runs_->runs().stopForClosing();
+    journal_->close();
 }
 
 void MainWindow::placeBars() {
@@ -78,12 +89,20 @@ void MainWindow::placeBars() {
 }
 
 void MainWindow::placeCanvas() {
-    setCentralWidget(canvas_);
+    auto* middle = new QWidget(this);
+    auto* column = new QVBoxLayout(middle);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(canvas_, 1);
+    setCentralWidget(middle);
+    runs_->place(*column);
     new StatusLine(*statusBar(), *document_, *canvas_, *display_);
 }
 
 void MainWindow::showStates() {
-    workflow_->setStates(workStates(*document_->checked().scene, document_->checked().problems));
+    WorkStates states = workStates(*document_->checked().scene, document_->checked().problems);
+    runs_->addTo(states);
+    workflow_->setStates(states);
 }
 
 void MainWindow::showTitle() {

@@ -17,6 +17,7 @@ class Display;
 class Document;
 class DrawingFeed;
 class Journal;
+class RunArea;
 class Selection;
 class StartPage;
 class Themes;
@@ -56,6 +57,7 @@ private:
     WorkflowBar* workflow_;
     Canvas* canvas_;
     DrawingFeed* drawing_;
+    RunArea* runs_;
 };
 
 }  // namespace keyblock

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/run_area.h"
+
+#include "ui/canvas/canvas.h"
+#include "ui/docks/block_outline.h"
+#include "ui/docks/curves.h"
+#include "ui/docks/events_list.h"
+#include "ui/docks/health_strip.h"
+#include "ui/docks/run_list.h"
+#include "ui/docks/run_log.h"
+#include "ui/docks/run_status.h"
+#include "ui/docks/time_line.h"
+#include "ui/docks/view_bar.h"
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/look/theme.h"
+#include "ui/runs/live_run.h"
+#include "ui/runs/run_commands.h"
+#include "ui/runs/run_session.h"
+#include "ui/runs/runs.h"
+#include "ui/runs/section_feed.h"
+#include "ui/runs/time_cursor.h"
+#include "ui/runs/view_settings.h"
+#include "ui/window/dock.h"
+#include "ui/window/drawing_feed.h"
+#include "ui/window/workflow_bar.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int dockHeight = 214, messageTime = 8000;  // [px], [ms]
+
+}  // namespace
+
+RunArea::RunArea(const RunAreaParts& parts)
+    : QObject(&parts.window), parts_(parts), cursor_(new TimeCursor(this)),
+      runs_(new Runs(parts.document, *cursor_, this)), settings_(new ViewSettings(this)),
+      feed_(new SectionFeed(parts.selection, *cursor_, *settings_, this)),
+      outline_(std::make_unique<BlockOutline>(parts.themes, parts.canvas)) {
+    addRunCommands(parts.commands, *runs_);
+    addTimeCommands(parts.commands, *cursor_);
+    parts.canvas.addOverlay(outline_.get());
+    connect(feed_, &SectionFeed::modeChanged, this, &RunArea::showMode);
+    connect(feed_, &SectionFeed::pictureChanged, this, &RunArea::showPicture);
+    connect(&parts.selection, &Selection::changed, this, &RunArea::showSelection);
+    connect(&parts.workflow, &WorkflowBar::chosen, this, &RunArea::followTabs);
+    connect(runs_, &Runs::sessionChanged, this, &RunArea::statesChanged);
+    connect(cursor_, &TimeCursor::runChanged, this, [this] {
+        outline_->show(-1);
+        if (cursor_->run()) parts_.workflow.choose(WorkStep::Results);
+        Q_EMIT statesChanged();
+    });
+    connect(&parts.canvas, &Canvas::spaceTapped, this, [this] { cursor_->isPlaying() ? cursor_->pause() : cursor_->play(); });
+}
+
+RunArea::~RunArea() { parts_.canvas.removeOverlay(outline_.get()); }
+
+void RunArea::place(QVBoxLayout& aboveCanvas) {
+    bar_ = new ViewBar(parts_.themes, parts_.commands, *settings_, &parts_.window);
+    aboveCanvas.insertWidget(0, bar_);
+    bar_->setVisible(feed_->showsResults());
+    parts_.workflow.addRight(new RunStatus(parts_.themes, parts_.commands, *runs_, &parts_.workflow));
+    placeDocks();
+    connect(runs_, &Runs::told, this, [this](const QString& message, bool isError) {
+        log_->tell(message, isError);
+        parts_.window.statusBar()->showMessage(message, messageTime);
+    });
+    connect(feed_, &SectionFeed::failed, this, [this](const QString& message) { log_->tell(message, true); });
+    showMode();
+}
+
+void RunArea::placeDocks() {
+    QMainWindow& window = parts_.window;
+    const Themes& themes = parts_.themes;
+    auto* line = new TimeLine(themes, parts_.commands, *cursor_, parts_.selection, &window);
+    QDockWidget* time = makeBand(window, "timeDock", tr("Time line"), line);
+    health_ = new HealthStrip(themes, *cursor_, &window);
+    events_ = new EventsList(themes, *cursor_, parts_.selection, &window);
+    log_ = new RunLog(themes, &window);
+    QDockWidget* curves =
+        makeDock(window, themes, "curvesDock", tr("Curves"), new Curves(themes, *cursor_, CurveKind::All, &window));
+    healthDock_ = makeDock(window, themes, "healthDock", tr("Health"), health_);
+    eventsDock_ = makeDock(window, themes, "eventsDock", tr("Events"), events_);
+    QDockWidget* energy =
+        makeDock(window, themes, "energyDock", tr("Energy"), new Curves(themes, *cursor_, CurveKind::Energies, &window));
+    QDockWidget* list = makeDock(window, themes, "runsDock", tr("Runs"), new RunList(themes, *runs_, &window));
+    QDockWidget* log = makeDock(window, themes, "logDock", tr("Log"), log_);
+    window.addDockWidget(Qt::BottomDockWidgetArea, time);
+    window.splitDockWidget(time, curves, Qt::Vertical);
+    window.splitDockWidget(curves, healthDock_, Qt::Horizontal);
+    for (QDockWidget* dock : {eventsDock_, energy, list, log}) window.tabifyDockWidget(healthDock_, dock);
+    healthDock_->raise();
+    window.resizeDocks({curves, healthDock_}, {1100, 500}, Qt::Horizontal);
+    window.resizeDocks({curves}, {dockHeight}, Qt::Vertical);
+    connect(health_, &HealthStrip::blockAsked, this, &RunArea::askBlock);
+    connect(events_, &EventsList::blockAsked, this, &RunArea::askBlock);
+    connect(events_, &EventsList::countChanged, this, &RunArea::nameTabs);
+}
+
+/// How many events there are stands on their tab.
+void RunArea::nameTabs() {
+    const std::size_t count = events_->count();
+    const QString title = count > 0 ? tr("Events  %1").arg(count) : tr("Events");
+    if (eventsDock_->windowTitle() != title) eventsDock_->setWindowTitle(title);
+}
+
+void RunArea::showMode() {
+    const bool results = feed_->showsResults();
+    if (bar_) bar_->setVisible(results);
+    parts_.drawing.setOn(!results);
+    if (!results) return;
+    parts_.canvas.setDrawing(false);
+    showPicture();
+    showSelection();
+}
+
+void RunArea::showPicture() {
+    if (feed_->showsResults() && feed_->picture()) parts_.canvas.show(feed_->picture());
+}
+
+void RunArea::showSelection() {
+    if (!feed_->showsResults()) return;
+    std::vector<int> bolts;
+    for (const QString& pointer : parts_.selection.pointers()) {
+        const QStringList path = pointer.split('/');
+        bool isNumber = false;
+        const int bolt = path.size() >= 3 && path[1] == "bolts" ? path[2].toInt(&isNumber) : -1;
+        if (isNumber) bolts.push_back(bolt);
+    }
+    parts_.canvas.setSelectedBolts(bolts);
+}
+
+/// The steps of drawing show the drawing, the others what a run found.
+void RunArea::followTabs(WorkStep step) { feed_->showResults(step == WorkStep::Run || step == WorkStep::Results); }
+
+void RunArea::askBlock(int block) {
+    outline_->show(outline_->block() == block ? -1 : block);
+    parts_.canvas.refresh();
+}
+
+void RunArea::addTo(WorkStates& states) const {
+    const auto state = [&](WorkStep step) -> WorkState& { return states[static_cast<std::size_t>(step)]; };
+    if (runs_->isRunning()) {
+        state(WorkStep::Run) = WorkState::Running;
+    } else if (const RunSession* session = runs_->session()) {
+        const bool whole = session->outcome() == Outcome::Equilibrium || session->outcome() == Outcome::Duration;
+        state(WorkStep::Run) = session->failed() ? WorkState::Error : whole ? WorkState::Done : WorkState::Warning;
+    }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Everything of runs and results in the window: the time line and the docks below the
+// canvas, the bar above it, the run's progress beside the work's order, and who feeds
+// the canvas when.
+#pragma once
+
+#include "ui/window/workflow.h"
+
+#include <QObject>
+
+#include <memory>
+
+class QDockWidget;
+class QMainWindow;
+class QVBoxLayout;
+
+namespace keyblock {
+
+class BlockOutline;
+class Canvas;
+class Commands;
+class Document;
+class DrawingFeed;
+class EventsList;
+class HealthStrip;
+class RunLog;
+class Runs;
+class SectionFeed;
+class Selection;
+class Themes;
+class TimeCursor;
+class ViewBar;
+class ViewSettings;
+class WorkflowBar;
+
+/// What of the window it stands on.
+struct RunAreaParts {
+    QMainWindow& window;
+    Themes& themes;
+    Commands& commands;
+    Document& document;
+    Selection& selection;
+    Canvas& canvas;
+    DrawingFeed& drawing;
+    WorkflowBar& workflow;
+};
+
+class RunArea : public QObject {
+    Q_OBJECT
+
+public:
+    /// Adds its commands. Docks and bars come with `place`.
+    explicit RunArea(const RunAreaParts& parts);
+    ~RunArea() override;
+
+    /// Puts the docks at the foot of the window and the bar into the column that holds the canvas, above it.
+    void place(QVBoxLayout& aboveCanvas);
+
+    /// States of the last two steps of the work.
+    void addTo(WorkStates& states) const;
+
+    Runs& runs() { return *runs_; }
+    TimeCursor& cursor() { return *cursor_; }
+    ViewSettings& settings() { return *settings_; }
+
+Q_SIGNALS:
+    void statesChanged();
+
+private:
+    void placeDocks();
+    void showMode();
+    void showPicture();
+    void showSelection();
+    void followTabs(WorkStep step);
+    void askBlock(int block);
+    void nameTabs();
+
+    RunAreaParts parts_;
+    TimeCursor* cursor_;
+    Runs* runs_;
+    ViewSettings* settings_;
+    SectionFeed* feed_;
+    std::unique_ptr<BlockOutline> outline_;
+    ViewBar* bar_ = nullptr;
+    HealthStrip* health_ = nullptr;
+    EventsList* events_ = nullptr;
+    RunLog* log_ = nullptr;
+    QDockWidget *healthDock_ = nullptr, *eventsDock_ = nullptr;
+};
+
+}  // namespace keyblock
