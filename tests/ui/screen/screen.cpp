@@ -68,7 +68,8 @@ bool start() {
     static int argc = 1;
     static char name[] = "keyblock-tests";
     static char* argv[] = {name, nullptr};
-    static QApplication application(argc, argv);
+    // Never destroyed: static parts of Qt, its cache of pixmaps among them, go before what is static here.
+    new QApplication(argc, argv);
     QCoreApplication::setOrganizationName("keyblock");
     QCoreApplication::setApplicationName("keyblock-tests");
     return true;
