@@ -160,11 +160,11 @@ void FieldForm::addGroup(const FormGroup& group) {
     bodies_.push_back(body);
 }
 
-/// What only tells about the scene begins closed.
+/// What only tells about the scene begins closed, as do the items of long lists.
 bool FieldForm::isOpen(const FormGroup& group) const {
     if (!filter_.isEmpty()) return true;
-    const bool closedAtFirst = group.id.starts_with("about/") && group.depth == 0;
-    return closedAtFirst == toggled_.contains(QString::fromStdString(group.id));
+    const bool closed = group.closedAtFirst || (group.id.starts_with("about/") && group.depth == 0);
+    return closed == toggled_.contains(QString::fromStdString(group.id));
 }
 
 /// A closed group closes those that stand in it, too.

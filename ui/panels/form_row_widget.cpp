@@ -4,6 +4,7 @@
 
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
+#include "ui/panels/elided_label.h"
 #include "ui/panels/field_words.h"
 
 #include <QGridLayout>
@@ -18,7 +19,7 @@ namespace keyblock {
 namespace {
 
 constexpr int inset = 12, rowHeight = 25, headingHeight = 26, indent = 10;
-constexpr int valueWidth = 100, unitWidth = 38, arrowSize = 16;
+constexpr int valueWidth = 100, unitWidth = 38, arrowSize = 16, gap = 6;
 
 QToolButton* smallButton(QWidget* parent, const QString& tip, const char* name) {
     auto* button = new QToolButton(parent);
@@ -32,13 +33,6 @@ QToolButton* smallButton(QWidget* parent, const QString& tip, const char* name) 
     return button;
 }
 
-/// A label that gives way to the value beside it and tells the rest in its tooltip.
-QLabel* labelFor(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    return label;
-}
-
 void setWeight(QLabel& label, bool bold) {
     QFont font = label.font();
     font.setWeight(bold ? QFont::DemiBold : QFont::Normal);
@@ -49,7 +43,7 @@ void setWeight(QLabel& label, bool bold) {
 
 FormRowWidget::FormRowWidget(const FormRow& row, const FormContext& context, QWidget* parent)
     : QWidget(parent), context_(context), row_(row), editor_(makeValueEditor(row, context, this)),
-      label_(labelFor(this)), unit_(new QLabel(this)), reset_(smallButton(this, tr("Back to the default"), "reset")),
+      label_(new ElidedLabel(this)), unit_(new QLabel(this)), reset_(smallButton(this, tr("Back to the default"), "reset")),
       problem_(new QLabel(this)) {
     setObjectName(QString::fromStdString("row:" + row.path));
     unit_->setProperty("role", "unit");
@@ -67,7 +61,7 @@ FormRowWidget::FormRowWidget(const FormRow& row, const FormContext& context, QWi
 void FormRowWidget::layOut() {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(inset, 2, 4, 2);
-    grid->setHorizontalSpacing(6);
+    grid->setHorizontalSpacing(0);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(0, 1);
     const bool wide = editor_->isWide();
@@ -77,12 +71,14 @@ void FormRowWidget::layOut() {
         grid->addWidget(editor_, 1, 0, 1, 4);
     } else {
         const int span = acrossUnit ? 2 : 1;
-        editor_->setFixedWidth(valueWidth + (acrossUnit ? unitWidth + 6 : 0));
+        editor_->setFixedWidth(valueWidth + (acrossUnit ? gap + unitWidth : 0));
         grid->addWidget(editor_, 0, 1, 1, span);
     }
     if (!acrossUnit) grid->addWidget(unit_, 0, 2);
     unit_->setVisible(!acrossUnit);
-    unit_->setFixedWidth(unitWidth);
+    unit_->setFixedWidth(gap + unitWidth);
+    unit_->setContentsMargins(gap, 0, 0, 0);
+    label_->setContentsMargins(0, 0, 4, 0);
     grid->addWidget(reset_, 0, 3);
     grid->addWidget(problem_, 2, 0, 1, 4);
     grid->setRowMinimumHeight(0, rowHeight - 4);
@@ -92,7 +88,6 @@ void FormRowWidget::layOut() {
 void FormRowWidget::present(const FormRow& row, const QString& problems, bool error) {
     row_ = row;
     label_->setText(labelOf(*row.field));
-    label_->setToolTip(labelOf(*row.field));
     setWeight(*label_, row.changed);
     const std::string unit = unitOf(row.at, *row.field);
     unit_->setText(unit.empty() ? QString() : context_.display.shown(unit).symbol);
@@ -125,7 +120,7 @@ void FormRowWidget::showProblem() {
 
 FormHeading::FormHeading(const FormGroup& group, bool open, const FormContext& context, QWidget* parent)
     : QWidget(parent), context_(context), open_(open), fold_(smallButton(this, tr("Open or close"), "fold")),
-      title_(labelFor(this)), detail_(new QLabel(this)), add_(smallButton(this, tr("Add"), "add")),
+      title_(new ElidedLabel(this)), detail_(new QLabel(this)), add_(smallButton(this, tr("Add"), "add")),
       remove_(smallButton(this, tr("Remove"), "remove")) {
     setObjectName("formHeading");
     setAttribute(Qt::WA_StyledBackground);

@@ -122,6 +122,7 @@ private:
         const std::size_t first = groups_.size();
         addObjects({Shown{pointer, at}}, path + std::to_string(index) + '/', title, depth);
         groups_[first].remove = pointer;
+        groups_[first].closedAtFirst = field.children.count(owner.at.object) > 2;
     }
 
     FormGroup absent(const Shown& owner, const Field& field, const std::string& path, int depth) const {

@@ -36,6 +36,7 @@ struct FormGroup {
     QString title;
     QString detail;  // beside the title
     int depth = 0;
+    bool closedAtFirst = false;
     std::vector<FormRow> rows;
     std::string addTo;  // pointer of a list, map or absent object that a person may add to; empty: none
     std::string remove;  // pointer of an item or object that may be taken away; empty: none

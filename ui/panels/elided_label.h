@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A label on one line that gives way to its neighbours: what has no room ends in
+// dots and stands in the tooltip.
+#pragma once
+
+#include <QLabel>
+
+namespace keyblock {
+
+class ElidedLabel : public QLabel {
+    Q_OBJECT
+
+public:
+    explicit ElidedLabel(QWidget* parent);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    bool fits() const;
+};
+
+}  // namespace keyblock
