@@ -8,6 +8,8 @@
 #include "ui/edit/names.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
+#include "ui/panels/anchor_strip.h"
+#include "ui/panels/elided_label.h"
 #include "ui/panels/field_form.h"
 #include "ui/panels/field_help.h"
 #include "ui/panels/field_words.h"
@@ -26,9 +28,8 @@ namespace keyblock {
 namespace {
 
 QLabel* labelOfRole(QWidget* parent, const char* role) {
-    auto* label = new QLabel(parent);
+    auto* label = new ElidedLabel(parent);
     label->setProperty("role", role);
-    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     return label;
 }
 
@@ -53,7 +54,17 @@ PropertyPanel::PropertyPanel(const FormContext& context, Selection& selection, Q
     scroll_ = new QScrollArea(this);
     scroll_->setWidgetResizable(true);
     scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll_->setWidget(form_);
+    auto* page = new QWidget(scroll_);
+    page->setObjectName("propertyPage");
+    page->setAttribute(Qt::WA_StyledBackground);
+    auto* pageColumn = new QVBoxLayout(page);
+    pageColumn->setContentsMargins(0, 0, 0, 0);
+    pageColumn->setSpacing(0);
+    strip_ = new AnchorStrip(context, page);
+    pageColumn->addWidget(form_);
+    pageColumn->addWidget(strip_);
+    pageColumn->addStretch(1);
+    scroll_->setWidget(page);
     column->addWidget(scroll_, 1);
     column->addWidget(makeFoot());
     connect(filter_, &QLineEdit::textChanged, form_, &FieldForm::setFilter);
@@ -123,6 +134,7 @@ QWidget* PropertyPanel::makeFoot() {
 void PropertyPanel::follow() {
     if (pin_->isChecked()) return;
     form_->setObjects(pointersOf(selection_.pointers()));
+    strip_->setObject(form_->objects().size() == 1 ? form_->objects().front() : std::string());
     showHeader();
     const auto at = objectAt(*context_.document.scene(), form_->objects().front());
     if (!at) return;
@@ -147,7 +159,6 @@ void PropertyPanel::showHeader() {
     const QString name = QString::fromStdString(nameAt(scene, pointers.front()));
     const QString kind = fromUtf8(at->structure->name);
     title_->setText(name.isEmpty() ? titleOf(*at->structure) : QString::fromUtf8("%1 · %2").arg(name, kind));
-    title_->setToolTip(title_->text());
     detail_->setText(pointers.front().empty() ? context_.document.title()
                                               : detailOf(context_.document, context_.display, pointers.front()));
 }

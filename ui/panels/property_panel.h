@@ -16,6 +16,7 @@ class QToolButton;
 
 namespace keyblock {
 
+class AnchorStrip;
 class FieldForm;
 class FilterLine;
 class Selection;
@@ -48,6 +49,7 @@ private:
     FilterLine* filter_;
     QScrollArea* scroll_;
     FieldForm* form_;
+    AnchorStrip* strip_;
 };
 
 }  // namespace keyblock

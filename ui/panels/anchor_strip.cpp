@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/anchor_strip.h"
+
+#include "solver/files/bolt_library.h"
+#include "solver/scene/lookup.h"
+#include "ui/document/document.h"
+#include "ui/look/display.h"
+#include "ui/look/theme.h"
+#include "ui/panels/anchor_edit.h"
+#include "ui/panels/object_at.h"
+
+#include <QHBoxLayout>
+#include <QHelpEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int lineHeight = 56, inset = 14, headRoom = 10;
+constexpr double realRadius = 3.3, artificialRadius = 2.4, lineAt = 26.0;
+constexpr std::size_t mostTicks = 6;
+
+QFont smallFont(const QFont& base) {
+    QFont font = base;
+    font.setPixelSize(11);
+    return font;
+}
+
+QString metres(double s) { return Display::number(std::round(1000.0 * s) / 1000.0, 4); }
+
+const BoltType* typeNamed(const Scene& scene, const std::string& name) {
+    const BoltType* own = findBoltType(scene, name);
+    return own ? own : findBuiltInBoltType(name);
+}
+
+}  // namespace
+
+AnchorLine::AnchorLine(const Themes& themes, QWidget* parent) : QWidget(parent), themes_(themes) {
+    setObjectName("anchorLine");
+    setAccessibleName(tr("Anchored points"));
+    setFixedHeight(lineHeight);
+    setMouseTracking(true);
+    connect(&themes, &Themes::changed, this, QOverload<>::of(&QWidget::update));
+}
+
+void AnchorLine::present(std::vector<double> nodes, std::vector<bool> real, bool plate, bool editable) {
+    nodes_ = std::move(nodes);
+    real_ = std::move(real);
+    plate_ = plate;
+    editable_ = editable;
+    setCursor(editable ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    update();
+}
+
+QPointF AnchorLine::placeOf(std::size_t i) const {
+    const double room = width() - 2.0 * inset - headRoom;
+    return {inset + room * nodes_[i] / nodes_.back(), lineAt};
+}
+
+std::size_t AnchorLine::nodeAt(const QPointF& pixel) const {
+    const auto nearest = std::ranges::min_element(nodes_, {}, [&](const double& node) {
+        return std::abs(placeOf(static_cast<std::size_t>(&node - nodes_.data())).x() - pixel.x());
+    });
+    return static_cast<std::size_t>(nearest - nodes_.begin());
+}
+
+bool AnchorLine::shownReal(std::size_t i) const {
+    if (!from_) return real_[i];
+    const auto [first, last] = std::minmax(*from_, *to_);
+    return i >= first && i <= last ? !real_[*from_] : real_[i];
+}
+
+void AnchorLine::paintTicks(QPainter& painter) const {
+    std::vector<std::size_t> ends;  // of stretches of real nodes
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        const bool begins = shownReal(i) && (i == 0 || !shownReal(i - 1));
+        const bool stops = shownReal(i) && (i + 1 == nodes_.size() || !shownReal(i + 1));
+        if (begins || stops) ends.push_back(i);
+    }
+    if (ends.size() > mostTicks) ends = {ends.front(), ends.back()};
+    painter.setPen(themes_.current().text2);
+    double free = 0.0;
+    for (const std::size_t i : ends) {
+        const QString text = metres(nodes_[i]);
+        const double width = QFontMetricsF(painter.font()).horizontalAdvance(text);
+        const double left = std::clamp(placeOf(i).x() - 0.5 * width, 2.0, this->width() - width - 2.0);
+        if (left < free) continue;
+        painter.drawText(QPointF(left, lineAt + 20.0), text);
+        free = left + width + 6.0;
+    }
+}
+
+void AnchorLine::paintEvent(QPaintEvent*) {
+    if (nodes_.size() < 2) return;
+    const Theme& t = themes_.current();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(smallFont(font()));
+    painter.setPen(t.text2);
+    painter.drawText(QPointF(inset - 4.0, 12.0), tr("far end"));
+    const QString head = tr("head");
+    painter.drawText(QPointF(width() - inset - QFontMetricsF(painter.font()).horizontalAdvance(head), 12.0), head);
+    painter.setPen(QPen(t.text2, 2.0));
+    painter.drawLine(placeOf(0), placeOf(nodes_.size() - 1) + QPointF(headRoom - 2.0, 0.0));
+    for (const bool real : {false, true})
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            if (shownReal(i) != real) continue;
+            painter.setPen(QPen(real ? t.panel : t.markInk, 1.2));
+            painter.setBrush(real ? t.markInk : t.panel);
+            const double radius = real ? realRadius + 0.6 : artificialRadius;
+            painter.drawEllipse(placeOf(i), radius, radius);
+        }
+    if (plate_)
+        painter.fillRect(QRectF(placeOf(nodes_.size() - 1).x() + headRoom - 4.0, lineAt - 6.5, 4.4, 13.0), t.markInk);
+    paintTicks(painter);
+}
+
+void AnchorLine::mousePressEvent(QMouseEvent* event) {
+    if (!editable_ || nodes_.size() < 2 || event->button() != Qt::LeftButton) return;
+    from_ = to_ = nodeAt(event->localPos());
+    update();
+}
+
+void AnchorLine::mouseMoveEvent(QMouseEvent* event) {
+    if (!from_) return;
+    to_ = nodeAt(event->localPos());
+    update();
+}
+
+void AnchorLine::mouseReleaseEvent(QMouseEvent* event) {
+    if (!from_ || event->button() != Qt::LeftButton) return;
+    const auto [first, last] = std::minmax(*from_, *to_);
+    const bool real = !real_[*from_];
+    from_.reset();
+    to_.reset();
+    Q_EMIT painted(first, last, real);
+}
+
+bool AnchorLine::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip || nodes_.size() < 2) return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const std::size_t node = nodeAt(help->pos());
+    QString text = tr("Node %1 at %2 m: %3").arg(node).arg(metres(nodes_[node]), real_[node] ? tr("real") : tr("artificial"));
+    if (editable_) text += tr(". Click to change, drag to change several");
+    QToolTip::showText(help->globalPos(), text, this);
+    return true;
+}
+
+AnchorStrip::AnchorStrip(const FormContext& context, QWidget* parent)
+    : QWidget(parent), context_(context), line_(new AnchorLine(context.themes, this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 8);
+    column->setSpacing(2);
+    auto* heading = new QWidget(this);
+    heading->setObjectName("formHeading");
+    heading->setAttribute(Qt::WA_StyledBackground);
+    heading->setFixedHeight(26);
+    auto* row = new QHBoxLayout(heading);
+    row->setContentsMargins(12, 0, 12, 0);
+    auto* title = new QLabel(tr("Anchored points"), heading);
+    title->setProperty("role", "title");
+    count_ = new QLabel(heading);
+    count_->setObjectName("anchorCount");
+    count_->setProperty("role", "unit");
+    row->addWidget(title, 1);
+    row->addWidget(count_);
+    hint_ = new QLabel(this);
+    hint_->setProperty("role", "hint");
+    hint_->setWordWrap(true);
+    hint_->setContentsMargins(12, 0, 12, 0);
+    column->addWidget(heading);
+    column->addWidget(line_);
+    column->addWidget(hint_);
+    hide();
+    connect(&context.document, &Document::changed, this, &AnchorStrip::refresh);
+    connect(&context.document, &Document::checkedChanged, this, &AnchorStrip::refresh);
+    connect(line_, &AnchorLine::painted, this, &AnchorStrip::apply);
+}
+
+void AnchorStrip::setObject(const std::string& pointer) {
+    pointer_ = pointer;
+    refresh();
+}
+
+/// As the check laid them out, where it is about this scene; else evenly.
+std::vector<double> AnchorStrip::nodesNow(int pattern, std::size_t bolt, double length,
+                                          std::optional<int> divisions) const {
+    const Checked& checked = context_.document.checked();
+    if (!divisions && context_.document.checkIsCurrent() && checked.picture)
+        for (const auto& shape : checked.picture->bolts) {
+            const Scene& solved = checked.cut ? checked.cut->scene : *checked.scene;
+            const bool known = shape.bolt >= 0 && static_cast<std::size_t>(shape.bolt) < solved.bolts.size();
+            if (!known || shape.s.size() < 2) continue;
+            const bool same = pattern >= 0 ? solved.bolts[static_cast<std::size_t>(shape.bolt)].pattern == pattern
+                                           : shape.bolt == static_cast<int>(bolt);
+            if (same) return shape.s;
+        }
+    return evenNodes(length, divisions);
+}
+
+void AnchorStrip::refresh() {
+    const Scene& scene = *context_.document.scene();
+    const auto at = objectAt(scene, pointer_);
+    const bool isBolt = at && at->structure->name == "bolt", isPattern = at && at->structure->name == "bolt pattern";
+    setVisible(isBolt || isPattern);
+    if (!isBolt && !isPattern) return;
+    const auto* bolt = isBolt ? static_cast<const Bolt*>(at->object) : nullptr;
+    const auto* pattern = isPattern ? static_cast<const ScenePattern*>(at->object) : nullptr;
+    const BoltType* type = typeNamed(scene, bolt ? bolt->type : pattern->type);
+    const double length = bolt ? lengthOf(*bolt) : pattern->length;
+    const bool sound = type && std::isfinite(length) && length > 0.0;
+    line_->setVisible(sound);
+    if (!sound) return hint_->setText(tr("Needs a type and a length"));
+    const std::size_t index = bolt ? static_cast<std::size_t>(bolt - scene.bolts.data()) : 0;
+    const int patternIndex = pattern ? static_cast<int>(pattern - scene.boltPatterns.data()) : -1;
+    const std::optional<int> divisions = bolt ? bolt->divisions : pattern->divisions;
+    std::vector<double> nodes = nodesNow(patternIndex, index, length, divisions);
+    const auto& anchors = bolt && bolt->anchors ? *bolt->anchors : type->anchors;
+    std::vector<bool> real = realNodes(anchors, nodes);
+    const auto count = std::ranges::count(real, true);
+    count_->setText(tr("%1 real · %2 artificial").arg(count).arg(static_cast<int>(real.size()) - static_cast<int>(count)));
+    const PlateKind plate = bolt ? bolt->plate : pattern->plate;
+    line_->present(std::move(nodes), std::move(real), plate != PlateKind::None, bolt != nullptr);
+    hint_->setText(pattern ? tr("Those of the type. Bolts given one by one have anchored points of their own")
+                   : bolt->anchors ? tr("Chosen for this bolt. Click or drag along it to change them")
+                                   : tr("Those of the type. Click or drag along the bolt to choose others"));
+}
+
+void AnchorStrip::apply(std::size_t first, std::size_t last, bool real) {
+    Scene after = *context_.document.scene();
+    const auto at = objectAt(after, pointer_);
+    if (!at || at->structure->name != "bolt") return;
+    const auto index = static_cast<std::size_t>(static_cast<const Bolt*>(at->object) - after.bolts.data());
+    Bolt& bolt = after.bolts[index];
+    const BoltType* type = typeNamed(after, bolt.type);
+    if (!type) return;
+    const Anchor otherwise = type->anchors.empty() ? Anchor{} : type->anchors.front();
+    bolt.anchors = withNodes(bolt.anchors ? *bolt.anchors : type->anchors, line_->nodes(), first, last, real, otherwise);
+    const QString name = QString::fromStdString(bolt.name);
+    const QString step = real ? tr("Anchor nodes of %1") : tr("Free nodes of %1");
+    context_.document.apply(step.arg(name), std::move(after));
+}
+
+}  // namespace keyblock

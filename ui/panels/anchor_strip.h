@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One bolt straightened in the property panel: which of its nodes are real anchors
+// and which artificial. A click or a drag along it changes them, one step of undo.
+#pragma once
+
+#include "ui/panels/value_editor.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QLabel;
+
+namespace keyblock {
+
+/// The line of nodes itself.
+class AnchorLine : public QWidget {
+    Q_OBJECT
+
+public:
+    AnchorLine(const Themes& themes, QWidget* parent);
+
+    void present(std::vector<double> nodes, std::vector<bool> real, bool plate, bool editable);
+    const std::vector<double>& nodes() const { return nodes_; }
+    const std::vector<bool>& real() const { return real_; }
+
+    /// Where node `i` stands [px].
+    QPointF placeOf(std::size_t i) const;
+
+Q_SIGNALS:
+    void painted(std::size_t first, std::size_t last, bool real);  // nodes that a person went over
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    std::size_t nodeAt(const QPointF& pixel) const;
+    bool shownReal(std::size_t i) const;
+    void paintTicks(QPainter& painter) const;
+
+    const Themes& themes_;
+    std::vector<double> nodes_;
+    std::vector<bool> real_;
+    bool plate_ = false, editable_ = false;
+    std::optional<std::size_t> from_, to_;  // while a person drags
+};
+
+class AnchorStrip : public QWidget {
+    Q_OBJECT
+
+public:
+    AnchorStrip(const FormContext& context, QWidget* parent);
+
+    /// Shows the bolt, or the pattern's first; hides for anything else.
+    void setObject(const std::string& pointer);
+    void refresh();
+    AnchorLine& line() const { return *line_; }
+
+private:
+    void apply(std::size_t first, std::size_t last, bool real);
+    std::vector<double> nodesNow(int pattern, std::size_t bolt, double length, std::optional<int> divisions) const;
+
+    FormContext context_;
+    std::string pointer_;
+    QLabel *count_, *hint_;
+    AnchorLine* line_;
+};
+
+}  // namespace keyblock
