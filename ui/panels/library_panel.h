@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The dock of the bolt library: what each type is, where its numbers come from, and
+// how it holds. Built-in types are copied into the scene to be changed.
+#pragma once
+
+#include "ui/panels/library_rows.h"
+#include "ui/panels/value_editor.h"
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+class QScrollArea;
+class QTimer;
+class QTreeWidget;
+class QVBoxLayout;
+
+namespace keyblock {
+
+class FilterLine;
+class Selection;
+class TableChart;
+
+class LibraryPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    LibraryPanel(const FormContext& context, Selection& selection, QWidget* parent = nullptr);
+
+    /// Shows the type of that name.
+    void choose(const QString& name);
+    QString chosen() const { return chosen_; }
+
+    /// Puts a copy under a free name into the scene and selects it there.
+    void copyIntoScene();
+
+    /// Gives the type to the selected bolts and patterns.
+    void assign();
+
+    void refresh();
+
+private:
+    QWidget* makeList();
+    QWidget* makeHead();
+    void fillList(const std::vector<LibraryEntry>& entries);
+    void showType(const LibraryEntry& entry);
+    void showCurves(const BoltType& type);
+    void showButtons();
+    QStringList assignable() const;
+
+    FormContext context_;
+    Selection& selection_;
+    QString chosen_;
+    FilterLine* filter_;
+    QTreeWidget *list_, *numbers_;
+    QLabel *title_, *source_;
+    QPushButton *copy_, *assign_;
+    QWidget* curves_;
+    QVBoxLayout* curveColumn_;
+    QTimer* later_;
+    bool filling_ = false;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/library_rows.h"
+
+#include "solver/files/bolt_library.h"
+#include "solver/scene/words.h"
+#include "ui/look/display.h"
+#include "ui/panels/field_words.h"
+#include "ui/panels/value_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <numbers>
+
+namespace keyblock {
+
+namespace {
+
+QString words(const char* text) { return QCoreApplication::translate("Library", text); }
+
+QString groupOf(const BoltType& type) {
+    switch (type.boltClass) {
+        case BoltClass::CMC: return words("Grouted bars");
+        case BoltClass::CFC: return words("Friction bolts");
+        case BoltClass::DMC: return words("Bolts with anchors");
+        case BoltClass::DFC: return words("Bolts that yield");
+    }
+    return {};
+}
+
+double areaOf(const BoltType& type) {
+    return type.area.value_or(std::numbers::pi * type.diameter * type.diameter / 4.0);
+}
+
+QString withUnit(double value, std::string_view unit, const Display& display) {
+    return numberText(value, unit, display, 3) + ' ' + display.shown(unit).symbol;
+}
+
+/// `20 mm · 154 / 198 kN`.
+QString detailOf(const BoltType& type, const Display& display) {
+    QString text = words("%1 mm").arg(numberText(1000.0 * type.diameter, {}, display, 3));
+    if (type.steel.size() < 2) return text;
+    const double yield = type.steel[1].second * areaOf(type);
+    const double most = std::ranges::max(type.steel, {}, [](const auto& p) { return p.second; }).second * areaOf(type);
+    return text + QString::fromUtf8(" · %1 / %2").arg(numberText(yield, "N", display, 3), withUnit(most, "N", display));
+}
+
+int usersOf(const Scene& scene, const std::string& name) {
+    return static_cast<int>(std::ranges::count(scene.bolts, name, &Bolt::type) +
+                            std::ranges::count(scene.boltPatterns, name, &ScenePattern::type));
+}
+
+bool holds(const LibraryEntry& entry, const QString& filter) {
+    const QString all = QString::fromStdString(entry.type.name + ' ' + entry.type.source) + ' ' + entry.group + ' ' +
+                        fromUtf8(boltClassWords[static_cast<std::size_t>(entry.type.boltClass)]);
+    return all.contains(filter, Qt::CaseInsensitive);
+}
+
+QString sourceOf(const BoltType& type, const std::string& key) {
+    const auto found = type.sources.find(key);
+    return found == type.sources.end() ? QString() : QString::fromStdString(found->second);
+}
+
+bool isUnconfirmed(const QString& source) { return source.contains("unconfirmed") || source.contains("estimate"); }
+
+class Numbers {
+public:
+    Numbers(const BoltType& type, const Display& display) : type_(type), display_(display) {}
+
+    std::vector<LibraryNumber> all() {
+        add(boltTypeStructure(), &type_, "", {});
+        const Field* anchors = findField(boltTypeStructure(), "anchors");
+        for (std::size_t i = 0; i < type_.anchors.size(); ++i)
+            add(anchors->children.structure(), &type_.anchors[i], "anchors", words("Anchor %1").arg(i + 1));
+        add(findField(boltTypeStructure(), "plate")->children.structure(), &type_.plate, "plate.", words("Plate"));
+        return std::move(rows_);
+    }
+
+private:
+    void add(const Structure& structure, const void* object, const std::string& prefix, const QString& heading) {
+        const ObjectAt at{&structure, object};
+        for (const Field& field : structure.fields) {
+            const bool shown = field.get && field.kind != FieldKind::TextMap && field.key != "source" &&
+                               field.key != "like" && applies(structure, field, object);
+            if (!shown) continue;
+            const FieldValue value = field.get(object);
+            const bool said = !field.nullable || !std::holds_alternative<std::monostate>(value);
+            if (!said || (field.nullable && value == FieldValue(Table{}))) continue;
+            LibraryNumber row;
+            row.heading = heading.isEmpty() ? headingOf(structure, field) : heading;
+            row.label = labelOf(field);
+            row.value = summaryOf(value, field, unitOf(at, field), display_);
+            row.source = sourceOf(type_, prefix == "anchors" ? prefix : prefix + std::string(field.key));
+            row.unconfirmed = isUnconfirmed(row.source);
+            rows_.push_back(std::move(row));
+        }
+    }
+
+    const BoltType& type_;
+    const Display& display_;
+    std::vector<LibraryNumber> rows_;
+};
+
+/// The same law with other places.
+bool sameLaw(Anchor a, const Anchor& b) {
+    a.at = b.at;
+    a.from = b.from;
+    a.to = b.to;
+    return a == b;
+}
+
+QString lawTitle(const Anchor& anchor) {
+    const QString law = fromUtf8(anchorLawWords[static_cast<std::size_t>(anchor.law)]);
+    return anchor.at || anchor.per == Per::Node ? words("Bond of a node, %1").arg(law) : words("Bond per metre, %1").arg(law);
+}
+
+double farthestSlip(const Anchor& anchor) {
+    if (anchor.law == AnchorLaw::Curve) return anchor.curve.empty() ? 0.001 : anchor.curve.back().first;
+    const bool limited = anchor.strength && anchor.stiffness > 0.0;
+    return limited ? 6.0 * *anchor.strength / anchor.stiffness : 0.002;
+}
+
+}  // namespace
+
+std::vector<LibraryEntry> libraryEntries(const Scene& scene, const Display& display, const QString& filter) {
+    std::vector<LibraryEntry> entries;
+    for (const BoltType& type : scene.boltTypes)
+        if (!type.builtIn) entries.push_back({type, words("In this scene"), detailOf(type, display), usersOf(scene, type.name)});
+    const std::size_t own = entries.size();
+    for (const BoltType& type : builtInBoltTypes())
+        entries.push_back({type, groupOf(type), detailOf(type, display), usersOf(scene, type.name)});
+    std::stable_sort(entries.begin() + static_cast<std::ptrdiff_t>(own), entries.end(),
+                     [](const LibraryEntry& a, const LibraryEntry& b) { return a.type.boltClass < b.type.boltClass; });
+    if (!filter.isEmpty()) std::erase_if(entries, [&](const LibraryEntry& entry) { return !holds(entry, filter); });
+    return entries;
+}
+
+std::vector<LibraryNumber> libraryNumbers(const BoltType& type, const Display& display) {
+    return Numbers(type, display).all();
+}
+
+ShownCurve steelCurve(const BoltType& type, const Display& display) {
+    ShownCurve curve{words("Steel"), {}, words("Strain (%)"), words("Stress (%1)").arg(display.shown("Pa").symbol)};
+    for (const auto& [strain, stress] : type.steel)
+        curve.points.emplace_back(100.0 * strain, stress * display.shown("Pa").factor);
+    return curve;
+}
+
+Table bondCurve(const Anchor& anchor, double farthest) {
+    switch (anchor.law) {
+        case AnchorLaw::Curve: return anchor.curve;
+        case AnchorLaw::Elastic: return {{0.0, 0.0}, {farthest, anchor.stiffness * farthest}};
+        case AnchorLaw::PeakResidual:
+        case AnchorLaw::Frictional: break;
+    }
+    if (!anchor.strength || anchor.stiffness <= 0.0) return {{0.0, 0.0}, {farthest, anchor.stiffness * farthest}};
+    const double peak = *anchor.strength, slip = peak / anchor.stiffness;
+    if (anchor.law == AnchorLaw::Frictional) return {{0.0, 0.0}, {slip, peak}, {farthest, peak}};
+    return {{0.0, 0.0}, {slip, peak}, {slip * 1.0001, anchor.residual}, {farthest, anchor.residual}};
+}
+
+std::vector<ShownCurve> bondCurves(const BoltType& type, const Display& display) {
+    std::vector<ShownCurve> curves;
+    std::vector<Anchor> told;
+    for (const Anchor& anchor : type.anchors) {
+        if (std::ranges::any_of(told, [&](const Anchor& other) { return sameLaw(other, anchor); })) continue;
+        told.push_back(anchor);
+        const char* unit = anchor.at || anchor.per == Per::Node ? "N" : "N/m";
+        ShownCurve curve{lawTitle(anchor), {}, words("Slip (mm)"), words("Force (%1)").arg(display.shown(unit).symbol)};
+        for (const auto& [slip, force] : bondCurve(anchor, farthestSlip(anchor)))
+            curve.points.emplace_back(1000.0 * slip, force * display.shown(unit).factor);
+        curves.push_back(std::move(curve));
+    }
+    return curves;
+}
+
+}  // namespace keyblock
