@@ -54,7 +54,8 @@ std::vector<CensusRow> censusRows(const Census& census) {
     if (counts.heldPoints > 0) rows.push_back({words("Held points"), number(counts.heldPoints), "0", words("supports")});
     rows.push_back({words("Total"), {}, number(counts.unknowns()),
                     census.estimate.stages.empty() ? words("no stages to run")
-                                                   : words("all %1 stages").arg(census.estimate.stages.size()),
+                    : census.estimate.stages.size() == 1 ? words("in its one stage")
+                                                         : words("all %1 stages").arg(census.estimate.stages.size()),
                     false, true});
     for (const LeftOut& part : census.leftOut)
         rows.push_back({QString::fromStdString(part.what), {}, {},

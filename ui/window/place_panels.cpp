@@ -11,6 +11,7 @@
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
 #include "ui/panels/census_panel.h"
+#include "ui/panels/library_panel.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/property_panel.h"
 #include "ui/panels/scene_tree.h"
@@ -60,12 +61,16 @@ void placeBelow(QMainWindow& window, const PanelNeeds& needs, Panels& panels) {
     panels.problems = new ProblemsPanel(needs.document, needs.selection, needs.display, needs.themes, &window);
     panels.census = new CensusPanel(needs.document, needs.commands, needs.themes, &window);
     panels.stages = new StagesPanel(context, needs.selection, &window);
+    panels.library = new LibraryPanel(context, needs.selection, &window);
     panels.problemsDock = makeDock(window, needs.themes, "problemsDock", QMainWindow::tr("Problems"), panels.problems);
     panels.censusDock = makeDock(window, needs.themes, "censusDock", QMainWindow::tr("Census"), panels.census);
     panels.stagesDock = makeDock(window, needs.themes, "stagesDock", QMainWindow::tr("Stages"), panels.stages);
+    panels.libraryDock =
+        makeDock(window, needs.themes, "libraryDock", QMainWindow::tr("Bolt library"), panels.library);
     window.addDockWidget(Qt::BottomDockWidgetArea, panels.problemsDock);
     window.addDockWidget(Qt::BottomDockWidgetArea, panels.censusDock);
     window.tabifyDockWidget(panels.problemsDock, panels.stagesDock);
+    window.tabifyDockWidget(panels.stagesDock, panels.libraryDock);
     panels.problemsDock->raise();
     window.resizeDocks({panels.problemsDock, panels.censusDock}, {880, 720}, Qt::Horizontal);
     window.resizeDocks({panels.problemsDock}, {bottomHeight}, Qt::Vertical);

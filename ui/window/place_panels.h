@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Makes the panels and puts them where a person expects them: the tree at the
-// left, properties at the right, problems, census and stages below.
+// left, properties at the right, problems, stages, bolt library and census below.
 #pragma once
 
 class QDockWidget;
@@ -15,6 +15,7 @@ class CensusPanel;
 class Commands;
 class Display;
 class Document;
+class LibraryPanel;
 class ProblemsPanel;
 class PropertyPanel;
 class SceneTree;
@@ -41,7 +42,8 @@ struct Panels {
     ProblemsPanel* problems = nullptr;
     CensusPanel* census = nullptr;
     StagesPanel* stages = nullptr;
-    QDockWidget *problemsDock = nullptr, *censusDock = nullptr, *stagesDock = nullptr;
+    LibraryPanel* library = nullptr;
+    QDockWidget *problemsDock = nullptr, *censusDock = nullptr, *stagesDock = nullptr, *libraryDock = nullptr;
 };
 
 Panels placePanels(QMainWindow& window, const PanelNeeds& needs);
