@@ -4,6 +4,7 @@
 
 #include "ui/canvas/canvas_sheet.h"
 #include "ui/canvas/display_check.h"
+#include "ui/canvas/legend_panel.h"
 #include "ui/canvas/section_widget.h"
 #include "ui/canvas/view_theme.h"
 #include "ui/canvas/without_gl.h"
@@ -102,7 +103,9 @@ void Canvas::setHint(const QString& title, const QString& text) {
 }
 
 QRectF Canvas::room() const {
-    return QRectF(rect()).adjusted(rimOfRoom, rimOfRoom, -rimOfRoom, -rimOfRoom);
+    const bool explains = picture_ && !style_.drawing && parts_.legend && (picture_->blockLegend || picture_->boltLegend);
+    const double legend = explains ? legendWidth(size()) : 0.0;
+    return QRectF(rect()).adjusted(rimOfRoom, rimOfRoom, -rimOfRoom - legend, -rimOfRoom);
 }
 
 void Canvas::fit() {

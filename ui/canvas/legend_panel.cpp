@@ -4,6 +4,7 @@
 
 #include "ui/canvas/call_out.h"
 #include "ui/canvas/legend_bar.h"
+#include "ui/canvas/legend_forces.h"
 #include "ui/canvas/legend_key.h"
 #include "ui/look/theme.h"
 #include "ui/picture/ticks.h"
@@ -31,14 +32,32 @@ QString deformationText(double factor) {
     return text("Deformation drawn ×%1").arg(QString::fromStdString(numberText(factor)));
 }
 
+/// Bars of colours, and what is drawn over blocks in their place.
+std::vector<Item> quantitiesOf(const Theme& theme, const LegendContent& content, double inner) {
+    const SectionPicture& picture = content.picture;
+    std::vector<Item> items;
+    const auto addBar = [&](const std::optional<LegendBar>& bar) {
+        if (bar)
+            items.push_back({legendBarHeight(*bar, inner), [&theme, &bar, inner](QPainter& painter, const QPointF& at) {
+                                 paintLegendBar(painter, theme, *bar, at, inner);
+                             }});
+    };
+    addBar(picture.blockLegend);
+    if (picture.arrows && picture.arrows->largest > 0.0)
+        items.push_back({legendArrowsHeight(*picture.arrows, inner), [&, inner](QPainter& painter, const QPointF& at) {
+                             paintLegendArrows(painter, theme, *content.picture.arrows, at, inner);
+                         }});
+    if (picture.contacts)
+        items.push_back({legendContactsHeight(*picture.contacts, inner), [&, inner](QPainter& painter, const QPointF& at) {
+                             paintLegendContacts(painter, theme, *content.picture.contacts, content.scale, at, inner);
+                         }});
+    addBar(picture.boltLegend);
+    return items;
+}
+
 std::vector<Item> itemsOf(const Theme& theme, const LegendContent& content) {
     const double inner = width - 2.0 * padding;
-    std::vector<Item> items;
-    for (const auto* bar : {&content.picture.blockLegend, &content.picture.boltLegend})
-        if (*bar)
-            items.push_back({legendBarHeight(**bar, inner), [&theme, bar, inner](QPainter& painter, const QPointF& at) {
-                                 paintLegendBar(painter, theme, **bar, at, inner);
-                             }});
+    std::vector<Item> items = quantitiesOf(theme, content, inner);
     if (items.empty()) return items;
     if (const double height = legendKeyHeight(content.kinds, content.culprit); height > 0.0)
         items.push_back({height, [&theme, &content](QPainter& painter, const QPointF& at) {
@@ -61,14 +80,31 @@ double heightOf(const std::vector<Item>& items) {
     return height;
 }
 
-}  // namespace
-
-QRectF paintLegend(QPainter& painter, const Theme& theme, const LegendContent& content, const QSizeF& canvas) {
-    if (canvas.width() < leastCanvas) return {};
+/// Those that have room, from above.
+std::vector<Item> itemsWithin(const Theme& theme, const LegendContent& content, const QSizeF& canvas) {
+    if (legendWidth(canvas) == 0.0) return {};
     std::vector<Item> items = itemsOf(theme, content);
     while (!items.empty() && heightOf(items) > canvas.height() - 2.0 * inset) items.pop_back();
+    return items;
+}
+
+QRectF rectOf(const std::vector<Item>& items, const QSizeF& canvas) {
     if (items.empty()) return {};
-    const QRectF panel(canvas.width() - inset - width, inset, width, heightOf(items));
+    return {canvas.width() - inset - width, inset, width, heightOf(items)};
+}
+
+}  // namespace
+
+double legendWidth(const QSizeF& canvas) { return canvas.width() < leastCanvas ? 0.0 : width + inset; }
+
+QRectF legendRect(const Theme& theme, const LegendContent& content, const QSizeF& canvas) {
+    return rectOf(itemsWithin(theme, content, canvas), canvas);
+}
+
+void paintLegend(QPainter& painter, const Theme& theme, const LegendContent& content, const QSizeF& canvas) {
+    const std::vector<Item> items = itemsWithin(theme, content, canvas);
+    if (items.empty()) return;
+    const QRectF panel = rectOf(items, canvas);
     paintPanel(painter, theme, panel);
     QPointF at(panel.left() + padding, panel.top() + above);
     for (std::size_t i = 0; i < items.size(); ++i) {
@@ -78,7 +114,6 @@ QRectF paintLegend(QPainter& painter, const Theme& theme, const LegendContent& c
         painter.fillRect(QRectF(panel.left() + 1.0, std::round(at.y() - 0.55 * between), width - 2.0, 1.0),
                          theme.separator);
     }
-    return panel;
 }
 
 }  // namespace keyblock

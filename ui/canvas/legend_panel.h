@@ -23,9 +23,14 @@ struct LegendContent {
     const SectionPicture& picture;
     std::vector<MarkKind> kinds;  // of marks that the scene holds
     bool culprit = false;  // a block is outlined as one
+    double scale = 1.0;  // of the view [px per m]
 };
 
-/// The panel that it was painted on [px]; empty where there is no room, or nothing to explain.
-QRectF paintLegend(QPainter& painter, const Theme& theme, const LegendContent& content, const QSizeF& canvas);
+/// The panel on a canvas of this size [px]; empty where there is no room, or nothing to explain.
+QRectF legendRect(const Theme& theme, const LegendContent& content, const QSizeF& canvas);
+void paintLegend(QPainter& painter, const Theme& theme, const LegendContent& content, const QSizeF& canvas);
+
+/// What a legend takes of a canvas at its right [px]; 0 where it has no room.
+double legendWidth(const QSizeF& canvas);
 
 }  // namespace keyblock

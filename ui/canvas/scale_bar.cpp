@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/scale_bar.h"
 
+#include "ui/canvas/call_out.h"
 #include "ui/canvas/canvas_map.h"
 #include "ui/look/theme.h"
 #include "ui/picture/ticks.h"
@@ -9,7 +10,6 @@
 #include <QFontMetricsF>
 #include <QPainter>
 
-#include <algorithm>
 #include <cmath>
 
 namespace keyblock {
@@ -20,7 +20,24 @@ constexpr double leastLength = 58.0, height = 36.0, inset = 12.0, padding = 9.0,
 
 QString label(double shown) { return QString::fromStdString(numberText(shown)); }
 
-/// Four pieces, every second one hollow.
+/// A round length that is well seen.
+struct Measure {
+    double pixels = 0.0;
+    QString middle, last;
+    double half = 0.0;  // of the last number without its unit [px]
+
+    explicit Measure(const CanvasMap& map) {
+        const double metres = roundHalvable(leastLength / map.pixelsPerMetre());
+        const bool inMetres = metres >= 0.5;
+        const double shown = inMetres ? metres : 1e3 * metres;
+        pixels = std::round(metres * map.pixelsPerMetre());
+        middle = label(0.5 * shown);
+        last = label(shown) + (inMetres ? " m" : " mm");
+        half = 0.5 * QFontMetricsF(screenFont(12)).horizontalAdvance(label(shown));
+    }
+};
+
+/// Four pieces, one of them hollow.
 void paintBar(QPainter& painter, const Theme& theme, const QPointF& at, double length) {
     painter.setPen(QPen(theme.text, 1.0));
     for (int i = 0; i < 4; ++i) {
@@ -31,30 +48,27 @@ void paintBar(QPainter& painter, const Theme& theme, const QPointF& at, double l
 
 }  // namespace
 
-QRectF paintScaleBar(QPainter& painter, const Theme& theme, const CanvasMap& map) {
-    const double metres = roundHalvable(leastLength / map.pixelsPerMetre()), length = metres * map.pixelsPerMetre();
-    const bool inMetres = metres >= 0.5;
-    const double shown = inMetres ? metres : 1e3 * metres;
-    const QString last = label(shown) + (inMetres ? " m" : " mm");
-    QFont font = painter.font();
-    font.setPixelSize(12);
-    painter.setFont(font);
-    const QFontMetricsF metrics(font);
-    const double half = 0.5 * metrics.horizontalAdvance(label(shown));
-    const double width = 2.0 * padding + length + metrics.horizontalAdvance(last) - half + 4.0;
-    const QRectF panel(inset, std::round(map.size().height() - inset - height), std::ceil(width), height);
-    painter.setPen(QPen(theme.separator, 1.0));
-    painter.setBrush(theme.panel);
-    painter.drawRoundedRect(panel.adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+QRectF scaleBarRect(const CanvasMap& map) {
+    const Measure measure(map);
+    const double last = QFontMetricsF(screenFont(12)).horizontalAdvance(measure.last) - measure.half;
+    return {inset, std::round(map.size().height() - inset - height),
+            std::ceil(2.0 * padding + measure.pixels + last + 4.0), height};
+}
+
+void paintScaleBar(QPainter& painter, const Theme& theme, const CanvasMap& map) {
+    const Measure measure(map);
+    const QRectF panel = scaleBarRect(map);
+    paintPanel(painter, theme, panel);
     const QPointF at(panel.left() + padding + 2.5, panel.bottom() - 13.5);
-    paintBar(painter, theme, at, std::round(length));
+    paintBar(painter, theme, at, measure.pixels);
+    painter.setFont(screenFont(12));
     painter.setPen(theme.text);
+    const QFontMetricsF metrics(painter.font());
     const double line = at.y() - 5.0;
     painter.drawText(QPointF(at.x() - 0.5 * metrics.horizontalAdvance("0"), line), "0");
-    const QString middle = label(0.5 * shown);
-    painter.drawText(QPointF(at.x() + 0.5 * length - 0.5 * metrics.horizontalAdvance(middle), line), middle);
-    painter.drawText(QPointF(at.x() + length - half, line), last);
-    return panel;
+    painter.drawText(QPointF(at.x() + 0.5 * (measure.pixels - metrics.horizontalAdvance(measure.middle)), line),
+                     measure.middle);
+    painter.drawText(QPointF(at.x() + measure.pixels - measure.half, line), measure.last);
 }
 
 }  // namespace keyblock

@@ -13,7 +13,8 @@ namespace keyblock {
 class CanvasMap;
 struct Theme;
 
-/// The panel that it was painted on [px].
-QRectF paintScaleBar(QPainter& painter, const Theme& theme, const CanvasMap& map);
+/// The panel that it is painted on [px].
+QRectF scaleBarRect(const CanvasMap& map);
+void paintScaleBar(QPainter& painter, const Theme& theme, const CanvasMap& map);
 
 }  // namespace keyblock

@@ -22,6 +22,7 @@ namespace {
 constexpr std::size_t mostEvents = 6, mostMoved = 3;
 constexpr double ribbonGap = 8.0, pixelsPerKn = 0.195, leastRoom = 9.0, usualRoom = 45.0;  // [px]
 constexpr double hatchEach = 0.1;  // [m]
+constexpr double leastForce = 50.0;  // worth telling [N]
 
 QString text(const char* source) { return QCoreApplication::translate("SectionInk", source); }
 QString qt(const std::string& word) { return QString::fromStdString(word); }
@@ -121,8 +122,9 @@ void SectionInk::callOutEvents() {
         if (!isGrave(entry->kind) || !isSeen(at)) continue;
         CallOut callOut;
         callOut.head = qt(entry->subject) + ' ' + qt(entry->what);
-        callOut.detail = entry->bolt >= 0 ? text("%1 kN at %2").arg(qt(numberText(entry->force * 1e-3)), qt(entry->when))
-                                          : text("at %1").arg(qt(entry->when));
+        const bool bore = entry->bolt >= 0 && entry->force > leastForce;
+        callOut.detail = bore ? text("%1 kN at %2").arg(qt(numberText(entry->force * 1e-3)), qt(entry->when))
+                              : text("at %1").arg(qt(entry->when));
         callOut.edge = theme_.error;
         callOut.at = at;
         callOuts_.push_back(callOut);

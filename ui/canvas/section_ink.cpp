@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/section_ink.h"
 
-#include "ui/canvas/legend_panel.h"
 #include "ui/canvas/scale_bar.h"
 #include "ui/canvas/screen_marks.h"
 #include "ui/look/theme.h"
@@ -18,7 +17,6 @@ namespace keyblock {
 
 namespace {
 
-constexpr double pixelsPerMm = 5.7;  // of the paper: sizes on both look alike
 constexpr double edge = 6.0, nearBolt = 9.0, leastSpacingForNames = 17.0;  // [px]
 constexpr std::size_t manyAnchors = 12;
 
@@ -71,7 +69,7 @@ void SectionInk::paint(QPainter& painter) {
     paintMoved(painter);
     paintCulprit(painter);
     paintBroken(painter);
-    explain(painter);
+    keepOffPanels();
     keepOffBolts();
     if (parts_.ribbon) paintRibbon(painter);
     if (parts_.marks) paintMarks(painter);
@@ -81,6 +79,7 @@ void SectionInk::paint(QPainter& painter) {
         callOutMoved();
         paintCallOuts(painter);
     }
+    paintPanels(painter);
 }
 
 void SectionInk::keepOffBolts() {
@@ -89,14 +88,22 @@ void SectionInk::keepOffBolts() {
     for (const LineShape& wall : picture_.walls) placement_.keepLabelsOff(onSheet(wall.from), onSheet(wall.to));
 }
 
-/// Panels take their room before anything else.
-void SectionInk::explain(QPainter& painter) {
+LegendContent SectionInk::legendContent() const {
+    return {picture_, kindsOf(marks_), culprit_.has_value(), map_.pixelsPerMetre()};
+}
+
+/// Panels take their room before anything else, and are painted over everything.
+void SectionInk::keepOffPanels() {
     if (parts_.legend) {
-        const LegendContent content{picture_, kindsOf(marks_), culprit_.has_value()};
-        if (const QRectF panel = paintLegend(painter, theme_, content, map_.size()); !panel.isEmpty())
-            placement_.keepOff(grown(boxOf(panel), 4.0));
+        const QRectF panel = legendRect(theme_, legendContent(), map_.size());
+        if (!panel.isEmpty()) placement_.keepOff(grown(boxOf(panel), 4.0));
     }
-    if (parts_.scaleBar) placement_.keepOff(grown(boxOf(paintScaleBar(painter, theme_, map_)), 4.0));
+    if (parts_.scaleBar) placement_.keepOff(grown(boxOf(scaleBarRect(map_)), 4.0));
+}
+
+void SectionInk::paintPanels(QPainter& painter) const {
+    if (parts_.legend) paintLegend(painter, theme_, legendContent(), map_.size());
+    if (parts_.scaleBar) paintScaleBar(painter, theme_, map_);
 }
 
 void SectionInk::paintMoved(QPainter& painter) const {

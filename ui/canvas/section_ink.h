@@ -9,6 +9,7 @@
 #include "ui/canvas/call_out.h"
 #include "ui/canvas/canvas_map.h"
 #include "ui/canvas/canvas_parts.h"
+#include "ui/canvas/legend_panel.h"
 #include "ui/picture/placement.h"
 #include "ui/picture/ribbon_shape.h"
 #include "ui/picture/section.h"
@@ -48,7 +49,9 @@ private:
     void callOutMoved();
     void callOutEvents();
     void paintCallOuts(QPainter& painter);
-    void explain(QPainter& painter);
+    LegendContent legendContent() const;
+    void keepOffPanels();
+    void paintPanels(QPainter& painter) const;
     bool isSelected(const BoltShape& bolt) const;
     bool isSeen(const Point& place) const;
     Point footWithin(const std::vector<Point>& outline) const;

@@ -21,6 +21,8 @@ ViewColours viewColoursOf(const Theme& theme, bool drawing) {
     colours.accent = colourOf(theme.accent);
     colours.slipping = colourOf(theme.slipping);
     colours.error = colourOf(theme.error);
+    colours.quiet = colourOf(theme.text3);
+    colours.bearing = (theme.dark ? slateDark : slate).back();
     return colours;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using namespace paper_theme;
 
-constexpr double longestArrow = 9.0, shortestArrow = 0.25;  // [mm]
+constexpr double shortestArrow = 0.25;  // [mm]
 constexpr double row = 3.3, noteRow = 2.9, barHeight = 2.3, tip = 1.5;  // [mm]
 
 QColor qt(const Colour& colour) { return {colour.red, colour.green, colour.blue}; }
@@ -132,8 +132,6 @@ ColumnItem barItem(const LegendBar& bar, double width) {
                           noteRow * static_cast<double>(notes.size());
     return {height, [&bar, width, notes](Ink& ink, const Point& at) { drawBar(ink, bar, at, width, notes); }};
 }
-
-double arrowScale(const ArrowField& field) { return field.largest > 0.0 ? longestArrow / field.largest : 0.0; }
 
 void drawArrow(Ink& ink, ArrowShape shape, const Point& at, const Point& length) {
     const double size = length.norm();

@@ -25,9 +25,6 @@ struct ColumnItem {
 
 inline constexpr double itemGap = 4.2;  // between two items [mm]
 
-/// Length on paper of a unit of the field [mm].
-double arrowScale(const ArrowField& field);
-
 /// An arrow, or a bar about its place, of `length` on paper [mm, y downwards].
 void drawArrow(Ink& ink, ArrowShape shape, const Point& at, const Point& length);
 

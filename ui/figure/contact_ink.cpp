@@ -5,8 +5,6 @@
 #include "ui/picture/clip_to_box.h"
 #include "ui/picture/ticks.h"
 
-#include <algorithm>
-
 namespace keyblock {
 
 namespace {
@@ -14,7 +12,7 @@ namespace {
 using namespace paper_theme;
 
 constexpr Colour locked = rgb(0x264A6E);
-constexpr double thinnest = 0.12, rim = 0.2;  // [mm]
+constexpr double rim = 0.2;  // [mm]
 constexpr double row = 3.3, noteRow = 2.9;  // [mm]
 constexpr std::size_t mostNoteLines = 3, roomOfNote = 2;
 
@@ -34,13 +32,9 @@ void drawPart(Ink& ink, const Point& from, const Point& to, const Stroke& stroke
 
 }  // namespace
 
-double ContactInk::lengthOf(double force) const {
-    return scale_.longest > 0.0 ? length_ * std::min(1.0, force / scale_.longest) : 0.0;
-}
+double ContactInk::lengthOf(double force) const { return contactLength(scale_, force, length_); }
 
-double ContactInk::widthOf(double force) const {
-    return thinnest + (0.2 + 0.05 * length_) * (length_ > 0.0 ? lengthOf(force) / length_ : 0.0);
-}
+double ContactInk::widthOf(double force) const { return contactWidth(scale_, force, length_); }
 
 void ContactInk::draw(Ink& ink, ContactKind kind, const Point& at, const Point& force, const Box& frame) const {
     const double size = force.norm(), width = widthOf(size);

@@ -23,8 +23,6 @@ constexpr DetailSizes onThePaper{.shank = shank, .betweenMarks = 1.45, .moved = 
                                  .spacingForMarks = 1.7, .spacingForPlates = 2.6, .boltForMarks = 5.0};  // [mm]
 constexpr double leastSpacingForNames = 3.0;  // below it a name stands beyond the far end or nowhere [mm]
 constexpr std::size_t manyAnchors = 12;
-constexpr double contactOfSpacing = 1.2;  // length of the longest line of a contact, over the size of blocks on paper
-constexpr double shortestScale = 2.6, longestScale = 8.0;  // that length [mm]
 
 Point flipped(const Point& direction) { return {direction.x(), -direction.y()}; }
 
@@ -91,7 +89,7 @@ void MapInk::drawArrows(Ink& ink) const {
 
 double MapInk::longestContact() const {
     if (!picture_.contacts) return 0.0;
-    return std::clamp(contactOfSpacing * picture_.contacts->scale.spacing * scale_, shortestScale, longestScale);
+    return longestContactLine(picture_.contacts->scale.spacing * scale_);
 }
 
 void MapInk::drawContacts(Ink& ink) const {

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> words{"stress-crosses", "displacement-arrows", "velocity-arrows"};
 
+constexpr double longestArrow = 9.0;  // [mm]
+
 void addBar(ArrowField& field, const Point& place, const Point& along, double compression) {
     field.marks.push_back({compression >= 0.0 ? ArrowShape::Compression : ArrowShape::Tension, place,
                            std::abs(compression) * along});
@@ -34,6 +36,8 @@ std::optional<ArrowKind> arrowKindOf(std::string_view word) {
 }
 
 std::span<const std::string_view> arrowWords() { return words; }
+
+double arrowScale(const ArrowField& field) { return field.largest > 0.0 ? longestArrow / field.largest : 0.0; }
 
 ArrowField arrowField(ArrowKind kind, const Frame& frame, const std::vector<Point>& places) {
     ArrowField field;

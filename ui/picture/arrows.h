@@ -40,6 +40,9 @@ struct ArrowField {
     double largest = 0.0;  // size, in the unit shown
 };
 
+/// Length on paper of a unit of the field [mm].
+double arrowScale(const ArrowField& field);
+
 /// Of a frame; `places` are the blocks' centroids as drawn [m], a row per block.
 ArrowField arrowField(ArrowKind kind, const Frame& frame, const std::vector<Point>& places);
 

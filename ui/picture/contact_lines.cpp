@@ -20,6 +20,9 @@ constexpr double least = 0.01;  // of the longest line: what is smaller is not s
 constexpr std::size_t manyLines = 2000;  // in sight: more than these are thinned out
 constexpr double squares = 1500.0;  // that the window is then parted into
 
+constexpr double longestOfBlock = 1.2;  // length of the longest line over the size of blocks on paper
+constexpr double shortestScale = 2.6, longestScale = 8.0, thinnest = 0.12;  // [mm]
+
 bool bears(const ContactFrame& contact) { return contact.state != ContactState::Open; }
 
 ContactKind kindOf(const ContactFrame& contact) {
@@ -95,6 +98,16 @@ double longestOf(std::vector<double> sizes) {
     for (const double size : sizes)
         if ((until += size) >= (1.0 - shareOutside) * sum) return size > 0.0 ? roundHalvable(size) : 0.0;
     return 0.0;
+}
+
+double longestContactLine(double block) { return std::clamp(longestOfBlock * block, shortestScale, longestScale); }
+
+double contactLength(const ContactScale& scale, double force, double longest) {
+    return scale.longest > 0.0 ? longest * std::min(1.0, force / scale.longest) : 0.0;
+}
+
+double contactWidth(const ContactScale& scale, double force, double longest) {
+    return thinnest + (0.2 + 0.05 * longest) * (longest > 0.0 ? contactLength(scale, force, longest) / longest : 0.0);
 }
 
 ContactField contactField(const ContactScale& scale, const Frame& frame, const std::vector<Point>& places,

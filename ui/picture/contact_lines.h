@@ -53,6 +53,15 @@ void widen(ContactScale& scale, const Frame& frame, std::vector<double>& sizes);
 /// The force that all but the largest 2 % of what the contacts bear together stay below, rounded up; 0 of none.
 double longestOf(std::vector<double> sizes);
 
+// Sizes on paper [mm].
+
+/// Of the longest line, where a block is `block` wide on average: neither a dot nor across half the picture.
+double longestContactLine(double block);
+
+/// Length and width of the line of a force of this size, where the longest is `longest`.
+double contactLength(const ContactScale& scale, double force, double longest);
+double contactWidth(const ContactScale& scale, double force, double longest);
+
 /// `places` are the contacts' places as drawn [m], a row each.
 ContactField contactField(const ContactScale& scale, const Frame& frame, const std::vector<Point>& places,
                           const Box& window);

@@ -105,11 +105,12 @@ void Layer::showLines(const LayerShapes& shapes) {
         const auto to = static_cast<std::size_t>(shapes.cells[2 * i + 1]);
         const float* a = &shapes.corners[2 * from];
         const float* b = &shapes.corners[2 * to];
+        const float width = shapes.widths.empty() ? 1.0f : shapes.widths[i];
         for (const auto& [end, corner, side] : {std::tuple(-1.0f, from, -1.0f), std::tuple(-1.0f, from, 1.0f),
                                                 std::tuple(1.0f, to, -1.0f), std::tuple(1.0f, to, 1.0f)}) {
             for (const float value : {shapes.corners[2 * corner], shapes.corners[2 * corner + 1], 0.5f * side})
                 *place++ = value;
-            for (const float value : {b[0] - a[0], b[1] - a[1], side, end}) *way++ = value;
+            for (const float value : {b[0] - a[0], b[1] - a[1], side * width, end}) *way++ = value;
             if (!shapes.colours.empty()) colour = std::copy_n(&shapes.colours[3 * corner], 3, colour);
         }
     }

@@ -26,6 +26,7 @@ namespace keyblock {
 struct LayerShapes {
     std::vector<float> corners;  // x, y of each [m from the view's origin]
     std::vector<std::uint8_t> colours;  // red, green, blue of each; empty: all have the layer's
+    std::vector<float> widths;  // of each line over the layer's; empty: all have it
     std::vector<int> cells;  // corners of each line (two) or triangle (three)
 };
 

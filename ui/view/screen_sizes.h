@@ -8,6 +8,7 @@
 
 namespace keyblock {
 
+inline constexpr double pixelsPerMm = 5.7;  // of paper: what is as large on both
 inline constexpr double shankOnScreen = 4.0, casingOfShank = 1.6;  // [px]; over the shank
 
 inline constexpr DetailSizes onTheScreen{.shank = shankOnScreen, .betweenMarks = 10.5, .moved = 6.0,

@@ -101,7 +101,7 @@ LayerShapes SectionShapes::shanks(const ViewColours* colours) const {
             addCorner(shapes, bolt.nodes[e + 1]);
             if (!colours) continue;
             const bool plain = bolt.values.empty() || !map;
-            addColour(shapes, plain ? colours->ink
+            addColour(shapes, plain ? colours->quiet
                                     : colourAt(*map, picture_.boltLegend->shareOf(std::abs(bolt.values[e]))), 2);
         }
     return shapes;

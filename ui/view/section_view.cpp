@@ -3,6 +3,7 @@
 #include "ui/view/section_view.h"
 
 #include "ui/picture/detail.h"
+#include "ui/view/force_shapes.h"
 #include "ui/view/layer.h"
 #include "ui/view/screen_sizes.h"
 #include "ui/view/section_shapes.h"
@@ -26,14 +27,15 @@ struct SectionView::Layers {
     explicit Layers(vtkRenderer& to)
         : openings(to, LayerForm::Triangles, 0), blocks(to, LayerForm::Triangles, 1), joints(to, LayerForm::Lines, 2),
           seams(to, LayerForm::Lines, 3), borders(to, LayerForm::Lines, 4), walls(to, LayerForm::Lines, 5),
-          moved(to, LayerForm::Lines, 6), selected(to, LayerForm::Lines, 7), casings(to, LayerForm::Lines, 8),
-          shanks(to, LayerForm::Lines, 9) {}
+          moved(to, LayerForm::Lines, 6), rims(to, LayerForm::Lines, 7), forces(to, LayerForm::Lines, 8),
+          selected(to, LayerForm::Lines, 9), casings(to, LayerForm::Lines, 10), shanks(to, LayerForm::Lines, 11) {}
 
-    std::array<Layer*, 10> all() {
-        return {&openings, &blocks, &joints, &seams, &borders, &walls, &moved, &selected, &casings, &shanks};
+    std::array<Layer*, 12> all() {
+        return {&openings, &blocks, &joints, &seams, &borders, &walls,
+                &moved, &rims, &forces, &selected, &casings, &shanks};
     }
 
-    Layer openings, blocks, joints, seams, borders, walls, moved, selected, casings, shanks;
+    Layer openings, blocks, joints, seams, borders, walls, moved, rims, forces, selected, casings, shanks;
 };
 
 SectionView::SectionView(vtkRenderer& renderer) : renderer_(renderer), layers_(std::make_unique<Layers>(renderer)) {
@@ -55,12 +57,12 @@ void SectionView::paint(const ViewColours& colours, const ViewStyle& style) {
     for (Layer* edge : {&on.borders, &on.walls, &on.moved}) edge->setColour(colours.wall);
     on.selected.setColour(colours.accent);
     on.casings.setColour(colours.casing);
-    on.shanks.setColour(colours.ink);
     on.joints.setWidth(jointWidth * pixelRatio_);
     on.seams.setWidth(seamWidth * pixelRatio_);
     on.borders.setWidth(borderWidth * pixelRatio_);
     for (Layer* edge : {&on.walls, &on.moved}) edge->setWidth(wallWidth * pixelRatio_);
     on.selected.setWidth(selectedWidth * pixelRatio_);
+    for (Layer* sized : {&on.rims, &on.forces}) sized->setWidth(pixelRatio_);
 }
 
 void SectionView::show(const SectionPicture& picture, const ViewColours& colours, const ViewStyle& style) {
@@ -104,6 +106,9 @@ void SectionView::laySized(const SectionPicture& picture) {
     const double scale = 1.0 / (laidAt_ * pixelRatio_);  // pixels of the screen's units per metre
     Layers& on = *layers_;
     on.moved.show(SectionShapes(picture, origin_).outlines(movedBlocks(picture, scale, onTheScreen)));
+    const ForceShapes forces = forceShapes(picture, origin_, scale, colours_);
+    on.rims.show(forces.rims);
+    on.forces.show(forces.lines);
     const double shank = shankWidth(picture, scale);
     on.shanks.setWidth(shank * pixelRatio_);
     on.casings.setWidth(shank * casingOfShank * pixelRatio_);

@@ -15,27 +15,30 @@ constexpr const char* cornerValues = R"(//VTK::PositionVC::Dec
 in vec4 strokeWay;
 out vec2 strokePlace;
 out float strokeLength;
+out float strokeRim;
 )";
 
 constexpr const char* cornerPlace = R"(//VTK::PositionVC::Impl
   float wayLength = max(length(strokeWay.xy), 1e-9);
   vec2 along = strokeWay.xy / wayLength;
   vec2 aside = vec2(-along.y, along.x);
-  float reach = 0.5 * strokeWidth + 1.0;
+  strokeRim = 0.5 * strokeWidth * abs(strokeWay.z) + 0.5;
+  float reach = strokeRim + 0.5, side = sign(strokeWay.z);
   strokeLength = wayLength * strokeScale;
-  strokePlace = vec2(strokeWay.w < 0.0 ? -reach : strokeLength + reach, strokeWay.z * reach);
+  strokePlace = vec2(strokeWay.w < 0.0 ? -reach : strokeLength + reach, side * reach);
   gl_Position = MCDCMatrix * vec4(vertexMC.xy, strokeDepth, 1.0);
-  gl_Position.xy += 2.0 * reach * (strokeWay.w * along + strokeWay.z * aside) * strokePixel * gl_Position.w;
+  gl_Position.xy += 2.0 * reach * (strokeWay.w * along + side * aside) * strokePixel * gl_Position.w;
 )";
 
 constexpr const char* rimValues = R"(//VTK::PositionVC::Dec
 in vec2 strokePlace;
 in float strokeLength;
+in float strokeRim;
 )";
 
 constexpr const char* rim = R"(//VTK::Light::Impl
   float beyond = max(max(-strokePlace.x, strokePlace.x - strokeLength), 0.0);
-  float covered = clamp(0.5 * strokeRim + 0.5 - length(vec2(beyond, strokePlace.y)), 0.0, 1.0);
+  float covered = clamp(strokeRim - length(vec2(beyond, strokePlace.y)), 0.0, 1.0);
   if (covered <= 0.0) discard;
   gl_FragData[0].a *= covered;
 )";
@@ -58,7 +61,6 @@ void setStrokes(vtkActor& actor, double width, double pixelsPerMetre, double vie
     corners.SetUniformf("strokeWidth", static_cast<float>(width));
     corners.SetUniformf("strokeScale", static_cast<float>(pixelsPerMetre));
     corners.SetUniform2f("strokePixel", pixel);
-    actor.GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf("strokeRim", static_cast<float>(width));
 }
 
 }  // namespace keyblock

@@ -12,7 +12,8 @@ class vtkActor;
 
 namespace keyblock {
 
-/// Values that each corner has beside its place: the line's way [m] along x and y, its side (−1 or 1), its end (−1 or 1).
+/// Values that each corner has beside its place: the line's way [m] along x and y; its side by the sign of its width over
+/// that of the layer; its end (−1 or 1).
 inline constexpr const char* strokeWay = "strokeWay";
 
 /// Gives an actor, whose mapper knows `strokeWay`, the programs that paint lines, all at one depth. VTK throws away

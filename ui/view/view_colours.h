@@ -14,6 +14,8 @@ namespace keyblock {
 struct ViewColours {
     bool dark = false;  // which of the colour maps are used
     Colour ground, opening, rock, joint, wall, ink, casing, accent, slipping, error;
+    Colour quiet;  // bolts without values
+    Colour bearing;  // contacts that hold
     double jointOpacity = 0.7;
 };
 

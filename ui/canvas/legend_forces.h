@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the legend says of arrows and of the forces of contacts: how long a line is
+// for which value, which kinds there are, and what is left out.
+#pragma once
+
+#include "ui/picture/section.h"
+
+#include <QPointF>
+
+class QPainter;
+
+namespace keyblock {
+
+struct Theme;
+
+double legendArrowsHeight(const ArrowField& field, double width);  // [px]
+void paintLegendArrows(QPainter& painter, const Theme& theme, const ArrowField& field, const QPointF& at, double width);
+
+/// \param scale pixels per metre of the view.
+double legendContactsHeight(const ContactField& field, double width);  // [px]
+void paintLegendContacts(QPainter& painter, const Theme& theme, const ContactField& field, double scale,
+                         const QPointF& at, double width);
+
+}  // namespace keyblock
