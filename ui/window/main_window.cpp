@@ -14,6 +14,7 @@
 #include "ui/runs/runs.h"
 #include "ui/window/drawing_feed.h"
 #include "ui/window/file_commands.h"
+#include "ui/window/layouts.h"
 #include "ui/window/menus.h"
 #include "ui/window/place_panels.h"
 #include "ui/window/run_area.h"
@@ -49,7 +50,11 @@ MainWindow::MainWindow(Themes& themes)
     placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_, *canvas_});
     auto* recent = new RecentFiles(*document_, this);
     start_ = addStartPage(*this, {themes_, *commands_, *document_, *journal_, *recent});
+    layouts_ = new Layouts(*this, *commands_);
     fillMenus(*menuBar(), *commands_);
+    layouts_->begin();
+    connect(runs_, &RunArea::modeChanged, layouts_,
+            [this](bool results) { layouts_->show(results ? Arrangement::Results : Arrangement::Drawing); });
     connect(document_, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(document_, &Document::checkedChanged, this, &MainWindow::showStates);
     connect(runs_, &RunArea::statesChanged, this, &MainWindow::showStates);
@@ -72,6 +77,7 @@ void MainWindow::begin() { beginWithStartPage(*start_); }
 void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(mayDiscard(*document_, *this));
     if (!event->isAccepted()) return;
+    layouts_->keep();
     runs_->runs().stopForClosing();
     journal_->close();
 }

@@ -17,6 +17,7 @@ class Display;
 class Document;
 class DrawingFeed;
 class Journal;
+class Layouts;
 class RunArea;
 class Selection;
 class StartPage;
@@ -55,6 +56,7 @@ private:
     Visibility* visibility_;
     StartPage* start_ = nullptr;
     WorkflowBar* workflow_;
+    Layouts* layouts_ = nullptr;
     Canvas* canvas_;
     DrawingFeed* drawing_;
     RunArea* runs_;

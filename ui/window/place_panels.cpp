@@ -28,7 +28,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int treeWidth = 236, propertyWidth = 300, bottomHeight = 196;
+constexpr int treeWidth = 236, propertyWidth = 300;
 
 /// A dock whose header is the panel's own.
 QDockWidget* dockWithHeader(QMainWindow& window, const QString& id, const QString& title, QWidget* widget,
@@ -67,13 +67,8 @@ void placeBelow(QMainWindow& window, const PanelNeeds& needs, Panels& panels) {
     panels.stagesDock = makeDock(window, needs.themes, "stagesDock", QMainWindow::tr("Stages"), panels.stages);
     panels.libraryDock =
         makeDock(window, needs.themes, "libraryDock", QMainWindow::tr("Bolt library"), panels.library);
-    window.addDockWidget(Qt::BottomDockWidgetArea, panels.problemsDock);
-    window.addDockWidget(Qt::BottomDockWidgetArea, panels.censusDock);
-    window.tabifyDockWidget(panels.problemsDock, panels.stagesDock);
-    window.tabifyDockWidget(panels.stagesDock, panels.libraryDock);
-    panels.problemsDock->raise();
-    window.resizeDocks({panels.problemsDock, panels.censusDock}, {880, 720}, Qt::Horizontal);
-    window.resizeDocks({panels.problemsDock}, {bottomHeight}, Qt::Vertical);
+    for (QDockWidget* dock : {panels.problemsDock, panels.censusDock, panels.stagesDock, panels.libraryDock})
+        window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // where, is for the layouts to say
     const auto badge = [dock = panels.problemsDock](int urgent) {
         dock->setWindowTitle(urgent > 0 ? QMainWindow::tr("Problems  %1").arg(urgent) : QMainWindow::tr("Problems"));
     };

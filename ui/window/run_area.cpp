@@ -35,7 +35,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int dockHeight = 214, messageTime = 8000;  // [px], [ms]
+constexpr int messageTime = 8000;  // [ms]
 
 }  // namespace
 
@@ -92,13 +92,8 @@ void RunArea::placeDocks() {
         makeDock(window, themes, "energyDock", tr("Energy"), new Curves(themes, *cursor_, CurveKind::Energies, &window));
     QDockWidget* list = makeDock(window, themes, "runsDock", tr("Runs"), new RunList(themes, *runs_, &window));
     QDockWidget* log = makeDock(window, themes, "logDock", tr("Log"), log_);
-    window.addDockWidget(Qt::BottomDockWidgetArea, time);
-    window.splitDockWidget(time, curves, Qt::Vertical);
-    window.splitDockWidget(curves, healthDock_, Qt::Horizontal);
-    for (QDockWidget* dock : {eventsDock_, energy, list, log}) window.tabifyDockWidget(healthDock_, dock);
-    healthDock_->raise();
-    window.resizeDocks({curves, healthDock_}, {1100, 500}, Qt::Horizontal);
-    window.resizeDocks({curves}, {dockHeight}, Qt::Vertical);
+    for (QDockWidget* dock : {time, curves, healthDock_, eventsDock_, energy, list, log})
+        window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // where, is for the layouts to say
     connect(health_, &HealthStrip::blockAsked, this, &RunArea::askBlock);
     connect(events_, &EventsList::blockAsked, this, &RunArea::askBlock);
     connect(events_, &EventsList::countChanged, this, &RunArea::nameTabs);
@@ -115,6 +110,7 @@ void RunArea::showMode() {
     const bool results = feed_->showsResults();
     if (bar_) bar_->setVisible(results);
     parts_.drawing.setOn(!results);
+    Q_EMIT modeChanged(results);
     if (!results) return;
     parts_.canvas.setDrawing(false);
     showPicture();

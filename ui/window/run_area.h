@@ -67,6 +67,7 @@ public:
 
 Q_SIGNALS:
     void statesChanged();
+    void modeChanged(bool results);
 
 private:
     void placeDocks();

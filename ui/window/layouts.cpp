@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/layouts.h"
+
+#include "ui/look/commands.h"
+
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSettings>
+#include <QTimer>
+#include <QToolButton>
+#include <QWidgetAction>
+
+#include <vector>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int version = 1;  // of the states kept; another one is not read
+constexpr char folder[] = "layouts";
+constexpr int bottomHeight = 210;
+
+// Docks that share a place, side by side below the time line; the first of each is in front.
+using Groups = std::vector<std::vector<const char*>>;
+
+const Groups& groupsOf(Arrangement arrangement) {
+    static const Groups drawing{{"problemsDock", "stagesDock", "libraryDock"}, {"censusDock"}};
+    static const Groups results{{"stripDock"}, {"curvesDock"},
+                                {"healthDock", "eventsDock", "energyDock", "runsDock", "logDock"}};
+    return arrangement == Arrangement::Drawing ? drawing : results;
+}
+
+QList<int> widthsOf(Arrangement arrangement) {
+    return arrangement == Arrangement::Drawing ? QList<int>{880, 720} : QList<int>{740, 440, 420};
+}
+
+QDockWidget* dock(QMainWindow& window, const char* id) { return window.findChild<QDockWidget*>(id); }
+
+QList<QDockWidget*> docksOf(QMainWindow& window, const std::vector<const char*>& ids) {
+    QList<QDockWidget*> docks;
+    for (const char* id : ids)
+        if (QDockWidget* found = dock(window, id)) docks << found;
+    return docks;
+}
+
+/// All groups of both arrangements that have docks.
+QList<QList<QDockWidget*>> allGroups(QMainWindow& window) {
+    QList<QList<QDockWidget*>> groups;
+    for (const Arrangement arrangement : {Arrangement::Drawing, Arrangement::Results})
+        for (const auto& group : groupsOf(arrangement)) groups << docksOf(window, group);
+    groups.removeAll({});
+    return groups;
+}
+
+/// Puts the docks of both arrangements side by side below the time line; which of them are seen is for another to say.
+void placeAll(QMainWindow& window) {
+    QDockWidget* last = dock(window, "timeDock");
+    if (!last) return;
+    const QList<QList<QDockWidget*>> groups = allGroups(window);
+    for (const auto& group : groups)
+        for (QDockWidget* member : group) window.removeDockWidget(member);
+    window.addDockWidget(Qt::BottomDockWidgetArea, last);
+    last->show();
+    Qt::Orientation direction = Qt::Vertical;
+    for (const auto& group : groups) {
+        window.splitDockWidget(last, group.front(), direction);
+        last = group.front();
+        direction = Qt::Horizontal;
+    }
+    // Only now: what is split off a dock with tabs becomes one of them.
+    for (const auto& group : groups)
+        for (int i = 1; i < group.size(); ++i) window.tabifyDockWidget(group[i - 1], group[i]);
+}
+
+/// Shows the docks of an arrangement and hides those of the other.
+void showOnly(QMainWindow& window, Arrangement shown) {
+    for (const Arrangement arrangement : {Arrangement::Drawing, Arrangement::Results})
+        for (const auto& group : groupsOf(arrangement))
+            for (QDockWidget* member : docksOf(window, group)) {
+                member->setFloating(false);
+                member->setVisible(arrangement == shown);
+            }
+}
+
+void size(QMainWindow& window, Arrangement arrangement) {
+    QList<QDockWidget*> firsts;
+    QList<int> widths;
+    for (std::size_t i = 0; i < groupsOf(arrangement).size(); ++i) {
+        const QList<QDockWidget*> members = docksOf(window, groupsOf(arrangement)[i]);
+        if (members.isEmpty()) continue;
+        members.front()->raise();
+        firsts << members.front();
+        widths << widthsOf(arrangement)[static_cast<int>(i)];
+    }
+    if (firsts.isEmpty()) return;
+    window.resizeDocks(firsts, widths, Qt::Horizontal);
+    window.resizeDocks({firsts.front()}, {bottomHeight}, Qt::Vertical);
+}
+
+QString keyOf(Arrangement arrangement) {
+    return arrangement == Arrangement::Drawing ? QStringLiteral("drawing") : QStringLiteral("results");
+}
+
+QString pathOf(const QString& name, Arrangement arrangement) {
+    // A name may hold what settings take for folders.
+    return QString(folder) + "/named/" + QString::fromLatin1(name.toUtf8().toHex()) + '/' + keyOf(arrangement);
+}
+
+}  // namespace
+
+Layouts::Layouts(QMainWindow& window, Commands& commands) : QObject(&window), window_(window) {
+    addDockCommands(commands);
+    commands.add({"view.resetLayout", tr("Reset layout"), "View", {}, tr("Puts every dock back where it belongs."), {},
+                  false, "layout"},
+                 [this] { reset(); });
+}
+
+void Layouts::begin() {
+    const QSettings settings;
+    for (const Arrangement each : {Arrangement::Drawing, Arrangement::Results})
+        states_[static_cast<std::size_t>(each)] = settings.value(QString(folder) + '/' + keyOf(each)).toByteArray();
+    setCurrent(settings.value(QString(folder) + "/current").toString());
+    placeAll(window_);
+    apply();
+}
+
+void Layouts::show(Arrangement arrangement) {
+    if (arrangement == arrangement_) return;
+    now() = window_.saveState(version);
+    arrangement_ = arrangement;
+    apply();
+}
+
+/// As it was left, or as it is at first; sizes take once the window has laid itself out.
+void Layouts::apply() {
+    if (!now().isEmpty() && window_.restoreState(now(), version)) return;
+    showOnly(window_, arrangement_);
+    QTimer::singleShot(0, this, [this, shown = arrangement_] {
+        if (shown == arrangement_) size(window_, shown);
+    });
+}
+
+void Layouts::keep() {
+    now() = window_.saveState(version);
+    QSettings settings;
+    for (const Arrangement each : {Arrangement::Drawing, Arrangement::Results})
+        settings.setValue(QString(folder) + '/' + keyOf(each), states_[static_cast<std::size_t>(each)]);
+    settings.setValue(QString(folder) + "/current", current_);
+}
+
+void Layouts::reset() {
+    states_ = {};
+    placeAll(window_);
+    apply();
+    setCurrent({});
+}
+
+QStringList Layouts::names() const {
+    QSettings settings;
+    settings.beginGroup(QString(folder) + "/named");
+    QStringList names;
+    for (const QString& hex : settings.childGroups()) names << QString::fromUtf8(QByteArray::fromHex(hex.toLatin1()));
+    names.sort(Qt::CaseInsensitive);
+    return names;
+}
+
+void Layouts::save(const QString& name) {
+    now() = window_.saveState(version);
+    QSettings settings;
+    for (const Arrangement each : {Arrangement::Drawing, Arrangement::Results})
+        settings.setValue(pathOf(name, each), states_[static_cast<std::size_t>(each)]);
+    setCurrent(name);
+}
+
+void Layouts::load(const QString& name) {
+    const QSettings settings;
+    for (const Arrangement each : {Arrangement::Drawing, Arrangement::Results}) {
+        const QByteArray kept = settings.value(pathOf(name, each)).toByteArray();
+        states_[static_cast<std::size_t>(each)] = kept;
+    }
+    apply();
+    setCurrent(name);
+}
+
+void Layouts::remove(const QString& name) {
+    QSettings().remove(pathOf(name, Arrangement::Drawing).section('/', 0, -2));
+    if (name == current_) setCurrent({});
+}
+
+void Layouts::addDockCommands(Commands& commands) {
+    for (QDockWidget* each : window_.findChildren<QDockWidget*>()) {
+        if (!each->features().testFlag(QDockWidget::DockWidgetClosable)) continue;
+        QAction* action = commands.add({"dock." + each->objectName(), each->windowTitle(), "View", {},
+                                        tr("Shows or hides this dock."), {}, true, "docks"},
+                                       [each] {
+                                           const bool shows = !each->isHidden();
+                                           each->setVisible(!shows);
+                                           if (!shows) each->raise();
+                                       });
+        const auto tell = [action, each] { action->setChecked(!each->isHidden()); };
+        connect(each->toggleViewAction(), &QAction::toggled, action, tell);
+        tell();
+    }
+}
+
+QToolButton* Layouts::makeButton(QWidget* parent) {
+    button_ = new QToolButton(parent);
+    button_->setObjectName("layoutButton");
+    button_->setAccessibleName(tr("Layout"));
+    button_->setToolTip(tr("Where docks stand, by name"));
+    button_->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(button_);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillMenu(*menu); });
+    button_->setMenu(menu);
+    setCurrent(current_);
+    return button_;
+}
+
+void Layouts::fillMenu(QMenu& menu) {
+    menu.clear();
+    for (const QString& name : names()) {
+        QAction* action = menu.addAction(name, this, [this, name] { load(name); });
+        action->setCheckable(true);
+        action->setChecked(name == current_);
+    }
+    if (!menu.isEmpty()) menu.addSeparator();
+    auto* field = new QLineEdit(&menu);
+    field->setPlaceholderText(tr("Keep this one as… (Enter)"));
+    field->setAccessibleName(tr("Name of this layout"));
+    field->setMaxLength(60);
+    connect(field, &QLineEdit::returnPressed, this, [this, field, &menu] {
+        if (!field->text().trimmed().isEmpty()) save(field->text().trimmed());
+        menu.close();
+    });
+    auto* entry = new QWidgetAction(&menu);
+    entry->setDefaultWidget(field);
+    menu.addAction(entry);
+    if (!current_.isEmpty())
+        menu.addAction(tr("Forget “%1”").arg(current_), this, [this] { remove(current_); });
+    menu.addAction(tr("Reset layout"), this, &Layouts::reset);
+}
+
+void Layouts::setCurrent(const QString& name) {
+    current_ = name;
+    if (button_) button_->setText(tr("Layout: %1").arg(name.isEmpty() ? tr("default") : name));
+}
+
+}  // namespace keyblock
