@@ -9,6 +9,9 @@
 #include "solver/scene/check.h"
 #include "ui/runs/live_run.h"
 
+#include <pthread.h>
+#include <time.h>
+
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -52,10 +55,8 @@ void RunSession::start() {
     clock_.start();
     timer_.start();
     control_.progress = [this](const Progress& progress) { feed_.progress(progress); };
-    if (order_.watched) {
-        control_.looked = [this](const Frame& frame) { feed_.look(frame); };
-        control_.look = true;
-    }
+    control_.looked = [this](const Frame& frame) { feed_.look(frame); };
+    looked_.start();
     thread_ = std::thread([this] {
         work(ending_);
         QMetaObject::invokeMethod(this, &RunSession::finish, Qt::QueuedConnection);
@@ -119,6 +120,20 @@ void RunSession::step() {
     if (state_ == State::Paused) ++control_.steps;
 }
 
+void RunSession::setLooksPerSecond(int looks) {
+    looks_ = std::max(0, looks);
+    if (looks_ == 0) control_.look = false;
+}
+
+double RunSession::threadSeconds() const {
+    clockid_t clock{};
+    timespec time{};
+    if (!thread_.joinable() || isOver() || ::pthread_getcpuclockid(thread_.native_handle(), &clock) != 0 ||
+        ::clock_gettime(clock, &time) != 0)
+        return 0.0;
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 void RunSession::stop() {
     if (isOver() || state_ == State::Stopping) return;
     control_.stop = true;
@@ -131,7 +146,10 @@ void RunSession::takeFeed() {
     const bool any = isNew || batch.newest.frame || batch.progress || !batch.stagesBegun.empty() ||
                      !batch.stagesEnded.empty() || !batch.frames.empty() || !batch.events.empty();
     if (isNew) run_ = std::make_shared<LiveRun>(order_.store, *batch.start);
-    if (batch.newest.frame || !any) control_.look = order_.watched;
+    if (looks_ > 0 && looked_.elapsed() >= 1000 / looks_ - interval / 2) {
+        control_.look = true;
+        looked_.start();
+    }
     if (batch.progress && !startFraction_) startFraction_ = batch.progress->fraction;
     if (run_) run_->append(std::move(batch));
     if (isNew) {

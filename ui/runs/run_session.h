@@ -31,7 +31,6 @@ struct RunOrder {
     std::filesystem::path store;
     bool resume = false;  // go on with what the store holds
     int threads = 0;  // 0: as many as the machine has
-    bool watched = true;  // states between stored frames are looked at, too
 };
 
 class RunSession : public QObject {
@@ -50,6 +49,11 @@ public:
     /// One step of a run that is paused; one that runs is paused first.
     void step();
     void stop();
+
+    /// How often states between stored frames are looked at; 0: never. At the start 30.
+    void setLooksPerSecond(int looks);
+    /// Processor time that the run's own thread took so far [s]; 0 before it starts and once it is over.
+    double threadSeconds() const;
 
     State state() const { return state_; }
     bool isOver() const { return state_ == State::Ended; }
@@ -91,9 +95,10 @@ private:
     Control control_;
     LiveFeed feed_;
     Ending ending_;  // the thread's until it is joined
-    std::thread thread_;
+    mutable std::thread thread_;  // its handle is asked for
     QTimer timer_;
-    QElapsedTimer clock_;
+    QElapsedTimer clock_, looked_;
+    int looks_ = 30;  // a second
     qint64 paused_ = 0, pausedSince_ = -1;  // [ms]
     std::optional<double> startFraction_;
     State state_ = State::Preparing;

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the window costs a run, and a run the window: processor time of the solver's
+// thread per step with the view on and off, by turns within one run; the heartbeat of
+// the window meanwhile; how soon it stops; memory over ten thousand frames. Takes the
+// scene, how long to measure, and settings of the scene as the command line does:
+//   keyblock_studio_bench SCENE.json SECONDS [path=value …]
+#include "solver/files/scene_file.h"
+#include "ui/document/document.h"
+#include "ui/look/theme.h"
+#include "ui/runs/live_run.h"
+#include "ui/runs/run_session.h"
+#include "ui/runs/runs.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <vector>
+
+namespace keyblock {
+namespace {
+
+constexpr qint64 turn = 1500;  // [ms] with the view on, then as long with it off
+constexpr int looksPerSecond = 10;
+constexpr long settled = 1000, manyFrames = 10000;
+
+double residentMegabytes() {
+    std::ifstream file("/proc/self/statm");
+    double pages = 0.0, resident = 0.0;
+    file >> pages >> resident;
+    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+void waitFor(const std::function<bool()>& done) {
+    while (!done()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+}
+
+/// Intervals of a timer of 10 ms.
+class Heartbeat {
+public:
+    Heartbeat() {
+        timer_.setTimerType(Qt::PreciseTimer);
+        QObject::connect(&timer_, &QTimer::timeout, [this] { beats_.push_back(1e-6 * static_cast<double>(clock_.nsecsElapsed())), clock_.start(); });
+        clock_.start();
+        timer_.start(10);
+    }
+    double at(double share) {
+        if (beats_.empty()) return 0.0;
+        std::sort(beats_.begin(), beats_.end());
+        return beats_[std::min(beats_.size() - 1, static_cast<std::size_t>(share * static_cast<double>(beats_.size())))];
+    }
+    std::size_t count() const { return beats_.size(); }
+
+private:
+    QTimer timer_;
+    QElapsedTimer clock_;
+    std::vector<double> beats_;  // [ms]
+};
+
+struct Spent {
+    double seconds = 0.0;
+    long steps = 0;
+    double perStep() const { return steps > 0 ? 1e3 * seconds / static_cast<double>(steps) : 0.0; }
+};
+
+/// Turns with the view on and off, for so many seconds or until the run ends; the first one warms up.
+void measureCost(RunSession& session, double seconds) {
+    Spent on, off;
+    QElapsedTimer all;
+    all.start();
+    bool isOn = true, isFirst = true;
+    while (!session.isOver() && 1e-3 * static_cast<double>(all.elapsed()) < seconds) {
+        session.setLooksPerSecond(isOn ? looksPerSecond : 0);
+        QElapsedTimer clock;
+        clock.start();
+        const double before = session.threadSeconds();
+        const long from = session.steps();
+        waitFor([&] { return session.isOver() || clock.elapsed() >= turn; });
+        if (session.isOver()) break;
+        Spent& spent = isOn ? on : off;
+        if (!isFirst) {
+            spent.seconds += session.threadSeconds() - before;
+            spent.steps += session.steps() - from;
+        }
+        isFirst = false;
+        isOn = !isOn;
+    }
+    std::printf("solver thread, ms a step: view on %.3f (%ld steps), off %.3f (%ld steps), %+.1f %%\n", on.perStep(),
+                on.steps, off.perStep(), off.steps, 100.0 * (on.perStep() / off.perStep() - 1.0));
+    session.setLooksPerSecond(30);
+}
+
+void measureStop(RunSession& session) {
+    const long passes = session.run()->progress()->passes;
+    QElapsedTimer clock;
+    clock.start();
+    session.stop();
+    waitFor([&] { return session.isOver(); });
+    std::printf("stop after %.0f ms (pass %ld)\n", 1e-6 * static_cast<double>(clock.nsecsElapsed()), passes);
+}
+
+bool start(MainWindow& window, Scene scene, const QString& folder, const QString& name) {
+    auto* runs = window.findChild<Runs*>();
+    auto* document = window.findChild<Document*>();
+    document->startNew(std::move(scene), name);
+    document->save(folder + "/" + name + ".json");
+    waitFor([&] { return document->checkIsCurrent(); });
+    runs->start();
+    waitFor([&] { return !runs->isRunning() || runs->session()->run(); });
+    if (runs->isRunning()) return true;
+    std::cerr << runs->session()->message().toStdString() << '\n';
+    return false;
+}
+
+void measureMemory(MainWindow& window, const QString& folder) {
+    SceneReading reading = readSceneFile(std::string(KEYBLOCK_SAMPLES_DIR) + "/incline.json");
+    reading.scene->output.every.reset();
+    reading.scene->output.frames = static_cast<int>(manyFrames + settled);
+    for (Stage& stage : reading.scene->stages) stage.timeStep = stage.duration / static_cast<double>(manyFrames + settled);
+    if (!start(window, *reading.scene, folder, "frames")) return;
+    RunSession& session = *window.findChild<Runs*>()->session();
+    double early = 0.0;
+    const auto frames = [&] { return static_cast<long>(session.run()->frames().size()); };
+    waitFor([&] { return session.isOver() || frames() >= settled; });
+    early = residentMegabytes();
+    waitFor([&] { return session.isOver() || frames() >= manyFrames; });
+    std::printf("memory: %.1f MB at %ld frames, %.1f MB at %ld\n", early, settled, residentMegabytes(), frames());
+}
+
+int measure(int argc, char** argv) {
+    const std::vector<std::string> overrides(argv + std::min(argc, 3), argv + argc);
+    const SceneReading reading = readSceneFile(argv[1], overrides);
+    if (!reading.scene) {
+        for (const Problem& problem : reading.problems) std::cerr << oneLine(problem) << '\n';
+        return 1;
+    }
+    QTemporaryDir folder;
+    Themes themes;
+    MainWindow window(themes);
+    window.show();
+    if (!start(window, *reading.scene, folder.path(), "scene")) return 1;
+    RunSession& session = *window.findChild<Runs*>()->session();
+    std::printf("%zu blocks\n", session.run()->blockNames().size());
+    Heartbeat heart;
+    measureCost(session, std::atof(argv[2]));
+    std::printf("heartbeat of 10 ms: median %.1f, 99 %% %.1f, longest %.1f ms (%zu beats)\n", heart.at(0.5), heart.at(0.99),
+                heart.at(1.0), heart.count());
+    if (!session.isOver()) measureStop(session);
+    measureMemory(window, folder.path());
+    window.findChild<Runs*>()->stopForClosing();
+    return 0;
+}
+
+}  // namespace
+}  // namespace keyblock
+
+int main(int argc, char** argv) {
+    if (argc < 3) {
+        std::cerr << "keyblock_studio_bench SCENE.json SECONDS [path=value ...]\n";
+        return 2;
+    }
+    QApplication application(argc, argv);
+    QCoreApplication::setApplicationName("keyblock-studio-bench");
+    QCoreApplication::setOrganizationName("keyblock");
+    return keyblock::measure(argc, argv);
+}
