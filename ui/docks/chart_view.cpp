@@ -138,8 +138,8 @@ void ChartView::paintEvent(QPaintEvent*) {
 /// A dot on the curve with its value, and hair lines to the axes; a line through all panels where time is the axis.
 void ChartView::paintNow(QPainter& painter) const {
     const Theme& theme = themes_.current();
-    if (now_->x < chart_->x.low || now_->x > chart_->x.high || place_.panels.empty()) return;
-    const double x = xOf(now_->x);
+    if (place_.panels.empty()) return;
+    const double x = xOf(std::clamp(now_->x, chart_->x.low, chart_->x.high));  // a run may be ahead of its chart
     QPen hair(theme.accent, 1.0);
     hair.setDashPattern({2.0, 2.0});
     painter.setPen(hair);

@@ -222,7 +222,7 @@ void EventsList::open(const QModelIndex& index) {
     cursor_.pause();
     cursor_.goToEvent(event);
     if (event.bolt >= 0) selection_.set({QStringLiteral("/bolts/%1").arg(event.bolt)});
-    else if (event.block >= 0) Q_EMIT blockAsked(event.block);
+    else if (event.block >= 0) Q_EMIT blockAsked(event.block, words(wordOf(event.kind)));
 }
 
 }  // namespace keyblock

@@ -62,7 +62,7 @@ public:
     QSize sizeHint() const override { return {415, 214}; }
 
 Q_SIGNALS:
-    void blockAsked(int block);  // row of the solved blocks
+    void blockAsked(int block, const QString& what);  // row of the solved blocks
     void countChanged();
 
 private:

@@ -255,7 +255,8 @@ void HealthStrip::paintAdvice(QPainter& painter, double y) {
 
 void HealthStrip::mousePressEvent(QMouseEvent* event) {
     const HealthRow* row = known_ ? worstRow() : nullptr;
-    if (row && row->block >= 0 && link_.contains(event->localPos())) Q_EMIT blockAsked(row->block);
+    if (row && row->block >= 0 && link_.contains(event->localPos()))
+        Q_EMIT blockAsked(row->block, nameOf(row->measure) + QStringLiteral(" ") + valueText(*row));
 }
 
 void HealthStrip::mouseMoveEvent(QMouseEvent* event) {

@@ -51,7 +51,7 @@ public:
     QSize sizeHint() const override { return {415, 214}; }
 
 Q_SIGNALS:
-    void blockAsked(int block);  // row of the solved blocks
+    void blockAsked(int block, const QString& why);  // row of the solved blocks
     void worstChanged();
 
 protected:

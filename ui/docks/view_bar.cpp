@@ -14,7 +14,7 @@
 #include <QStyledItemDelegate>
 #include <QToolButton>
 
-#include <cmath>
+#include <utility>
 
 namespace keyblock {
 
@@ -87,7 +87,6 @@ ViewBar::ViewBar(const Themes& themes, Commands& commands, ViewSettings& setting
     arrows_ = addToggle("viewArrows", tr("Arrows of displacement"), "arrow");
     contacts_ = addToggle("viewContacts", tr("Forces between blocks"), "load");
     row_->addStretch(1);
-    addCommands();
     connect(&settings, &ViewSettings::changed, this, &ViewBar::showChoice);
     connect(&themes, &Themes::changed, this, &ViewBar::showIcons);
     showChoice();
@@ -140,6 +139,11 @@ void ViewBar::addCommands() {
         }
         row_->addWidget(button);
     }
+}
+
+/// Other rooms may add theirs after this bar is made.
+void ViewBar::showEvent(QShowEvent*) {
+    if (!std::exchange(hasCommands_, true)) addCommands();
 }
 
 void ViewBar::take() {

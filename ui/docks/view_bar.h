@@ -24,6 +24,7 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     QComboBox* addChoice(const char* name, const QString& title);
@@ -40,6 +41,7 @@ private:
     QHBoxLayout* row_;
     QComboBox *blocks_, *bolts_, *ribbon_, *factor_;
     QToolButton *callOuts_, *arrows_, *contacts_;
+    bool hasCommands_ = false;
 };
 
 }  // namespace keyblock

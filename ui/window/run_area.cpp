@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/run_area.h"
 
+#include "solver/results/words.h"
 #include "ui/canvas/canvas.h"
-#include "ui/docks/block_outline.h"
+#include "ui/docks/bolt_strip.h"
 #include "ui/docks/curves.h"
 #include "ui/docks/events_list.h"
 #include "ui/docks/health_strip.h"
@@ -42,25 +43,23 @@ constexpr int messageTime = 8000;  // [ms]
 RunArea::RunArea(const RunAreaParts& parts)
     : QObject(&parts.window), parts_(parts), cursor_(new TimeCursor(this)),
       runs_(new Runs(parts.document, *cursor_, this)), settings_(new ViewSettings(this)),
-      feed_(new SectionFeed(parts.selection, *cursor_, *settings_, this)),
-      outline_(std::make_unique<BlockOutline>(parts.themes, parts.canvas)) {
+      feed_(new SectionFeed(parts.selection, *cursor_, *settings_, this)) {
     addRunCommands(parts.commands, *runs_);
     addTimeCommands(parts.commands, *cursor_);
-    parts.canvas.addOverlay(outline_.get());
     connect(feed_, &SectionFeed::modeChanged, this, &RunArea::showMode);
     connect(feed_, &SectionFeed::pictureChanged, this, &RunArea::showPicture);
     connect(&parts.selection, &Selection::changed, this, &RunArea::showSelection);
     connect(&parts.workflow, &WorkflowBar::chosen, this, &RunArea::followTabs);
     connect(runs_, &Runs::sessionChanged, this, &RunArea::statesChanged);
     connect(cursor_, &TimeCursor::runChanged, this, [this] {
-        outline_->show(-1);
+        askBlock(-1, {});
         if (cursor_->run()) parts_.workflow.choose(WorkStep::Results);
         Q_EMIT statesChanged();
     });
     connect(&parts.canvas, &Canvas::spaceTapped, this, [this] { cursor_->isPlaying() ? cursor_->pause() : cursor_->play(); });
 }
 
-RunArea::~RunArea() { parts_.canvas.removeOverlay(outline_.get()); }
+RunArea::~RunArea() = default;
 
 void RunArea::place(QVBoxLayout& aboveCanvas) {
     bar_ = new ViewBar(parts_.themes, parts_.commands, *settings_, &parts_.window);
@@ -84,6 +83,12 @@ void RunArea::placeDocks() {
     health_ = new HealthStrip(themes, *cursor_, &window);
     events_ = new EventsList(themes, *cursor_, parts_.selection, &window);
     log_ = new RunLog(themes, &window);
+    auto* bolt = new BoltStrip(themes, *cursor_, parts_.selection, &window);
+    QDockWidget* strip = makeDock(window, themes, "stripDock", tr("Bolt strip"), bolt);
+    connect(bolt, &BoltStrip::titleChanged, strip, [strip, bolt] {
+        const QString shown = bolt->title();
+        strip->setWindowTitle(shown.isEmpty() ? tr("Bolt strip") : tr("Bolt strip   %1").arg(shown));
+    });
     QDockWidget* curves =
         makeDock(window, themes, "curvesDock", tr("Curves"), new Curves(themes, *cursor_, CurveKind::All, &window));
     healthDock_ = makeDock(window, themes, "healthDock", tr("Health"), health_);
@@ -92,10 +97,13 @@ void RunArea::placeDocks() {
         makeDock(window, themes, "energyDock", tr("Energy"), new Curves(themes, *cursor_, CurveKind::Energies, &window));
     QDockWidget* list = makeDock(window, themes, "runsDock", tr("Runs"), new RunList(themes, *runs_, &window));
     QDockWidget* log = makeDock(window, themes, "logDock", tr("Log"), log_);
-    for (QDockWidget* dock : {time, curves, healthDock_, eventsDock_, energy, list, log})
+    for (QDockWidget* dock : {time, strip, curves, healthDock_, eventsDock_, energy, list, log})
         window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // where, is for the layouts to say
     connect(health_, &HealthStrip::blockAsked, this, &RunArea::askBlock);
-    connect(events_, &EventsList::blockAsked, this, &RunArea::askBlock);
+    connect(events_, &EventsList::blockAsked, this, [this](int block, const QString& what) {
+        asked_ = -1;
+        askBlock(block, what);
+    });
     connect(events_, &EventsList::countChanged, this, &RunArea::nameTabs);
 }
 
@@ -136,9 +144,12 @@ void RunArea::showSelection() {
 /// The steps of drawing show the drawing, the others what a run found.
 void RunArea::followTabs(WorkStep step) { feed_->showResults(step == WorkStep::Run || step == WorkStep::Results); }
 
-void RunArea::askBlock(int block) {
-    outline_->show(outline_->block() == block ? -1 : block);
-    parts_.canvas.refresh();
+/// Outlines a block with a word on why; asked once more, or for none, it takes the outline away.
+void RunArea::askBlock(int block, const QString& why) {
+    asked_ = block == asked_ ? -1 : block;
+    if (asked_ < 0 || !cursor_->run()) return parts_.canvas.setCulprit(std::nullopt);
+    const QString name = QString::fromStdString(blockName(cursor_->run()->blockNames(), asked_));
+    parts_.canvas.setCulprit(Culprit{asked_, tr("Block %1").arg(name), why});
 }
 
 void RunArea::addTo(WorkStates& states) const {

@@ -10,15 +10,12 @@
 
 #include <QObject>
 
-#include <memory>
-
 class QDockWidget;
 class QMainWindow;
 class QVBoxLayout;
 
 namespace keyblock {
 
-class BlockOutline;
 class Canvas;
 class Commands;
 class Document;
@@ -75,7 +72,7 @@ private:
     void showPicture();
     void showSelection();
     void followTabs(WorkStep step);
-    void askBlock(int block);
+    void askBlock(int block, const QString& why);
     void nameTabs();
 
     RunAreaParts parts_;
@@ -83,7 +80,7 @@ private:
     Runs* runs_;
     ViewSettings* settings_;
     SectionFeed* feed_;
-    std::unique_ptr<BlockOutline> outline_;
+    int asked_ = -1;  // block that is outlined
     ViewBar* bar_ = nullptr;
     HealthStrip* health_ = nullptr;
     EventsList* events_ = nullptr;

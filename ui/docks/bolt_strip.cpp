@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/bolt_strip.h"
+
+#include "solver/results/words.h"
+#include "ui/canvas/screen_marks.h"
+#include "ui/docks/chart_view.h"
+#include "ui/document/selection.h"
+#include "ui/look/display.h"
+#include "ui/look/theme.h"
+#include "ui/runs/live_run.h"
+#include "ui/runs/time_cursor.h"
+
+#include <QMenu>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <exception>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int bandRoom = 46;  // [px] above the curves
+constexpr double bandTop = 16.0, bandHeight = 26.0;  // in it
+constexpr std::size_t manyMarks = 24;
+constexpr std::size_t mostRead = 120;  // frames of a stored run, evenly over all
+constexpr ChartLayout strip{15.0, 15.0, 1.2, true};
+
+struct PanelChoice {
+    const char* text;
+    std::vector<const char*> columns;  // beginnings of the panels' titles
+};
+
+const std::vector<PanelChoice>& panelChoices() {
+    static const std::vector<PanelChoice> all{{QT_TRANSLATE_NOOP("BoltStrip", "N · bond · slip"), {"Axial", "Bond", "Slip"}},
+                                              {QT_TRANSLATE_NOOP("BoltStrip", "N · Q · M"), {"Axial", "Shear", "Moment"}},
+                                              {QT_TRANSLATE_NOOP("BoltStrip", "everything"), {""}}};
+    return all;
+}
+
+/// Short names fit beside the panels.
+void shorten(ChartPanel& panel) {
+    static const std::pair<const char*, const char*> names[]{{"Axial force", "N"}, {"Shear force", "Q"},
+                                                             {"Moment", "M"},      {"Bond force", "Bond"},
+                                                             {"Slip", "Slip"}};
+    const std::size_t unit = panel.title.rfind(" (");
+    for (const auto& [title, name] : names)
+        if (panel.title.starts_with(title))
+            panel.title = name + (unit == std::string::npos ? std::string() : panel.title.substr(unit));
+}
+
+}  // namespace
+
+struct BoltStrip::Past {
+    std::shared_ptr<const LiveRun> run;
+    BoltReach reach;
+    bool read = false;
+
+    /// Frames of the store, once.
+    void readStored(std::size_t count) {
+        if (std::exchange(read, true)) return;
+        const std::size_t some = std::min(count, mostRead);
+        for (std::size_t i = 0; i < some; ++i) reach.add(run->frame(some == 1 ? 0 : i * (count - 1) / (some - 1)));
+    }
+};
+
+BoltStrip::BoltStrip(const Themes& themes, TimeCursor& cursor, Selection& selection, QWidget* parent)
+    : QWidget(parent), themes_(themes), cursor_(cursor), selection_(selection), view_(new ChartView(themes, this)),
+      more_(new QToolButton(this)) {
+    setObjectName("boltStrip");
+    setAccessibleName(tr("Bolt strip"));
+    more_->setObjectName("stripMore");
+    more_->setAccessibleName(tr("Bolt and curves shown"));
+    more_->setToolTip(more_->accessibleName());
+    more_->setPopupMode(QToolButton::InstantPopup);
+    more_->setFixedSize(24, 22);
+    auto* menu = new QMenu(more_);
+    more_->setMenu(menu);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillMenu(*menu); });
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, bandRoom, 0, 2);
+    column->addWidget(view_, 1);
+    view_->setRoom(strip);
+    const auto showIcon = [this] {
+        more_->setIcon(themes_.icon("more"));
+        update();
+    };
+    showIcon();
+    connect(&themes, &Themes::changed, this, showIcon);
+    connect(view_, &ChartView::drawn, this, QOverload<>::of(&QWidget::update));
+    connect(&cursor, &TimeCursor::runChanged, this, &BoltStrip::runChanged);
+    connect(&cursor, &TimeCursor::moved, this, &BoltStrip::make);
+    connect(&selection, &Selection::changed, this, &BoltStrip::make);
+    runChanged();
+}
+
+BoltStrip::~BoltStrip() = default;
+
+void BoltStrip::showEvent(QShowEvent*) { make(); }
+
+void BoltStrip::resizeEvent(QResizeEvent*) { more_->move(width() - more_->width() - 8, 2); }
+
+QString BoltStrip::title() const {
+    if (!shown_) return {};
+    return QStringLiteral("%1 · %2 · %3 m").arg(shown_->name, shown_->type, Display::number(shown_->chart.length, 3));
+}
+
+void BoltStrip::runChanged() {
+    past_.reset();
+    shown_.reset();
+    view_->clear(tr("The bolt that is selected stands here, straightened, once there is a run."));
+    make();
+    update();
+    Q_EMIT titleChanged();
+}
+
+void BoltStrip::fillMenu(QMenu& menu) {
+    menu.clear();
+    for (std::size_t i = 0; i < panelChoices().size(); ++i) {
+        QAction* action = menu.addAction(tr(panelChoices()[i].text), this, [this, i] {
+            panels_ = i;
+            make();
+        });
+        action->setCheckable(true);
+        action->setChecked(i == panels_);
+    }
+    if (!cursor_.run()) return;
+    menu.addSeparator();
+    const Scene& scene = cursor_.run()->scene();
+    const int wanted = wantedBolt();
+    QAction* most = menu.addAction(tr("Most loaded bolt"), this, [this] { selection_.clear(); });
+    most->setCheckable(true);
+    most->setChecked(wanted < 0);
+    constexpr std::size_t mostListed = 40;
+    for (std::size_t b = 0; b < std::min(scene.bolts.size(), mostListed); ++b) {
+        QAction* action = menu.addAction(QString::fromStdString(boltName(scene, static_cast<int>(b))), this,
+                                         [this, b] { selection_.set({QStringLiteral("/bolts/%1").arg(b)}); });
+        action->setCheckable(true);
+        action->setChecked(static_cast<int>(b) == wanted);
+    }
+}
+
+/// The one that is selected.
+int BoltStrip::wantedBolt() const {
+    const auto count = static_cast<int>(cursor_.run()->scene().bolts.size());
+    for (const QString& pointer : selection_.pointers()) {
+        const QStringList parts = pointer.split('/');
+        bool isNumber = false;
+        const int bolt = parts.size() >= 3 && parts[1] == "bolts" ? parts[2].toInt(&isNumber) : -1;
+        if (isNumber && bolt >= 0 && bolt < count) return bolt;
+    }
+    return -1;
+}
+
+void BoltStrip::make() {
+    if (!isVisible() || !cursor_.hasMoment() || cursor_.run()->scene().bolts.empty()) {
+        if (cursor_.run() && cursor_.run()->scene().bolts.empty()) view_->clear(tr("The scene has no bolts."));
+        return;
+    }
+    const std::vector<const char*> wantedPanels = panelChoices()[panels_].columns;
+    const std::size_t stored = cursor_.goesOn() ? 0 : cursor_.run()->frames().size();
+    painting_.ask([this, moment = cursor_.moment(), run = cursor_.run(), past = past_, wanted = wantedBolt(),
+                   wantedPanels, stored]() -> Background::Result {
+        try {
+            const auto frame = moment->sharedFrame();
+            const int bolt = wanted >= 0 ? wanted : mostLoadedBolt(*frame);
+            if (bolt < 0 || frame->bolts[static_cast<std::size_t>(bolt)].nodes.size() < 2)
+                return [this] {
+                    shown_.reset();
+                    view_->clear(tr("The bolt is not there at this moment."));
+                    update();
+                };
+            std::shared_ptr<Past> known = past;
+            if (!known || known->run != run || known->reach.bolt() != bolt)
+                known = std::make_shared<Past>(Past{run, BoltReach(bolt)});
+            if (stored > 0) known->readStored(stored);
+            known->reach.add(*frame);
+            auto shown = std::make_shared<Shown>();
+            shown->chart = boltChart(*moment, 0, known->reach);
+            std::erase_if(shown->chart.chart.panels, [&](const ChartPanel& panel) {
+                return std::none_of(wantedPanels.begin(), wantedPanels.end(),
+                                    [&](const char* title) { return panel.title.starts_with(title); });
+            });
+            for (ChartPanel& panel : shown->chart.chart.panels) shorten(panel);
+            shown->chart.chart.xTitle.clear();
+            for (const BoltNodeFrame& node : frame->bolts[static_cast<std::size_t>(bolt)].nodes)
+                shown->blocks.emplace_back(node.s, blockName(moment->blockNames(), node.block));
+            shown->name = QString::fromStdString(boltName(moment->scene(), bolt));
+            shown->type = QString::fromStdString(moment->scene().bolts[static_cast<std::size_t>(bolt)].type);
+            return [this, shown, known] {
+                if (cursor_.run() != known->run) return;
+                past_ = known;
+                take(shown);
+            };
+        } catch (const std::exception& error) {
+            return [this, text = QString::fromStdString(error.what())] {
+                shown_.reset();
+                view_->clear(text);
+                update();
+            };
+        }
+    });
+}
+
+void BoltStrip::take(std::shared_ptr<const Shown> shown) {
+    shown_ = std::move(shown);
+    if (shown_->chart.chart.panels.empty()) view_->clear(tr("Nothing acts on this bolt yet."));
+    else view_->show(shown_->chart.chart);
+    update();
+    Q_EMIT titleChanged();
+}
+
+void BoltStrip::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), themes_.current().panel);
+    if (!shown_ || !view_->chart()) return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(view_->x(), view_->y() - bandRoom);
+    paintBlocks(painter);
+    paintBand(painter);
+    paintFronts(painter);
+}
+
+/// The blocks that the bolt goes through, named, and tints of what slips.
+void BoltStrip::paintBlocks(QPainter& painter) const {
+    const Theme& theme = themes_.current();
+    const double left = view_->xOf(0.0), right = view_->xOf(shown_->chart.length);
+    if (right <= left) return;
+    painter.fillRect(QRectF(left, bandTop, right - left, bandHeight), theme.rock);
+    for (const ChartZone& zone : shown_->chart.chart.zones) {
+        QColor tint = theme.slipping;
+        tint.setAlphaF(0.3);
+        painter.fillRect(QRectF(view_->xOf(zone.from), bandTop, view_->xOf(zone.to) - view_->xOf(zone.from), bandHeight),
+                         tint);
+    }
+    QFont font = painter.font();
+    font.setPixelSize(11);
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    std::vector<double> places = shown_->chart.chart.dividers;
+    places.insert(places.begin(), 0.0);
+    places.push_back(shown_->chart.length);
+    painter.setPen(theme.text2);
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+        std::string name;
+        for (const auto& [s, block] : shown_->blocks)
+            if (name.empty() && s >= places[i] && s <= places[i + 1]) name = block;
+        const double from = view_->xOf(places[i]), to = view_->xOf(places[i + 1]);
+        if (name.empty() || to - from < 30.0) continue;
+        painter.drawText(QRectF(from + 3.0, 0.0, to - from - 6.0, bandTop), Qt::AlignCenter,
+                         metrics.elidedText(QString::fromStdString(name), Qt::ElideRight, to - from - 6.0));
+    }
+    painter.setPen(theme.text3);
+    painter.drawText(QRectF(0.0, bandTop, left - 8.0, bandHeight), Qt::AlignRight | Qt::AlignVCenter, tr("far end"));
+    painter.drawText(QRectF(right + 18.0, bandTop, 60.0, bandHeight), Qt::AlignLeft | Qt::AlignVCenter,
+                     tr("head"));
+}
+
+/// The marks of the bolt, thinned where they would touch; what let go stays.
+void BoltStrip::paintBand(QPainter& painter) const {
+    const double y = bandTop + 0.5 * bandHeight, left = view_->xOf(0.0), right = view_->xOf(shown_->chart.length);
+    painter.setPen(QPen(themes_.current().text3, 2.0));
+    painter.drawLine(QPointF(left, y), QPointF(right, y));
+    const MarkTheme theme = screenMarks(themes_.current());
+    const double perMetre = (right - left) / std::max(shown_->chart.length, 1e-9);
+    const bool small = shown_->chart.band.size() > manyMarks;
+    for (const Mark& mark : thinned(shown_->chart.band, (small ? 7.5 : 9.5) / perMetre))
+        paintMark(painter, mark.kind, {view_->xOf(mark.s), y}, {1.0, 0.0}, small, theme);
+}
+
+/// How far slipping has gone: lines down through all curves; joints dotted.
+void BoltStrip::paintFronts(QPainter& painter) const {
+    const Theme& theme = themes_.current();
+    painter.setPen(QPen(theme.text, 1.2));
+    for (const ChartZone& zone : shown_->chart.chart.zones)
+        for (const double s : {zone.from, zone.to})
+            painter.drawLine(QPointF(view_->xOf(s), bandTop - 1.0), QPointF(view_->xOf(s), bandRoom));
+    QPen dotted(theme.text, 1.2);
+    dotted.setDashPattern({1.5, 2.0});
+    painter.setPen(dotted);
+    for (const double s : shown_->chart.chart.dividers)
+        painter.drawLine(QPointF(view_->xOf(s), bandTop - 1.0), QPointF(view_->xOf(s), bandRoom));
+}
+
+}  // namespace keyblock

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One bolt straightened, at the moment that is shown: the state of its bond as a band
+// with the moving front, and below it forces, bond and slip on one axis.
+#pragma once
+
+#include "ui/picture/bolt_chart.h"
+#include "ui/runs/background.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+class QMenu;
+class QToolButton;
+
+namespace keyblock {
+
+class ChartView;
+class LiveRun;
+class Selection;
+class Themes;
+class TimeCursor;
+
+class BoltStrip : public QWidget {
+    Q_OBJECT
+
+public:
+    BoltStrip(const Themes& themes, TimeCursor& cursor, Selection& selection, QWidget* parent = nullptr);
+    ~BoltStrip() override;
+
+    QSize sizeHint() const override { return {740, 214}; }
+    /// "B6 · rebar 20 · 2.40 m"; empty where none is shown.
+    QString title() const;
+
+Q_SIGNALS:
+    void titleChanged();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    /// What the bolt has been through, grown by one thread.
+    struct Past;
+    struct Shown {
+        BoltChart chart;
+        std::vector<std::pair<double, std::string>> blocks;  // along the bolt [m]: names
+        QString name, type;
+    };
+
+    void runChanged();
+    int wantedBolt() const;  // −1: the one that bears most
+    void make();
+    void take(std::shared_ptr<const Shown> shown);
+    void fillMenu(QMenu& menu);
+    void paintBand(QPainter& painter) const;
+    void paintBlocks(QPainter& painter) const;
+    void paintFronts(QPainter& painter) const;
+
+    const Themes& themes_;
+    TimeCursor& cursor_;
+    Selection& selection_;
+    ChartView* view_;
+    QToolButton* more_;
+    std::size_t panels_ = 0;  // which of the choices
+    std::shared_ptr<Past> past_;
+    std::shared_ptr<const Shown> shown_;
+    QString problem_;
+    Background painting_;
+};
+
+}  // namespace keyblock
