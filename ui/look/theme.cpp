@@ -91,6 +91,7 @@ QString styleSheetOf(const Theme& theme) {
     const QHash<QString, QColor> roles = rolesOf(theme);
     QStringList names = roles.keys();
     std::sort(names.begin(), names.end(), [](const QString& a, const QString& b) { return a.size() > b.size(); });
+    sheet.replace("@theme", theme.dark ? "dark" : "light");  // in names of drawings
     for (const QString& name : names) sheet.replace('@' + name, roles[name].name());
     return sheet;
 }
