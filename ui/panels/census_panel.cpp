@@ -21,7 +21,7 @@ namespace keyblock {
 namespace {
 
 constexpr int calmBefore = 500;  // [ms] without an edit before counting begins
-constexpr int costWidth = 176;
+constexpr int costWidth = 176, roomForReasons = 440, leastWidth = 470;
 
 QLabel* labelOf(QWidget* parent, const char* role, const QString& text = {}) {
     auto* label = new QLabel(text, parent);
@@ -37,6 +37,7 @@ CensusPanel::CensusPanel(Document& document, const Commands& commands, const The
     setObjectName("censusPanel");
     setAccessibleName(tr("Census"));
     setAttribute(Qt::WA_StyledBackground);
+    setMinimumWidth(leastWidth);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
@@ -105,6 +106,14 @@ void CensusPanel::showEvent(QShowEvent* event) {
     if (!census_) askLater();
 }
 
+void CensusPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const bool narrow = width() - costWidth < roomForReasons;
+    if (narrow == narrow_) return;
+    narrow_ = narrow;
+    if (census_) present();
+}
+
 void CensusPanel::setBusy(bool busy) {
     busy_ = busy;
     if (!busy) return askLater();
@@ -140,19 +149,24 @@ void CensusPanel::tell(const QString& why) {
 }
 
 void CensusPanel::addRow(int row, const QStringList& texts, const char* role, bool bold) {
-    for (int i = 0; i < texts.size(); ++i) {
-        auto* cell = labelOf(table_, i == 3 && qstrcmp(role, "cell") == 0 ? "detail" : role, texts[i]);
+    for (int i = 0; i < 3; ++i) {
+        auto* cell = labelOf(table_, role, texts[i]);
         QFont font = cell->font();
-        font.setWeight(bold && i < 3 ? QFont::DemiBold : QFont::Normal);
+        font.setWeight(bold ? QFont::DemiBold : QFont::Normal);
         cell->setFont(font);
         cell->setAlignment((i == 1 || i == 2 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-        if (i == 3) {
-            cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-            cell->setToolTip(texts[i]);
-            cell->setWordWrap(true);
-        }
+        cell->setToolTip(texts.value(3));
         grid_->addWidget(cell, row, i);
     }
+    if (!narrow_) addWhy(row, texts.value(3));
+}
+
+void CensusPanel::addWhy(int row, const QString& why) {
+    auto* cell = labelOf(table_, "detail", why);
+    cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    cell->setWordWrap(true);
+    cell->setToolTip(why);
+    grid_->addWidget(cell, row, 3);
 }
 
 void CensusPanel::present() {
@@ -176,8 +190,10 @@ void CensusPanel::present() {
         if (part.leftOut) {
             auto* what = labelOf(table_, "cell", part.what);
             what->setWordWrap(true);
+            what->setToolTip(part.why);
             grid_->addWidget(what, row, 0, 1, 3);
-            addRow(row++, {{}, {}, {}, part.why}, "cell", false);
+            if (!narrow_) addWhy(row, part.why);
+            ++row;
         } else {
             addRow(row++, {part.what, part.count, part.unknowns, part.why}, "cell", part.total);
         }

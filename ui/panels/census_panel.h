@@ -40,6 +40,7 @@ Q_SIGNALS:
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void askLater();
@@ -47,6 +48,7 @@ private:
     void present();
     void tell(const QString& why);
     QWidget* makeCosts();
+    void addWhy(int row, const QString& why);
     void addRow(int row, const QStringList& texts, const char* role, bool bold);
 
     Document& document_;
@@ -56,6 +58,7 @@ private:
     QTimer* calm_;
     std::shared_ptr<const Census> census_;
     bool busy_ = false;
+    bool narrow_ = false;  // no room for the reasons; they stand in tooltips
     QWidget* table_ = nullptr;
     QWidget* page_;
     QGridLayout* grid_ = nullptr;

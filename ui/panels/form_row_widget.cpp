@@ -19,7 +19,7 @@ namespace keyblock {
 namespace {
 
 constexpr int inset = 12, rowHeight = 25, headingHeight = 26, indent = 10;
-constexpr int valueWidth = 100, unitWidth = 38, arrowSize = 16, gap = 6;
+constexpr int valueWidth = 100, flagWidth = 16, unitWidth = 38, arrowSize = 16, gap = 6;
 
 QToolButton* smallButton(QWidget* parent, const QString& tip, const char* name) {
     auto* button = new QToolButton(parent);
@@ -71,7 +71,8 @@ void FormRowWidget::layOut() {
         grid->addWidget(editor_, 1, 0, 1, 4);
     } else {
         const int span = acrossUnit ? 2 : 1;
-        editor_->setFixedWidth(valueWidth + (acrossUnit ? gap + unitWidth : 0));
+        const bool flag = row_.field->kind == FieldKind::Flag;  // leaves its room to the label
+        editor_->setFixedWidth(flag ? flagWidth : valueWidth + (acrossUnit ? gap + unitWidth : 0));
         grid->addWidget(editor_, 0, 1, 1, span);
     }
     if (!acrossUnit) grid->addWidget(unit_, 0, 2);

@@ -75,7 +75,7 @@ public:
         }
         std::ranges::move(own, std::back_inserter(groups_));
         for (const Field& field : structure.fields)
-            if (hasChildren(field) && appliesToAll(objects, field)) addInside(objects, field, prefix, depth);
+            if (hasChildren(field) && appliesToAll(objects, field)) addInside(objects, field, prefix, title.isEmpty() ? depth : depth + 1);
     }
 
 private:

@@ -71,8 +71,8 @@ void LineEditor::showText(bool exact) {
     const std::string unit = unitOf(row_.at, *row_.field);
     shown_ = empty ? QString() : valueText(row_.value, *row_.field, unit, context_.display, exact);
     const QString automatic = automaticText(row_, context_);
-    line_->setPlaceholderText(row_.mixed ? tr("mixed")
-                              : automatic.isEmpty() ? tr("automatic") : tr("auto (%1)").arg(automatic));
+    const QString null = isText_ ? tr("none") : automatic.isEmpty() ? tr("automatic") : tr("auto (%1)").arg(automatic);
+    line_->setPlaceholderText(row_.mixed ? tr("mixed") : row_.field->nullable ? null : QString());
     QFont font = line_->font();
     font.setItalic(row_.mixed);
     line_->setFont(font);

@@ -10,6 +10,7 @@
 #include "ui/look/theme.h"
 
 #include <QKeyEvent>
+#include <QLabel>
 #include <QListView>
 #include <QMouseEvent>
 #include <QPainter>
@@ -108,6 +109,7 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, const Dis
     : QWidget(parent), document_(document), selection_(selection), display_(display), themes_(themes),
       list_(new ProblemList(this)), view_(new QListView(this)), later_(new QTimer(this)) {
     setObjectName("problemsPanel");
+    setAttribute(Qt::WA_StyledBackground);
     view_->setModel(list_);
     view_->setItemDelegate(new ProblemRowPaint(themes, this));
     view_->setObjectName("problemList");
@@ -121,6 +123,11 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, const Dis
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(view_);
+    none_ = new QLabel(tr("No problems. The scene is checked at every edit."), this);
+    none_->setProperty("role", "detail");
+    none_->setContentsMargins(inset, 12, inset, 0);
+    none_->setAlignment(Qt::AlignTop);
+    column->addWidget(none_, 1);
     later_->setSingleShot(true);
     later_->setInterval(0);
     const auto schedule = [this] { later_->start(); };
@@ -136,6 +143,8 @@ void ProblemsPanel::refresh() {
     later_->stop();
     const int before = urgent();
     list_->show(problemRows(document_, display_, open_));
+    view_->setVisible(!list_->rows().empty());
+    none_->setVisible(list_->rows().empty());
     if (urgent() != before) Q_EMIT countChanged(urgent());
 }
 

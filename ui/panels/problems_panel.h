@@ -10,6 +10,7 @@
 #include <QStyledItemDelegate>
 #include <QWidget>
 
+class QLabel;
 class QListView;
 class QTimer;
 
@@ -85,6 +86,7 @@ private:
     std::set<int> open_;
     ProblemList* list_;
     QListView* view_;
+    QLabel* none_;
     QTimer* later_;
 };
 

@@ -16,6 +16,8 @@ namespace keyblock {
 
 namespace {
 
+constexpr std::size_t mostTicks = 40;  // names to tick; more are typed
+
 QString number(double value, const FormRow& row, const FormContext& context) {
     return numberText(value, unitOf(row.at, *row.field), context.display, 3);
 }
@@ -71,9 +73,9 @@ ValueEditor* editorOf(const FormRow& row, const FormContext& context, QWidget* p
         case FieldKind::TextMap: return new TableEditor(row, context, parent);
         default: break;
     }
-    const bool names = choicesOf(*context.document.scene(), *row.structure, *row.field).has_value();
-    if (row.field->kind == FieldKind::TextList)
-        return names ? static_cast<ValueEditor*>(new NamesEditor(context, parent)) : new TableEditor(row, context, parent);
+    const auto names = choicesOf(*context.document.scene(), *row.structure, *row.field);
+    if (row.field->kind == FieldKind::TextList && names && names->size() <= mostTicks) return new NamesEditor(context, parent);
+    if (row.field->kind == FieldKind::TextList) return new TableEditor(row, context, parent);
     if (names) return new ChoiceEditor(context, parent);
     return new LineEditor(row, context, parent);
 }
