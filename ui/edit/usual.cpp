@@ -6,6 +6,7 @@
 #include "solver/scene/lookup.h"
 #include "solver/scene/pointer.h"
 #include "solver/scene/shapes.h"
+#include "ui/edit/appended.h"
 #include "ui/edit/names.h"
 #include "ui/edit/values.h"
 
@@ -67,16 +68,6 @@ constexpr Maker makers[] = {
     {"tunnel", makeTunnel}, {"voronoi", makeVoronoi}, {"sub-blocks", makeCells}, {"bolt", makeBolt},
     {"bolt pattern", makePattern}, {"motion", makeMotion}, {"sine", makeSine}};
 
-std::string outlineProblem(const std::vector<Point>& points) {
-    if (points.size() < 3) return "An outline has three corners or more.";
-    if (!std::all_of(points.begin(), points.end(), isUsable)) return "A corner lies too far away.";
-    const Box box = boxOf(points);
-    const double size = (box.max - box.min).norm();
-    if (std::abs(signedArea(points)) <= 1e-9 * size * size) return "The outline has no area.";
-    if (crossesItself(points, 1e-9 * size)) return "The outline crosses itself.";
-    return {};
-}
-
 bool excavates(const Stage& stage, const std::string& name) {
     return std::find(stage.excavate.begin(), stage.excavate.end(), name) != stage.excavate.end();
 }
@@ -133,16 +124,17 @@ std::string tunnelAt(const Scene& scene, const Point& head) {
     return {};
 }
 
-template <typename Item>
-Edit appended(const Scene& scene, std::vector<Item> Scene::*list, const std::string& pointer, const Item& item) {
-    Edit edit{scene};
-    Item& made = (edit.scene.*list).emplace_back(item);
-    made.name = made.name.empty() ? newName(scene, pointer) : nameOfCopy(scene, pointer, made.name);
-    edit.made = under(pointer, (edit.scene.*list).size() - 1);
-    return edit;
-}
-
 }  // namespace
+
+std::string outlineProblem(const std::vector<Point>& points) {
+    if (points.size() < 3) return "An outline has three corners or more.";
+    if (!std::all_of(points.begin(), points.end(), isUsable)) return "A corner lies too far away.";
+    const Box box = boxOf(points);
+    const double size = (box.max - box.min).norm();
+    if (std::abs(signedArea(points)) <= 1e-9 * size * size) return "The outline has no area.";
+    if (crossesItself(points, 1e-9 * size)) return "The outline crosses itself.";
+    return {};
+}
 
 std::string firstMaterial(const Scene& scene) { return scene.materials.empty() ? "" : scene.materials.front().first; }
 

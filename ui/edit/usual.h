@@ -20,6 +20,9 @@ Scene newScene();
 /// Gives a default-made struct of that structure what a file would have to say.
 void makeUsual(const Scene& scene, const Structure& structure, void* made);
 
+/// What keeps corners from being the outline of something; empty when nothing does.
+std::string outlineProblem(const std::vector<Point>& points);
+
 /// The outline of the rock. Where nothing holds the scene yet, its bottom is held and its sides move only downward.
 /// Refused: an outline without area, or one that crosses itself.
 Edit withDomain(const Scene& scene, const std::vector<Point>& boundary);

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How a drawn thing gets into its list under a name of its own.
+#pragma once
+
+#include "solver/scene/pointer.h"
+#include "ui/edit/edit.h"
+#include "ui/edit/names.h"
+
+namespace keyblock {
+
+/// Adds `item` at the end of a list whose entries may have names: the item's own, or a free one.
+template <typename Item>
+Edit appended(const Scene& scene, std::vector<Item> Scene::*list, const std::string& pointer, const Item& item) {
+    Edit edit{scene};
+    Item& made = (edit.scene.*list).emplace_back(item);
+    if constexpr (requires { made.name; })
+        made.name = made.name.empty() ? newName(scene, pointer) : nameOfCopy(scene, pointer, made.name);
+    edit.made = under(pointer, (edit.scene.*list).size() - 1);
+    return edit;
+}
+
+}  // namespace keyblock
