@@ -4,6 +4,7 @@
 // The door to all edits, for those who use several.
 #pragma once
 
+#include "ui/edit/drawn.h"
 #include "ui/edit/edit.h"
 #include "ui/edit/names.h"
 #include "ui/edit/place.h"

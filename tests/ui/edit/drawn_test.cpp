@@ -11,6 +11,12 @@ using namespace keyblock;
 
 Scene rock() { return withDomain(newScene(), {{0, 0}, {10, 0}, {10, 10}, {0, 10}}).scene; }
 
+Block blockOf(std::vector<Point> points) {
+    Block block;
+    block.points = std::move(points);
+    return block;
+}
+
 TEST(Drawn, ThingsGetNamesAndPointers) {
     const Scene scene = rock();
     const Edit joint = withJoint(scene, {"", {{1, 1}, {5, 5}}, {}});
@@ -18,7 +24,7 @@ TEST(Drawn, ThingsGetNamesAndPointers) {
     EXPECT_EQ(joint.made, "/joints/0");
     EXPECT_EQ(joint.scene.joints[0].name, "J1");
     EXPECT_EQ(withJoint(joint.scene, {"J1", {{1, 1}, {5, 5}}, {}}).scene.joints[1].name, "J2");
-    const Edit block = withBlock(scene, Block{.name = "", .points = {{20, 0}, {21, 0}, {21, 1}}, .material = ""});
+    const Edit block = withBlock(scene, blockOf({{20, 0}, {21, 0}, {21, 1}}));
     EXPECT_EQ(block.scene.blocks[0].material, "granite");
     EXPECT_EQ(block.scene.blocks[0].name, "block 1");
     Load load;
@@ -46,7 +52,7 @@ TEST(Drawn, WhatIsNoneIsRefused) {
     const Scene scene = rock(), empty = newScene();
     EXPECT_FALSE(withJoint(scene, {"", {{1, 1}}, {}}).done());
     EXPECT_FALSE(withJoint(empty, {"", {{1, 1}, {2, 2}}, {}}).done());
-    EXPECT_FALSE(withBlock(scene, Block{.name = "", .points = {{0, 0}, {1, 0}}, .material = ""}).done());
+    EXPECT_FALSE(withBlock(scene, blockOf({{0, 0}, {1, 0}})).done());
     EXPECT_FALSE(withRegion(scene, {"", {{0, 0}, {1, 1}, {1, 0}, {0, 1}}}).done());
     EXPECT_FALSE(withJointSet(scene, {}).done());
     EXPECT_FALSE(withLoad(scene, 7, {}).done());

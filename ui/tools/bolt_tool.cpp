@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/bolt_tool.h"
+
+#include "ui/document/selection.h"
+#include "ui/edit/edits.h"
+#include "ui/tools/choices.h"
+#include "ui/tools/tool_ink.h"
+
+namespace keyblock {
+namespace {
+
+constexpr double wallReach = 24.0;  // [px]
+
+}  // namespace
+
+QString BoltTool::prompt() const {
+    if (!head_) return tr("pick its head, on a wall or in the rock");
+    return headWall_ ? tr("pick its far end; Enter goes square into the rock") : tr("pick its far end");
+}
+
+QString BoltTool::detail() const {
+    if (head_ && cursor_) return lengthText((*cursor_ - *head_).norm());
+    if (wall_) return tr("%1 square to the %2").arg(lengthText(length_), QString::fromStdString(wall_->name));
+    return {};
+}
+
+QString BoltTool::commitText() const { return head_ && headWall_ ? tr("Place bolt") : QString(); }
+
+std::vector<ToolField> BoltTool::fields() {
+    const QStringList types = boltTypeNames(scene());
+    keepAmong(bolt_.type, types);
+    const auto tell = [this] { Q_EMIT changed(); };
+    const auto row = [&](const char* key, const QString& label, const QStringList& choices = {}) {
+        return rowField("bolts", key, &bolt_, label, tell, choices);
+    };
+    ToolField length{"length", tr("Length"), tr("Length square to a wall."), "m", {}, false, {}, {}, {}};
+    length.get = [this] { return FieldValue(length_); };
+    length.set = [this](const FieldValue& value) {
+        const auto* number = std::get_if<double>(&value);
+        if (!number || !(*number > 0.0) || *number > 1e4) return tr("Give a length above 0.");
+        length_ = *number;
+        Q_EMIT changed();
+        return QString();
+    };
+    std::vector<ToolField> fields{row("type", tr("Type"), types), length, row("plate", tr("Plate")),
+                                  row("spacing_out_of_plane", tr("Out of plane")), row("pretension", tr("Pretension"))};
+    fields[3].none = lengthText(scene().analysis.thickness).section(' ', 0, 0);
+    return fields;
+}
+
+void BoltTool::begin() {
+    head_.reset();
+    if (bolt_.type.empty()) bolt_.type = "d-bolt-20";
+}
+
+void BoltTool::move(const Pointed& at) {
+    cursor_ = at.place;
+    wall_ = head_ || at.typed ? std::nullopt : wallAt(scene(), at.place, bench().metres(wallReach));
+}
+
+void BoltTool::press(const Pointed& at) {
+    cursor_ = at.place;
+    if (head_) {
+        if ((at.place - *head_).norm() > 1e-9) place(*head_, at.place);
+        return;
+    }
+    const auto wall = wallAt(scene(), at.place, at.typed ? 1e-3 : bench().metres(wallReach));
+    if (wall && !at.modifiers.testFlag(Qt::ControlModifier)) {
+        place(wall->place, wall->place + length_ * wall->inward);
+        return;
+    }
+    head_ = wall ? wall->place : at.place;  // with Ctrl the far end is picked, too
+    headWall_ = wall;
+    wall_.reset();
+}
+
+Point BoltTool::squareEnd() const { return headWall_->place + length_ * headWall_->inward; }
+
+bool BoltTool::enter() { return head_ && headWall_ && place(*head_, squareEnd()); }
+
+bool BoltTool::place(const Point& head, const Point& farEnd) {
+    Bolt bolt = bolt_;
+    bolt.head = head, bolt.farEnd = farEnd;
+    bolt.name.clear();
+    const Edit edit = withBolt(scene(), bolt);
+    if (!bench().commit(tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))), edit)) return false;
+    bench().selection().set({QString::fromStdString(edit.made)});
+    head_.reset();
+    return true;
+}
+
+bool BoltTool::back() {
+    if (!head_) return false;
+    head_.reset();
+    return true;
+}
+
+void BoltTool::paint(QPainter& painter, const CanvasMap& map) const {
+    ToolInk ink(painter, map, bench().theme());
+    const bool plate = bolt_.plate != PlateKind::None;
+    if (wall_) {
+        const Point end = wall_->place + length_ * wall_->inward;
+        ink.bolt(wall_->place, end, plate);
+        ink.dimension(wall_->place, end, lengthText(length_), 24.0);
+    }
+    if (head_ && cursor_) {
+        ink.bolt(*head_, *cursor_, plate);
+        ink.dimension(*head_, *cursor_, lengthText((*cursor_ - *head_).norm()), 24.0);
+    }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/load_tool.h"
+
+#include "ui/document/selection.h"
+#include "ui/edit/edits.h"
+#include "ui/look/theme.h"
+#include "ui/tools/choices.h"
+#include "ui/tools/sign_ink.h"
+#include "ui/tools/tool_ink.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+QString LoadTool::prompt() const {
+    if (scene().stages.empty()) return tr("add a stage first");
+    if (what_ == AtPoint) return tr("pick the point that it acts at");
+    if (what_ == OnBlock) return tr("pick a place in the block");
+    return first_ ? tr("pick the other end of the loaded line") : tr("pick one end of the loaded line");
+}
+
+ToolField LoadTool::number(const QString& id, const QString& label, const char* unit, double& value) {
+    ToolField field{id, label, {}, unit, {}, false, {}, {}, {}};
+    field.get = [&value] { return FieldValue(value); };
+    field.set = [this, &value](const FieldValue& given) {
+        const auto* number = std::get_if<double>(&given);
+        if (!number || !std::isfinite(*number)) return tr("Give a number.");
+        value = *number;
+        Q_EMIT changed();
+        return QString();
+    };
+    return field;
+}
+
+std::vector<ToolField> LoadTool::fields() {
+    const auto tell = [this] {
+        first_.reset();
+        Q_EMIT changed();
+    };
+    const QStringList stages = stageNames(scene());
+    stage_ = std::clamp(stage_, 0, std::max(static_cast<int>(stages.size()) - 1, 0));
+    std::vector<ToolField> fields{choiceField(
+        "what", tr("As"), {tr("force at a point"), tr("force on a block"), tr("pressure on a line")}, what_, tell)};
+    if (!stages.isEmpty()) fields.push_back(choiceField("stage", tr("In stage"), stages, stage_, tell));
+    if (what_ == Pressure) {
+        fields.push_back(number("pressure", tr("Pressure"), "Pa", pressure_));
+    } else {
+        fields.push_back(number("force_x", tr("Fx"), "N", force_.x()));
+        fields.push_back(number("force_y", tr("Fy"), "N", force_.y()));
+    }
+    return fields;
+}
+
+void LoadTool::begin() {
+    first_.reset();
+    stage_ = std::max(static_cast<int>(scene().stages.size()) - 1, 0);
+}
+
+void LoadTool::press(const Pointed& at) {
+    cursor_ = at.place;
+    Load load;
+    if (what_ == AtPoint) load.point = at.place, load.force = force_;
+    if (what_ == OnBlock) load.blockAt = at.place, load.force = force_;
+    if (what_ == Pressure) {
+        if (!first_) {
+            first_ = at.place;
+            return;
+        }
+        if ((at.place - *first_).norm() < 1e-9) return;
+        load.along = {*first_, at.place};
+        load.pressure = pressure_;
+    }
+    place(std::move(load));
+}
+
+void LoadTool::place(Load load) {
+    first_.reset();
+    const Edit edit = withLoad(scene(), static_cast<std::size_t>(stage_), load);
+    if (bench().commit(tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))), edit))
+        bench().selection().set({QString::fromStdString(edit.made)});
+}
+
+bool LoadTool::back() {
+    if (!first_) return false;
+    first_.reset();
+    return true;
+}
+
+void LoadTool::paint(QPainter& painter, const CanvasMap& map) const {
+    if (!cursor_) return;
+    SignInk signs(painter, map, bench().theme());
+    const QColor& colour = bench().theme().accent;
+    if (what_ != Pressure) return signs.arrow(*cursor_, force_, 44.0, colour);
+    if (first_) signs.pressure(*first_, *cursor_, pressure_ < 0.0, colour);
+    ToolInk ink(painter, map, bench().theme());
+    if (first_) ink.corner(*first_);
+}
+
+}  // namespace keyblock

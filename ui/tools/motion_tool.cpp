@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/motion_tool.h"
+
+#include "ui/document/selection.h"
+#include "ui/edit/edits.h"
+#include "ui/look/theme.h"
+#include "ui/tools/choices.h"
+#include "ui/tools/sign_ink.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+
+QString MotionTool::prompt() const {
+    return scene().stages.empty() ? tr("add a stage first") : tr("pick a place in the block that moves");
+}
+
+std::vector<ToolField> MotionTool::fields() {
+    const auto tell = [this] { Q_EMIT changed(); };
+    const QStringList stages = stageNames(scene());
+    stage_ = std::clamp(stage_, 0, std::max(static_cast<int>(stages.size()) - 1, 0));
+    std::vector<ToolField> fields;
+    if (!stages.isEmpty()) fields.push_back(choiceField("stage", tr("In stage"), stages, stage_, tell));
+    fields.push_back(choiceField("axis", tr("Along"), {"x", "y"}, axis_, tell));
+    ToolField end{"displacement", tr("By"), tr("Displacement at the end of the stage."), "m", {}, false, {}, {}, {}};
+    end.get = [this] { return FieldValue(displacement_); };
+    end.set = [this](const FieldValue& value) {
+        const auto* number = std::get_if<double>(&value);
+        if (!number || !std::isfinite(*number)) return tr("Give a number.");
+        displacement_ = *number;
+        Q_EMIT changed();
+        return QString();
+    };
+    fields.push_back(std::move(end));
+    return fields;
+}
+
+void MotionTool::begin() { stage_ = std::max(static_cast<int>(scene().stages.size()) - 1, 0); }
+
+void MotionTool::press(const Pointed& at) {
+    cursor_ = at.place;
+    Motion motion = motion_;
+    motion.blockAt = at.place;
+    motion.axis = axis_ == 0 ? Point(1.0, 0.0) : Point(0.0, 1.0);
+    const auto stage = static_cast<std::size_t>(stage_);
+    const bool dynamic = stage < scene().stages.size() && scene().stages[stage].kind == StageKind::Dynamic;
+    const double end = dynamic ? std::max(scene().stages[stage].duration, 1e-3) : 1.0;
+    motion.table = {{0.0, 0.0}, {end, displacement_}};
+    const Edit edit = withMotion(scene(), stage, motion);
+    if (bench().commit(tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))), edit))
+        bench().selection().set({QString::fromStdString(edit.made)});
+}
+
+void MotionTool::paint(QPainter& painter, const CanvasMap& map) const {
+    if (!cursor_) return;
+    const double sign = displacement_ < 0.0 ? -1.0 : 1.0;
+    const Point axis = sign * (axis_ == 0 ? Point(1.0, 0.0) : Point(0.0, 1.0));
+    SignInk(painter, map, bench().theme()).motion(*cursor_, axis, bench().theme().accent);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Moves a block by a given way over a stage.
+#pragma once
+
+#include "ui/tools/tool.h"
+
+namespace keyblock {
+
+class MotionTool : public Tool {
+    Q_OBJECT
+
+public:
+    using Tool::Tool;
+
+    QString id() const override { return "motion"; }
+    QString title() const override { return tr("Motion"); }
+    QString prompt() const override;
+    std::vector<ToolField> fields() override;
+    void begin() override;
+    void press(const Pointed& at) override;
+    void move(const Pointed& at) override { cursor_ = at.place; }
+    void leave() override { cursor_.reset(); }
+    void paint(QPainter& painter, const CanvasMap& map) const override;
+
+private:
+    Motion motion_;
+    int stage_ = 0, axis_ = 0;  // x, y
+    double displacement_ = 0.004;  // at the end [m]
+    std::optional<Point> cursor_;
+};
+
+}  // namespace keyblock

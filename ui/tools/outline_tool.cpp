@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/outline_tool.h"
+
+#include "ui/edit/edits.h"
+
+namespace keyblock {
+
+std::vector<ToolField> OutlineTool::fields() {
+    return {choiceField("what", tr("Of"), {tr("rock"), tr("region")}, what_, [this] { Q_EMIT changed(); }), shapeField()};
+}
+
+Edit OutlineTool::make(const std::vector<Point>& points) const {
+    return what_ == 0 ? withDomain(scene(), points) : withRegion(scene(), {"", points});
+}
+
+QString OutlineTool::step(const Edit& edit) const {
+    if (what_ == 1) return tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made)));
+    return scene().domain ? tr("Change outline") : tr("Add outline");
+}
+
+}  // namespace keyblock

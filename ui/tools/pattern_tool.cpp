@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/pattern_tool.h"
+
+#include "geometry/bolt_pattern.h"
+#include "solver/scene/shapes.h"
+#include "ui/canvas/canvas.h"
+#include "ui/document/selection.h"
+#include "ui/edit/edits.h"
+#include "ui/tools/choices.h"
+#include "ui/tools/tool_ink.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <limits>
+
+namespace keyblock {
+namespace {
+
+constexpr double firstReach = 60.0;  // [px] from the wall at which it is meant
+
+}  // namespace
+
+const SceneTunnel& PatternTool::tunnel() const { return scene().tunnels[static_cast<std::size_t>(from_->tunnel)]; }
+
+QString PatternTool::prompt() const {
+    if (scene().tunnels.empty()) return tr("draw a tunnel first");
+    if (!from_) return tr("pick the beginning on the wall");
+    return to_ ? tr("Enter places the bolts; a click takes another end") : tr("pick the end on the wall");
+}
+
+QString PatternTool::detail() const {
+    if (!from_ || !runEnd()) return {};
+    if (const auto problem = boltPatternProblem(patternOf(pattern_))) return QString::fromStdString(problem->message);
+    return tr("%n bolts", nullptr, static_cast<int>(bolts_.size())) + ' ' +
+           tr("along %1 of %2").arg(lengthText(run_), QString::fromStdString(tunnel().name));
+}
+
+QString PatternTool::commitText() const {
+    return bolts_.empty() ? QString() : tr("Place %n bolts", nullptr, static_cast<int>(bolts_.size()));
+}
+
+std::vector<ToolField> PatternTool::fields() {
+    const QStringList types = boltTypeNames(scene());
+    keepAmong(pattern_.type, types);
+    const auto tell = [this] { changedOptions(); };
+    const auto row = [&](const char* key, const QString& label, const QStringList& choices = {}) {
+        return rowField("bolt_patterns", key, &pattern_, label, tell, choices);
+    };
+    std::vector<ToolField> fields{row("type", tr("Type"), types), row("spacing", tr("Spacing")),
+                                  row("length", tr("Length")), row("angle_from_wall", tr("Angle from wall")),
+                                  row("plate", tr("Plate")), row("offset", tr("Offset")),
+                                  row("spacing_out_of_plane", tr("Out of plane"))};
+    fields.back().none = lengthText(scene().analysis.thickness).section(' ', 0, 0);
+    fields.push_back(rowField("bolt_patterns", "way", &pattern_, tr("Way"), [this] {
+        wayChosen_ = true;
+        changedOptions();
+    }));
+    return fields;
+}
+
+void PatternTool::begin() {
+    from_.reset(), to_.reset(), hover_.reset();
+    wayChosen_ = false;
+    bolts_.clear();
+    if (pattern_.spacing > 0.0) return;  // as the one before
+    const Edit fresh = appendAt(scene(), "/bolt_patterns");
+    pattern_ = fresh.scene.boltPatterns.back();
+}
+
+void PatternTool::refresh() {
+    if (from_ && (from_->tunnel >= static_cast<int>(scene().tunnels.size()) ||
+                  !wallOfTunnel(scene(), from_->tunnel, from_->place)))
+        begin();
+    else
+        layOut();
+}
+
+void PatternTool::changedOptions() {
+    layOut();
+    Q_EMIT changed();
+}
+
+void PatternTool::move(const Pointed& at) {
+    const std::size_t before = bolts_.size();
+    if (from_) {
+        hover_ = to_ ? std::nullopt : wallOfTunnel(scene(), from_->tunnel, at.place);
+    } else {
+        hover_.reset();
+        double nearest = at.typed ? std::numeric_limits<double>::infinity() : bench().metres(firstReach);
+        for (int i = 0; i < static_cast<int>(scene().tunnels.size()); ++i) {
+            const auto wall = wallOfTunnel(scene(), i, at.place);
+            if (!wall || (wall->place - at.place).norm() >= nearest) continue;
+            nearest = (wall->place - at.place).norm();
+            hover_ = wall;
+        }
+    }
+    layOut();
+    if (bolts_.size() != before) Q_EMIT changed();  // the number stands on the button
+}
+
+void PatternTool::press(const Pointed& at) {
+    move(at);
+    if (!from_) {
+        from_ = hover_;
+        hover_.reset();
+        wayChosen_ = false;
+    } else {
+        to_ = wallOfTunnel(scene(), from_->tunnel, at.place);
+    }
+    changedOptions();
+}
+
+void PatternTool::layOut() {
+    bolts_.clear();
+    run_ = 0.0;
+    const auto to = runEnd();
+    if (!from_ || !to) return;
+    pattern_.tunnel = tunnel().name;
+    pattern_.from = from_->place, pattern_.to = to->place;
+    const double ccw = runAlong(tunnel(), from_->along, to->along, Way::CounterClockwise);
+    const double cw = runAlong(tunnel(), from_->along, to->along, Way::Clockwise);
+    if (!wayChosen_) pattern_.way = ccw <= cw ? Way::CounterClockwise : Way::Clockwise;
+    run_ = pattern_.way == Way::CounterClockwise ? ccw : cw;
+    bolts_ = boltsOfPattern(scene(), pattern_);
+}
+
+bool PatternTool::enter() {
+    if (bolts_.empty()) return false;
+    ScenePattern pattern = pattern_;
+    pattern.name.clear();
+    const Edit edit = withPattern(scene(), pattern);
+    const QString step = tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made)));
+    if (!bench().commit(step, edit)) return false;
+    bench().selection().set({QString::fromStdString(edit.made)});
+    begin();
+    return true;
+}
+
+bool PatternTool::back() {
+    if (to_) {
+        to_.reset();
+    } else if (from_) {
+        from_.reset(), hover_.reset();
+    } else {
+        return false;
+    }
+    layOut();
+    return true;
+}
+
+std::optional<Point> PatternTool::previous() const { return from_ ? std::optional(from_->place) : std::nullopt; }
+
+void PatternTool::paint(QPainter& painter, const CanvasMap& map) const {
+    ToolInk ink(painter, map, bench().theme());
+    const auto to = runEnd();
+    if (from_ && to) ink.wall(wallBetween(tunnel(), from_->along, to->along, pattern_.way));
+    const bool plates = pattern_.plate != PlateKind::None;
+    for (const ObjectLine& bolt : bolts_) ink.bolt(bolt.points[0], bolt.points[1], plates);
+    if (bolts_.size() > 1) {
+        const bool left = pattern_.way == Way::CounterClockwise;
+        const std::size_t middle = (bolts_.size() - 1) / 2;
+        ink.dimension(bolts_[middle].points[0], bolts_[middle + 1].points[0], lengthText(pattern_.spacing),
+                      left ? 30.0 : -30.0);
+    }
+    if (!bolts_.empty())
+        ink.dimension(bolts_.back().points[0], bolts_.back().points[1], lengthText(pattern_.length), 26.0);
+    if (from_) {
+        ink.handle(from_->place, false);
+        const Point opening = from_->place - from_->inward;
+        const QPointF in = map.toPixel(opening) - map.toPixel(from_->place);
+        const double size = std::hypot(in.x(), in.y());
+        if (size > 0.0) ink.label(map.toPixel(from_->place) + in / size * 62.0, tr("from %1").arg(placeText(from_->place)));
+    }
+    if (to_) ink.handle(to_->place, false);
+    if (hover_ && !from_) ink.handle(hover_->place, true);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bolts along a run of a tunnel's wall: the run is picked, the bolts stand as
+// ghosts with their spacing until they are placed.
+#pragma once
+
+#include "ui/edit/wall.h"
+#include "ui/tools/tool.h"
+
+namespace keyblock {
+
+class PatternTool : public Tool {
+    Q_OBJECT
+
+public:
+    using Tool::Tool;
+
+    QString id() const override { return "pattern"; }
+    QString title() const override { return tr("Bolt pattern"); }
+    QString prompt() const override;
+    QString detail() const override;
+    std::vector<ToolField> fields() override;
+    QString commitText() const override;
+
+    void begin() override;
+    void end() override { from_.reset(), to_.reset(), hover_.reset(); }
+    void refresh() override;
+    void press(const Pointed& at) override;
+    void move(const Pointed& at) override;
+    void leave() override { hover_.reset(), layOut(); }
+    bool enter() override;
+    bool back() override;
+    bool undoPoint() override { return back(); }
+    std::optional<Point> previous() const override;
+    void paint(QPainter& painter, const CanvasMap& map) const override;
+
+private:
+    const SceneTunnel& tunnel() const;  // \pre from_
+    std::optional<WallPlace> runEnd() const { return to_ ? to_ : hover_; }
+    void layOut();
+    void changedOptions();
+
+    ScenePattern pattern_;
+    bool wayChosen_ = false;  // by a person, else the shorter run
+    std::optional<WallPlace> from_, to_, hover_;
+    std::vector<ObjectLine> bolts_;
+    double run_ = 0.0;  // [m]
+};
+
+}  // namespace keyblock

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/scene_overlay.h"
+
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/edit/locate.h"
+#include "ui/look/theme.h"
+#include "ui/tools/sign_ink.h"
+#include "ui/tools/tool_ink.h"
+#include "ui/tools/workbench.h"
+
+#include <QPainter>
+
+namespace keyblock {
+namespace {
+
+/// True for what the picture of a cut scene shows itself.
+bool isInPicture(ObjectKind kind) {
+    switch (kind) {
+        case ObjectKind::Domain:
+        case ObjectKind::Joint:
+        case ObjectKind::JointSet:
+        case ObjectKind::Voronoi:
+        case ObjectKind::Tunnel:
+        case ObjectKind::Block:
+        case ObjectKind::Bolt:
+        case ObjectKind::Pattern: return true;
+        default: return false;
+    }
+}
+
+QPen penOf(ObjectKind kind, const Theme& theme) {
+    switch (kind) {
+        case ObjectKind::Domain:
+        case ObjectKind::Tunnel:
+        case ObjectKind::Block: return QPen(theme.wall, 1.6);
+        case ObjectKind::Bolt:
+        case ObjectKind::Pattern: return QPen(theme.markInk, 2.0);
+        case ObjectKind::Region: return QPen(theme.text3, 1.2, Qt::DashLine);
+        default: return QPen(theme.dark ? theme.text3 : theme.jointDrawing, 1.0);
+    }
+}
+
+}  // namespace
+
+const std::vector<SceneObject>& SceneOverlay::objects() const {
+    const Document& document = bench_.document();
+    if (!document.isPreviewing()) return bench_.objects();
+    if (shown_ != document.scene()) {
+        shown_ = document.scene();
+        objects_ = objectsOf(*shown_);
+    }
+    return objects_;
+}
+
+void SceneOverlay::paint(QPainter& painter, const CanvasMap& map) const {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintLines(painter, map);
+    SignInk signs(painter, map, bench_.theme());
+    for (const SceneObject& object : objects()) signs.paint(*bench_.document().scene(), object);
+    paintSelected(painter, map);
+    painter.restore();
+}
+
+void SceneOverlay::paintLines(QPainter& painter, const CanvasMap& map) const {
+    const Document& document = bench_.document();
+    const bool isShown = document.checkIsCurrent() && document.checked().picture;
+    painter.setBrush(Qt::NoBrush);
+    for (const SceneObject& object : objects()) {
+        const bool signs = object.kind == ObjectKind::Support || object.kind == ObjectKind::Load;
+        if (signs || (isShown && isInPicture(object.kind))) continue;
+        painter.setPen(penOf(object.kind, bench_.theme()));
+        for (const ObjectLine& line : object.lines) {
+            QPolygonF pixels;
+            for (const Point& point : line.points) pixels << map.toPixel(point);
+            line.closed ? painter.drawPolygon(pixels) : painter.drawPolyline(pixels);
+        }
+    }
+}
+
+void SceneOverlay::paintSelected(QPainter& painter, const CanvasMap& map) const {
+    const Selection& selection = bench_.selection();
+    if (selection.isEmpty()) return;
+    ToolInk ink(painter, map, bench_.theme());
+    for (const QString& pointer : selection.pointers()) {
+        const std::string holder = objectPointer(*bench_.document().scene(), pointer.toStdString());
+        for (const SceneObject& object : objects()) {
+            if (object.pointer != holder) continue;
+            for (const ObjectLine& line : object.lines) ink.chosen(line.points, line.closed);
+            for (const Point& mark : object.marks) ink.handle(mark, false);
+        }
+    }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the picture of blocks and bolts does not show while a person draws: what is
+// held, loads, monitors, regions; lines that are not cut yet; and what is selected.
+#pragma once
+
+#include "ui/canvas/canvas_tool.h"
+#include "ui/edit/scene_objects.h"
+
+#include <memory>
+#include <vector>
+
+namespace keyblock {
+
+class ToolInk;
+class Workbench;
+
+class SceneOverlay : public CanvasOverlay {
+public:
+    explicit SceneOverlay(const Workbench& bench) : bench_(bench) {}
+
+    void paint(QPainter& painter, const CanvasMap& map) const override;
+    void forget() { shown_.reset(); }
+
+private:
+    const std::vector<SceneObject>& objects() const;
+    void paintLines(QPainter& painter, const CanvasMap& map) const;
+    void paintSelected(QPainter& painter, const CanvasMap& map) const;
+
+    const Workbench& bench_;
+    mutable std::shared_ptr<const Scene> shown_;  // what `objects_` are of, a preview included
+    mutable std::vector<SceneObject> objects_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Chooses things by clicks and boxes, drags them and their handles with snap, and
+// inserts and takes out corners. The tool that all others come back to.
+#pragma once
+
+#include "ui/edit/handles.h"
+#include "ui/tools/tool.h"
+
+#include <QStringList>
+
+namespace keyblock {
+
+class SelectTool : public Tool {
+    Q_OBJECT
+
+public:
+    using Tool::Tool;
+
+    QString id() const override { return "select"; }
+    QString title() const override { return tr("Select"); }
+    QString prompt() const override { return {}; }
+
+    void end() override;
+    void refresh() override { hover_.clear(), hot_.reset(); }
+    void press(const Pointed& at) override;
+    void move(const Pointed& at) override;
+    void release(const Pointed& at) override;
+    void doubleClick(const Pointed& at) override;
+    void leave() override;
+    bool back() override;
+    bool undoPoint() override { return false; }
+    bool key(QKeyEvent& event) override;
+    void fillMenu(QMenu& menu, const Pointed& at) override;
+
+    bool wantsPlaces() const override { return false; }
+    bool snaps() const override { return doing_ == Doing::Moves || doing_ == Doing::Shapes; }
+    std::optional<Point> previous() const override;
+    std::vector<std::string> unsnapped() const override;
+    void paint(QPainter& painter, const CanvasMap& map) const override;
+    QCursor cursor() const override;
+
+    /// Takes out what is selected, or the corner under the mouse.
+    void removeSelected();
+
+private:
+    enum class Doing { Nothing, Presses, Moves, Shapes, Boxes };
+
+    std::vector<std::string> selected() const;
+    std::vector<Handle> handles() const;  // of the one thing that is selected
+    std::optional<std::size_t> handleAt(const QPointF& pixel) const;
+    QString objectAt(const Point& place) const;
+    void choose(const QString& pointer, Qt::KeyboardModifiers modifiers);
+    void chooseBox(const Pointed& at);
+    void beginDrag();
+    void drag(const Pointed& at);
+    Edit dragged(const Point& place) const;
+    QString stepName() const;
+    void nudge(const Point& way);
+
+    Doing doing_ = Doing::Nothing;
+    Pointed pressed_;
+    Point grab_{0.0, 0.0};  // the place that is dragged [m]
+    QPointF boxEnd_;
+    std::optional<std::size_t> hot_;  // handle under the mouse, or dragged
+    QString hover_;  // pointer of the object under the mouse
+    bool single_ = false;  // a click without a drag chooses this alone
+};
+
+}  // namespace keyblock

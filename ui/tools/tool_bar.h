@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The bar above the canvas: the tool at work, its options, Cancel and the one
+// primary button that commits.
+#pragma once
+
+#include <QWidget>
+
+#include <vector>
+
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+
+namespace keyblock {
+
+class Display;
+class Themes;
+class Tool;
+class ToolChip;
+
+class ToolBar : public QWidget {
+    Q_OBJECT
+
+public:
+    ToolBar(const Display& display, const Themes& themes, QWidget* parent = nullptr);
+
+    /// Shows the tool, or what changed of it. Not owned; null: nothing.
+    void show(Tool* tool);
+    using QWidget::show;
+
+Q_SIGNALS:
+    void cancelled();
+    void committed();
+    void leftField();  // the keys belong to the canvas again
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void rebuild(Tool& tool);
+    void showIcon();
+
+    const Display& display_;
+    const Themes& themes_;
+    QLabel* icon_;
+    QLabel* title_;
+    QHBoxLayout* options_;
+    QPushButton* cancel_;
+    QPushButton* commit_;
+    std::vector<ToolChip*> chips_;
+    Tool* tool_ = nullptr;
+};
+
+}  // namespace keyblock

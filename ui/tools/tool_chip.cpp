@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/tool_chip.h"
+
+#include "ui/edit/typed_number.h"
+#include "ui/look/display.h"
+#include "ui/look/theme.h"
+#include "ui/tools/tool_ink.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFontMetrics>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QStyle>
+
+#include <algorithm>
+
+namespace keyblock {
+namespace {
+
+constexpr int chipHeight = 26, leastEdit = 34;
+
+}  // namespace
+
+ToolChip::ToolChip(ToolField field, const Display& display, const Themes& themes, QWidget* parent)
+    : QFrame(parent), field_(std::move(field)), display_(display), themes_(themes) {
+    setObjectName("toolChip");
+    setFixedHeight(chipHeight);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 0, 8, 0);
+    row->setSpacing(7);
+    auto* label = new QLabel(field_.label, this);
+    label->setObjectName("chipLabel");
+    row->addWidget(label);
+    field_.choices.isEmpty() ? makeEdit() : makeChoice();
+    setToolTip(field_.help);
+    connect(&themes, &Themes::changed, this, &ToolChip::showTheme);
+    connect(&display, &Display::changed, this, &ToolChip::showValue);
+    showTheme();
+    showValue();
+}
+
+void ToolChip::makeChoice() {
+    choice_ = new QComboBox(this);
+    choice_->setObjectName("option." + field_.id);
+    choice_->setAccessibleName(field_.label);
+    choice_->addItems(field_.choices);
+    choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    choice_->setFocusPolicy(Qt::ClickFocus);
+    layout()->addWidget(choice_);
+    connect(choice_, qOverload<int>(&QComboBox::activated), this, [this] {
+        const bool none = !field_.none.isEmpty() && choice_->currentText() == field_.none;
+        field_.set(none ? FieldValue{} : FieldValue(choice_->currentText().toStdString()));
+        Q_EMIT done();
+    });
+}
+
+void ToolChip::makeEdit() {
+    edit_ = new QLineEdit(this);
+    edit_->setObjectName("option." + field_.id);
+    edit_->setAccessibleName(field_.label);
+    edit_->setFrame(false);
+    edit_->setFocusPolicy(Qt::ClickFocus);
+    edit_->setPlaceholderText(field_.none);
+    edit_->installEventFilter(this);
+    layout()->addWidget(edit_);
+    if (!field_.unit.isEmpty()) {
+        auto* unit = new QLabel(shownUnit(), this);
+        unit->setObjectName("chipUnit");
+        layout()->addWidget(unit);
+        connect(&display_, &Display::changed, unit, [this, unit] { unit->setText(shownUnit()); });
+    }
+    connect(edit_, &QLineEdit::textEdited, this, [this] { take(false); });
+    connect(edit_, &QLineEdit::editingFinished, this, [this] { take(true); });
+}
+
+QString ToolChip::shownUnit() const { return display_.shown(field_.unit.toStdString()).symbol; }
+
+void ToolChip::showTheme() {
+    const Theme& t = themes_.current();
+    setStyleSheet(QString("#toolChip { background: %1; border: 1px solid %2; border-radius: 4px; }"
+                          "#toolChip[active=\"true\"] { border: 2px solid %3; }"
+                          "#toolChip[wrong=\"true\"] { border: 2px solid %4; background: %5; }"
+                          "#chipLabel, #chipUnit { color: %6; border: none; background: transparent; }"
+                          "QLineEdit { border: none; background: transparent; padding: 0; color: %7; }"
+                          "QComboBox { border: none; background: transparent; padding: 0; min-height: 18px; color: %7; }"
+                          "QComboBox:focus { border: none; padding: 0; }")
+                      .arg(t.panel.name(), t.border.name(), t.accent.name(), t.error.name(), t.errorSoft.name(),
+                           t.text2.name(), t.text.name()));
+}
+
+void ToolChip::refresh(ToolField field) {
+    field_ = std::move(field);
+    if (choice_ && [&] {
+            QStringList items;
+            for (int i = 0; i < choice_->count(); ++i) items << choice_->itemText(i);
+            return items != field_.choices;
+        }()) {
+        choice_->clear();
+        choice_->addItems(field_.choices);
+    }
+    if (!edit_ || !edit_->hasFocus()) showValue();
+}
+
+void ToolChip::showValue() {
+    const FieldValue value = field_.get();
+    if (choice_) {
+        const auto* text = std::get_if<std::string>(&value);
+        choice_->setCurrentIndex(choice_->findText(text ? QString::fromStdString(*text) : field_.none));
+        return;
+    }
+    QString text;
+    if (const auto* number = std::get_if<double>(&value)) {
+        const double shown = *number * display_.shown(field_.unit.toStdString()).factor;
+        text = field_.isInteger ? QString::number(shown, 'f', 0) : fieldText(shown);
+    } else if (const auto* words = std::get_if<std::string>(&value)) {
+        text = QString::fromStdString(*words);
+    }
+    edit_->setText(text);
+    const QString widest = std::max(text, field_.none, [](const QString& a, const QString& b) { return a.size() < b.size(); });
+    edit_->setFixedWidth(std::max(leastEdit, edit_->fontMetrics().horizontalAdvance(widest) + 12));
+    setWrong({});
+}
+
+void ToolChip::take(bool finally) {
+    const QString text = edit_->text().trimmed();
+    QString problem;
+    const FieldValue before = field_.get();
+    if (text.isEmpty() && !field_.none.isEmpty()) {
+        problem = field_.set(FieldValue{});
+    } else if (std::holds_alternative<std::string>(before) && field_.unit.isEmpty() && !field_.isInteger) {
+        problem = field_.set(text.toStdString());
+    } else {
+        const ShownUnit unit = display_.shown(field_.unit.toStdString());
+        const TypedNumber typed = typedNumber(text.toStdString(), unit.symbol.toStdString());
+        problem = typed.value ? field_.set(*typed.value / unit.factor) : QString::fromStdString(typed.problem);
+    }
+    if (finally && problem.isEmpty())
+        showValue();
+    else
+        setWrong(problem);
+}
+
+void ToolChip::setWrong(const QString& problem) {
+    setToolTip(problem.isEmpty() ? field_.help : problem);
+    if (property("wrong").toBool() == !problem.isEmpty()) return;
+    setProperty("wrong", !problem.isEmpty());
+    style()->unpolish(this);
+    style()->polish(this);
+}
+
+bool ToolChip::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) {
+        setProperty("active", event->type() == QEvent::FocusIn);
+        style()->unpolish(this);
+        style()->polish(this);
+    }
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    const int key = isKey ? static_cast<QKeyEvent*>(event)->key() : 0;
+    if (key != Qt::Key_Return && key != Qt::Key_Enter && key != Qt::Key_Escape) return QFrame::eventFilter(watched, event);
+    event->accept();
+    if (event->type() == QEvent::ShortcutOverride) return true;
+    if (key == Qt::Key_Escape)
+        showValue();
+    else
+        take(true);
+    if (!property("wrong").toBool()) Q_EMIT done();
+    return true;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Stands between the canvas and the tool at work: turns mouse and keys into places
+// and steps, paints snaps and the prompt, and owns palette, bar and box.
+#pragma once
+
+#include "ui/canvas/canvas_tool.h"
+#include "ui/tools/workbench.h"
+
+#include <QObject>
+
+#include <memory>
+#include <vector>
+
+class QAction;
+class QTimer;
+
+namespace keyblock {
+
+class Commands;
+class CoordinateBox;
+class SceneOverlay;
+class Tool;
+class ToolBar;
+class ToolPalette;
+
+class ToolDesk : public QObject, public CanvasTool {
+    Q_OBJECT
+
+public:
+    ToolDesk(Canvas& canvas, Document& document, Selection& selection, const Display& display, const Themes& themes,
+             Commands& commands, QObject* parent = nullptr);
+    ~ToolDesk() override;
+
+    /// The column at the left of the canvas, the bar above it. The caller places them.
+    ToolPalette& palette() { return *palette_; }
+    ToolBar& bar() { return *bar_; }
+    Workbench& bench() { return *bench_; }
+
+    Tool& tool() const { return *tool_; }
+    void choose(const QString& id);
+
+    void press(const CanvasEvent& event) override;
+    void doubleClick(const CanvasEvent& event) override;
+    void move(const CanvasEvent& event) override;
+    void release(const CanvasEvent& event) override;
+    void leave() override;
+    void contextMenu(const CanvasEvent& event, QPoint global) override;
+    void paint(QPainter& painter, const CanvasMap& map) const override;
+    QCursor cursor() const override;
+
+Q_SIGNALS:
+    void chosen(const QString& id);
+    void said(const QString& text, bool warns);  // for the status bar too
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void showTool();
+    void showSelected();
+    void stepBack();
+    void enter();
+    void take(const Point& typed);
+    void tell(const QString& text, bool warns);
+    Pointed pointed(const CanvasEvent& event) const;
+    void follow(const Pointed& at);
+    bool wants(QKeyEvent& event) const;
+    bool handle(QKeyEvent& event);
+
+    std::unique_ptr<Workbench> bench_;
+    std::vector<std::unique_ptr<Tool>> tools_;
+    Tool* tool_ = nullptr;
+    std::unique_ptr<SceneOverlay> overlay_;
+    ToolPalette* palette_;
+    ToolBar* bar_;
+    CoordinateBox* box_;
+    std::vector<QAction*> actions_;  // of the tools
+    std::optional<Pointed> at_;  // where the mouse is; none: not over the canvas
+    QString message_;
+    bool warns_ = false;
+    QTimer* forget_;  // the message
+};
+
+}  // namespace keyblock

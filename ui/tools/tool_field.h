@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// An option of a tool as the bar above the canvas shows it. Most are rows of the
+// field table over the thing that the tool is about to make, so that unit, range
+// and help are those of the file.
+#pragma once
+
+#include "solver/scene/field.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+#include <vector>
+
+namespace keyblock {
+
+struct ToolField {
+    QString id;  // key of the row, or of the option
+    QString label;
+    QString help;
+    QString unit;  // SI, as in the table; empty: none
+    QStringList choices{};  // not empty: one of these texts
+    bool isInteger = false;
+    QString none{};  // what an empty field means, where it may be empty
+    std::function<FieldValue()> get;
+    std::function<QString(const FieldValue&)> set;  // empty, or why not
+};
+
+/// The row `key` of the entries of the scene's list `list` (`bolts`, `joint_sets`, …), over `object`, which is one.
+/// `choices` are the names that a text may be. `changed` follows every change.
+ToolField rowField(const char* list, const char* key, void* object, const QString& label, std::function<void()> changed,
+                   const QStringList& choices = {});
+
+/// True when the row applies to the object as it is (the width of a circle does not).
+bool rowApplies(const char* list, const char* key, const void* object);
+
+/// An option that is no row: one of `choices`, by index.
+ToolField choiceField(const QString& id, const QString& label, const QStringList& choices, int& chosen,
+                      std::function<void()> changed);
+
+}  // namespace keyblock

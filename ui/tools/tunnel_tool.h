@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A tunnel by a few numbers, placed by its middle; once placed, handles change it.
+#pragma once
+
+#include "ui/tools/tool.h"
+
+namespace keyblock {
+
+class TunnelTool : public Tool {
+    Q_OBJECT
+
+public:
+    using Tool::Tool;
+
+    QString id() const override { return "tunnel"; }
+    QString title() const override { return tr("Tunnel"); }
+    QString prompt() const override;
+    QString detail() const override;
+    std::vector<ToolField> fields() override;
+    QString commitText() const override;
+
+    void begin() override;
+    void end() override { corners_.clear(); }
+    void press(const Pointed& at) override;
+    void move(const Pointed& at) override { cursor_ = at.place; }
+    void leave() override { cursor_.reset(); }
+    void doubleClick(const Pointed& at) override;
+    bool enter() override;
+    bool back() override;
+    bool undoPoint() override;
+    bool close() override { return isDrawn() && enter(); }
+    std::optional<Point> previous() const override;
+    void paint(QPainter& painter, const CanvasMap& map) const override;
+
+private:
+    bool isDrawn() const { return tunnel_.profile == ProfileKind::Polygon; }
+    SceneTunnel placed(const Point& center) const;
+    bool place(const SceneTunnel& tunnel);
+
+    SceneTunnel tunnel_;
+    std::vector<Point> corners_;  // of one that is drawn by corners
+    std::optional<Point> cursor_;
+};
+
+}  // namespace keyblock

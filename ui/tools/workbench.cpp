@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/workbench.h"
+
+#include "ui/canvas/canvas.h"
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/edit/values.h"
+#include "ui/look/theme.h"
+
+#include <QSettings>
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+constexpr double snapReach = 12.0, gridPixels = 24.0;  // [px]
+
+/// The largest of 1, 2, 5 · 10ⁿ that is not above `length`, or the next one.
+double roundSpacing(double length) {
+    const double decade = std::pow(10.0, std::floor(std::log10(length)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * decade >= length) return factor * decade;
+    return 10.0 * decade;
+}
+
+/// `place` on the level or upright line through `previous`, whichever is nearer.
+Point straightened(const Point& place, const Point& previous) {
+    const Point way = place - previous;
+    return std::abs(way.x()) >= std::abs(way.y()) ? Point(place.x(), previous.y()) : Point(previous.x(), place.y());
+}
+
+QStringList mapped(const QStringList& pointers, const PointerChange& change) {
+    QStringList now;
+    for (const QString& pointer : pointers)
+        if (const auto at = change.now(pointer.toStdString())) now << QString::fromStdString(*at);
+    return now;
+}
+
+}  // namespace
+
+Workbench::Workbench(Canvas& canvas, Document& document, Selection& selection, const Display& display,
+                     const Themes& themes, QObject* parent)
+    : QObject(parent), canvas_(canvas), document_(document), selection_(selection), display_(display), themes_(themes) {
+    const QSettings settings;
+    modes_.objectSnap = settings.value("draw/objectSnap", true).toBool();
+    modes_.ortho = settings.value("draw/ortho", false).toBool();
+    modes_.gridSnap = settings.value("draw/gridSnap", false).toBool();
+    modes_.gridShown = settings.value("draw/grid", false).toBool();
+}
+
+const Theme& Workbench::theme() const { return themes_.current(); }
+
+const Scene& Workbench::scene() const { return *document_.committed(); }
+
+void Workbench::look() const {
+    if (seen_ == document_.committed()) return;
+    seen_ = document_.committed();
+    objects_ = objectsOf(*seen_);
+    snaps_ = std::make_unique<SnapIndex>(objects_);
+}
+
+const std::vector<SceneObject>& Workbench::objects() const {
+    look();
+    return objects_;
+}
+
+const SceneObject* Workbench::object(const QString& pointer) const {
+    look();
+    const std::string wanted = pointer.toStdString();
+    const auto found = std::find_if(objects_.begin(), objects_.end(),
+                                    [&](const SceneObject& object) { return object.pointer == wanted; });
+    return found == objects_.end() ? nullptr : &*found;
+}
+
+double Workbench::metres(double pixels) const { return pixels / canvas_.map().pixelsPerMetre(); }
+
+double Workbench::gridSpacing() const { return roundSpacing(metres(gridPixels)); }
+
+void Workbench::setModes(const PointingModes& modes) {
+    if (modes == modes_) return;
+    modes_ = modes;
+    QSettings settings;
+    settings.setValue("draw/objectSnap", modes.objectSnap);
+    settings.setValue("draw/ortho", modes.ortho);
+    settings.setValue("draw/gridSnap", modes.gridSnap);
+    settings.setValue("draw/grid", modes.gridShown);
+    Q_EMIT modesChanged();
+    canvas_.refresh();
+}
+
+Pointed Workbench::pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
+                           const std::optional<Point>& previous, const std::vector<std::string>& except) const {
+    look();
+    SnapWish wish{metres(snapReach), modes_.objectSnap, {}, previous, except};
+    Pointed pointed{raw, raw, snaps_->at(raw, wish), pixel, modifiers};
+    const bool straight = previous && (modes_.ortho != modifiers.testFlag(Qt::ShiftModifier));
+    if (!pointed.snap) {
+        const Point free = straight ? straightened(raw, *previous) : raw;
+        wish.objects = false;
+        if (modes_.gridSnap) wish.grid = gridSpacing();
+        pointed.snap = snaps_->at(free, wish);
+        pointed.place = free;
+    }
+    if (pointed.snap) pointed.place = pointed.snap->place;
+    if (straight) pointed.place = straightened(pointed.place, *previous);
+    return pointed;
+}
+
+bool Workbench::commit(const QString& step, const Edit& edit) {
+    if (!edit.done()) {
+        document_.endPreview();
+        say(QString::fromStdString(edit.refusal), true);
+        return false;
+    }
+    const QStringList kept = mapped(selection_.pointers(), edit.pointers);
+    document_.apply(step, edit.scene);
+    selection_.set(kept);
+    QStringList told;
+    for (const std::string& sentence : edit.told) told << QString::fromStdString(sentence);
+    if (!told.isEmpty()) say(told.mid(0, 3).join(' '));
+    return true;
+}
+
+void Workbench::say(const QString& text, bool warns) { Q_EMIT said(text, warns); }
+
+}  // namespace keyblock

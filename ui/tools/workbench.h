@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What every tool works with: document, selection and canvas, the place that is
+// meant under the mouse (snap, ortho, grid), and the way by which an edit becomes a
+// step of undo.
+#pragma once
+
+#include "ui/edit/edit.h"
+#include "ui/edit/scene_objects.h"
+#include "ui/edit/snap.h"
+
+#include <QObject>
+#include <QPointF>
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace keyblock {
+
+class Canvas;
+class Display;
+class Document;
+class Selection;
+class Themes;
+struct Theme;
+
+/// A place that the mouse or the keyboard gives a tool.
+struct Pointed {
+    Point place{0.0, 0.0};  // the one that is meant [m]
+    Point raw{0.0, 0.0};  // under the mouse [m]
+    std::optional<Snap> snap{};
+    QPointF pixel{};
+    Qt::KeyboardModifiers modifiers{};
+    bool typed = false;
+};
+
+/// How places are found; switched by keys.
+struct PointingModes {
+    bool objectSnap = true, ortho = false, gridSnap = false, gridShown = false;
+
+    bool operator==(const PointingModes&) const = default;
+};
+
+class Workbench : public QObject {
+    Q_OBJECT
+
+public:
+    Workbench(Canvas& canvas, Document& document, Selection& selection, const Display& display, const Themes& themes,
+              QObject* parent = nullptr);
+
+    Canvas& canvas() const { return canvas_; }
+    Document& document() const { return document_; }
+    Selection& selection() const { return selection_; }
+    const Display& display() const { return display_; }
+    const Theme& theme() const;
+
+    const Scene& scene() const;  // the document's, without a preview
+    const std::vector<SceneObject>& objects() const;  // of that scene
+    const SceneObject* object(const QString& pointer) const;  // null: it has no shape, or is not there
+    double metres(double pixels) const;
+    double gridSpacing() const;  // of the grid as it is shown at this zoom [m]
+
+    const PointingModes& modes() const { return modes_; }
+    void setModes(const PointingModes& modes);
+
+    /// The place that is meant where the mouse is. `previous` is what ortho and feet go by; `except` are pointers that
+    /// are not snapped to.
+    Pointed pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
+                    const std::optional<Point>& previous, const std::vector<std::string>& except) const;
+
+    /// Makes the edit a step of undo called `step`; the selection stays on its things. Says why where it was refused.
+    bool commit(const QString& step, const Edit& edit);
+    /// Tells a person something beside the prompt.
+    void say(const QString& text, bool warns = false);
+
+Q_SIGNALS:
+    void said(const QString& text, bool warns);
+    void modesChanged();
+
+private:
+    void look() const;
+
+    Canvas& canvas_;
+    Document& document_;
+    Selection& selection_;
+    const Display& display_;
+    const Themes& themes_;
+    PointingModes modes_;
+    mutable std::shared_ptr<const Scene> seen_;  // what `objects_` and `snaps_` are of
+    mutable std::vector<SceneObject> objects_;
+    mutable std::unique_ptr<SnapIndex> snaps_;
+};
+
+}  // namespace keyblock
