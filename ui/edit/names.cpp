@@ -20,7 +20,7 @@ struct Style {
     std::string_view stem;  // of new names
 };
 constexpr Style styles[] = {
-    {"/materials", "rock "}, {"/joint_materials", "joint "}, {"/joints", "J"}, {"/joint_sets", "S"},
+    {"/materials", "rock "}, {"/joint_materials", "joint "}, {"/joints", "J"}, {"/joint_sets", "J"},
     {"/regions", "region "}, {"/tunnels", "tunnel "}, {"/blocks", "block "}, {"/bolts", "B"},
     {"/bolt_patterns", "P"}, {"/bolt_types", "bolt type "}, {"/stages", "stage "}, {"/monitors", "M"}};
 
@@ -66,7 +66,8 @@ long numberBehind(std::string_view stem, std::string_view name) {
 }
 
 std::string withName(std::string_view kind, std::string_view name) {
-    return name.empty() ? std::string(kind) : std::string(kind) + " " + std::string(name);
+    if (name.empty() || name.starts_with(kind)) return std::string(name.empty() ? kind : name);  // tunnel 1
+    return std::string(kind) + " " + std::string(name);
 }
 
 std::string numbered(std::string_view kind, const std::string& index) {
@@ -119,7 +120,7 @@ std::string titleAt(const Scene& scene, std::string_view pointer) {
     const std::string_view kind = place->objectStructure().name;
     if (parts.size() == 1) return std::string(kind);
     if (parts[0] == "blocks" && parts.size() == 2)
-        return "block " + displayName(scene, static_cast<int>(*place->entry));
+        return withName(kind, displayName(scene, static_cast<int>(*place->entry)));
     if (parts[0] == "supports") {
         const std::string side = textOf(place->objectStructure(), place->object(), "boundary");
         return side.empty() ? numbered(kind, parts.back()) : side + " support";

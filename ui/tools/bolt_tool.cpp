@@ -96,6 +96,11 @@ bool BoltTool::back() {
     return true;
 }
 
+bool BoltTool::accepts(const Snap& snap) const {
+    if (head_ || !wallAt(scene(), snap.place, bench().metres(wallReach))) return true;
+    return wallAt(scene(), snap.place, bench().metres(2.0)).has_value();  // a place beside the wall is not meant
+}
+
 void BoltTool::paint(QPainter& painter, const CanvasMap& map) const {
     ToolInk ink(painter, map, bench().theme());
     const bool plate = bolt_.plate != PlateKind::None;

@@ -15,7 +15,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int fieldWidth = 92, fieldHeight = 25;
+constexpr int fieldWidth = 106, fieldHeight = 25;
 
 QString shown(double number) { return QString::number(number, 'f', 3).replace('-', QChar(0x2212)); }
 
@@ -55,7 +55,7 @@ CoordinateBox::CoordinateBox(QWidget& canvas, const Themes& themes) : QFrame(&ca
     }
     hint_ = new QLabel(this);
     hint_->setObjectName("coordinateHint");
-    hint_->setMaximumWidth(2 * fieldWidth + 6);
+    hint_->setFixedWidth(2 * fieldWidth + 6);
     hint_->setWordWrap(true);
     grid->addWidget(hint_, 1, 0, 1, 2);
     connect(&themes, &Themes::changed, this, &CoordinateBox::showTheme);

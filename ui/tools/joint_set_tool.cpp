@@ -109,7 +109,7 @@ bool JointSetTool::enter() {
     set.name.clear();
     const Edit edit = withJointSet(scene(), set);
     if (!bench().commit(tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))), edit)) return false;
-    bench().selection().set({QString::fromStdString(edit.made)});
+    bench().selection().clear();  // its traces would hide the ghosts of the next set
     picked_.reset();
     next();
     return true;

@@ -18,6 +18,7 @@ public:
     QString title() const override { return tr("Measure"); }
     QString prompt() const override;
     QString detail() const override;
+    bool changes() const override { return false; }
     void begin() override { points_.clear(); }
     void press(const Pointed& at) override;
     void move(const Pointed& at) override { cursor_ = at.place; }

@@ -152,6 +152,11 @@ bool PatternTool::back() {
 
 std::optional<Point> PatternTool::previous() const { return from_ ? std::optional(from_->place) : std::nullopt; }
 
+bool PatternTool::accepts(const Snap& snap) const {
+    const auto wall = wallAt(scene(), snap.place, bench().metres(2.0));
+    return wall && wall->tunnel >= 0;
+}
+
 void PatternTool::paint(QPainter& painter, const CanvasMap& map) const {
     ToolInk ink(painter, map, bench().theme());
     const auto to = runEnd();

@@ -33,6 +33,7 @@ public:
     bool back() override;
     bool undoPoint() override { return back(); }
     std::optional<Point> previous() const override;
+    bool accepts(const Snap& snap) const override;
     void paint(QPainter& painter, const CanvasMap& map) const override;
 
 private:

@@ -50,11 +50,13 @@ const std::vector<SceneObject>& SceneOverlay::objects() const {
     if (shown_ != document.scene()) {
         shown_ = document.scene();
         objects_ = objectsOf(*shown_);
+        std::erase_if(objects_, [&](const SceneObject& object) { return bench_.isHidden(object.pointer); });
     }
     return objects_;
 }
 
 void SceneOverlay::paint(QPainter& painter, const CanvasMap& map) const {
+    if (!bench_.isDrawing()) return;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     paintLines(painter, map);

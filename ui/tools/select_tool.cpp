@@ -46,7 +46,8 @@ std::optional<std::size_t> SelectTool::handleAt(const QPointF& pixel) const {
 }
 
 QString SelectTool::objectAt(const Point& place) const {
-    const std::vector<std::size_t> found = objectsAt(bench().objects(), place, bench().metres(hitReach));
+    std::vector<std::size_t> found = objectsAt(bench().objects(), place, bench().metres(hitReach));
+    std::erase_if(found, [&](std::size_t index) { return bench().isLocked(bench().objects()[index].pointer); });
     if (found.empty()) return {};
     // A thing that is chosen already is meant again: it may be dragged through others.
     for (const std::size_t index : found) {
@@ -56,7 +57,15 @@ QString SelectTool::objectAt(const Point& place) const {
     return QString::fromStdString(bench().objects()[found.front()].pointer);
 }
 
+/// Among results: what is seen there, as the docks call it.
+void SelectTool::chooseSeen(const QPointF& pixel) {
+    const auto pick = bench().canvas().pickAt(pixel);
+    const bool isBolt = pick && pick->bolt >= 0;
+    bench().selection().set(isBolt ? QStringList{QString("/bolts/%1").arg(pick->bolt)} : QStringList());
+}
+
 void SelectTool::press(const Pointed& at) {
+    if (!bench().isDrawing()) return chooseSeen(at.pixel);
     pressed_ = at;
     single_ = false;
     hot_ = handleAt(at.pixel);
@@ -94,7 +103,7 @@ void SelectTool::move(const Pointed& at) {
         boxEnd_ = at.pixel;
         return;
     }
-    if (doing_ != Doing::Nothing) return;
+    if (doing_ != Doing::Nothing || !bench().isDrawing()) return;
     hot_ = handleAt(at.pixel);
     hover_ = hot_ ? QString() : objectAt(at.raw);
 }
@@ -137,6 +146,7 @@ QString SelectTool::stepName() const {
 }
 
 void SelectTool::release(const Pointed& at) {
+    if (!bench().isDrawing()) return;
     const Doing did = doing_;
     if (did == Doing::Moves || did == Doing::Shapes) {
         const QString step = stepName();
@@ -159,6 +169,7 @@ void SelectTool::chooseBox(const Pointed& at) {
         const BoxRule rule = at.pixel.x() < pressed_.pixel.x() ? BoxRule::Crosses : BoxRule::Encloses;
         for (const std::size_t index : objectsIn(bench().objects(), box, rule)) {
             const QString pointer = QString::fromStdString(bench().objects()[index].pointer);
+            if (bench().isLocked(pointer.toStdString())) continue;
             removes ? void(chosen.removeAll(pointer)) : chosen.append(pointer);
         }
     }
@@ -166,7 +177,7 @@ void SelectTool::chooseBox(const Pointed& at) {
 }
 
 void SelectTool::doubleClick(const Pointed& at) {
-    if (bench().selection().pointers().size() != 1 || handleAt(at.pixel)) return;
+    if (!bench().isDrawing() || bench().selection().pointers().size() != 1 || handleAt(at.pixel)) return;
     const std::string pointer = selected().front();
     if (objectAt(at.raw).toStdString() != pointer) return;
     const Edit edit = withCorner(scene(), pointer, at.raw);
@@ -191,6 +202,7 @@ void SelectTool::end() {
 }
 
 void SelectTool::removeSelected() {
+    if (!bench().isDrawing()) return;
     const std::vector<Handle> all = handles();
     const bool corner = hot_ && *hot_ < all.size() && all[*hot_].isCorner;
     if (!corner && selected().empty()) return;
@@ -204,7 +216,7 @@ void SelectTool::removeSelected() {
 }
 
 void SelectTool::nudge(const Point& way) {
-    if (bench().selection().isEmpty() || doing_ != Doing::Nothing) return;
+    if (bench().selection().isEmpty() || doing_ != Doing::Nothing || !bench().isDrawing()) return;
     const double grid = bench().gridSpacing();
     const double step = bench().modes().gridSnap ? grid : 0.1 * grid;
     bench().commit(stepName(), moveAll(scene(), selected(), step * way));
@@ -222,6 +234,7 @@ bool SelectTool::key(QKeyEvent& event) {
 }
 
 void SelectTool::fillMenu(QMenu& menu, const Pointed& at) {
+    if (!bench().isDrawing()) return;
     const QString pointer = objectAt(at.raw);
     if (!pointer.isEmpty() && !bench().selection().contains(pointer)) bench().selection().set({pointer});
     if (bench().selection().isEmpty()) return;
@@ -250,6 +263,7 @@ std::optional<Point> SelectTool::previous() const { return snaps() ? std::option
 std::vector<std::string> SelectTool::unsnapped() const { return snaps() ? selected() : std::vector<std::string>(); }
 
 void SelectTool::paint(QPainter& painter, const CanvasMap& map) const {
+    if (!bench().isDrawing()) return;
     ToolInk ink(painter, map, bench().theme());
     const SceneObject* over = hover_.isEmpty() || doing_ != Doing::Nothing ? nullptr : bench().object(hover_);
     if (over && !bench().selection().contains(hover_)) {

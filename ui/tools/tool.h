@@ -56,8 +56,10 @@ public:
     virtual bool key(QKeyEvent&) { return false; }
     virtual void fillMenu(QMenu&, const Pointed&) {}
 
+    virtual bool changes() const { return true; }  // false: it only looks
     virtual bool wantsPlaces() const { return true; }  // shows snaps and the box for typed places
     virtual bool snaps() const { return wantsPlaces(); }
+    virtual bool accepts(const Snap&) const { return true; }  // false: what snaps there is not meant by this tool
     virtual std::optional<Point> previous() const { return {}; }  // what @ and ortho go by [m]
     virtual std::vector<std::string> unsnapped() const { return {}; }  // pointers that are not snapped to
 

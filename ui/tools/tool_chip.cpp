@@ -7,6 +7,7 @@
 #include "ui/look/theme.h"
 #include "ui/tools/tool_ink.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QEvent>
 #include <QFontMetrics>
@@ -21,7 +22,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int chipHeight = 26, leastEdit = 34;
+constexpr int chipHeight = 26, leastEdit = 22;
 
 }  // namespace
 
@@ -31,7 +32,7 @@ ToolChip::ToolChip(ToolField field, const Display& display, const Themes& themes
     setFixedHeight(chipHeight);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 0, 8, 0);
-    row->setSpacing(7);
+    row->setSpacing(5);
     auto* label = new QLabel(field_.label, this);
     label->setObjectName("chipLabel");
     row->addWidget(label);
@@ -48,7 +49,6 @@ void ToolChip::makeChoice() {
     choice_->setObjectName("option." + field_.id);
     choice_->setAccessibleName(field_.label);
     choice_->addItems(field_.choices);
-    choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     choice_->setFocusPolicy(Qt::ClickFocus);
     layout()->addWidget(choice_);
     connect(choice_, qOverload<int>(&QComboBox::activated), this, [this] {
@@ -63,6 +63,7 @@ void ToolChip::makeEdit() {
     edit_->setObjectName("option." + field_.id);
     edit_->setAccessibleName(field_.label);
     edit_->setFrame(false);
+    edit_->setAlignment(Qt::AlignRight);
     edit_->setFocusPolicy(Qt::ClickFocus);
     edit_->setPlaceholderText(field_.none);
     edit_->installEventFilter(this);
@@ -110,18 +111,26 @@ void ToolChip::showValue() {
     if (choice_) {
         const auto* text = std::get_if<std::string>(&value);
         choice_->setCurrentIndex(choice_->findText(text ? QString::fromStdString(*text) : field_.none));
+        // As wide as what is chosen; the list is as wide as it needs.
+        choice_->setFixedWidth(choice_->fontMetrics().horizontalAdvance(choice_->currentText()) + 30);
+        QFontMetrics metrics = choice_->fontMetrics();
+        int widest = choice_->width();
+        for (const QString& item : field_.choices) widest = std::max(widest, metrics.horizontalAdvance(item) + 32);
+        choice_->view()->setMinimumWidth(widest);
         return;
     }
     QString text;
     if (const auto* number = std::get_if<double>(&value)) {
         const double shown = *number * display_.shown(field_.unit.toStdString()).factor;
-        text = field_.isInteger ? QString::number(shown, 'f', 0) : fieldText(shown);
+        text = field_.isInteger ? QString::number(shown, 'f', 0)
+               : field_.unit == QString::fromUtf8("°") ? angleText(shown).chopped(1)
+                                                       : fieldText(shown);
     } else if (const auto* words = std::get_if<std::string>(&value)) {
         text = QString::fromStdString(*words);
     }
     edit_->setText(text);
     const QString widest = std::max(text, field_.none, [](const QString& a, const QString& b) { return a.size() < b.size(); });
-    edit_->setFixedWidth(std::max(leastEdit, edit_->fontMetrics().horizontalAdvance(widest) + 12));
+    edit_->setFixedWidth(std::max(leastEdit, edit_->fontMetrics().horizontalAdvance(widest) + 6));
     setWrong({});
 }
 

@@ -31,9 +31,10 @@ constexpr int messageTime = 8000;  // [ms]
 
 }  // namespace
 
-ToolDesk::ToolDesk(Canvas& canvas, Document& document, Selection& selection, const Display& display,
-                   const Themes& themes, Commands& commands, QObject* parent)
-    : QObject(parent), bench_(std::make_unique<Workbench>(canvas, document, selection, display, themes)),
+ToolDesk::ToolDesk(Canvas& canvas, Document& document, Selection& selection, const Visibility& visibility,
+                   const Display& display, const Themes& themes, Commands& commands, QObject* parent)
+    : QObject(parent),
+      bench_(std::make_unique<Workbench>(canvas, document, selection, visibility, display, themes)),
       tools_(makeAllTools(*bench_)), overlay_(std::make_unique<SceneOverlay>(*bench_)),
       palette_(new ToolPalette(themes)), bar_(new ToolBar(display, themes)), box_(new CoordinateBox(canvas, themes)),
       forget_(new QTimer(this)) {
@@ -55,13 +56,20 @@ ToolDesk::ToolDesk(Canvas& canvas, Document& document, Selection& selection, con
         if (!document.isPreviewing()) tool_->refresh();
         showTool();
     });
-    connect(&document, &Document::replaced, this, [this] { choose("select"); });
+    connect(&document, &Document::replaced, this, [this] {
+        choose("select");
+        showRoomToDraw();
+    });
     connect(&document, &Document::checkedChanged, this, &ToolDesk::showSelected);
     connect(&selection, &Selection::changed, this, &ToolDesk::showSelected);
+    // Under a mouse that rests the wheel brings another place.
+    connect(&canvas, &Canvas::viewChanged, this, [this, &canvas] {
+        if (at_) move({canvas.map().toPlace(at_->pixel), at_->pixel, Qt::NoButton, Qt::NoButton, at_->modifiers});
+    });
     canvas.installEventFilter(this);
     canvas.addOverlay(overlay_.get());
-    canvas.setTool(this);
     choose("select");
+    canvas.setTool(this);
 }
 
 ToolDesk::~ToolDesk() {
@@ -80,6 +88,14 @@ void ToolDesk::choose(const QString& id) {
     showTool();
     bench_->canvas().setFocus();
     Q_EMIT chosen(id);
+    if (!bench_->isDrawing() && tool_->changes() && id != "select") Q_EMIT drawingAsked();
+}
+
+void ToolDesk::setDrawing(bool drawing) {
+    bench_->setDrawing(drawing);
+    bar_->setVisible(drawing);
+    if (!drawing && tool_->changes()) choose("select");
+    showSelected();
 }
 
 void ToolDesk::showTool() {
@@ -90,8 +106,12 @@ void ToolDesk::showTool() {
 
 void ToolDesk::showSelected() {
     overlay_->forget();
-    bench_->canvas().setSelectedBolts(selectedBolts(*bench_));
+    if (bench_->isDrawing()) bench_->canvas().setSelectedBolts(selectedBolts(*bench_));
     bench_->canvas().refresh();
+}
+
+void ToolDesk::showRoomToDraw() {
+    if (bench_->objects().empty()) bench_->canvas().zoomTo({{-20.0, -18.0}, {20.0, 18.0}});
 }
 
 void ToolDesk::stepBack() {
@@ -123,7 +143,8 @@ void ToolDesk::tell(const QString& text, bool warns) {
 
 Pointed ToolDesk::pointed(const CanvasEvent& event) const {
     if (!tool_->snaps()) return {event.place, event.place, {}, event.pixel, event.modifiers};
-    return bench_->pointAt(event.place, event.pixel, event.modifiers, tool_->previous(), tool_->unsnapped());
+    return bench_->pointAt(event.place, event.pixel, event.modifiers, tool_->previous(), tool_->unsnapped(),
+                           [this](const Snap& snap) { return tool_->accepts(snap); });
 }
 
 void ToolDesk::follow(const Pointed& at) {

@@ -29,8 +29,8 @@ class ToolDesk : public QObject, public CanvasTool {
     Q_OBJECT
 
 public:
-    ToolDesk(Canvas& canvas, Document& document, Selection& selection, const Display& display, const Themes& themes,
-             Commands& commands, QObject* parent = nullptr);
+    ToolDesk(Canvas& canvas, Document& document, Selection& selection, const Visibility& visibility,
+             const Display& display, const Themes& themes, Commands& commands, QObject* parent = nullptr);
     ~ToolDesk() override;
 
     /// The column at the left of the canvas, the bar above it. The caller places them.
@@ -40,6 +40,9 @@ public:
 
     Tool& tool() const { return *tool_; }
     void choose(const QString& id);
+
+    /// Off: the canvas shows results. What is chosen then is what is seen, and nothing is drawn or dragged.
+    void setDrawing(bool drawing);
 
     void press(const CanvasEvent& event) override;
     void doubleClick(const CanvasEvent& event) override;
@@ -53,6 +56,7 @@ public:
 Q_SIGNALS:
     void chosen(const QString& id);
     void said(const QString& text, bool warns);  // for the status bar too
+    void drawingAsked();  // a tool to draw was chosen while results are shown
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -60,6 +64,7 @@ protected:
 private:
     void showTool();
     void showSelected();
+    void showRoomToDraw();  // where nothing is drawn yet
     void stepBack();
     void enter();
     void take(const Point& typed);

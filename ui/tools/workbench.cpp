@@ -5,6 +5,7 @@
 #include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
+#include "ui/document/visibility.h"
 #include "ui/edit/values.h"
 #include "ui/look/theme.h"
 
@@ -41,9 +42,14 @@ QStringList mapped(const QStringList& pointers, const PointerChange& change) {
 
 }  // namespace
 
-Workbench::Workbench(Canvas& canvas, Document& document, Selection& selection, const Display& display,
-                     const Themes& themes, QObject* parent)
-    : QObject(parent), canvas_(canvas), document_(document), selection_(selection), display_(display), themes_(themes) {
+Workbench::Workbench(Canvas& canvas, Document& document, Selection& selection, const Visibility& visibility,
+                     const Display& display, const Themes& themes, QObject* parent)
+    : QObject(parent), canvas_(canvas), document_(document), selection_(selection), visibility_(visibility),
+      display_(display), themes_(themes) {
+    connect(&visibility, &Visibility::changed, this, [this] {
+        seen_.reset();
+        canvas_.refresh();
+    });
     const QSettings settings;
     modes_.objectSnap = settings.value("draw/objectSnap", true).toBool();
     modes_.ortho = settings.value("draw/ortho", false).toBool();
@@ -59,12 +65,21 @@ void Workbench::look() const {
     if (seen_ == document_.committed()) return;
     seen_ = document_.committed();
     objects_ = objectsOf(*seen_);
+    std::erase_if(objects_, [&](const SceneObject& object) { return isHidden(object.pointer); });
     snaps_ = std::make_unique<SnapIndex>(objects_);
 }
 
 const std::vector<SceneObject>& Workbench::objects() const {
     look();
     return objects_;
+}
+
+bool Workbench::isHidden(const std::string& pointer) const {
+    return visibility_.isHidden(QString::fromStdString(pointer));
+}
+
+bool Workbench::isLocked(const std::string& pointer) const {
+    return visibility_.isLocked(QString::fromStdString(pointer));
 }
 
 const SceneObject* Workbench::object(const QString& pointer) const {
@@ -91,19 +106,28 @@ void Workbench::setModes(const PointingModes& modes) {
     canvas_.refresh();
 }
 
+bool Workbench::isStraight(Qt::KeyboardModifiers modifiers) const {
+    return modes_.ortho != modifiers.testFlag(Qt::ShiftModifier);
+}
+
 Pointed Workbench::pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
                            const std::optional<Point>& previous, const std::vector<std::string>& except) const {
     look();
-    SnapWish wish{metres(snapReach), modes_.objectSnap, {}, previous, except};
-    Pointed pointed{raw, raw, snaps_->at(raw, wish), pixel, modifiers};
-    const bool straight = previous && (modes_.ortho != modifiers.testFlag(Qt::ShiftModifier));
-    if (!pointed.snap) {
-        const Point free = straight ? straightened(raw, *previous) : raw;
-        wish.objects = false;
-        if (modes_.gridSnap) wish.grid = gridSpacing();
-        pointed.snap = snaps_->at(free, wish);
-        pointed.place = free;
-    }
+    Pointed pointed{raw, raw, {}, pixel, modifiers};
+    pointed.snap = snaps_->at(raw, {metres(snapReach), modes_.objectSnap, {}, previous, except});
+    if (!pointed.snap) return freePointAt(raw, pixel, modifiers, previous);
+    pointed.place = pointed.snap->place;
+    if (previous && isStraight(modifiers)) pointed.place = straightened(pointed.place, *previous);
+    return pointed;
+}
+
+Pointed Workbench::freePointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
+                               const std::optional<Point>& previous) const {
+    look();
+    const bool straight = previous && isStraight(modifiers);
+    Pointed pointed{straight ? straightened(raw, *previous) : raw, raw, {}, pixel, modifiers};
+    if (!modes_.gridSnap) return pointed;
+    pointed.snap = snaps_->at(pointed.place, {metres(snapReach), false, gridSpacing(), {}, {}});
     if (pointed.snap) pointed.place = pointed.snap->place;
     if (straight) pointed.place = straightened(pointed.place, *previous);
     return pointed;

@@ -25,6 +25,7 @@ class Display;
 class Document;
 class Selection;
 class Themes;
+class Visibility;
 struct Theme;
 
 /// A place that the mouse or the keyboard gives a tool.
@@ -48,8 +49,8 @@ class Workbench : public QObject {
     Q_OBJECT
 
 public:
-    Workbench(Canvas& canvas, Document& document, Selection& selection, const Display& display, const Themes& themes,
-              QObject* parent = nullptr);
+    Workbench(Canvas& canvas, Document& document, Selection& selection, const Visibility& visibility,
+              const Display& display, const Themes& themes, QObject* parent = nullptr);
 
     Canvas& canvas() const { return canvas_; }
     Document& document() const { return document_; }
@@ -58,7 +59,9 @@ public:
     const Theme& theme() const;
 
     const Scene& scene() const;  // the document's, without a preview
-    const std::vector<SceneObject>& objects() const;  // of that scene
+    const std::vector<SceneObject>& objects() const;  // of that scene, without what is hidden
+    bool isHidden(const std::string& pointer) const;
+    bool isLocked(const std::string& pointer) const;  // against the mouse
     const SceneObject* object(const QString& pointer) const;  // null: it has no shape, or is not there
     double metres(double pixels) const;
     double gridSpacing() const;  // of the grid as it is shown at this zoom [m]
@@ -66,10 +69,26 @@ public:
     const PointingModes& modes() const { return modes_; }
     void setModes(const PointingModes& modes);
 
+    /// False while the canvas shows results.
+    bool isDrawing() const { return drawing_; }
+    void setDrawing(bool drawing) { drawing_ = drawing; }
+
     /// The place that is meant where the mouse is. `previous` is what ortho and feet go by; `except` are pointers that
     /// are not snapped to.
+    template <typename Accepts>
+    Pointed pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
+                    const std::optional<Point>& previous, const std::vector<std::string>& except, Accepts accepts) const {
+        Pointed pointed = pointAt(raw, pixel, modifiers, previous, except);
+        const bool named = pointed.snap && pointed.snap->kind != SnapKind::Grid;
+        if (!named || accepts(*pointed.snap)) return pointed;
+        return freePointAt(raw, pixel, modifiers, previous);
+    }
     Pointed pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
                     const std::optional<Point>& previous, const std::vector<std::string>& except) const;
+
+    /// The same without things to snap to.
+    Pointed freePointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
+                        const std::optional<Point>& previous) const;
 
     /// Makes the edit a step of undo called `step`; the selection stays on its things. Says why where it was refused.
     bool commit(const QString& step, const Edit& edit);
@@ -82,13 +101,16 @@ Q_SIGNALS:
 
 private:
     void look() const;
+    bool isStraight(Qt::KeyboardModifiers modifiers) const;
 
     Canvas& canvas_;
     Document& document_;
     Selection& selection_;
+    const Visibility& visibility_;
     const Display& display_;
     const Themes& themes_;
     PointingModes modes_;
+    bool drawing_ = true;
     mutable std::shared_ptr<const Scene> seen_;  // what `objects_` and `snaps_` are of
     mutable std::vector<SceneObject> objects_;
     mutable std::unique_ptr<SnapIndex> snaps_;

@@ -21,6 +21,7 @@ DrawingFeed::DrawingFeed(Document& document, Canvas& canvas, QObject* parent)
 void DrawingFeed::setOn(bool on) {
     if (on == on_) return;
     on_ = on;
+    Q_EMIT switched(on);
     if (!on) return;
     canvas_.setDrawing(true);
     show();
@@ -36,7 +37,9 @@ void DrawingFeed::show() {
 }
 
 void DrawingFeed::showHint() {
-    if (hasErrors(document_.checked().problems))
+    const Scene& scene = *document_.checked().scene;
+    const bool empty = !scene.domain && scene.blocks.empty();
+    if (!empty && hasErrors(document_.checked().problems))
         canvas_.setHint(tr("The section cannot be shown yet"), tr("The problems below say what is missing or wrong."));
     else
         canvas_.setHint(tr("Nothing is drawn yet"), tr("Begin with the outline of the rock, then joints and a tunnel."));

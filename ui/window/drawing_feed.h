@@ -21,6 +21,9 @@ public:
     /// On: the canvas shows the drawing, and follows it. Off: others show on the canvas what they have.
     void setOn(bool on);
 
+Q_SIGNALS:
+    void switched(bool on);
+
 private:
     void show();
     void showHint();

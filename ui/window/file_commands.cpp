@@ -5,6 +5,7 @@
 #include "solver/run/errors.h"
 #include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
+#include "ui/edit/usual.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
@@ -74,7 +75,7 @@ void openDocument(Document& document, const QString& path, QWidget& window) {
 
 void addFileCommands(Commands& commands, Document& document, QWidget& window) {
     commands.add({"file.new", text("New scene"), "File", "new", text("Begins an empty scene."), {QKeySequence::New}},
-                 [&] { if (mayDiscard(document, window)) document.startNew(Scene{}); });
+                 [&] { if (mayDiscard(document, window)) document.startNew(newScene()); });
     commands.add({"file.open", text("Open…"), "File", "open", text("Opens a scene file."), {QKeySequence::Open}},
                  [&] { askAndOpen(document, window); });
     commands.add({"file.save", text("Save"), "File", "save", text("Writes the scene to its file."),

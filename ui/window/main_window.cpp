@@ -12,11 +12,13 @@
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
 #include "ui/runs/runs.h"
+#include "ui/tools/tool_desk.h"
 #include "ui/window/drawing_feed.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/layouts.h"
 #include "ui/window/menus.h"
 #include "ui/window/place_panels.h"
+#include "ui/window/place_tools.h"
 #include "ui/window/run_area.h"
 #include "ui/window/start_binding.h"
 #include "ui/window/status_line.h"
@@ -28,7 +30,6 @@
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QToolBar>
-#include <QVBoxLayout>
 
 namespace keyblock {
 
@@ -95,13 +96,8 @@ void MainWindow::placeBars() {
 }
 
 void MainWindow::placeCanvas() {
-    auto* middle = new QWidget(this);
-    auto* column = new QVBoxLayout(middle);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(canvas_, 1);
-    setCentralWidget(middle);
-    runs_->place(*column);
+    auto* desk = new ToolDesk(*canvas_, *document_, *selection_, *visibility_, *display_, themes_, *commands_, this);
+    runs_->place(placeTools({*this, *desk, *canvas_, *drawing_, *workflow_, *commands_, themes_}));
     new StatusLine(*statusBar(), *document_, *canvas_, *display_);
 }
 
