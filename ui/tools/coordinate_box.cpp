@@ -104,7 +104,8 @@ void CoordinateBox::moveBeside(const QPointF& pixel, bool belowTag) {
     move(std::max(at.x(), 0), std::max(at.y(), 0));
 }
 
-void CoordinateBox::begin(const QString& text) {
+void CoordinateBox::begin(const QString& text, const std::optional<Point>& previous) {
+    previous_ = previous;
     typing_ = true;
     both_ = false;
     if (!isVisible()) moveBeside(QPointF(0.5 * parentWidget()->width(), 0.5 * parentWidget()->height()), false);

@@ -30,7 +30,7 @@ public:
     void follow(const Point& place, const QPointF& pixel, const std::optional<Point>& previous, bool belowTag);
 
     /// Begins to take a place, with the first key typed.
-    void begin(const QString& text);
+    void begin(const QString& text, const std::optional<Point>& previous);
     bool isTyping() const { return typing_; }
     void stop();
 

@@ -249,8 +249,8 @@ bool ToolDesk::handle(QKeyEvent& event) {
         case Qt::Key_Z:
         case Qt::Key_Backspace: tool_->undoPoint(); return true;
         case Qt::Key_Tab:
-        case Qt::Key_Backtab: box_->begin({}); return true;
-        default: box_->begin(event.text()); return true;
+        case Qt::Key_Backtab: box_->begin({}, tool_->previous()); return true;
+        default: box_->begin(event.text(), tool_->previous()); return true;
     }
 }
 

@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A person at the canvas: real events go in, steps of undo come out.
+#include "../screen/screen.h"
+#include "solver/scene/check.h"
+#include "ui/canvas/canvas.h"
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/document/visibility.h"
+#include "ui/edit/edits.h"
+#include "ui/look/commands.h"
+#include "ui/look/display.h"
+#include "ui/look/theme.h"
+#include "ui/tools/tool.h"
+#include "ui/tools/tool_bar.h"
+#include "ui/tools/tool_desk.h"
+#include "ui/tools/tool_palette.h"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QLineEdit>
+#include <QTest>
+#include <QUndoStack>
+
+namespace {
+
+using namespace keyblock;
+
+/// Canvas, desk and what they need, without a window.
+struct Place {
+    Themes themes;
+    Display display;
+    Commands commands{themes};
+    Document document;
+    Selection selection;
+    Visibility visibility{document};
+    Canvas canvas{themes};
+    std::unique_ptr<ToolDesk> desk;
+
+    Place() {
+        canvas.resize(1000, 800);
+        canvas.QWidget::show();
+        desk = std::make_unique<ToolDesk>(canvas, document, selection, visibility, display, themes, commands);
+        desk->bar().resize(1000, 36);
+        document.startNew(newScene());
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&canvas));
+        canvas.zoomTo({{-20, -16}, {20, 16}});
+        canvas.setFocus();
+        PointingModes modes;
+        desk->bench().setModes(modes);
+    }
+    ~Place() {
+        delete &desk->bar();
+        delete &desk->palette();
+        desk.reset();
+    }
+
+    QPoint pixel(const Point& place) const { return canvas.map().toPixel(place).toPoint(); }
+    void move(const Point& place) { QTest::mouseMove(&canvas, pixel(place)), QTest::qWait(5); }
+    void click(const Point& place, Qt::KeyboardModifiers modifiers = {}) {
+        move(place);
+        QTest::mouseClick(&canvas, Qt::LeftButton, modifiers, pixel(place));
+    }
+    void drag(const Point& from, const Point& to) {
+        move(from);
+        QTest::mousePress(&canvas, Qt::LeftButton, {}, pixel(from));
+        for (const double share : {0.3, 0.7, 1.0}) move(from + share * (to - from));
+        QTest::mouseRelease(&canvas, Qt::LeftButton, {}, pixel(to));
+    }
+    void key(int key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyClick(&canvas, static_cast<Qt::Key>(key), modifiers);
+    }
+    /// Types into the box at the cursor, from the canvas.
+    void type(const QString& text) {
+        QTest::keyClick(&canvas, text.front().toLatin1());
+        auto* x = canvas.findChild<QLineEdit*>("coordinate.x");
+        QTest::keyClicks(x, text.mid(1));
+        QTest::keyClick(x, Qt::Key_Return);
+    }
+    void choose(const char* tool) { commands.action(QString("tool.") + tool)->trigger(); }
+    const Scene& scene() const { return *document.committed(); }
+    int steps() { return document.undo().index(); }
+    QString lastStep() { return document.undo().undoText(); }
+    void drawDrift() {
+        choose("outline");
+        type("-15,-12");
+        type("@30,27");
+        choose("tunnel");
+        type("0,0");
+    }
+};
+
+TEST(Tools, FromAnEmptySceneToAPattern) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    ASSERT_TRUE(place.scene().domain);
+    EXPECT_EQ(place.scene().domain->boundary[2], Point(15, 15));
+    EXPECT_EQ(place.scene().supports.size(), 3u);
+    ASSERT_EQ(place.scene().tunnels.size(), 1u);
+    EXPECT_EQ(place.desk->tool().id(), "select") << "where its handles are";
+    EXPECT_EQ(place.selection.pointers(), QStringList{"/tunnels/0"});
+    place.choose("joint-set");
+    EXPECT_FALSE(place.desk->tool().commitText().isEmpty()) << "a set stands as a ghost at once";
+    place.key(Qt::Key_Return);
+    place.click({-5, -5});
+    place.click({-3, -4});
+    place.key(Qt::Key_Return);
+    ASSERT_EQ(place.scene().jointSets.size(), 2u);
+    EXPECT_NEAR(place.scene().jointSets[1].dip, 26.6, 5.0);
+    place.choose("pattern");
+    place.click({2.55, 0.0});
+    place.move({-2.55, 0.0});
+    EXPECT_TRUE(place.desk->tool().commitText().contains("8")) << place.desk->tool().commitText().toStdString();
+    place.click({-2.55, 0.0});
+    place.key(Qt::Key_Return);
+    ASSERT_EQ(place.scene().boltPatterns.size(), 1u);
+    EXPECT_EQ(place.scene().stages.size(), 3u);
+    EXPECT_EQ(place.lastStep(), "Add bolt pattern P1");
+    EXPECT_EQ(place.steps(), 5);
+    EXPECT_FALSE(hasErrors(checkScene(place.scene())));
+    const Scene drawn = place.scene();
+    while (place.document.undo().canUndo()) place.document.undo().undo();
+    EXPECT_EQ(place.scene(), newScene());
+    while (place.document.undo().canRedo()) place.document.undo().redo();
+    EXPECT_EQ(place.scene(), drawn);
+}
+
+TEST(Tools, EscGoesBackOneLevelAtATime) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    place.choose("joint");
+    place.click({-10, -8});
+    EXPECT_TRUE(place.desk->tool().previous());
+    place.key(Qt::Key_Escape);
+    EXPECT_FALSE(place.desk->tool().previous());
+    EXPECT_EQ(place.desk->tool().id(), "joint");
+    place.key(Qt::Key_Escape);
+    EXPECT_EQ(place.desk->tool().id(), "select");
+    EXPECT_FALSE(place.selection.isEmpty());
+    place.key(Qt::Key_Escape);
+    EXPECT_TRUE(place.selection.isEmpty());
+    EXPECT_EQ(place.steps(), 2);
+}
+
+TEST(Tools, AJointIsDrawnWithSnapOrthoAndTyping) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    place.choose("joint");
+    place.click({-14.9, -11.9});
+    EXPECT_EQ(place.desk->tool().previous(), Point(-15, -12)) << "snapped to the corner";
+    place.type("@5,0");
+    PointingModes modes;
+    modes.ortho = true;
+    modes.objectSnap = false;
+    place.desk->bench().setModes(modes);
+    place.click({-9.5, -7});
+    place.key(Qt::Key_Backspace);
+    place.click({-9.6, -6});
+    place.key(Qt::Key_Return);
+    ASSERT_EQ(place.scene().joints.size(), 1u);
+    const std::vector<Point>& points = place.scene().joints[0].points;
+    ASSERT_EQ(points.size(), 3u);
+    EXPECT_NEAR((points[1] - Point(-10, -12)).norm(), 0.0, 1e-9);
+    EXPECT_NEAR(points[2].x(), -10.0, 1e-9) << "straight up";
+    EXPECT_NEAR(points[2].y(), -6.0, 0.1);
+}
+
+TEST(Tools, AWrongPlaceIsToldAndCanBeCorrected) {
+    NEED_SCREEN();
+    Place place;
+    place.choose("outline");
+    place.type("1,2,3");
+    auto* x = place.canvas.findChild<QLineEdit*>("coordinate.x");
+    EXPECT_TRUE(x->isVisible());
+    EXPECT_FALSE(place.desk->tool().previous());
+    x->setText("0,0");
+    QTest::keyClick(x, Qt::Key_Return);
+    EXPECT_EQ(place.desk->tool().previous(), Point(0, 0));
+    place.type("0,5");
+    EXPECT_FALSE(place.scene().domain) << "it has no area";
+}
+
+TEST(Tools, SelectDragsWithSnapAndIsOneStep) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    place.choose("joint");
+    place.click({-10, -5});
+    place.click({-6, -5});
+    place.key(Qt::Key_Return);
+    place.key(Qt::Key_Escape);
+    ASSERT_EQ(place.scene().joints.size(), 1u);
+    const std::vector<Point> before = place.scene().joints[0].points;
+    place.click({-8, -5});
+    EXPECT_EQ(place.selection.pointers(), QStringList{"/joints/0"});
+    const int steps = place.steps();
+    place.drag({-8.6, -5}, {-8.6, -8});
+    EXPECT_EQ(place.steps(), steps + 1);
+    EXPECT_EQ(place.lastStep(), "Move joint J1");
+    EXPECT_NEAR(place.scene().joints[0].points[0].y(), before[0].y() - 3.0, 0.1);
+    EXPECT_FALSE(place.document.isPreviewing());
+    place.drag(place.scene().joints[0].points[1], {-14.95, 14.9});  // a handle, to the corner
+    EXPECT_EQ(place.lastStep(), "Change joint J1");
+    EXPECT_EQ(place.scene().joints[0].points[1], Point(-15, 15));
+    place.key(Qt::Key_Left);
+    EXPECT_LT(place.scene().joints[0].points[1].x(), -15.0);
+}
+
+TEST(Tools, ABoxEnclosesOrCrossesAndDeleteTellsItsStep) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    place.selection.clear();
+    place.drag({-4, -4}, {4, 4});
+    EXPECT_EQ(place.selection.pointers(), QStringList{"/tunnels/0"});
+    place.drag({4, 4}, {1, 1});
+    EXPECT_EQ(place.selection.pointers(), QStringList{"/tunnels/0"}) << "it crosses the wall";
+    place.drag({5, 5}, {9, 9});
+    EXPECT_TRUE(place.selection.isEmpty());
+    place.click({-1, 0});
+    place.commands.action("edit.copy")->trigger();
+    place.commands.action("edit.paste")->trigger();
+    EXPECT_EQ(place.scene().tunnels.size(), 2u);
+    EXPECT_EQ(place.selection.pointers(), QStringList{"/tunnels/1"});
+    place.commands.action("edit.delete")->trigger();
+    EXPECT_EQ(place.scene().tunnels.size(), 1u);
+    EXPECT_EQ(place.lastStep(), "Delete tunnel 2");
+    EXPECT_TRUE(place.selection.isEmpty());
+}
+
+TEST(Tools, ABoltStandsSquareToTheWall) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    place.choose("bolt");
+    place.click({-2.6, -1.0});
+    ASSERT_EQ(place.scene().bolts.size(), 1u);
+    const Bolt& bolt = place.scene().bolts[0];
+    EXPECT_NEAR(bolt.head.x(), -2.5, 1e-9);
+    EXPECT_NEAR((bolt.farEnd - bolt.head - Point(-2.4, 0)).norm(), 0.0, 1e-9);
+    EXPECT_EQ(place.scene().stages[2].install, std::vector<std::string>{"B1"});
+}
+
+TEST(Tools, OptionsInTheBarChangeTheGhost) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    place.choose("pattern");
+    place.click({2.55, 0.0});
+    place.click({-2.55, 0.0});
+    auto* spacing = place.desk->bar().findChild<QLineEdit*>("option.spacing");
+    ASSERT_TRUE(spacing);
+    spacing->setText("2000mm");
+    QTest::keyClick(spacing, Qt::Key_Return);
+    EXPECT_TRUE(place.desk->tool().commitText().contains("4")) << place.desk->tool().commitText().toStdString();
+    spacing = place.desk->bar().findChild<QLineEdit*>("option.spacing");
+    spacing->setText("-1");
+    QTest::keyClick(spacing, Qt::Key_Return);
+    EXPECT_TRUE(place.desk->tool().commitText().contains("4")) << "a wrong number changes nothing";
+    place.key(Qt::Key_Return);
+    ASSERT_EQ(place.scene().boltPatterns.size(), 1u);
+    EXPECT_DOUBLE_EQ(place.scene().boltPatterns[0].spacing, 2.0);
+}
+
+TEST(Tools, EveryToolBearsAnyClickInAnEmptyScene) {
+    NEED_SCREEN();
+    Place place;
+    for (const char* tool : {"select", "outline", "block", "joint", "joint-set", "tunnel", "bolt", "pattern", "support",
+                             "load", "motion", "monitor", "measure"}) {
+        place.document.startNew(Scene{});
+        place.choose(tool);
+        place.click({1, 1});
+        place.click({3, 2});
+        QTest::mouseDClick(&place.canvas, Qt::LeftButton, {}, place.pixel({5, 5}));
+        for (const int key : {Qt::Key_Backspace, Qt::Key_Return, Qt::Key_C, Qt::Key_Tab}) place.key(key);
+        place.key(Qt::Key_Escape);
+        place.key(Qt::Key_Escape);
+        while (place.document.undo().canUndo()) place.document.undo().undo();
+        EXPECT_EQ(place.scene(), Scene{}) << tool;
+    }
+}
+
+}  // namespace
