@@ -3,6 +3,7 @@
 #include "ui/view/screen_sizes.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace keyblock {
 
@@ -12,6 +13,12 @@ double shankWidth(const SectionPicture& picture, double scale) {
     const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2);
     std::nth_element(spacing.begin(), middle, spacing.end());
     return std::clamp(0.4 * *middle, 1.0, shankOnScreen);
+}
+
+double lineWidth(const SectionPicture& picture, double scale) {
+    if (picture.blocks.empty()) return 1.0;
+    const double area = (picture.model.max - picture.model.min).prod() / static_cast<double>(picture.blocks.size());
+    return std::clamp(std::sqrt(std::max(area, 0.0)) * scale / 14.0, 0.3, 1.0);
 }
 
 }  // namespace keyblock

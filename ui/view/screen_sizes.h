@@ -18,4 +18,7 @@ inline constexpr DetailSizes onTheScreen{.shank = shankOnScreen, .betweenMarks =
 /// Width of the shanks at `scale` [px per m]: less where bolts are crowded, and all alike [px].
 double shankWidth(const SectionPicture& picture, double scale);
 
+/// Width of the lines between blocks: fainter where blocks are so small that lines would hide them [px].
+double lineWidth(const SectionPicture& picture, double scale);
+
 }  // namespace keyblock

@@ -17,8 +17,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr double jointWidth = 1.0, seamWidth = 0.8, borderWidth = 1.2, wallWidth = 2.0, selectedWidth = 9.0;  // [px]
-constexpr double seamOpacity = 0.35;
+constexpr double borderWidth = 1.2, wallWidth = 2.0, selectedWidth = 9.0;  // [px]
+constexpr double seamsOfJoints = 0.8, seamOpacity = 0.35;
 
 }  // namespace
 
@@ -57,8 +57,6 @@ void SectionView::paint(const ViewColours& colours, const ViewStyle& style) {
     for (Layer* edge : {&on.borders, &on.walls, &on.moved}) edge->setColour(colours.wall);
     on.selected.setColour(colours.accent);
     on.casings.setColour(colours.casing);
-    on.joints.setWidth(jointWidth * pixelRatio_);
-    on.seams.setWidth(seamWidth * pixelRatio_);
     on.borders.setWidth(borderWidth * pixelRatio_);
     for (Layer* edge : {&on.walls, &on.moved}) edge->setWidth(wallWidth * pixelRatio_);
     on.selected.setWidth(selectedWidth * pixelRatio_);
@@ -109,6 +107,9 @@ void SectionView::laySized(const SectionPicture& picture) {
     const ForceShapes forces = forceShapes(picture, origin_, scale, colours_);
     on.rims.show(forces.rims);
     on.forces.show(forces.lines);
+    const double lines = lineWidth(picture, scale);
+    on.joints.setWidth(lines * pixelRatio_);
+    on.seams.setWidth(seamsOfJoints * lines * pixelRatio_);
     const double shank = shankWidth(picture, scale);
     on.shanks.setWidth(shank * pixelRatio_);
     on.casings.setWidth(shank * casingOfShank * pixelRatio_);

@@ -10,19 +10,23 @@ namespace keyblock {
 
 namespace {
 
-// A place on a line is told by how far it lies along it from its beginning and aside from it, in pixels.
+// A place on a line is told by how far it lies along it from its beginning and aside from it, in pixels. Lines thinner
+// than a pixel are fainter.
 constexpr const char* cornerValues = R"(//VTK::PositionVC::Dec
 in vec4 strokeWay;
 out vec2 strokePlace;
 out float strokeLength;
 out float strokeRim;
+out float strokeFaint;
 )";
 
 constexpr const char* cornerPlace = R"(//VTK::PositionVC::Impl
   float wayLength = max(length(strokeWay.xy), 1e-9);
   vec2 along = strokeWay.xy / wayLength;
   vec2 aside = vec2(-along.y, along.x);
-  strokeRim = 0.5 * strokeWidth * abs(strokeWay.z) + 0.5;
+  float wide = strokeWidth * abs(strokeWay.z);
+  strokeFaint = min(wide, 1.0);
+  strokeRim = 0.5 * max(wide, 1.0) + 0.5;
   float reach = strokeRim + 0.5, side = sign(strokeWay.z);
   strokeLength = wayLength * strokeScale;
   strokePlace = vec2(strokeWay.w < 0.0 ? -reach : strokeLength + reach, side * reach);
@@ -34,13 +38,14 @@ constexpr const char* rimValues = R"(//VTK::PositionVC::Dec
 in vec2 strokePlace;
 in float strokeLength;
 in float strokeRim;
+in float strokeFaint;
 )";
 
 constexpr const char* rim = R"(//VTK::Light::Impl
   float beyond = max(max(-strokePlace.x, strokePlace.x - strokeLength), 0.0);
   float covered = clamp(strokeRim - length(vec2(beyond, strokePlace.y)), 0.0, 1.0);
   if (covered <= 0.0) discard;
-  gl_FragData[0].a *= covered;
+  gl_FragData[0].a *= covered * strokeFaint;
 )";
 
 }  // namespace
