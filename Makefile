@@ -56,6 +56,7 @@ show: packages
 pictures: packages
 	$(call build,release)
 	@sh resources/pictures/make.sh build/release/keyblock
+	@sh resources/pictures/studio.sh build/release/keyblock-studio
 
 test: packages
 	$(call build,dev)
