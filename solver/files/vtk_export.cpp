@@ -83,7 +83,7 @@ std::map<int, double> stageStarts(const RunSource& run) {
 
 /// The last frame of each moment that the filter selects.
 std::set<std::size_t> framesOf(const RunSource& run, const TableFilter& filter, const std::map<int, double>& starts) {
-    std::vector<Moment> moments;
+    std::vector<RowMoment> moments;
     for (const FrameHead& head : run.frames()) moments.push_back({head.stage, head.time});
     std::map<double, std::size_t> lastAt;
     for (const std::size_t i : selected(moments, filter, When::All))

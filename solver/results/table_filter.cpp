@@ -63,7 +63,7 @@ std::string readMoment(const Scene& scene, const std::string& at, TableFilter& f
     return readStage(scene, at.substr(0, colon), filter);
 }
 
-double distance(const Moment& moment, const TableFilter& filter) { return std::abs(moment.time - filter.time); }
+double distance(const RowMoment& moment, const TableFilter& filter) { return std::abs(moment.time - filter.time); }
 
 }  // namespace
 
@@ -85,7 +85,7 @@ TableFilterReading readTableFilter(const Scene& scene, const std::optional<std::
     return {filter, ""};
 }
 
-std::vector<std::size_t> selected(const std::vector<Moment>& moments, const TableFilter& filter, When byDefault) {
+std::vector<std::size_t> selected(const std::vector<RowMoment>& moments, const TableFilter& filter, When byDefault) {
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < moments.size(); ++i)
         if (!filter.stage || moments[i].stage == *filter.stage)

@@ -32,13 +32,13 @@ TableFilterReading readTableFilter(const Scene& scene, const std::optional<std::
                                    const std::optional<std::string>& bolt, const std::optional<std::string>& at);
 
 /// When a row of a table is.
-struct Moment {
+struct RowMoment {
     int stage = 0;
     double time = 0.0;
 };
 
 /// Which of `moments` [in order of time] the filter's stage and moment select, as indices. `At` takes those at the
 /// time nearest to the one asked for.
-std::vector<std::size_t> selected(const std::vector<Moment>& moments, const TableFilter& filter, When byDefault);
+std::vector<std::size_t> selected(const std::vector<RowMoment>& moments, const TableFilter& filter, When byDefault);
 
 }  // namespace keyblock

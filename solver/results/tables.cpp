@@ -55,7 +55,7 @@ void writeHeader(const Columns& columns, CsvWriter& csv) {
     csv.endRow();
 }
 
-void beginRow(CsvWriter& csv, const Scene& scene, const Moment& moment) {
+void beginRow(CsvWriter& csv, const Scene& scene, const RowMoment& moment) {
     csv.text(stageName(scene, moment.stage)).number(moment.time);
 }
 
@@ -72,8 +72,8 @@ void endWithQuantities(CsvWriter& csv, const Row& row, std::span<const FrameQuan
 }
 
 template <typename Timed>
-std::vector<Moment> momentsOf(const std::vector<Timed>& rows) {
-    std::vector<Moment> moments;
+std::vector<RowMoment> momentsOf(const std::vector<Timed>& rows) {
+    std::vector<RowMoment> moments;
     for (const Timed& row : rows)
         moments.push_back({row.stage, row.time});
     return moments;
