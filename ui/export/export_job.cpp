@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/export_job.h"
+
+#include "solver/files/run_store.h"
+
+#include <QCoreApplication>
+#include <QThread>
+
+#include <array>
+#include <exception>
+#include <optional>
+
+namespace keyblock {
+
+namespace {
+
+/// A run whose next frame is refused once it shall stop, whoever asks for it.
+class StoppableRun : public RunSource {
+public:
+    StoppableRun(const RunSource& run, const std::atomic<bool>& stop) : run_(run), stop_(stop) {}
+
+    const Scene& scene() const override { return run_.scene(); }
+    const std::vector<std::string>& blockNames() const override { return run_.blockNames(); }
+    const HistoryColumns& columns() const override { return run_.columns(); }
+    std::vector<StageRecord> stages() const override { return run_.stages(); }
+    std::vector<Event> events() const override { return run_.events(); }
+    std::vector<HistoryRow> history() const override { return run_.history(); }
+    const std::vector<FrameHead>& frames() const override { return run_.frames(); }
+    Frame frame(std::size_t index) const override {
+        if (stop_) throw ExportStopped();
+        return run_.frame(index);
+    }
+
+private:
+    const RunSource& run_;
+    const std::atomic<bool>& stop_;
+};
+
+constexpr std::array<const char*, 3> endings{".svg", ".pdf", ".png"};  // in the order of `PaperFormat`
+
+}  // namespace
+
+bool isThere(const RunSource& run, FigureKind kind) {
+    switch (kind) {
+        case FigureKind::Bolt: return !run.scene().bolts.empty() && !run.frames().empty();
+        case FigureKind::Section: return true;
+        case FigureKind::Curves: return !run.history().empty();
+        case FigureKind::Events: return !run.events().empty();
+    }
+    return false;
+}
+
+ExportJob::ExportJob(QObject* parent) : QObject(parent) {}
+
+/// The thread may be waiting for the window's thread, which is here.
+ExportJob::~ExportJob() {
+    stop_ = true;
+    while (!ended_) {
+        QCoreApplication::sendPostedEvents(qApp, 0);
+        QThread::msleep(2);
+    }
+    if (thread_.joinable()) thread_.join();
+}
+
+void ExportJob::start(ExportOrder order) {
+    if (thread_.joinable()) thread_.join();
+    stop_ = false;
+    ended_ = false;
+    busy_ = true;
+    thread_ = std::thread([this, order = std::move(order)] { work(order); });
+}
+
+void ExportJob::work(const ExportOrder& order) {
+    QString message;
+    bool isError = false;
+    try {
+        message = perform(order);
+    } catch (const ExportStopped&) {
+        message = tr("Stopped; nothing unfinished is left.");
+    } catch (const std::exception& error) {
+        message = QString::fromUtf8(error.what());
+        isError = true;
+    }
+    QMetaObject::invokeMethod(this, [this, message, isError] {
+        busy_ = false;
+        Q_EMIT ended(message, isError);
+    }, Qt::QueuedConnection);
+    ended_ = true;
+}
+
+QString ExportJob::perform(const ExportOrder& order) {
+    const RunStore store(order.store);
+    const StoppableRun run(store, stop_);
+    const QString out = QString::fromStdString(order.out.string());
+    switch (order.what) {
+        case ExportWhat::Figure: paint(run, order.figure, order.out); return tr("Wrote %1").arg(out);
+        case ExportWhat::Numbers:
+            writeTableFile(run, order.table, order.figure.filter, order.out);
+            return tr("Wrote %1").arg(out);
+        case ExportWhat::Film:
+            writeFilm(run, order.figure, order.perSecond, order.out, stop_,
+                      [this](std::size_t done, std::size_t all) { tell(tr("Film"), done, all); });
+            return tr("Wrote %1").arg(out);
+        case ExportWhat::Everything:
+            return tr("Wrote %1 figures and tables into %2").arg(exportEverything(run, order)).arg(out);
+    }
+    return {};
+}
+
+/// Charts are widgets.
+std::size_t ExportJob::paint(const RunSource& run, const FigureRequest& request, const std::filesystem::path& out) {
+    std::size_t written = 0;
+    const auto write = [&] { written = writeFigureFiles(run, request, out).size(); };
+    if (hasCharts(request.kind)) inWindow(write);
+    else write();
+    return written;
+}
+
+std::size_t ExportJob::exportEverything(const RunSource& run, const ExportOrder& order) {
+    std::filesystem::create_directories(order.out);
+    std::size_t written = exportFigures(run, order);
+    for (const std::string_view word : tableWords()) {
+        if (stop_) throw ExportStopped();
+        tell(tr("Tables"), 1, 2);
+        const TableKind kind = *tableKindOf(word);
+        if (hasBolts(kind) && run.scene().bolts.empty()) continue;
+        writeTableFile(run, kind, {}, order.out / (order.figure.runName + "-" + std::string(word) + ".csv"));
+        ++written;
+    }
+    return written;
+}
+
+std::size_t ExportJob::exportFigures(const RunSource& run, const ExportOrder& order) {
+    std::size_t written = 0;
+    const auto add = [&](FigureKind kind, const std::string& name, std::optional<int> bolt) {
+        if (stop_) throw ExportStopped();
+        if (!isThere(run, kind)) return;
+        tell(tr("Figures"), written, written + 1);
+        FigureRequest request = order.figure;
+        request.kind = kind;
+        if (kind != FigureKind::Section) request.quantity.reset();
+        if (kind != FigureKind::Section) request.filter.bolt = bolt;
+        const std::string ending = endings[static_cast<std::size_t>(request.format)];
+        written += paint(run, request, order.out / (request.runName + "-" + name + ending));
+    };
+    add(FigureKind::Section, "section", {});
+    add(FigureKind::Curves, "curves", {});
+    add(FigureKind::Events, "events", {});
+    for (std::size_t i = 0; i < run.scene().bolts.size(); ++i)
+        add(FigureKind::Bolt, "bolt-" + run.scene().bolts[i].name, static_cast<int>(i));
+    return written;
+}
+
+void ExportJob::tell(const QString& what, std::size_t done, std::size_t all) {
+    QMetaObject::invokeMethod(this, [=, this] { Q_EMIT advanced(what, int(done), int(all)); }, Qt::QueuedConnection);
+}
+
+/// Errors of the task come out here.
+void ExportJob::inWindow(const std::function<void()>& task) {
+    std::exception_ptr thrown;
+    QMetaObject::invokeMethod(qApp, [&] {
+        try {
+            if (!stop_) task();
+        } catch (...) {
+            thrown = std::current_exception();
+        }
+    }, Qt::BlockingQueuedConnection);
+    if (thrown) std::rethrow_exception(thrown);
+    if (stop_) throw ExportStopped();
+}
+
+}  // namespace keyblock

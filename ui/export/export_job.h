@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Exports on a thread of its own, from the run's store, so that neither the window
+// nor a run that goes on waits for it. Charts alone are made in the window's thread,
+// a fraction of a second each.
+#pragma once
+
+#include "ui/export/export_write.h"
+
+#include <QObject>
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <thread>
+
+namespace keyblock {
+
+enum class ExportWhat { Figure, Numbers, Film, Everything };
+
+struct ExportOrder {
+    ExportWhat what = ExportWhat::Figure;
+    std::filesystem::path store;
+    std::filesystem::path out;  // a file; of everything a folder
+    FigureRequest figure;
+    TableKind table = TableKind::History;
+    int perSecond = 12;
+};
+
+class ExportJob : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ExportJob(QObject* parent = nullptr);
+    /// Stops and waits.
+    ~ExportJob() override;
+
+    /// \pre it does nothing.
+    void start(ExportOrder order);
+    void stop() { stop_ = true; }
+    bool isBusy() const { return busy_; }
+
+Q_SIGNALS:
+    void advanced(const QString& what, int done, int all);
+    void ended(const QString& message, bool isError);
+
+private:
+    void work(const ExportOrder& order);
+    QString perform(const ExportOrder& order);
+    std::size_t exportEverything(const RunSource& run, const ExportOrder& order);
+    std::size_t exportFigures(const RunSource& run, const ExportOrder& order);
+    std::size_t paint(const RunSource& run, const FigureRequest& request, const std::filesystem::path& out);
+    void tell(const QString& what, std::size_t done, std::size_t all);
+    void inWindow(const std::function<void()>& task);
+
+    std::atomic<bool> stop_{false}, ended_{true};
+    bool busy_ = false;
+    std::thread thread_;
+};
+
+/// A figure that cannot be drawn of this run is left out of everything; this one says whether the run has any.
+bool isThere(const RunSource& run, FigureKind kind);
+
+}  // namespace keyblock

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is on the screen, taken along as figures, tables and films.
+#pragma once
+
+class QMainWindow;
+
+namespace keyblock {
+
+class Commands;
+class Themes;
+class TimeCursor;
+class ViewSettings;
+
+/// Adds export.figure, export.table, export.film and export.all.
+void addExportCommands(QMainWindow& window, Commands& commands, const Themes& themes, const TimeCursor& cursor,
+                       const ViewSettings& view);
+
+}  // namespace keyblock
