@@ -5,6 +5,7 @@
 #include "ui/look/commands.h"
 
 #include <QCoreApplication>
+#include <QHBoxLayout>
 #include <QMenu>
 #include <QMenuBar>
 
@@ -45,6 +46,15 @@ void fillMenus(QMenuBar& bar, const Commands& commands) {
         menu->setObjectName(QString("menu.%1").arg(name));
         fillMenu(*menu, commands, name);
     }
+}
+
+void placeAtRight(QMenuBar& bar, const std::vector<QWidget*>& widgets) {
+    auto* corner = new QWidget(&bar);
+    auto* row = new QHBoxLayout(corner);
+    row->setContentsMargins(0, 2, 8, 2);
+    row->setSpacing(8);
+    for (QWidget* widget : widgets) row->addWidget(widget);
+    bar.setCornerWidget(corner, Qt::TopRightCorner);
 }
 
 }  // namespace keyblock

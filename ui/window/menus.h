@@ -4,7 +4,10 @@
 // Menus made from the registry of commands.
 #pragma once
 
+#include <vector>
+
 class QMenuBar;
+class QWidget;
 
 namespace keyblock {
 
@@ -13,5 +16,8 @@ class Commands;
 /// Fills the bar with File, Edit, View, Insert, Run, Results, Tools, Help; menus without commands are left out, and a
 /// line stands between groups of commands.
 void fillMenus(QMenuBar& bar, const Commands& commands);
+
+/// Puts widgets at the right end of the bar.
+void placeAtRight(QMenuBar& bar, const std::vector<QWidget*>& widgets);
 
 }  // namespace keyblock

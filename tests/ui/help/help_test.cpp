@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Commands are found by what people type, keys can be changed and conflicts are
+// told, and help is found and opened at its place.
+#include "tests/ui/screen/screen.h"
+
+#include "solver/scene/field.h"
+#include "ui/help/command_match.h"
+#include "ui/help/command_palette.h"
+#include "ui/help/help_pages.h"
+#include "ui/help/help_view.h"
+#include "ui/help/key_sheet.h"
+#include "ui/look/commands.h"
+#include "ui/look/theme.h"
+
+#include <QKeySequenceEdit>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTest>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QTreeWidget>
+#include <gtest/gtest.h>
+
+namespace keyblock {
+namespace {
+
+struct Room {
+    Room() : commands(themes) {
+        commands.add({"run.start", "Run", "Run", "play", "Runs all stages.", {QKeySequence("F5")}}, [this] { ++runs; });
+        commands.add({"run.stop", "Stop", "Run", "stop", {}, {QKeySequence("Shift+F5")}}, [] {});
+        commands.add({"view.fit", "Zoom to fit", "View", "fit", {}, {QKeySequence("F")}}, [] {});
+        window.resize(900, 700);
+        window.show();
+    }
+    Themes themes;
+    Commands commands;
+    QWidget window;
+    int runs = 0;
+};
+
+TEST(Matches, BeginningsOfWordsComeFirst) {
+    EXPECT_GT(matchOf("fit", "Zoom to fit"), matchOf("fit", "Profit"));
+    EXPECT_GT(matchOf("zo fi", "Zoom to fit"), 0);
+    EXPECT_GT(matchOf("ztf", "Zoom to fit"), 0);
+    EXPECT_LT(matchOf("xyz", "Zoom to fit"), 0);
+    EXPECT_EQ(matchOf("", "Zoom to fit"), 0);
+}
+
+TEST(Palettes, TypeAndEnterRunsTheCommand) {
+    NEED_SCREEN();
+    Room room;
+    CommandPalette palette(room.commands, room.themes, &room.window);
+    palette.open();
+    auto* typed = palette.findChild<QLineEdit*>("palette.typed");
+    QTest::keyClicks(typed, "ru");
+    EXPECT_EQ(palette.findChild<QListWidget*>("palette.found")->currentItem()->text(), "Run");
+    QTest::keyClick(typed, Qt::Key_Return);
+    EXPECT_TRUE(waitFor([&] { return room.runs == 1; }));
+    EXPECT_FALSE(palette.isVisible());
+    palette.open();
+    EXPECT_EQ(palette.findChild<QListWidget*>("palette.found")->item(0)->text(), "Run");  // used last
+    QTest::keyClick(typed, Qt::Key_Escape);
+    EXPECT_FALSE(palette.isVisible());
+}
+
+TEST(KeySheets, KeysAreChangedAndTheOtherCommandLosesThem) {
+    NEED_SCREEN();
+    Room room;
+    KeySheet sheet(room.commands, room.themes);
+    auto* list = sheet.findChild<QTreeWidget*>("keySheet.list");
+    list->setCurrentItem(list->findItems("Zoom to fit", Qt::MatchExactly | Qt::MatchRecursive).first());
+    sheet.findChild<QKeySequenceEdit*>()->setKeySequence(QKeySequence("F5"));
+    EXPECT_EQ(commandWithKeys(room.commands, QKeySequence("F5"), room.commands.action("view.fit")),
+              room.commands.action("run.start"));
+    sheet.findChild<QPushButton*>("keySheet.Set")->click();
+    EXPECT_EQ(room.commands.action("view.fit")->shortcut(), QKeySequence("F5"));
+    EXPECT_TRUE(room.commands.action("run.start")->shortcut().isEmpty());
+    room.commands.setKeys("run.start", {});
+    room.commands.setKeys("view.fit", {});
+    EXPECT_EQ(room.commands.action("run.start")->shortcut(), QKeySequence("F5"));
+}
+
+TEST(HelpPages, EveryPageIsThereAndSearched) {
+    NEED_SCREEN();
+    ASSERT_FALSE(helpPages().empty());
+    EXPECT_EQ(helpPages().front().name, "studio");
+    for (const char* name : {"studio", "scene", "theory"}) EXPECT_TRUE(findHelpPage(name)) << name;
+    const std::vector<HelpHit> hits = searchHelp("journal");
+    ASSERT_FALSE(hits.empty());
+    EXPECT_EQ(hits.front().page->name, "studio");
+    EXPECT_TRUE(searchHelp("no such word at all").empty());
+}
+
+TEST(HelpViews, EveryFieldIsFoundBelowItsObject) {
+    NEED_SCREEN();
+    Themes themes;
+    HelpView view(themes);
+    view.resize(500, 600);
+    view.open("scene", "bolt pattern/length");
+    const auto* text = view.findChild<QTextBrowser*>("help.text");
+    EXPECT_EQ(text->textCursor().selectedText(), "length");
+    QTextCursor above = text->textCursor();
+    while (above.block().isValid() && above.blockFormat().headingLevel() == 0)
+        if (!above.movePosition(QTextCursor::PreviousBlock)) break;
+    EXPECT_EQ(above.block().text().toStdString(), "bolt pattern");
+}
+
+TEST(HelpViews, TheNearestTopicCounts) {
+    NEED_SCREEN();
+    QWidget outer;
+    outer.setProperty("helpTopic", "studio");
+    QWidget inner(&outer);
+    EXPECT_EQ(helpTopicOf(&inner), "studio");
+    inner.setProperty("helpTopic", "scene#bolt/length");
+    EXPECT_EQ(helpTopicOf(&inner), "scene#bolt/length");
+    EXPECT_EQ(helpTopicOf(nullptr), "");
+}
+
+}  // namespace
+}  // namespace keyblock

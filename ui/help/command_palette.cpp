@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/help/command_palette.h"
+
+#include "ui/help/command_match.h"
+#include "ui/look/commands.h"
+#include "ui/look/theme.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPainter>
+#include <QSettings>
+#include <QStyledItemDelegate>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <vector>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int widest = 560, rowHeight = 30, mostRows = 12, mostRecent = 20, top = 72;  // [px]
+constexpr char recentKey[] = "palette/recent";
+
+QString nameOf(const QAction* action) { return action->text().remove(QStringLiteral("…")).remove('&'); }
+
+/// Icon, name, menu and keys on one row.
+class Row : public QStyledItemDelegate {
+public:
+    Row(const Commands& commands, const Themes& themes, QObject* parent)
+        : QStyledItemDelegate(parent), commands_(commands), themes_(themes) {}
+
+    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {widest - 20, rowHeight}; }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        const Theme& t = themes_.current();
+        const QAction* action = commands_.action(index.data(Qt::UserRole).toString());
+        const bool isChosen = option.state & QStyle::State_Selected;
+        if (isChosen) painter->fillRect(option.rect, t.accentRow);
+        if (isChosen) painter->fillRect(QRect(option.rect.topLeft(), QSize(2, rowHeight)), t.accent);
+        const QRect inner = option.rect.adjusted(36, 0, -12, 0);
+        action->icon().paint(painter, QRect(option.rect.left() + 12, option.rect.top() + 7, 16, 16));
+        const int keys = side(*painter, inner, action->shortcut().toString(QKeySequence::NativeText), t.text2);
+        painter->setPen(action->isEnabled() ? t.text : t.text3);
+        const QRect room = inner.adjusted(0, 0, -keys - 12, 0);
+        const QString name = painter->fontMetrics().elidedText(nameOf(action), Qt::ElideRight, room.width());
+        painter->drawText(room, Qt::AlignVCenter | Qt::AlignLeft, name);
+        const int used = painter->fontMetrics().horizontalAdvance(name) + 10;
+        painter->setPen(t.text3);
+        const QRect rest = room.adjusted(used, 0, 0, 0);
+        const QString more = action->isEnabled() ? commands_.menuOf(action) : CommandPalette::tr("not now");
+        if (rest.width() > 40)
+            painter->drawText(rest, Qt::AlignVCenter | Qt::AlignLeft,
+                              painter->fontMetrics().elidedText(more, Qt::ElideRight, rest.width()));
+    }
+
+private:
+    static int side(QPainter& painter, const QRect& room, const QString& keys, const QColor& colour) {
+        painter.setPen(colour);
+        painter.drawText(room, Qt::AlignVCenter | Qt::AlignRight, keys);
+        return painter.fontMetrics().horizontalAdvance(keys);
+    }
+
+    const Commands& commands_;
+    const Themes& themes_;
+};
+
+}  // namespace
+
+QList<QAction*> commandsFor(const QString& typed, const Commands& commands, const QStringList& recent) {
+    struct Fit {
+        QAction* action;
+        int match, age;
+    };
+    std::vector<Fit> fits;
+    for (QAction* action : commands.all()) {
+        const int byName = matchOf(typed, nameOf(action));
+        const int byHelp = typed.size() > 2 && action->statusTip().contains(typed, Qt::CaseInsensitive) ? 5 : -1;
+        const int match = std::max(byName, byHelp);
+        const int age = recent.indexOf(action->objectName());
+        if (match >= 0 && action->isVisible()) fits.push_back({action, match, age < 0 ? mostRecent : age});
+    }
+    std::ranges::stable_sort(fits, [](const Fit& a, const Fit& b) {
+        return a.match != b.match ? a.match > b.match : a.age < b.age;
+    });
+    QList<QAction*> found;
+    for (const Fit& fit : fits) found << fit.action;
+    return found;
+}
+
+CommandPalette::CommandPalette(const Commands& commands, const Themes& themes, QWidget* window)
+    : QFrame(window), commands_(commands), themes_(themes), typed_(new QLineEdit(this)), found_(new QListWidget(this)),
+      recent_(QSettings().value(recentKey).toStringList()) {
+    setObjectName("palette");
+    typed_->setObjectName("palette.typed");
+    typed_->setAccessibleName(tr("Search commands"));
+    typed_->setPlaceholderText(tr("Type the name of a command"));
+    typed_->addAction(themes.icon("search"), QLineEdit::LeadingPosition);
+    found_->setObjectName("palette.found");
+    found_->setAccessibleName(tr("Commands found"));
+    found_->setItemDelegate(new Row(commands, themes, this));
+    found_->setFocusPolicy(Qt::NoFocus);
+    found_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    found_->setMouseTracking(true);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(6);
+    column->addWidget(typed_);
+    column->addWidget(found_);
+    typed_->installEventFilter(this);
+    connect(typed_, &QLineEdit::textChanged, this, &CommandPalette::list);
+    connect(found_, &QListWidget::itemEntered, found_, qOverload<QListWidgetItem*>(&QListWidget::setCurrentItem));
+    connect(found_, &QListWidget::itemClicked, this, &CommandPalette::run);
+    hide();
+}
+
+void CommandPalette::open() {
+    typed_->clear();
+    list();
+    raise();
+    show();
+    typed_->setFocus();
+}
+
+void CommandPalette::list() {
+    found_->clear();
+    for (QAction* action : commandsFor(typed_->text(), commands_, recent_)) {
+        auto* item = new QListWidgetItem(nameOf(action), found_);
+        item->setData(Qt::UserRole, action->objectName());
+        item->setToolTip(action->statusTip());
+    }
+    found_->setCurrentRow(0);
+    place();
+}
+
+void CommandPalette::place() {
+    const int rows = std::clamp(found_->count(), 1, mostRows);
+    const int room = parentWidget()->width() - 16;
+    found_->setFixedHeight(rows * rowHeight + 2);
+    resize(std::min(widest, room), layout()->sizeHint().height());
+    move((parentWidget()->width() - this->width()) / 2, top);
+}
+
+/// The command runs once the palette is gone, so that it finds the focus where it was.
+void CommandPalette::run() {
+    const QListWidgetItem* item = found_->currentItem();
+    if (!item) return;
+    QAction* action = commands_.action(item->data(Qt::UserRole).toString());
+    if (!action->isEnabled()) return;
+    recent_.removeAll(action->objectName());
+    recent_.prepend(action->objectName());
+    while (recent_.size() > mostRecent) recent_.removeLast();
+    QSettings().setValue(recentKey, recent_);
+    hide();
+    QTimer::singleShot(0, action, &QAction::trigger);
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusOut && !underMouse()) hide();
+    if (event->type() != QEvent::KeyPress) return QFrame::eventFilter(watched, event);
+    const int rows = found_->count(), row = found_->currentRow();
+    switch (static_cast<QKeyEvent*>(event)->key()) {
+        case Qt::Key_Escape: hide(); return true;
+        case Qt::Key_Return:
+        case Qt::Key_Enter: run(); return true;
+        case Qt::Key_Down: found_->setCurrentRow(std::min(row + 1, rows - 1)); return true;
+        case Qt::Key_Up: found_->setCurrentRow(std::max(row - 1, 0)); return true;
+        default: return false;
+    }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/help/help_view.h"
+
+#include "ui/help/help_pages.h"
+#include "ui/look/theme.h"
+
+#include <QComboBox>
+#include <QDesktopServices>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QTextTable>
+#include <QUrl>
+#include <QUrlQuery>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include <array>
+
+namespace keyblock {
+
+namespace {
+
+constexpr std::array headingSizes{20, 20, 16, 13, 12, 12, 12};  // [px], by level
+
+QString linkTo(const HelpHit& hit, const QString& words) {
+    QUrlQuery query;
+    query.addQueryItem("words", QString::fromLatin1(QUrl::toPercentEncoding(words)));
+    query.addQueryItem("n", QString::number(hit.occurrence));
+    QUrl url;
+    url.setScheme("help");
+    url.setPath(hit.page->name);
+    url.setQuery(query);
+    return url.toString(QUrl::FullyEncoded);
+}
+
+}  // namespace
+
+HelpView::HelpView(const Themes& themes, QWidget* parent)
+    : QWidget(parent), themes_(themes), pages_(new QComboBox(this)), words_(new QLineEdit(this)),
+      text_(new QTextBrowser(this)) {
+    setObjectName("helpView");
+    pages_->setObjectName("help.pages");
+    pages_->setAccessibleName(tr("Help page"));
+    for (const HelpPage& page : helpPages()) pages_->addItem(page.title, page.name);
+    words_->setObjectName("help.search");
+    words_->setAccessibleName(tr("Search in help"));
+    words_->setPlaceholderText(words_->accessibleName());
+    words_->setClearButtonEnabled(true);
+    text_->setObjectName("help.text");
+    text_->setAccessibleName(tr("Help text"));
+    text_->setOpenLinks(false);
+    text_->setFrameShape(QFrame::NoFrame);
+    text_->document()->setDocumentMargin(12);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(8, 6, 8, 6);
+    row->addWidget(pages_, 1);
+    row->addWidget(words_, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(row);
+    column->addWidget(text_, 1);
+    connect(pages_, qOverload<int>(&QComboBox::activated), this, [this](int row_) { open(pages_->itemData(row_).toString()); });
+    connect(words_, &QLineEdit::returnPressed, this, [this] { search(words_->text()); });
+    connect(text_, &QTextBrowser::anchorClicked, this, &HelpView::follow);
+    connect(&themes, &Themes::changed, this, [this] {
+        const QString again = shown_;
+        shown_.clear();
+        open(again);
+    });
+    if (!helpPages().empty()) open(helpPages().front().name);
+}
+
+void HelpView::open(const QString& name, const QString& words, int occurrence) {
+    const HelpPage* page = findHelpPage(name);
+    if (!page) return;
+    if (shown_ != name) {
+        text_->document()->setMarkdown(page->text);
+        makeReadable();
+        shown_ = name;
+    }
+    pages_->setCurrentIndex(pages_->findData(name));
+    if (words.isEmpty() || !goTo(words, occurrence)) {
+        text_->moveCursor(QTextCursor::Start);
+        text_->verticalScrollBar()->setValue(0);
+    }
+}
+
+/// Markdown as Qt sets it has neither our sizes nor our colours.
+void HelpView::makeReadable() {
+    const Theme& t = themes_.current();
+    QTextCursor cursor(text_->document());
+    for (QTextBlock block = text_->document()->begin(); block.isValid(); block = block.next()) {
+        const int level = block.blockFormat().headingLevel();
+        cursor.setPosition(block.position());
+        QTextBlockFormat room = block.blockFormat();
+        room.setTopMargin(level > 0 ? 14 : 3);
+        room.setBottomMargin(level > 0 ? 6 : 3);
+        room.setLineHeight(125, QTextBlockFormat::ProportionalHeight);
+        cursor.setBlockFormat(room);
+        if (level == 0) continue;
+        cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+        QTextCharFormat heading;
+        heading.setProperty(QTextFormat::FontPixelSize, headingSizes[static_cast<std::size_t>(std::min(level, 6))]);
+        heading.setProperty(QTextFormat::FontSizeAdjustment, 0);
+        heading.setFontWeight(QFont::DemiBold);
+        heading.setForeground(t.text);
+        cursor.mergeCharFormat(heading);
+    }
+    for (QTextFrame* frame : text_->document()->rootFrame()->childFrames())
+        if (auto* table = qobject_cast<QTextTable*>(frame)) {
+            QTextTableFormat format = table->format();
+            format.setBorderBrush(t.separator);
+            format.setBorderCollapse(true);
+            format.setCellPadding(4);
+            table->setFormat(format);
+        }
+}
+
+/// The words stand for a place below another where a slash parts them: `bolt/length`.
+bool HelpView::goTo(const QString& words, int occurrence) {
+    QTextCursor found(text_->document());
+    const QStringList steps = words.split('/');
+    for (const QString& step : steps)
+        for (int i = 0; i <= (&step == &steps.back() ? occurrence : 0); ++i) {
+            QTextCursor next = text_->document()->find(step, found, QTextDocument::FindWholeWords);
+            if (&step != &steps.back())
+                while (!next.isNull() && (next.blockFormat().headingLevel() == 0 || next.block().text() != step))
+                    next = text_->document()->find(step, next, QTextDocument::FindWholeWords);
+            if (next.isNull()) next = text_->document()->find(step, found);
+            if (next.isNull()) break;
+            found = next;
+        }
+    if (!found.hasSelection()) return false;
+    text_->moveCursor(QTextCursor::End);  // so that the place comes to the top
+    text_->setTextCursor(found);
+    text_->verticalScrollBar()->setValue(text_->verticalScrollBar()->value() + text_->cursorRect(found).top() - 24);
+    return true;
+}
+
+void HelpView::search(const QString& words) {
+    if (words.simplified().isEmpty()) return;
+    const std::vector<HelpHit> hits = searchHelp(words);
+    QString html = "<h3>" + tr("%1 places with “%2”").arg(hits.size()).arg(words.toHtmlEscaped()) + "</h3>";
+    const QString colour = themes_.current().accent.name(), soft = themes_.current().text2.name();
+    for (const HelpHit& hit : hits)
+        html += QStringLiteral("<p><a style='color:%1; text-decoration:none' href='%2'><b>%3</b></a><br>"
+                               "<span style='color:%4'>%5</span><br>%6</p>")
+                    .arg(colour, linkTo(hit, words.simplified()), hit.heading.toHtmlEscaped(), soft,
+                         hit.page->title.toHtmlEscaped(), hit.line.left(160).toHtmlEscaped());
+    if (hits.empty()) html += "<p>" + tr("Try another word, or fewer.") + "</p>";
+    text_->setHtml(html);
+    shown_.clear();
+}
+
+void HelpView::follow(const QUrl& link) {
+    if (link.scheme() == "help") {
+        const QUrlQuery query(link);
+        const QString words = QUrl::fromPercentEncoding(query.queryItemValue("words", QUrl::FullyDecoded).toUtf8());
+        return open(link.path(), words, query.queryItemValue("n").toInt());
+    }
+    const QString file = link.fileName();
+    if (link.isRelative() && file.endsWith(".md")) return open(file.chopped(3), QString(link.fragment()).replace('-', ' '));
+    if (link.isRelative()) return void(goTo(QString(link.fragment()).replace('-', ' '), 0));
+    QDesktopServices::openUrl(link);
+}
+
+QString helpTopicOf(const QWidget* widget) {
+    for (; widget; widget = widget->parentWidget()) {
+        const QString topic = widget->property("helpTopic").toString();
+        if (!topic.isEmpty()) return topic;
+    }
+    return {};
+}
+
+}  // namespace keyblock

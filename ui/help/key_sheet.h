@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All commands with their keys, by menu. Keys are changed here; a command that would
+// lose its keys to another is told before.
+#pragma once
+
+#include <QKeySequence>
+#include <QWidget>
+
+class QAction;
+class QKeySequenceEdit;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTreeWidget;
+
+namespace keyblock {
+
+class Commands;
+class Themes;
+
+class KeySheet : public QWidget {
+    Q_OBJECT
+
+public:
+    KeySheet(Commands& commands, const Themes& themes, QWidget* parent = nullptr);
+
+private:
+    QWidget* makeEditor();
+    void list();
+    void filter();
+    void showChosen();
+    void showConflict();
+    void change();
+    void restore();
+    QAction* chosen() const;
+
+    Commands& commands_;
+    const Themes& themes_;
+    QLineEdit* filter_;
+    QTreeWidget* sheet_;
+    QKeySequenceEdit* keys_ = nullptr;
+    QLabel *name_ = nullptr, *conflict_ = nullptr;
+    QPushButton *set_ = nullptr, *original_ = nullptr;
+};
+
+/// The command that has these keys, if it is not `but`; null: none.
+QAction* commandWithKeys(const Commands& commands, const QKeySequence& keys, const QAction* but);
+
+}  // namespace keyblock

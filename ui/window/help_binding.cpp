@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/help_binding.h"
+
+#include "ui/help/command_palette.h"
+#include "ui/help/help_view.h"
+#include "ui/help/key_sheet.h"
+#include "ui/help/search_box.h"
+#include "ui/look/commands.h"
+#include "ui/look/theme.h"
+#include "ui/window/dock.h"
+
+#include <QApplication>
+#include <QCursor>
+#include <QDockWidget>
+#include <QMainWindow>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int helpWidth = 460;
+
+/// The field or tool under the mouse, else the one that has the focus.
+QString topicAtHand() {
+    const QString pointed = helpTopicOf(QApplication::widgetAt(QCursor::pos()));
+    return pointed.isEmpty() ? helpTopicOf(QApplication::focusWidget()) : pointed;
+}
+
+void showHelp(QMainWindow& window, QDockWidget& dock, HelpView& view, const QString& topic) {
+    const bool wasHidden = !dock.isVisible();
+    dock.show();
+    dock.raise();
+    if (wasHidden && !dock.isFloating()) window.resizeDocks({&dock}, {helpWidth}, Qt::Horizontal);
+    view.open(topic.section('#', 0, 0), topic.section('#', 1));
+}
+
+/// A window of its own beside the main one: it is looked at while working.
+KeySheet* makeKeySheet(QMainWindow& window, Commands& commands, const Themes& themes) {
+    auto* sheet = new KeySheet(commands, themes, &window);
+    sheet->setWindowFlag(Qt::Window);
+    sheet->setWindowTitle(QMainWindow::tr("Keys"));
+    sheet->resize(760, 680);
+    return sheet;
+}
+
+}  // namespace
+
+QWidget* addHelp(QMainWindow& window, Commands& commands, const Themes& themes) {
+    auto* view = new HelpView(themes, &window);
+    QDockWidget* dock = makeDock(window, themes, "helpDock", QMainWindow::tr("Help"), view);
+    window.addDockWidget(Qt::RightDockWidgetArea, dock);
+    if (auto* properties = window.findChild<QDockWidget*>("propertyDock"))
+        window.splitDockWidget(properties, dock, Qt::Horizontal);
+    dock->hide();
+    auto* palette = new CommandPalette(commands, themes, &window);
+    QAction* search = commands.add({"help.palette", QMainWindow::tr("Search commands"), "Help", "search",
+                                    QMainWindow::tr("Finds every command by its name."), {QKeySequence("Ctrl+K")}, false, "find"},
+                                   [palette] { palette->open(); });
+    commands.add({"help.contents", QMainWindow::tr("Manual"), "Help", "book",
+                  QMainWindow::tr("Help on the field or tool under the mouse, else on the window."), {QKeySequence("F1")}, false,
+                  "pages"},
+                 [&window, dock, view] {
+                     const QString topic = topicAtHand();
+                     showHelp(window, *dock, *view, topic.isEmpty() ? "studio" : topic);
+                 });
+    commands.add({"help.scene", QMainWindow::tr("Fields of a scene"), "Help", {}, QMainWindow::tr("Every field with unit, default and range."), {},
+                  false, "pages"},
+                 [&window, dock, view] { showHelp(window, *dock, *view, "scene"); });
+    commands.add({"help.theory", QMainWindow::tr("Theory"), "Help", {}, QMainWindow::tr("What is solved, and how."), {}, false, "pages"},
+                 [&window, dock, view] { showHelp(window, *dock, *view, "theory"); });
+    commands.add({"help.keys", QMainWindow::tr("Keys"), "Help", "keyboard", QMainWindow::tr("All commands with their keys, to look up and change."),
+                  {QKeySequence("?")}, false, "find"},
+                 [&window, &commands, &themes, sheet = static_cast<KeySheet*>(nullptr)]() mutable {
+                     if (!sheet) sheet = makeKeySheet(window, commands, themes);
+                     sheet->show();
+                     sheet->raise();
+                     sheet->activateWindow();
+                 });
+    return new SearchBox(*search, themes, &window);
+}
+
+}  // namespace keyblock
