@@ -3,12 +3,32 @@
 #include "ui/document/document.h"
 
 #include "solver/files/bolt_library.h"
+#include "solver/files/json_tree.h"
 #include "solver/files/scene_file.h"
+#include "solver/files/scene_rescue.h"
 
+#include <QFile>
 #include <QFileInfo>
 #include <QUndoStack>
 
+#include <algorithm>
+
 namespace keyblock {
+
+namespace {
+
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) && file.size() <= qint64(longestJson) ? file.readAll() : QByteArray();
+}
+
+SceneRescue rescued(const QString& path, const QByteArray& content) {
+    const std::string name = path.toStdString();
+    return rescueSceneText({content.constData(), static_cast<std::size_t>(content.size())}, name,
+                           std::filesystem::path(name).parent_path());
+}
+
+}  // namespace
 
 /// The one kind of step: the scene before and the scene after.
 class SceneStep : public QUndoCommand {
@@ -69,7 +89,12 @@ QString Document::title() const {
 
 bool Document::isModified() const { return !undo_->isClean(); }
 
-void Document::startNew(Scene scene, const QString& name) { start(std::move(scene), {}, name); }
+void Document::startNew(Scene scene, const QString& name, bool isWork) {
+    start(std::move(scene), {}, name);
+    if (!isWork) return;
+    undo_->resetClean();
+    Q_EMIT fileChanged();
+}
 
 void Document::restore(std::vector<RestoredStep> steps, std::size_t index, std::optional<std::size_t> saved,
                        const QString& path, const QString& name) {
@@ -88,9 +113,28 @@ void Document::restore(std::vector<RestoredStep> steps, std::size_t index, std::
 
 std::vector<Problem> Document::open(const QString& path) {
     SceneReading reading = readSceneFile(path.toStdString());
-    if (!reading.scene) return reading.problems;
-    start(std::move(*reading.scene), QFileInfo(path).absoluteFilePath(), {});
+    if (reading.scene) {
+        start(std::move(*reading.scene), QFileInfo(path).absoluteFilePath(), {});
+        return {};
+    }
+    SceneRescue rescue = rescued(path, contentOf(path));
+    if (!rescue.scene || hasErrors(rescue.problems)) return reading.problems;
+    start(std::move(*rescue.scene), QFileInfo(path).absoluteFilePath(), {});  // all of it is read; the check tells the rest
     return {};
+}
+
+bool Document::openPart(const QString& path) {
+    PartReading reading{path, contentOf(path), {}, 0, false};
+    SceneRescue rescue = rescued(path, reading.text);
+    reading.problems = std::move(rescue.problems);
+    if (reading.problems.empty()) reading.problems = readSceneFile(path.toStdString()).problems;
+    std::ranges::stable_sort(reading.problems, {}, &Problem::line);
+    reading.leftOut = rescue.leftOut.size();
+    reading.isOpen = rescue.scene.has_value();
+    if (rescue.scene)
+        startNew(std::move(*rescue.scene), tr("%1 (in part)").arg(QFileInfo(path).completeBaseName()), true);
+    Q_EMIT readInPart(reading);
+    return reading.isOpen;
 }
 
 void Document::save(const QString& path) {

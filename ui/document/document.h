@@ -8,6 +8,7 @@
 
 #include "ui/document/checker.h"
 
+#include <QByteArray>
 #include <QObject>
 #include <QString>
 
@@ -23,6 +24,15 @@ namespace keyblock {
 struct RestoredStep {
     QString name;  // of the first empty
     std::shared_ptr<const Scene> scene;
+};
+
+/// What was found in a file that does not open cleanly.
+struct PartReading {
+    QString path;
+    QByteArray text;  // of the file
+    std::vector<Problem> problems;  // by line
+    std::size_t leftOut = 0;  // objects that lack something they need
+    bool isOpen = false;  // the document holds what could be read; else it is as it was
 };
 
 class Document : public QObject {
@@ -56,8 +66,8 @@ public:
     QString title() const;  // name of the file, or `untitled`
     bool isModified() const;
 
-    /// Replaces everything by a scene that no file holds yet.
-    void startNew(Scene scene, const QString& name = {});
+    /// Replaces everything by a scene that no file holds yet. `isWork`: it counts as edited, as an import does.
+    void startNew(Scene scene, const QString& name = {}, bool isWork = false);
 
     /// Replaces everything by a document with its steps of undo, of which `index` stands and the file holds `saved`.
     /// \pre `steps` is not empty, both count within it.
@@ -68,6 +78,10 @@ public:
     /// that opens come with the check.
     std::vector<Problem> open(const QString& path);
 
+    /// Opens what can be read of a file with errors as a new document without a file, so that saving does not write over
+    /// what is left; tells `readInPart`, also where nothing can be read. False: the document stays as it was.
+    bool openPart(const QString& path);
+
     /// Writes the file whole or not at all. \throws CannotWrite
     void save(const QString& path);
 
@@ -76,6 +90,7 @@ Q_SIGNALS:
     void checkedChanged();
     void fileChanged();  // path, title, or whether modified
     void replaced();  // by another document
+    void readInPart(const keyblock::PartReading& reading);
 
 private:
     friend class SceneStep;

@@ -6,7 +6,6 @@
 #include "ui/document/document.h"
 #include "ui/document/journal_text.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -24,8 +23,6 @@ namespace keyblock {
 namespace {
 
 constexpr qint64 secondsToBegin = 10;  // an empty journal younger than this is about to be written
-
-QString text(const char* source) { return QCoreApplication::translate("Recovery", source); }
 
 /// A journal that is nobody's, held while it is looked at.
 class Held {
@@ -112,11 +109,11 @@ std::vector<Abandoned> abandonedJournals(const QString& folder, QStringList* unu
 
 QString recover(const Abandoned& abandoned, Recover what, Document& document, Journal& journal) {
     const Held held(abandoned.journal);
-    if (!held.isFree()) return text("Another window recovers %1, or its journal is gone.").arg(abandoned.title);
+    if (!held.isFree()) return Document::tr("Another window recovers %1, or its journal is gone.").arg(abandoned.title);
     const bool withoutLast = what == Recover::WithoutLastCommand && abandoned.changes > 0;
     const Journalled told = read(abandoned.journal, withoutLast ? std::optional(abandoned.changes - 1) : std::nullopt);
     std::vector<RestoredStep> steps = stepsOf(told);
-    if (steps.empty()) return text("The journal of %1 cannot be read.").arg(abandoned.title);
+    if (steps.empty()) return Document::tr("The journal of %1 cannot be read.").arg(abandoned.title);
     document.restore(std::move(steps), told.index, told.saved, QString::fromStdString(told.path),
                      QString::fromStdString(told.name));
     journal.flush();

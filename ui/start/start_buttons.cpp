@@ -6,7 +6,6 @@
 #include "ui/look/theme.h"
 #include "ui/start/samples.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QLocale>
 #include <QPainter>
@@ -20,8 +19,6 @@ namespace keyblock {
 namespace {
 
 constexpr int side = 24, inset = 12;  // [px]
-
-QString text(const char* source, int n = -1) { return QCoreApplication::translate("Start", source, nullptr, n); }
 
 QFont sized(const QFont& base, int pixels, bool bold = false) {
     QFont font = base;
@@ -41,15 +38,15 @@ int line(QPainter& painter, const QRect& place, const QString& words, const QFon
 }
 
 QString counts(int blocks, int bolts) {
-    const QString first = blocks == 1 ? text("1 block") : text("%1 blocks").arg(blocks);
+    const QString first = blocks == 1 ? SampleCard::tr("1 block") : SampleCard::tr("%1 blocks").arg(blocks);
     if (bolts == 0) return first;
-    return first + QString::fromUtf8(" · ") + (bolts == 1 ? text("1 bolt") : text("%1 bolts").arg(bolts));
+    return first + QString::fromUtf8(" · ") + (bolts == 1 ? SampleCard::tr("1 bolt") : SampleCard::tr("%1 bolts").arg(bolts));
 }
 
 QString factsOf(const Sample& sample) {
     const QString all = counts(sample.blocks, sample.bolts);
     if (sample.seconds <= 0.0) return all;
-    return all + QString::fromUtf8(" · ") + text("runs in %1").arg(durationText(sample.seconds));
+    return all + QString::fromUtf8(" · ") + SampleCard::tr("runs in %1").arg(durationText(sample.seconds));
 }
 
 }  // namespace
@@ -58,15 +55,15 @@ QString whenText(const QDateTime& when, const QDateTime& now) {
     if (!when.isValid()) return {};
     const QLocale english(QLocale::English);
     const qint64 days = when.date().daysTo(now.date());
-    if (days == 0) return text("today %1").arg(when.toString("hh:mm"));
-    if (days == 1) return text("yesterday");
+    if (days == 0) return SampleCard::tr("today %1").arg(when.toString("hh:mm"));
+    if (days == 1) return SampleCard::tr("yesterday");
     return english.toString(when.date(), when.date().year() == now.date().year() ? "d MMM" : "d MMM yyyy");
 }
 
 QString durationText(double seconds) {
-    if (seconds < 9.95) return text("%1 s").arg(QString::number(seconds, 'f', 1));
-    if (seconds < 99.5) return text("%1 s").arg(QString::number(seconds, 'f', 0));
-    return text("%1 min").arg(QString::number(seconds / 60.0, 'f', 0));
+    if (seconds < 9.95) return SampleCard::tr("%1 s").arg(QString::number(seconds, 'f', 1));
+    if (seconds < 99.5) return SampleCard::tr("%1 s").arg(QString::number(seconds, 'f', 0));
+    return SampleCard::tr("%1 min").arg(QString::number(seconds / 60.0, 'f', 0));
 }
 
 SampleCard::SampleCard(const Sample& sample, const Themes& themes, QWidget* parent)

@@ -12,7 +12,9 @@
 #include "ui/start/thumbnails.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
+#include <QDockWidget>
 #include <QEvent>
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -25,6 +27,7 @@
 #include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -80,7 +83,6 @@ StartPage::StartPage(const Rooms& rooms, QWidget* covered)
                 for (RecentRow* recentRow : findChildren<RecentRow*>())
                     if (recentRow->text() == path) recentRow->setPicture(image, facts);
             });
-    covered->installEventFilter(this);
     hide();
 }
 
@@ -261,19 +263,43 @@ void StartPage::follow() {
         if (window->statusBar()->isVisible()) area.setBottom(window->statusBar()->geometry().top() - 1);
     }
     setGeometry(area);
+    if (isVisible()) stackAboveDocks();
 }
 
+/// Only above docks: the palette and what else lies over the window stays in front.
+void StartPage::stackAboveDocks() {
+    std::vector<QWidget*> above;
+    bool isBehind = true;
+    for (QObject* sibling : parentWidget()->children()) {
+        auto* widget = qobject_cast<QWidget*>(sibling);
+        if (widget == this) isBehind = false;
+        const bool isDock = qobject_cast<QDockWidget*>(sibling) || qobject_cast<QTabBar*>(sibling);
+        if (!isBehind && widget && widget != this && !isDock && !widget->isWindow()) above.push_back(widget);
+    }
+    raise();
+    for (QWidget* widget : above) widget->raise();
+}
+
+/// Docks and their tabs come to the front when they are shown; the page stays above them.
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == parentWidget() && isVisible() &&
-        (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest))
-        QMetaObject::invokeMethod(this, [this] { follow(); }, Qt::QueuedConnection);
+    const QEvent::Type type = event->type();
+    const bool isSized = watched == parentWidget() && (type == QEvent::Resize || type == QEvent::LayoutRequest);
+    const bool isRaised = (type == QEvent::ZOrderChange || type == QEvent::Show) && watched->parent() == parentWidget() &&
+                          (qobject_cast<QDockWidget*>(watched) || qobject_cast<QTabBar*>(watched));
+    if (isSized || isRaised) QTimer::singleShot(0, this, &StartPage::follow);
     return QWidget::eventFilter(watched, event);
 }
 
 void StartPage::paintEvent(QPaintEvent*) { QPainter(this).fillRect(rect(), rooms_.themes.current().window); }
 
+void StartPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    qApp->installEventFilter(this);
+}
+
 void StartPage::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
+    qApp->removeEventFilter(this);
     Q_EMIT closed();
 }
 

@@ -54,6 +54,7 @@ Q_SIGNALS:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
@@ -66,6 +67,7 @@ private:
     void showRecovery();
     void showRecent();
     void follow();
+    void stackAboveDocks();
 
     Rooms rooms_;
     Thumbnails* thumbnails_;

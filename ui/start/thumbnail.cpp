@@ -49,11 +49,11 @@ std::optional<Box> heartOf(const SectionPicture& picture) {
 
 class Painting {
 public:
-    Painting(const SectionPicture& picture, QImage& image, double ratio, const Theme& theme)
+    Painting(const SectionPicture& picture, QImage& image, double ratio, const Theme& theme, ThumbnailView view)
         : picture_(picture), theme_(theme), painter_(&image), size_(image.width() / ratio, image.height() / ratio) {
         painter_.setRenderHint(QPainter::Antialiasing);
         painter_.scale(ratio, ratio);
-        place();
+        place(view);
     }
 
     void paint() {
@@ -66,11 +66,12 @@ public:
 private:
     bool isLarge() const { return size_.height() >= large; }
 
-    void place() {
-        const std::optional<Box> heart = heartOf(picture_);
+    void place(ThumbnailView view) {
+        const bool isAll = view == ThumbnailView::Everything;
+        const std::optional<Box> heart = isAll ? std::nullopt : heartOf(picture_);
         const Box box = heart.value_or(picture_.model);
         const Point extent = (box.max - box.min).cwiseMax(1e-9);
-        const double width = std::min(size_.width(), widest * size_.height());
+        const double width = isAll ? size_.width() : std::min(size_.width(), widest * size_.height());
         const double fit = std::min(width / extent.x(), size_.height() / extent.y());
         scale_ = heart ? fit : 0.84 * fit;
         middle_ = 0.5 * (box.min + box.max);
@@ -143,10 +144,11 @@ private:
 
 }  // namespace
 
-QImage paintThumbnail(const SectionPicture& picture, QSize pixels, double ratio, const Theme& theme) {
+QImage paintThumbnail(const SectionPicture& picture, QSize pixels, double ratio, const Theme& theme,
+                      ThumbnailView view) {
     QImage image(pixels, QImage::Format_RGB32);
     image.fill(theme.canvas);
-    Painting(picture, image, ratio, theme).paint();
+    Painting(picture, image, ratio, theme, view).paint();
     image.setDevicePixelRatio(ratio);
     return image;
 }

@@ -13,7 +13,10 @@ namespace keyblock {
 struct SectionPicture;
 struct Theme;
 
+enum class ThumbnailView { Heart, Everything };  // what matters, cut off where it must be; or all of it
+
 /// The picture of a scene as drawn, `pixels` large; sizes of strokes are those of a screen whose pixels count `ratio`.
-QImage paintThumbnail(const SectionPicture& picture, QSize pixels, double ratio, const Theme& theme);
+QImage paintThumbnail(const SectionPicture& picture, QSize pixels, double ratio, const Theme& theme,
+                      ThumbnailView view = ThumbnailView::Heart);
 
 }  // namespace keyblock

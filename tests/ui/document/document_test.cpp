@@ -3,10 +3,12 @@
 //
 // Undo by value: an edit is a step, one that changes nothing is none, a preview is
 // none, and going back gives the first scene to the byte.
+#include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 
 #include "solver/files/scene_file.h"
 #include "ui/document/document.h"
+#include "ui/document/file_watch.h"
 
 #include <QUndoStack>
 #include <gtest/gtest.h>
@@ -99,6 +101,61 @@ TEST(Documents, WhatDoesNotOpenIsToldAndChangesNothing) {
     const std::vector<Problem> problems = document.open("/nowhere/at-all.json");
     ASSERT_FALSE(problems.empty());
     EXPECT_EQ(document.scene()->title, "kept");
+}
+
+TEST(Documents, OfAFileWithErrorsWhatCanBeReadIsOpenedAsANewScene) {
+    NEED_SCREEN();
+    const test::ScratchFolder scratch;
+    const std::filesystem::path file = scratch.path() / "half.json";
+    const std::string whole = test::contentOf(KEYBLOCK_SAMPLES_DIR "/tower-100.json");
+    test::putContent(file, whole.substr(0, whole.size() / 2));
+    Document document;
+    PartReading told;
+    QObject::connect(&document, &Document::readInPart, [&](const PartReading& reading) { told = reading; });
+    const QString path = QString::fromStdString(file.string());
+    EXPECT_FALSE(document.open(path).empty());
+    EXPECT_TRUE(document.openPart(path));
+    EXPECT_TRUE(told.isOpen);
+    EXPECT_GT(document.scene()->blocks.size(), 10u);
+    EXPECT_TRUE(document.path().isEmpty());
+    EXPECT_TRUE(document.isModified());
+    ASSERT_FALSE(told.problems.empty());
+    EXPECT_GT(told.problems.front().line, 1);
+    EXPECT_EQ(told.text.size(), int(whole.size() / 2));
+}
+
+TEST(Documents, ASceneThatMakesNoSenseYetOpensAsItIs) {
+    NEED_SCREEN();
+    const test::ScratchFolder scratch;
+    const QString path = QString::fromStdString((scratch.path() / "unfinished.json").string());
+    {
+        Document document;
+        Scene scene;
+        scene.bolts.push_back({});
+        scene.bolts.back().type = "d-bolt-20";
+        document.apply("Add bolt", scene);
+        document.save(path);
+    }
+    Document document;
+    EXPECT_TRUE(document.open(path).empty());
+    EXPECT_EQ(document.path(), path);
+    EXPECT_EQ(document.scene()->bolts.size(), 1u);
+}
+
+TEST(Documents, AnotherProgramsWritingIsNoticedAndOursIsNot) {
+    NEED_SCREEN();
+    const test::ScratchFolder scratch;
+    const QString path = QString::fromStdString((scratch.path() / "scene.json").string());
+    Document document;
+    FileWatch watch(document);
+    int noticed = 0;
+    QObject::connect(&watch, &FileWatch::changedOnDisk, [&] { ++noticed; });
+    document.save(path);
+    document.apply("Set title", titled("ours"));
+    document.save(path);
+    EXPECT_FALSE(waitFor([&] { return noticed > 0; }, 700));
+    test::putContent(path.toStdString(), sceneText(titled("theirs")));
+    EXPECT_TRUE(waitFor([&] { return noticed == 1; }, 5000));
 }
 
 }  // namespace

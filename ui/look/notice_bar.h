@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Something that a person should know and may answer, over the top of the canvas:
+// it waits as long as it likes and keeps nobody from working.
+#pragma once
+
+#include <QFrame>
+
+#include <functional>
+#include <vector>
+
+class QHBoxLayout;
+class QLabel;
+
+namespace keyblock {
+
+class Themes;
+
+class NoticeBar : public QFrame {
+    Q_OBJECT
+
+public:
+    struct Answer {
+        QString text;
+        std::function<void()> run;
+    };
+
+    /// `over` is the widget at whose top it lies.
+    NoticeBar(const Themes& themes, QWidget* over);
+
+    /// Says something new; each answer closes the bar.
+    void say(const QString& text, const std::vector<Answer>& answers);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void place();
+    void addLink(const Answer& answer);
+
+    const Themes& themes_;
+    QLabel *icon_, *text_;
+    QHBoxLayout* row_;
+    std::vector<QWidget*> links_;
+};
+
+}  // namespace keyblock

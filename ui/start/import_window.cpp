@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/start/import_window.h"
+
+#include "ui/edit/typed_number.h"
+#include "ui/look/theme.h"
+#include "ui/runs/background.h"
+#include "ui/start/import_attempt.h"
+#include "ui/start/picture_pane.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QStyle>
+#include <QTimer>
+#include <QTreeWidget>
+#include <QVariant>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+
+namespace keyblock {
+
+namespace {
+
+constexpr std::array units{"m", "mm", "cm", "dm", "km", "um", "in", "ft", "yd", "mi", "us-ft"};
+constexpr std::array roles{LayerRole::Joint, LayerRole::Boundary, LayerRole::Tunnel, LayerRole::Bolt, LayerRole::Ignore};
+
+QString textOf(std::string_view text) { return QString::fromUtf8(text.data(), int(text.size())); }
+QString textOf(const std::string& text) { return QString::fromStdString(text); }
+
+QTreeWidget* table(const QStringList& headers, const QString& name, const char* id, QWidget* parent) {
+    auto* made = new QTreeWidget(parent);
+    made->setHeaderLabels(headers);
+    made->setRootIsDecorated(false);
+    made->setAccessibleName(name);
+    made->setObjectName(id);
+    return made;
+}
+
+/// What the command line says by options is chosen by hand here.
+QString remedyHere(const Problem& problem) {
+    const QString remedy = textOf(problem.remedy);
+    if (remedy.contains("--units")) return ImportWindow::tr("Choose the unit above the layers.");
+    if (remedy.contains("--role")) return ImportWindow::tr("Choose the roles of the layers.");
+    return remedy;
+}
+
+QLabel* heading(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setObjectName("listTitle");
+    return label;
+}
+
+}  // namespace
+
+ImportWindow::ImportWindow(const QString& path, const Themes& themes, QWidget* parent)
+    : QWidget(parent, Qt::Window), path_(path), themes_(themes), reading_(new Background(this)),
+      unit_(new QComboBox(this)), sagitta_(new QLineEdit(this)),
+      layers_(table({tr("Layer"), tr("Role"), tr("Why")}, tr("Layers and their roles"), "import.layers", this)),
+      account_(table({tr("Entity"), tr("Layer"), tr("Count"), tr("Became")}, tr("What becomes of every entity"),
+                     "import.account", this)),
+      picture_(new PicturePane(themes, this)), words_(new QLabel(this)), import_(new QPushButton(tr("Import"), this)) {
+    setObjectName("importWindow");
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("Import %1").arg(QFileInfo(path).fileName()));
+    resize(1080, 680);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(16, 16, 16, 16);
+    row->setSpacing(16);
+    row->addWidget(makeSettings(), 5);
+    row->addWidget(makeResult(), 6);
+    ask();
+}
+
+QWidget* ImportWindow::makeSettings() {
+    auto* side = new QWidget(this);
+    unit_->addItem(tr("as the file says"), QString());
+    for (const char* unit : units) unit_->addItem(unit, unit);
+    unit_->setAccessibleName(tr("Unit of the drawing"));
+    unit_->setObjectName("import.unit");
+    sagitta_->setPlaceholderText(tr("automatic"));
+    sagitta_->setAccessibleName(tr("Sagitta of curves"));
+    sagitta_->setObjectName("import.sagitta");
+    sagitta_->setToolTip(tr("How far the straight pieces of an arc may lie off it, in metres."));
+    auto* form = new QFormLayout;
+    form->addRow(tr("Unit"), unit_);
+    form->addRow(tr("Sagitta of curves [m]"), sagitta_);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addLayout(form);
+    column->addSpacing(4);
+    column->addWidget(heading(tr("Layers"), side));
+    column->addWidget(layers_, 3);
+    column->addWidget(heading(tr("Every entity"), side));
+    column->addWidget(account_, 4);
+    connect(unit_, qOverload<int>(&QComboBox::activated), this, [this] {
+        const QString word = unit_->currentData().toString();
+        settings_.unit = word.isEmpty() ? nullptr : lengthUnitOf(word.toStdString());
+        ask();
+    });
+    connect(sagitta_, &QLineEdit::editingFinished, this, &ImportWindow::readSagitta);
+    return side;
+}
+
+QWidget* ImportWindow::makeResult() {
+    auto* side = new QWidget(this);
+    words_->setObjectName("import.words");
+    words_->setWordWrap(true);
+    words_->setTextFormat(Qt::PlainText);
+    words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    words_->setAlignment(Qt::AlignTop);
+    import_->setProperty("primary", true);
+    import_->setAccessibleName(import_->text());
+    import_->setObjectName("import.import");
+    auto* cancel = new QPushButton(tr("Cancel"), side);
+    cancel->setAccessibleName(cancel->text());
+    cancel->setObjectName("import.cancel");
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(cancel);
+    buttons->addWidget(import_);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addWidget(picture_, 3);
+    column->addWidget(words_, 1);
+    column->addLayout(buttons);
+    connect(cancel, &QPushButton::clicked, this, &QWidget::close);
+    connect(import_, &QPushButton::clicked, this, [this] {
+        if (!attempt_ || !attempt_->import.scene) return;
+        const auto kept = attempt_;  // the window may go meanwhile
+        Q_EMIT imported(*kept->import.scene, QFileInfo(path_).completeBaseName());
+    });
+    return side;
+}
+
+void ImportWindow::ask() {
+    import_->setEnabled(false);
+    reading_->ask([this, path = path_.toStdString(), settings = settings_]() -> Background::Result {
+        const auto attempt = attemptImport(path, settings);
+        return [this, attempt] { showAttempt(attempt); };
+    });
+}
+
+void ImportWindow::readSagitta() {
+    const QString typed = sagitta_->text().trimmed();
+    const TypedNumber number = typed.isEmpty() ? TypedNumber{} : typedNumber(typed.toStdString(), "m");
+    const bool isGood = typed.isEmpty() || (number.value && *number.value > 0.0);
+    sagitta_->setProperty("invalid", !isGood);
+    sagitta_->style()->polish(sagitta_);
+    sagitta_->setToolTip(isGood ? tr("How far the straight pieces of an arc may lie off it, in metres.")
+                         : number.value ? tr("Give a length above 0.")
+                                        : textOf(number.problem));
+    if (!isGood || settings_.sagitta == number.value) return;
+    settings_.sagitta = number.value;
+    ask();
+}
+
+void ImportWindow::setRole(const QString& layer, LayerRole role) {
+    auto& given = settings_.roles;
+    std::erase_if(given, [&](const auto& entry) { return entry.first == layer.toStdString(); });
+    given.emplace_back(layer.toStdString(), role);
+    ask();
+}
+
+void ImportWindow::showAttempt(std::shared_ptr<const ImportAttempt> attempt) {
+    attempt_ = std::move(attempt);
+    const Import& import = attempt_->import;
+    unit_->setItemText(0, import.unit.empty() ? tr("as the file says") : tr("as the file says: %1").arg(textOf(import.unit)));
+    showLayers();
+    showAccount();
+    showWords();
+    picture_->show(attempt_->picture, attempt_->unreadable.empty() ? tr("No scene comes of it yet") : textOf(attempt_->unreadable));
+    import_->setEnabled(import.scene.has_value());
+}
+
+void ImportWindow::showLayers() {
+    layers_->clear();
+    for (const ImportedLayer& layer : attempt_->import.layers) {
+        auto* item = new QTreeWidgetItem(layers_, {textOf(layer.name), {}, textOf(layer.source)});
+        item->setToolTip(0, item->text(0));
+        item->setToolTip(2, item->text(2));
+        auto* role = new QComboBox(layers_);
+        if (!layer.known) role->addItem(tr("choose …"), -1);
+        for (const LayerRole each : roles) role->addItem(textOf(wordOf(each)), int(each));
+        role->setCurrentIndex(layer.known ? role->findData(int(layer.role)) : 0);
+        role->setAccessibleName(tr("Role of layer %1").arg(textOf(layer.name)));
+        role->setObjectName("import.role." + textOf(layer.name));
+        connect(role, qOverload<int>(&QComboBox::activated), this, [this, role, name = textOf(layer.name)] {
+            const int chosen = role->currentData().toInt();
+            // Later: the answer makes the boxes anew.
+            if (chosen >= 0) QTimer::singleShot(0, this, [this, name, chosen] { setRole(name, LayerRole(chosen)); });
+        });
+        layers_->setItemWidget(item, 1, role);
+    }
+    layers_->header()->resizeSection(0, 150);
+    layers_->header()->resizeSection(1, 110);
+}
+
+/// What was taken, counted; then what was not, one by one with its place and reason.
+void ImportWindow::showAccount() {
+    account_->clear();
+    for (const ImportRow& row : attempt_->import.rows) {
+        if (row.became == "not taken") continue;  // told one by one
+        auto* item = new QTreeWidgetItem(
+            account_, {textOf(row.kind), textOf(row.layer), QString::number(row.count), textOf(row.became)});
+        item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
+        item->setToolTip(3, item->text(3));
+    }
+    for (const NotTaken& lost : attempt_->import.notTaken) {
+        const QString why = tr("not taken, line %1: %2").arg(lost.place.line).arg(textOf(lost.why));
+        auto* item = new QTreeWidgetItem(account_, {textOf(lost.kind), textOf(lost.layer), "1", why});
+        item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
+        item->setForeground(3, themes_.current().warning);
+        item->setToolTip(3, why);
+    }
+    account_->header()->resizeSection(0, 110);
+    account_->header()->resizeSection(1, 100);
+    account_->header()->resizeSection(2, 56);
+}
+
+void ImportWindow::showWords() {
+    constexpr std::size_t most = 6;
+    const Import& import = attempt_->import;
+    QStringList lines;
+    for (const Problem& problem : import.problems) {
+        const QString place = problem.line > 0 ? tr("line %1: ").arg(problem.line) : QString();
+        lines << textOf(wordOf(problem.severity)) + ", " + place + textOf(problem.message) + ". " + remedyHere(problem);
+    }
+    for (const std::string& assumed : import.assumed) lines << tr("assumed: %1").arg(textOf(assumed));
+    words_->setToolTip(lines.join('\n'));
+    if (lines.size() > int(most)) lines = lines.mid(0, int(most)) << tr("and more: see here with the mouse");
+    if (import.scene && import.cut) lines.prepend(tr("Makes %1 blocks.").arg(import.cut->blocks));
+    words_->setText(lines.join('\n'));
+}
+
+}  // namespace keyblock

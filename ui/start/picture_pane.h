@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A section painted as large as the widget that shows it.
+#pragma once
+
+#include "ui/picture/section.h"
+
+#include <QWidget>
+
+#include <optional>
+
+namespace keyblock {
+
+class Themes;
+
+class PicturePane : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PicturePane(const Themes& themes, QWidget* parent = nullptr);
+
+    /// Nothing: the words stand in its place.
+    void show(std::optional<SectionPicture> picture, const QString& otherwise);
+
+    QSize sizeHint() const override { return {520, 320}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    const Themes& themes_;
+    std::optional<SectionPicture> picture_;
+    QString otherwise_;
+};
+
+}  // namespace keyblock

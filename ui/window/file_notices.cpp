@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/file_notices.h"
+
+#include "ui/document/document.h"
+#include "ui/document/file_watch.h"
+#include "ui/look/notice_bar.h"
+#include "ui/look/theme.h"
+#include "ui/start/reading_report.h"
+#include "ui/window/dock.h"
+
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMainWindow>
+
+namespace keyblock {
+
+namespace {
+
+void addReadingReport(QMainWindow& window, Document& document, const Themes& themes) {
+    auto* report = new ReadingReport(themes, &window);
+    QDockWidget* dock = makeDock(window, themes, "readingDock", QMainWindow::tr("Reading"), report);
+    window.addDockWidget(Qt::BottomDockWidgetArea, dock);
+    dock->hide();
+    QObject::connect(&document, &Document::readInPart, dock, [&window, dock, report](const PartReading& reading) {
+        report->show(reading);
+        if (auto* problems = window.findChild<QDockWidget*>("problemsDock")) window.tabifyDockWidget(problems, dock);
+        dock->show();
+        dock->raise();
+    });
+    QObject::connect(&document, &Document::replaced, dock, &QDockWidget::hide);
+}
+
+/// Opening again drops edits, so with some the answer says so.
+void tellChanged(NoticeBar& bar, Document& document, const QString& path) {
+    const QString name = QFileInfo(path).fileName();
+    const auto reload = [&document, path] {
+        if (!document.open(path).empty()) document.openPart(path);
+    };
+    if (document.isModified())
+        bar.say(QMainWindow::tr("Another program has written %1. You have edits that are not saved.").arg(name),
+                {{QMainWindow::tr("Drop my edits and open it"), reload}});
+    else
+        bar.say(QMainWindow::tr("Another program has written %1.").arg(name), {{QMainWindow::tr("Open it again"), reload}});
+}
+
+}  // namespace
+
+void addFileNotices(QMainWindow& window, Document& document, const Themes& themes) {
+    addReadingReport(window, document, themes);
+    auto* bar = new NoticeBar(themes, window.centralWidget());
+    auto* watch = new FileWatch(document, &window);
+    QObject::connect(watch, &FileWatch::changedOnDisk, bar,
+                     [bar, &document](const QString& path) { tellChanged(*bar, document, path); });
+    QObject::connect(&document, &Document::replaced, bar, &QWidget::hide);
+}
+
+}  // namespace keyblock

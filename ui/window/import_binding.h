@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Drawings into the window's document.
+#pragma once
+
+class QMainWindow;
+class QString;
+
+namespace keyblock {
+
+class Commands;
+class Document;
+class Themes;
+
+void addImportCommands(QMainWindow& window, Commands& commands, Document& document, const Themes& themes);
+
+/// Whether the file is a drawing or a list, by its ending.
+bool isDrawing(const QString& path);
+
+/// Shows what would become of a drawing; the document changes once a person says so.
+void openImport(QMainWindow& window, Document& document, const Themes& themes, const QString& path);
+
+}  // namespace keyblock
