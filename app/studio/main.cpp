@@ -8,6 +8,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QIcon>
 
 int main(int argc, char** argv) {
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
@@ -15,6 +16,7 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     QCoreApplication::setApplicationName("keyblock-studio");
     QCoreApplication::setOrganizationName("keyblock");
+    QApplication::setWindowIcon(QIcon(":/icons/app.svg"));
     QCoreApplication::setApplicationVersion(QString::fromUtf8(keyblock::programVersion().data(), int(keyblock::programVersion().size())));
     QCommandLineParser parser;
     parser.setApplicationDescription("Draw blocky rock, place bolts, run and watch.");

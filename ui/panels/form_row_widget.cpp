@@ -46,6 +46,9 @@ FormRowWidget::FormRowWidget(const FormRow& row, const FormContext& context, QWi
       label_(new ElidedLabel(this)), unit_(new QLabel(this)), reset_(smallButton(this, tr("Back to the default"), "reset")),
       problem_(new QLabel(this)) {
     setObjectName(QString::fromStdString("row:" + row.path));
+    if (row.structure && row.field)
+        setProperty("helpTopic", QString::fromStdString("scene#" + std::string(row.structure->name) + "/" +
+                                                        std::string(row.field->key)));
     unit_->setProperty("role", "unit");
     problem_->setWordWrap(true);
     problem_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -10,7 +10,6 @@
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
 
-#include <QCoreApplication>
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QUndoStack>
@@ -20,21 +19,19 @@ namespace keyblock {
 
 namespace {
 
-QString text(const char* source) { return QCoreApplication::translate("FileCommands", source); }
-
 bool saveTo(Document& document, const QString& path, QWidget& window) {
     try {
         document.save(path);
         return true;
     } catch (const CannotWrite& error) {
-        QMessageBox::critical(&window, text("The scene was not saved"), QString::fromUtf8(error.what()));
+        QMessageBox::critical(&window, QWidget::tr("The scene was not saved"), QString::fromUtf8(error.what()));
         return false;
     }
 }
 
 bool saveAs(Document& document, QWidget& window) {
     const QString start = document.path().isEmpty() ? document.title() + ".json" : document.path();
-    QString path = QFileDialog::getSaveFileName(&window, text("Save scene"), start, text("Scenes (*.json)"));
+    QString path = QFileDialog::getSaveFileName(&window, QWidget::tr("Save scene"), start, QWidget::tr("Scenes (*.json)"));
     if (path.isEmpty()) return false;
     if (!path.endsWith(".json")) path += ".json";
     return saveTo(document, path, window);
@@ -46,7 +43,7 @@ bool save(Document& document, QWidget& window) {
 
 void askAndOpen(Document& document, QWidget& window) {
     const QString path =
-        QFileDialog::getOpenFileName(&window, text("Open scene"), document.path(), text("Scenes (*.json)"));
+        QFileDialog::getOpenFileName(&window, QWidget::tr("Open scene"), document.path(), QWidget::tr("Scenes (*.json)"));
     if (!path.isEmpty()) openDocument(document, path, window);
 }
 
@@ -54,8 +51,8 @@ void askAndOpen(Document& document, QWidget& window) {
 
 bool mayDiscard(Document& document, QWidget& window) {
     if (!document.isModified()) return true;
-    QMessageBox box(QMessageBox::Question, text("Unsaved edits"),
-                    text("%1 has edits that are not saved.").arg(document.title()),
+    QMessageBox box(QMessageBox::Question, QWidget::tr("Unsaved edits"),
+                    QWidget::tr("%1 has edits that are not saved.").arg(document.title()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();
@@ -64,42 +61,36 @@ bool mayDiscard(Document& document, QWidget& window) {
 
 void openDocument(Document& document, const QString& path, QWidget& window) {
     if (!mayDiscard(document, window)) return;
-    const std::vector<Problem> problems = document.open(path);
-    if (problems.empty()) return;
-    QStringList lines;
-    for (const Problem& problem : problems) lines << QString::fromStdString(oneLine(problem));
-    QMessageBox box(QMessageBox::Warning, text("The scene was not opened"), lines.first(), QMessageBox::Ok, &window);
-    if (lines.size() > 1) box.setDetailedText(lines.join('\n'));
-    box.exec();
+    if (!document.open(path).empty()) document.openPart(path);
 }
 
 void addFileCommands(Commands& commands, Document& document, QWidget& window) {
-    commands.add({"file.new", text("New scene"), "File", "new", text("Begins an empty scene."), {QKeySequence::New}},
+    commands.add({"file.new", QWidget::tr("New scene"), "File", "new", QWidget::tr("Begins an empty scene."), {QKeySequence::New}},
                  [&] { if (mayDiscard(document, window)) document.startNew(newScene()); });
-    commands.add({"file.open", text("Open…"), "File", "open", text("Opens a scene file."), {QKeySequence::Open}},
+    commands.add({"file.open", QWidget::tr("Open…"), "File", "open", QWidget::tr("Opens a scene file."), {QKeySequence::Open}},
                  [&] { askAndOpen(document, window); });
-    commands.add({"file.save", text("Save"), "File", "save", text("Writes the scene to its file."),
+    commands.add({"file.save", QWidget::tr("Save"), "File", "save", QWidget::tr("Writes the scene to its file."),
                   {QKeySequence::Save}, false, "save"},
                  [&] { save(document, window); });
-    commands.add({"file.saveAs", text("Save as…"), "File", {}, text("Writes the scene to another file."),
+    commands.add({"file.saveAs", QWidget::tr("Save as…"), "File", {}, QWidget::tr("Writes the scene to another file."),
                   {QKeySequence("Ctrl+Shift+S")}, false, "save"},
                  [&] { saveAs(document, window); });
-    commands.add({"file.quit", text("Quit"), "File", {}, {}, {QKeySequence("Ctrl+Q")}, false, "quit"},
+    commands.add({"file.quit", QWidget::tr("Quit"), "File", {}, {}, {QKeySequence("Ctrl+Q")}, false, "quit"},
                  [&] { window.close(); });
 }
 
 void addEditCommands(Commands& commands, Document& document) {
     QUndoStack& undo = document.undo();
-    QAction* back = commands.add({"edit.undo", text("Undo"), "Edit", "undo", {}, {QKeySequence::Undo}},
+    QAction* back = commands.add({"edit.undo", QWidget::tr("Undo"), "Edit", "undo", {}, {QKeySequence::Undo}},
                                  [&] { undo.undo(); });
-    QAction* again = commands.add({"edit.redo", text("Redo"), "Edit", "redo", {}, 
+    QAction* again = commands.add({"edit.redo", QWidget::tr("Redo"), "Edit", "redo", {}, 
                                    {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")}},
                                   [&] { undo.redo(); });
     const auto name = [back, again, &undo] {
         back->setEnabled(undo.canUndo());
         again->setEnabled(undo.canRedo());
-        back->setText(undo.canUndo() ? text("Undo: %1").arg(undo.undoText()) : text("Undo"));
-        again->setText(undo.canRedo() ? text("Redo: %1").arg(undo.redoText()) : text("Redo"));
+        back->setText(undo.canUndo() ? QWidget::tr("Undo: %1").arg(undo.undoText()) : QWidget::tr("Undo"));
+        again->setText(undo.canRedo() ? QWidget::tr("Redo: %1").arg(undo.redoText()) : QWidget::tr("Redo"));
     };
     QObject::connect(&undo, &QUndoStack::indexChanged, &commands, name);
     QObject::connect(&undo, &QUndoStack::cleanChanged, &commands, name);
@@ -108,28 +99,28 @@ void addEditCommands(Commands& commands, Document& document) {
 
 void addCanvasCommands(Commands& commands, Canvas& canvas) {
     const auto middle = [&canvas] { return QPointF(canvas.rect().center()); };
-    commands.add({"view.fit", text("Fit"), "View", "fit", text("Shows what the section is about; again: all of it."),
+    commands.add({"view.fit", QWidget::tr("Fit"), "View", "fit", QWidget::tr("Shows what the section is about; again: all of it."),
                   {QKeySequence("F")}, false, "zoom"},
                  [&canvas] { canvas.fit(); });
-    commands.add({"view.zoomIn", text("Zoom in"), "View", {}, {}, {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")},
+    commands.add({"view.zoomIn", QWidget::tr("Zoom in"), "View", {}, {}, {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")},
                   false, "zoom"},
                  [&canvas, middle] { canvas.zoomBy(1.25, middle()); });
-    commands.add({"view.zoomOut", text("Zoom out"), "View", {}, {}, {QKeySequence("Ctrl+-")}, false, "zoom"},
+    commands.add({"view.zoomOut", QWidget::tr("Zoom out"), "View", {}, {}, {QKeySequence("Ctrl+-")}, false, "zoom"},
                  [&canvas, middle] { canvas.zoomBy(0.8, middle()); });
 }
 
 void addViewCommands(Commands& commands, Themes& themes, Display& display) {
-    QAction* dark = commands.add({"view.dark", text("Dark theme"), "View", {}, {}, {}, true, "look"},
+    QAction* dark = commands.add({"view.dark", QWidget::tr("Dark theme"), "View", {}, {}, {}, true, "look"},
                                  [&] { themes.choose(!themes.isDark()); });
     dark->setChecked(themes.isDark());
     QObject::connect(&themes, &Themes::changed, dark, [dark, &themes] { dark->setChecked(themes.isDark()); });
-    QAction* si = commands.add({"view.si", text("Plain SI units"), "View", {},
-                                text("Shows N, Pa and J instead of kN, MPa and kJ."), {}, true, "look"},
+    QAction* si = commands.add({"view.si", QWidget::tr("Plain SI units"), "View", {},
+                                QWidget::tr("Shows N, Pa and J instead of kN, MPa and kJ."), {}, true, "look"},
                                [&display] {
                                    const bool plain = display.system() == UnitSystem::Si;
                                    display.setSystem(plain ? UnitSystem::Engineering : UnitSystem::Si);
                                });
-    QAction* sign = commands.add({"view.compression", text("Compression positive"), "View", {}, {}, {}, true, "look"},
+    QAction* sign = commands.add({"view.compression", QWidget::tr("Compression positive"), "View", {}, {}, {}, true, "look"},
                                  [&display] { display.setCompressionPositive(!display.compressionPositive()); });
     const auto tell = [si, sign, &display] {
         si->setChecked(display.system() == UnitSystem::Si);

@@ -20,7 +20,8 @@ void addEditCommands(Commands& commands, Document& document);
 void addCanvasCommands(Commands& commands, Canvas& canvas);
 void addViewCommands(Commands& commands, Themes& themes, Display& display);
 
-/// Opens a scene file; asks first where unsaved edits would be lost, tells what keeps it from being opened.
+/// Opens a scene file; asks first where unsaved edits would be lost. Of one with errors what can be read is opened, and
+/// the document tells which.
 void openDocument(Document& document, const QString& path, QWidget& window);
 
 /// True when the document is saved, was saved now, or a person lets go of the edits.

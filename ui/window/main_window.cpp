@@ -14,7 +14,12 @@
 #include "ui/runs/runs.h"
 #include "ui/tools/tool_desk.h"
 #include "ui/window/drawing_feed.h"
+#include "ui/window/export_binding.h"
 #include "ui/window/file_commands.h"
+#include "ui/window/file_drops.h"
+#include "ui/window/file_notices.h"
+#include "ui/window/help_binding.h"
+#include "ui/window/import_binding.h"
 #include "ui/window/layouts.h"
 #include "ui/window/menus.h"
 #include "ui/window/place_panels.h"
@@ -24,12 +29,14 @@
 #include "ui/window/status_line.h"
 #include "ui/window/workflow_bar.h"
 
+#include <QAction>
 #include <QCloseEvent>
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QToolBar>
+#include <QToolButton>
 
 namespace keyblock {
 
@@ -43,15 +50,15 @@ MainWindow::MainWindow(Themes& themes)
     setObjectName("studio");
     resize(1600, 1000);
     addFileCommands(*commands_, *document_, *this);
+    addImportCommands(*this, *commands_, *document_, themes_);
     addEditCommands(*commands_, *document_);
     addViewCommands(*commands_, themes_, *display_);
     addCanvasCommands(*commands_, *canvas_);
+    addExportCommands(*this, *commands_, themes_, runs_->cursor(), runs_->settings());
     placeBars();
     placeCanvas();
     placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_, *canvas_});
-    auto* recent = new RecentFiles(*document_, this);
-    start_ = addStartPage(*this, {themes_, *commands_, *document_, *journal_, *recent});
-    layouts_ = new Layouts(*this, *commands_);
+    placeFileRooms();
     fillMenus(*menuBar(), *commands_);
     layouts_->begin();
     connect(runs_, &RunArea::modeChanged, layouts_,
@@ -69,8 +76,14 @@ MainWindow::MainWindow(Themes& themes)
 MainWindow::~MainWindow() = default;
 
 void MainWindow::openPath(const QString& path) {
-    if (path.endsWith(".kbrun", Qt::CaseInsensitive)) runs_->runs().open(QFileInfo(path).absoluteFilePath());
-    else openDocument(*document_, path, *this);
+    if (path.endsWith(".kbrun", Qt::CaseInsensitive)) {
+        start_->hide();
+        runs_->runs().open(QFileInfo(path).absoluteFilePath());
+    } else if (isDrawing(path)) {
+        openImport(*this, *document_, themes_, path);
+    } else {
+        openDocument(*document_, path, *this);
+    }
 }
 
 void MainWindow::begin() { beginWithStartPage(*start_); }
@@ -81,6 +94,19 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     layouts_->keep();
     runs_->runs().stopForClosing();
     journal_->close();
+}
+
+/// Help, first page, what is told of files; then layouts, which take all docks as they stand.
+void MainWindow::placeFileRooms() {
+    addFileNotices(*this, *document_, themes_);
+    QWidget* search = addHelp(*this, *commands_, themes_);
+    new FileDrops(*this, [this](const QString& path) { openPath(path); });
+    auto* recent = new RecentFiles(*document_, this);
+    start_ = addStartPage(*this, {themes_, *commands_, *document_, *journal_, *recent});
+    for (const char* id : {"help.contents", "help.scene", "help.theory"})
+        connect(commands_->action(id), &QAction::triggered, start_, &QWidget::hide);  // it opens beside the canvas
+    layouts_ = new Layouts(*this, *commands_);
+    placeAtRight(*menuBar(), {layouts_->makeButton(menuBar()), search});
 }
 
 void MainWindow::placeBars() {

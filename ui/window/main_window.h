@@ -43,6 +43,7 @@ protected:
 
 private:
     void placeBars();
+    void placeFileRooms();
     void placeCanvas();
     void showTitle();
     void showStates();
@@ -55,8 +56,8 @@ private:
     Selection* selection_;
     Visibility* visibility_;
     StartPage* start_ = nullptr;
-    WorkflowBar* workflow_;
     Layouts* layouts_ = nullptr;
+    WorkflowBar* workflow_;
     Canvas* canvas_;
     DrawingFeed* drawing_;
     RunArea* runs_;
