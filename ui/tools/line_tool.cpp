@@ -42,7 +42,7 @@ QString LineTool::detail() const {
         return tr("%1 × %2").arg(lengthText(size.x()), lengthText(size.y()));
     }
     if (isOutline() && line.size() > 2) {
-        return tr("%1 corners, %2 m²").arg(points_.size()).arg(fieldText(std::abs(signedArea(line))));
+        return tr("%1 corners, %2").arg(points_.size()).arg(areaText(std::abs(signedArea(line))));
     }
     return tr("%1 points, %2").arg(points_.size()).arg(lengthText(lengthOf(line)));
 }

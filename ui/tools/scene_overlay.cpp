@@ -55,6 +55,11 @@ const std::vector<SceneObject>& SceneOverlay::objects() const {
     return objects_;
 }
 
+bool SceneOverlay::isShown() const {
+    const Document& document = bench_.document();
+    return document.checkIsCurrent() && document.checked().picture;
+}
+
 void SceneOverlay::paint(QPainter& painter, const CanvasMap& map) const {
     if (!bench_.isDrawing()) return;
     painter.save();
@@ -67,12 +72,11 @@ void SceneOverlay::paint(QPainter& painter, const CanvasMap& map) const {
 }
 
 void SceneOverlay::paintLines(QPainter& painter, const CanvasMap& map) const {
-    const Document& document = bench_.document();
-    const bool isShown = document.checkIsCurrent() && document.checked().picture;
+    const bool inPicture = isShown();
     painter.setBrush(Qt::NoBrush);
     for (const SceneObject& object : objects()) {
         const bool signs = object.kind == ObjectKind::Support || object.kind == ObjectKind::Load;
-        if (signs || (isShown && isInPicture(object.kind))) continue;
+        if (signs || (inPicture && isInPicture(object.kind))) continue;
         painter.setPen(penOf(object.kind, bench_.theme()));
         for (const ObjectLine& line : object.lines) {
             QPolygonF pixels;
@@ -89,8 +93,11 @@ void SceneOverlay::paintSelected(QPainter& painter, const CanvasMap& map) const 
     for (const QString& pointer : selection.pointers()) {
         const std::string holder = objectPointer(*bench_.document().scene(), pointer.toStdString());
         for (const SceneObject& object : objects()) {
-            if (object.pointer != holder) continue;
-            for (const ObjectLine& line : object.lines) ink.chosen(line.points, line.closed);
+            // The picture shows which of its bolts are selected.
+            const bool isBolt = object.kind == ObjectKind::Bolt || object.kind == ObjectKind::Pattern;
+            if (object.pointer != holder || (isBolt && isShown())) continue;
+            const double width = object.kind == ObjectKind::JointSet ? 1.3 : 2.0;  // its lines are everywhere
+            for (const ObjectLine& line : object.lines) ink.chosen(line.points, line.closed, width);
             for (const Point& mark : object.marks) ink.handle(mark, false);
         }
     }

@@ -25,6 +25,7 @@ public:
 
 private:
     const std::vector<SceneObject>& objects() const;
+    bool isShown() const;  // by the picture below
     void paintLines(QPainter& painter, const CanvasMap& map) const;
     void paintSelected(QPainter& painter, const CanvasMap& map) const;
 

@@ -10,42 +10,81 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QVariant>
+#include <QToolButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace keyblock {
 namespace {
 
-constexpr int barHeight = 36;
+constexpr int barHeight = 36, gap = 8;
 
-/// Options that find no room scroll, so that the buttons at the end stay in sight.
-QScrollArea* scrolled(QWidget* content, QWidget* parent) {
-    auto* area = new QScrollArea(parent);
-    area->setObjectName("toolOptions");
-    area->setWidget(content);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setFixedHeight(barHeight - 2);
-    return area;
-}
+/// A button that tells its key behind its text: in a frame, or plain on the primary one.
+class KeyButton : public QPushButton {
+public:
+    KeyButton(const QString& key, bool primary, const Themes& themes, QWidget* parent)
+        : QPushButton(parent), key_(key), primary_(primary), themes_(themes) {
+        setFocusPolicy(Qt::NoFocus);
+        setCursor(Qt::ArrowCursor);
+        setFixedHeight(26);
+    }
 
-QPushButton* button(QWidget* parent, const char* name) {
-    auto* made = new QPushButton(parent);
-    made->setObjectName(name);
-    made->setFocusPolicy(Qt::NoFocus);
-    return made;
-}
+    QSize sizeHint() const override {
+        return QSize(24 + QFontMetrics(textFont()).horizontalAdvance(text()) + gap + keyWidth(), 26);
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        const Theme& t = themes_.current();
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        if (primary_) {
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(!isEnabled() ? t.border : isDown() ? t.accent.darker(115) : t.accent);
+            painter.drawRoundedRect(rect(), 4.0, 4.0);
+        }
+        const QColor ink = !primary_ ? (underMouse() ? t.text : t.text2) : isEnabled() ? t.onAccent : t.panel;
+        painter.setPen(ink);
+        painter.setFont(textFont());
+        const int at = 12 + QFontMetrics(textFont()).horizontalAdvance(text()) + gap;
+        painter.drawText(QRect(12, 0, at, height()), Qt::AlignVCenter | Qt::AlignLeft, text());
+        painter.setFont(keyFont());
+        const QRectF frame(at - 0.5, 0.5 * height() - 8.5, keyWidth(), 17.0);
+        if (!primary_) {
+            painter.setPen(QPen(t.border, 1.0));
+            painter.drawRoundedRect(frame, 3.0, 3.0);
+            painter.setPen(t.text2);
+        }
+        painter.drawText(frame, Qt::AlignCenter, key_);
+    }
+
+private:
+    QFont textFont() const {
+        QFont font = this->font();
+        font.setPixelSize(12);
+        font.setWeight(primary_ ? QFont::DemiBold : QFont::Normal);
+        return font;
+    }
+    QFont keyFont() const {
+        QFont font = this->font();
+        font.setPixelSize(primary_ ? 12 : 11);
+        font.setWeight(QFont::Normal);
+        return font;
+    }
+    int keyWidth() const { return QFontMetrics(keyFont()).horizontalAdvance(key_) + (primary_ ? 0 : 10); }
+
+    QString key_;
+    bool primary_;
+    const Themes& themes_;
+};
 
 }  // namespace
 
 ToolBar::ToolBar(const Display& display, const Themes& themes, QWidget* parent)
     : QWidget(parent), display_(display), themes_(themes), icon_(new QLabel(this)), title_(new QLabel(this)),
-      cancel_(button(this, "toolCancel")), commit_(button(this, "toolCommit")) {
+      options_(new QWidget(this)), more_(new QToolButton(this)),
+      cancel_(new KeyButton(tr("Esc"), false, themes, this)), commit_(new KeyButton(tr("Enter"), true, themes, this)) {
     setObjectName("toolBar");
     setFixedHeight(barHeight);
     auto* row = new QHBoxLayout(this);
@@ -59,30 +98,29 @@ ToolBar::ToolBar(const Display& display, const Themes& themes, QWidget* parent)
     title_->setFont(bold);
     row->addWidget(title_);
     row->addSpacing(4);
-    auto* content = new QWidget(this);
-    content->setObjectName("toolOptionsContent");
-    options_ = new QHBoxLayout(content);
-    options_->setContentsMargins(0, 0, 0, 0);
-    options_->setSpacing(8);
-    options_->addStretch();
-    row->addWidget(scrolled(content, this), 1);
-    cancel_->setFlat(true);
-    cancel_->setText(tr("Cancel  Esc"));
+    options_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    row->addWidget(options_, 1);
+    more_->setObjectName("toolMore");
+    more_->setAccessibleName(tr("More options"));
+    more_->setToolTip(tr("More options"));
+    more_->setFocusPolicy(Qt::NoFocus);
+    more_->hide();
+    row->addWidget(more_);
+    cancel_->setObjectName("toolCancel");
+    cancel_->setText(tr("Cancel"));
     cancel_->setAccessibleName(tr("Cancel"));
-    commit_->setProperty("primary", true);
+    commit_->setObjectName("toolCommit");
     row->addWidget(cancel_);
     row->addWidget(commit_);
     connect(cancel_, &QPushButton::clicked, this, &ToolBar::cancelled);
     connect(commit_, &QPushButton::clicked, this, &ToolBar::committed);
+    connect(more_, &QToolButton::clicked, this, &ToolBar::showMore);
     connect(&themes, &Themes::changed, this, &ToolBar::showIcon);
 }
 
 void ToolBar::showIcon() {
     if (tool_) icon_->setPixmap(themes_.icon(tool_->id(), themes_.current().accent).pixmap(16, 16));
-    const Theme& t = themes_.current();
-    setStyleSheet(QString("#toolOptions, #toolOptionsContent { background: transparent; }"
-                          "#toolCancel { border: none; background: transparent; color: %1; }"
-                          "#toolCancel:hover { color: %2; }").arg(t.text2.name(), t.text.name()));
+    more_->setIcon(themes_.icon("more"));
     update();
 }
 
@@ -97,10 +135,13 @@ void ToolBar::show(Tool* tool) {
     cancel_->setVisible(tool && tool->wantsPlaces());
     const QString text = tool ? tool->commitText() : QString();
     commit_->setVisible(tool && tool->wantsPlaces());
-    commit_->setText((text.isEmpty() ? tr("Place") : text) + tr("  Enter"));
+    commit_->setText(text.isEmpty() ? tr("Place") : text);
     commit_->setAccessibleName(text.isEmpty() ? tr("Place") : text);
     commit_->setEnabled(!text.isEmpty());
+    commit_->updateGeometry();
     if (tool) rebuild(*tool);
+    layout()->activate();
+    layOut();
 }
 
 void ToolBar::rebuild(Tool& tool) {
@@ -117,12 +158,54 @@ void ToolBar::rebuild(Tool& tool) {
     }
     chips_.clear();
     for (ToolField& field : fields) {
-        auto* chip = new ToolChip(std::move(field), display_, themes_, this);
-        options_->insertWidget(options_->count() - 1, chip);
+        auto* chip = new ToolChip(std::move(field), display_, themes_, options_);
         connect(chip, &ToolChip::done, this, &ToolBar::leftField);
-        chip->show();
         chips_.push_back(chip);
     }
+}
+
+/// Chips from the left as far as there is room; the others wait behind a button.
+void ToolBar::layOut() {
+    const int forMore = more_->sizeHint().width() + layout()->spacing();
+    int room = options_->width() + (more_->isVisible() ? forMore : 0), all = -gap;
+    for (const ToolChip* chip : chips_) all += chip->sizeHint().width() + gap;
+    if (all > room) room -= forMore;
+    int at = 0;
+    bool fits = true;
+    for (ToolChip* chip : chips_) {
+        const int width = chip->sizeHint().width();
+        fits = fits && at + width <= room;
+        chip->setGeometry(at, (options_->height() - chip->height()) / 2, width, chip->height());
+        chip->setVisible(fits);
+        at += width + gap;
+    }
+    more_->setVisible(!fits);
+}
+
+void ToolBar::showMore() {
+    if (!tool_) return;
+    auto* popup = new QFrame(this, Qt::Popup);
+    popup->setObjectName("toolMorePopup");
+    popup->setAttribute(Qt::WA_DeleteOnClose);
+    popup->setFrameShape(QFrame::StyledPanel);
+    auto* column = new QVBoxLayout(popup);
+    column->setContentsMargins(gap, gap, gap, gap);
+    std::vector<ToolField> fields = tool_->fields();
+    for (std::size_t i = 0; i < fields.size() && i < chips_.size(); ++i) {
+        if (chips_[i]->isVisible()) continue;
+        auto* chip = new ToolChip(std::move(fields[i]), display_, themes_, popup);
+        connect(chip, &ToolChip::done, popup, &QWidget::close);
+        column->addWidget(chip);
+    }
+    popup->adjustSize();
+    popup->move(more_->mapToGlobal(QPoint(more_->width() - popup->width(), more_->height() + 4)));
+    popup->show();
+}
+
+void ToolBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    layout()->activate();
+    layOut();
 }
 
 void ToolBar::paintEvent(QPaintEvent*) {

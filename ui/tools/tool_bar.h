@@ -9,9 +9,9 @@
 
 #include <vector>
 
-class QHBoxLayout;
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace keyblock {
 
@@ -37,8 +37,11 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void layOut();
+    void showMore();
     void rebuild(Tool& tool);
     void showIcon();
 
@@ -46,7 +49,8 @@ private:
     const Themes& themes_;
     QLabel* icon_;
     QLabel* title_;
-    QHBoxLayout* options_;
+    QWidget* options_;
+    QToolButton* more_;
     QPushButton* cancel_;
     QPushButton* commit_;
     std::vector<ToolChip*> chips_;

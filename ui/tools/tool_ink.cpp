@@ -219,7 +219,7 @@ void ToolInk::grid(double spacing) {
     const double columns = (window.max.x() - window.min.x()) / spacing, rows = (window.max.y() - window.min.y()) / spacing;
     if (!(columns * rows < 50000.0)) return;
     painter_.setRenderHint(QPainter::Antialiasing, false);
-    painter_.setPen(QPen(faint(theme_.text3, 0.45), 1.0));
+    painter_.setPen(QPen(theme_.text3, 1.4));
     const double left = std::ceil(window.min.x() / spacing), bottom = std::ceil(window.min.y() / spacing);
     for (double i = 0.0; i <= columns; ++i)
         for (double j = 0.0; j <= rows; ++j)
@@ -270,6 +270,11 @@ QString lengthText(double metres) {
 
 QString angleText(double degrees) {
     return QString::number(degrees, 'f', 1).replace('-', QChar(0x2212)) + QString::fromUtf8("°");
+}
+
+QString areaText(double squareMetres) {
+    const bool small = squareMetres < 0.1 && squareMetres > 0.0;
+    return QString::number(squareMetres, small ? 'g' : 'f', small ? 3 : 2) + QString::fromUtf8(" m²");
 }
 
 QString placeText(const Point& place) {

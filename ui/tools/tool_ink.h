@@ -72,6 +72,8 @@ QString lengthText(double metres);
 QString angleText(double degrees);
 /// A number as it stands in a field of a tool: few digits, true minus.
 QString fieldText(double number);
+/// An area for people: `15.59 m²`.
+QString areaText(double squareMetres);
 /// `−2.50, 0.25`
 QString placeText(const Point& place);
 
