@@ -18,6 +18,7 @@
 namespace keyblock {
 namespace {
 
+constexpr double roomForNumbers = 80.0;  // [px] of a bolt
 constexpr double firstReach = 60.0;  // [px] from the wall at which it is meant
 
 }  // namespace
@@ -163,20 +164,22 @@ void PatternTool::paint(QPainter& painter, const CanvasMap& map) const {
     if (from_ && to) ink.wall(wallBetween(tunnel(), from_->along, to->along, pattern_.way));
     const bool plates = pattern_.plate != PlateKind::None;
     for (const ObjectLine& bolt : bolts_) ink.bolt(bolt.points[0], bolt.points[1], plates);
-    if (bolts_.size() > 1) {
+    const double scale = map.pixelsPerMetre();
+    const bool roomy = scale * pattern_.length > roomForNumbers;  // else numbers would lie on each other
+    if (bolts_.size() > 1 && roomy && scale * pattern_.spacing > 0.5 * roomForNumbers) {
         const bool left = pattern_.way == Way::CounterClockwise;
         const std::size_t middle = (bolts_.size() - 1) / 2;
         ink.dimension(bolts_[middle].points[0], bolts_[middle + 1].points[0], lengthText(pattern_.spacing),
                       left ? 30.0 : -30.0);
     }
-    if (!bolts_.empty())
+    if (!bolts_.empty() && roomy)
         ink.dimension(bolts_.back().points[0], bolts_.back().points[1], lengthText(pattern_.length), 26.0);
     if (from_) {
         ink.handle(from_->place, false);
         const Point opening = from_->place - from_->inward;
         const QPointF in = map.toPixel(opening) - map.toPixel(from_->place);
         const double size = std::hypot(in.x(), in.y());
-        if (size > 0.0) ink.label(map.toPixel(from_->place) + in / size * 62.0, tr("from %1").arg(placeText(from_->place)));
+        if (size > 0.0 && roomy) ink.label(map.toPixel(from_->place) + in / size * 62.0, tr("from %1").arg(placeText(from_->place)));
     }
     if (to_) ink.handle(to_->place, false);
     if (hover_ && !from_) ink.handle(hover_->place, true);
