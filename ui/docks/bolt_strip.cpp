@@ -90,7 +90,7 @@ BoltStrip::BoltStrip(const Themes& themes, TimeCursor& cursor, Selection& select
     };
     showIcon();
     connect(&themes, &Themes::changed, this, showIcon);
-    connect(view_, &ChartView::drawn, this, QOverload<>::of(&QWidget::update));
+    connect(view_, &ChartView::redrawn, this, QOverload<>::of(&QWidget::update));
     connect(&cursor, &TimeCursor::runChanged, this, &BoltStrip::runChanged);
     connect(&cursor, &TimeCursor::moved, this, &BoltStrip::make);
     connect(&selection, &Selection::changed, this, &BoltStrip::make);
@@ -217,6 +217,7 @@ void BoltStrip::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), themes_.current().panel);
     if (!shown_ || !view_->chart()) return;
+    view_->prepare();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(view_->x(), view_->y() - bandRoom);
     paintBlocks(painter);

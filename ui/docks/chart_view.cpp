@@ -107,6 +107,10 @@ double ChartView::yOf(std::size_t panel, double value) const {
            (place.bottom - (place.bottom - place.top) * (value - range.low) / (range.high - range.low));
 }
 
+void ChartView::prepare() {
+    if (chart_ && !chart_->panels.empty() && drawn_.isNull() && width() >= leastWidth && height() >= leastHeight) redraw();
+}
+
 void ChartView::redraw() {
     const double ratio = devicePixelRatioF();
     drawn_ = QPixmap(size() * ratio);
@@ -117,7 +121,7 @@ void ChartView::redraw() {
     layout.mostTicks = std::clamp(static_cast<int>(perPanel / pixelsPerTick), 2, mostPanelTicks);
     const Box box{{0.6, 0.8}, {width() / pixelsPerMm - 0.6, height() / pixelsPerMm - 0.6}};
     place_ = drawChart(drawn_, pixelsPerMm, *chart_, box, chartThemeOf(themes_.current()), layout);
-    Q_EMIT drawn();
+    Q_EMIT redrawn();
 }
 
 void ChartView::paintEvent(QPaintEvent*) {
@@ -130,7 +134,7 @@ void ChartView::paintEvent(QPaintEvent*) {
         painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap, message_);
         return;
     }
-    if (drawn_.isNull()) redraw();
+    prepare();
     painter.drawPixmap(0, 0, drawn_);
     if (now_) paintNow(painter);
 }

@@ -40,6 +40,8 @@ public:
     void setRoom(const ChartLayout& layout);
     const std::optional<Chart>& chart() const { return chart_; }
 
+    /// Draws what is new, for whoever paints beside the chart by its places.
+    void prepare();
     /// Pixel of an abscissa; of a value in a panel. \pre there is a chart, drawn once.
     double xOf(double value) const;
     double yOf(std::size_t panel, double value) const;
@@ -48,7 +50,7 @@ public:
 
 Q_SIGNALS:
     void picked(double x);  // a place on the axis of abscissas was clicked
-    void drawn();  // places of pixels are new
+    void redrawn();  // places of pixels are new
 
 protected:
     void paintEvent(QPaintEvent* event) override;

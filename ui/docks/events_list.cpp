@@ -111,7 +111,7 @@ QVariant EventsModel::text(const Event& event, std::size_t number, int column) c
     switch (column) {
         case Number: return QString::number(number + 1);
         case Time:
-            return QString::fromStdString(stageName(run.scene(), event.stage) + "  " +
+            return QString::fromStdString((run.scene().stages.size() > 1 ? stageName(run.scene(), event.stage) + "  " : "") +
                                           timeText(run.scene(), event.stage, event.time));
         case What: return words(wordOf(event.kind));
         case Where: {
@@ -163,9 +163,11 @@ EventsList::EventsList(const Themes& themes, TimeCursor& cursor, Selection& sele
     view_->setUniformRowHeights(true);
     view_->setAlternatingRowColors(false);
     view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    view_->header()->setMinimumSectionSize(24);
     view_->header()->setStretchLastSection(false);
     view_->header()->setSectionResizeMode(EventsModel::Where, QHeaderView::Stretch);
-    const std::array<int, EventsModel::columns> widths{42, 118, 126, 100, 78, 46};
+    const std::array<int, EventsModel::columns> widths{34, 96, 104, 90, 72, 40};
     for (int c = 0; c < EventsModel::columns; ++c) view_->setColumnWidth(c, widths[static_cast<std::size_t>(c)]);
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setWordWrap(true);

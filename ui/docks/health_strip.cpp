@@ -26,14 +26,17 @@ constexpr double mostName = 190.0;  // [px]
 
 QString small(double value) {
     if (value == 0.0) return QStringLiteral("0");
-    const int power = static_cast<int>(std::floor(std::log10(std::abs(value))));
-    if (power >= -2) return Display::number(value, 2);
-    return Display::number(value / std::pow(10.0, power), 2) + QStringLiteral("e−") + QString::number(-power);
+    if (std::abs(value) >= 0.01) return Display::number(value, 2);
+    const QString text = QString::number(value, 'e', 1);  // 2.1e-05
+    const int e = text.indexOf('e');
+    QString digits = text.left(e).replace('-', QChar(0x2212));
+    if (digits.endsWith(".0")) digits.chop(2);
+    return digits + QStringLiteral("e−") + QString::number(-text.mid(e + 1).toInt());
 }
 
 QString valueText(const HealthRow& row) {
     if (!row.value) return QStringLiteral("–");
-    if (row.measure == HealthMeasure::Balance) return Display::number(100.0 * *row.value, 2) + QStringLiteral(" %");
+    if (row.measure == HealthMeasure::Balance) return small(100.0 * *row.value) + QStringLiteral(" %");
     if (row.measure == HealthMeasure::Passes || row.measure == HealthMeasure::StepCuts)
         return Display::number(*row.value, 3);
     return small(*row.value);
