@@ -74,7 +74,9 @@ bool isChosen(const SceneObject& object, const Box& box, BoxRule rule) {
 
 std::vector<std::size_t> objectsAt(std::span<const SceneObject> objects, const Point& place, double radius) {
     std::vector<std::pair<double, std::size_t>> met;
+    const bool opening = isInOpening(objects, place);
     for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (opening && endsAtOpenings(objects[i].kind)) continue;
         const double distance = distanceTo(objects[i], place);
         if (distance <= radius)
             met.emplace_back(distance / radius + rankOf(objects[i].kind), i);

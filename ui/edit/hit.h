@@ -13,7 +13,7 @@
 namespace keyblock {
 
 /// Indices of objects within `radius` [m] of a place, the likeliest meant first: small things before large ones that lie
-/// about as near, insides of openings and blocks last. A domain or a region is met on its outline only.
+/// about as near, insides of openings and blocks last. A domain or a region is met on its outline only, joints not in openings.
 std::vector<std::size_t> objectsAt(std::span<const SceneObject> objects, const Point& place, double radius);
 
 enum class BoxRule {

@@ -170,6 +170,18 @@ private:
 
 }  // namespace
 
+bool endsAtOpenings(ObjectKind kind) {
+    return kind == ObjectKind::Joint || kind == ObjectKind::JointSet || kind == ObjectKind::Voronoi;
+}
+
+bool isInOpening(std::span<const SceneObject> objects, const Point& place) {
+    return std::any_of(objects.begin(), objects.end(), [&](const SceneObject& object) {
+        if (object.kind != ObjectKind::Tunnel || object.area.empty()) return false;
+        const Box box = boxOf(object.area);
+        return locate(object.area, place, 1e-6 * (box.max - box.min).norm()) == Side::Inside;
+    });
+}
+
 std::vector<SceneObject> objectsOf(const Scene& scene) { return Collector(scene).collect(); }
 
 std::vector<ObjectLine> tracesOfSet(const Scene& scene, const SceneJointSet& set) {

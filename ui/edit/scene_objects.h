@@ -9,6 +9,7 @@
 
 #include "solver/scene/scene.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,12 @@ struct SceneObject {
     std::vector<Point> middles;  // of shapes drawn round a middle [m]
     std::vector<Point> area;  // outline of what belongs to it [m]; empty: only lines and marks do
 };
+
+/// True for what lies in rock and is not seen where an opening has taken the rock away.
+bool endsAtOpenings(ObjectKind kind);
+
+/// True when the place lies in one of the tunnels among the objects, and not on its wall.
+bool isInOpening(std::span<const SceneObject> objects, const Point& place);
 
 /// In the order of the scene's parts. Bears any scene; what has no usable place is left out.
 std::vector<SceneObject> objectsOf(const Scene& scene);

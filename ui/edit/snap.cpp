@@ -58,6 +58,8 @@ private:
         if (!(distance <= wish_.radius) || isLeftOut(object)) return;
         const double score = distance / wish_.radius + rankOf(kind);
         if (best_ && score >= score_) return;
+        const bool inRock = index_.names_[static_cast<std::size_t>(object)].inRock;
+        if (inRock && isInOpening(index_.openings_, point)) return;
         score_ = score, object_ = object, other_ = other, what_ = what;
         best_ = Snap{point, kind, {}, {}};
     }
@@ -123,7 +125,8 @@ private:
 SnapIndex::SnapIndex(const std::vector<SceneObject>& objects) {
     for (const SceneObject& object : objects) {
         const int index = static_cast<int>(names_.size());
-        names_.push_back({object.pointer, object.title, keyblock::hasCorners(object.kind)});
+        names_.push_back({object.pointer, object.title, keyblock::hasCorners(object.kind), endsAtOpenings(object.kind)});
+        if (object.kind == ObjectKind::Tunnel) openings_.push_back(object);
         for (const ObjectLine& line : object.lines) add(line, index);
         for (const Point& place : object.marks) marks_.push_back({place, index});
         for (const Point& place : object.middles) middles_.push_back({place, index});

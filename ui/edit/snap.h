@@ -54,7 +54,7 @@ private:
     };
     struct Name {
         std::string pointer, title;
-        bool hasCorners = false;
+        bool hasCorners = false, inRock = false;  // inRock: not seen in openings
     };
     class Search;
 
@@ -64,6 +64,7 @@ private:
     std::vector<Name> names_;
     std::vector<Line> lines_;
     std::vector<Mark> marks_, middles_;
+    std::vector<SceneObject> openings_;
     std::optional<BoxGrid> grid_;
 };
 

@@ -11,6 +11,7 @@
 #include "ui/tools/workbench.h"
 
 #include <QPainter>
+#include <QPainterPath>
 
 namespace keyblock {
 namespace {
@@ -86,6 +87,22 @@ void SceneOverlay::paintLines(QPainter& painter, const CanvasMap& map) const {
     }
 }
 
+/// All that is seen but the openings.
+QPainterPath SceneOverlay::rock(const CanvasMap& map) const {
+    QPainterPath all, openings;
+    all.addRect(QRectF(QPointF(), map.size()));
+    for (const SceneObject& object : objects()) {
+        if (object.kind != ObjectKind::Tunnel || object.area.empty()) continue;
+        QPolygonF wall;
+        for (const Point& point : object.area) wall << map.toPixel(point);
+        QPainterPath opening;
+        opening.addPolygon(wall);
+        opening.closeSubpath();
+        openings |= opening;
+    }
+    return all - openings;
+}
+
 void SceneOverlay::paintSelected(QPainter& painter, const CanvasMap& map) const {
     const Selection& selection = bench_.selection();
     if (selection.isEmpty()) return;
@@ -96,11 +113,14 @@ void SceneOverlay::paintSelected(QPainter& painter, const CanvasMap& map) const 
             // The picture shows which of its bolts are selected.
             const bool isBolt = object.kind == ObjectKind::Bolt || object.kind == ObjectKind::Pattern;
             if (object.pointer != holder || (isBolt && isShown())) continue;
+            painter.setClipping(false);
+            if (endsAtOpenings(object.kind)) painter.setClipPath(rock(map));
             const double width = object.kind == ObjectKind::JointSet ? 1.3 : 2.0;  // its lines are everywhere
             for (const ObjectLine& line : object.lines) ink.chosen(line.points, line.closed, width);
             for (const Point& mark : object.marks) ink.handle(mark, false);
         }
     }
+    painter.setClipping(false);
 }
 
 }  // namespace keyblock

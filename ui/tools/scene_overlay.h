@@ -11,6 +11,8 @@
 #include <memory>
 #include <vector>
 
+class QPainterPath;
+
 namespace keyblock {
 
 class ToolInk;
@@ -27,6 +29,7 @@ private:
     const std::vector<SceneObject>& objects() const;
     bool isShown() const;  // by the picture below
     void paintLines(QPainter& painter, const CanvasMap& map) const;
+    QPainterPath rock(const CanvasMap& map) const;
     void paintSelected(QPainter& painter, const CanvasMap& map) const;
 
     const Workbench& bench_;

@@ -84,6 +84,7 @@ void ToolDesk::choose(const QString& id) {
     box_->stop();
     tool_ = found->get();
     tool_->begin();
+    if (id != "select" && tool_->changes()) bench_->selection().clear();  // it would shine through the ghosts
     for (QAction* action : actions_) action->setChecked(action->objectName() == "tool." + id);
     showTool();
     bench_->canvas().setFocus();

@@ -152,6 +152,17 @@ TEST(Snap, TakesCornersOfTunnelsAndNoneOfTheirArcs) {
     EXPECT_EQ(snapAt(scene, {0.1, 0.1})->name, "corner of domain");
 }
 
+TEST(Snap, AndHitsTakeNoJointInAnOpening) {
+    Scene scene = crossed();
+    scene.joints.push_back({"through", {{10, 7}, {19, 7}}, {}});
+    EXPECT_FALSE(snapAt(scene, {14.0, 7.05}));
+    EXPECT_EQ(snapAt(scene, {12.0, 7.05})->name, "on joint through");
+    EXPECT_EQ(snapAt(scene, {13.1, 7.05})->kind, SnapKind::End) << "where the wall begins its arc";
+    const std::vector<SceneObject> objects = objectsOf(scene);
+    EXPECT_EQ(objects[objectsAt(objects, {14.0, 7.05}, 0.3).front()].pointer, "/tunnels/0");
+    EXPECT_EQ(objects[objectsAt(objects, {12.0, 7.05}, 0.3).front()].pointer, "/joints/3");
+}
+
 TEST(Snap, IsFastAmongFiveThousandTraces) {
     Scene scene = withDomain(newScene(), {{0, 0}, {100, 0}, {100, 100}, {0, 100}}).scene;
     for (const double dip : {20.0, 110.0}) {
