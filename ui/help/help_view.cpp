@@ -54,9 +54,9 @@ HelpView::HelpView(const Themes& themes, QWidget* parent)
     text_->setAccessibleName(tr("Help text"));
     text_->setOpenLinks(false);
     text_->setFrameShape(QFrame::NoFrame);
-    text_->document()->setDocumentMargin(12);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(8, 6, 8, 6);
+    row->setSpacing(8);
     row->addWidget(pages_, 1);
     row->addWidget(words_, 1);
     auto* column = new QVBoxLayout(this);
@@ -79,8 +79,7 @@ void HelpView::open(const QString& name, const QString& words, int occurrence) {
     const HelpPage* page = findHelpPage(name);
     if (!page) return;
     if (shown_ != name) {
-        text_->document()->setMarkdown(page->text);
-        makeReadable();
+        setPage(page->text);
         shown_ = name;
     }
     pages_->setCurrentIndex(pages_->findData(name));
@@ -90,11 +89,25 @@ void HelpView::open(const QString& name, const QString& words, int occurrence) {
     }
 }
 
+/// The page as a document of its own, made before it is shown: laying it out after each change would take seconds.
+void HelpView::setPage(const QString& markdown) {
+    auto* made = new QTextDocument(text_);
+    made->setDefaultFont(text_->font());
+    made->setDocumentMargin(12);
+    made->setMarkdown(markdown);
+    makeReadable(*made);
+    QTextDocument* before = text_->document();
+    const bool isOurs = before->parent() == text_;  // the first one is the browser's, and goes with the next
+    text_->setDocument(made);
+    if (isOurs) before->deleteLater();
+}
+
 /// Markdown as Qt sets it has neither our sizes nor our colours.
-void HelpView::makeReadable() {
+void HelpView::makeReadable(QTextDocument& document) const {
     const Theme& t = themes_.current();
-    QTextCursor cursor(text_->document());
-    for (QTextBlock block = text_->document()->begin(); block.isValid(); block = block.next()) {
+    QTextCursor cursor(&document);
+    cursor.beginEditBlock();
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         const int level = block.blockFormat().headingLevel();
         cursor.setPosition(block.position());
         QTextBlockFormat room = block.blockFormat();
@@ -104,14 +117,13 @@ void HelpView::makeReadable() {
         cursor.setBlockFormat(room);
         if (level == 0) continue;
         cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
-        QTextCharFormat heading;
+        QTextCharFormat heading;  // in place of the one that Markdown gives, which knows sizes relative to points only
         heading.setProperty(QTextFormat::FontPixelSize, headingSizes[static_cast<std::size_t>(std::min(level, 6))]);
-        heading.setProperty(QTextFormat::FontSizeAdjustment, 0);
         heading.setFontWeight(QFont::DemiBold);
         heading.setForeground(t.text);
-        cursor.mergeCharFormat(heading);
+        cursor.setCharFormat(heading);
     }
-    for (QTextFrame* frame : text_->document()->rootFrame()->childFrames())
+    for (QTextFrame* frame : document.rootFrame()->childFrames())
         if (auto* table = qobject_cast<QTextTable*>(frame)) {
             QTextTableFormat format = table->format();
             format.setBorderBrush(t.separator);
@@ -119,6 +131,7 @@ void HelpView::makeReadable() {
             format.setCellPadding(4);
             table->setFormat(format);
         }
+    cursor.endEditBlock();
 }
 
 /// The words stand for a place below another where a slash parts them: `bolt/length`.

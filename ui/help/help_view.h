@@ -10,6 +10,7 @@
 class QComboBox;
 class QLineEdit;
 class QTextBrowser;
+class QTextDocument;
 class QUrl;
 
 namespace keyblock {
@@ -28,7 +29,8 @@ public:
     void search(const QString& words);
 
 private:
-    void makeReadable();
+    void setPage(const QString& markdown);
+    void makeReadable(QTextDocument& document) const;
     void follow(const QUrl& link);
     bool goTo(const QString& words, int occurrence);
 

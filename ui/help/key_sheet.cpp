@@ -22,6 +22,8 @@ namespace keyblock {
 
 namespace {
 
+constexpr int groupRole = Qt::UserRole + 1;
+
 QString nameOf(const QAction* action) { return action->text().remove(QStringLiteral("…")).remove('&'); }
 
 QString keysOf(const QAction* action) {
@@ -99,18 +101,27 @@ QWidget* KeySheet::makeEditor() {
     return editor;
 }
 
+QTreeWidgetItem* KeySheet::groupOf(const QString& menu) const {
+    const int groups = sheet_->topLevelItemCount();
+    for (int i = 0; i < groups; ++i)
+        if (sheet_->topLevelItem(i)->data(0, groupRole).toString() == menu) return sheet_->topLevelItem(i);
+    return sheet_->topLevelItem(groups - 1);
+}
+
 void KeySheet::list() {
     const QString kept = chosen() ? chosen()->objectName() : QString();
     sheet_->clear();
     QTreeWidgetItem* again = nullptr;
-    for (const QAction* action : commands_.all()) {
-        const QString menu = commands_.menuOf(action).isEmpty() ? tr("Elsewhere") : commands_.menuOf(action);
-        const auto groups = sheet_->findItems(menu, Qt::MatchExactly);
-        QTreeWidgetItem* group = groups.isEmpty() ? new QTreeWidgetItem(sheet_, {menu}) : groups.first();
-        QFont bold = font();
-        bold.setWeight(QFont::DemiBold);
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    for (const char* menu : {"File", "Edit", "View", "Insert", "Run", "Results", "Tools", "Help", ""}) {
+        auto* group = new QTreeWidgetItem(sheet_, {*menu ? QString(menu) : tr("Elsewhere")});
+        group->setData(0, groupRole, QString(menu));
         group->setFont(0, bold);
         group->setFlags(Qt::ItemIsEnabled);
+    }
+    for (const QAction* action : commands_.all()) {
+        QTreeWidgetItem* group = groupOf(commands_.menuOf(action));
         auto* item = new QTreeWidgetItem(group, {nameOf(action), keysOf(action), action->statusTip()});
         item->setData(0, Qt::UserRole, action->objectName());
         if (action->objectName() == kept) again = item;

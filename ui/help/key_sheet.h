@@ -14,6 +14,7 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace keyblock {
 
@@ -29,6 +30,7 @@ public:
 private:
     QWidget* makeEditor();
     void list();
+    QTreeWidgetItem* groupOf(const QString& menu) const;
     void filter();
     void showChosen();
     void showConflict();

@@ -76,6 +76,8 @@ QWidget* Gallery::makeHeader() {
     title->setObjectName("sectionTitle");
     auto* hint = new QLabel(tr("Each opens as a copy, says what it shows and what numbers to expect"), header);
     hint->setObjectName("hint");
+    hint->setMinimumWidth(0);
+    hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     row->addWidget(title);
     row->addSpacing(8);
     row->addWidget(hint, 1);

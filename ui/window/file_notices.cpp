@@ -12,6 +12,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMainWindow>
+#include <QTimer>
 
 namespace keyblock {
 
@@ -26,7 +27,7 @@ void addReadingReport(QMainWindow& window, Document& document, const Themes& the
         report->show(reading);
         if (auto* problems = window.findChild<QDockWidget*>("problemsDock")) window.tabifyDockWidget(problems, dock);
         dock->show();
-        dock->raise();
+        QTimer::singleShot(0, dock, &QWidget::raise);  // after those that come with the new document
     });
     QObject::connect(&document, &Document::replaced, dock, &QDockWidget::hide);
 }
