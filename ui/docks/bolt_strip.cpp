@@ -5,9 +5,9 @@
 #include "solver/results/words.h"
 #include "ui/canvas/screen_marks.h"
 #include "ui/docks/chart_view.h"
-#include "ui/document/selection.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
+#include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/time_cursor.h"
 
@@ -25,6 +25,7 @@ namespace {
 
 constexpr int bandRoom = 46;  // [px] above the curves
 constexpr double bandTop = 16.0, bandHeight = 26.0;  // in it
+constexpr int leastBetween = 150;  // [ms] between two pictures of a run that goes on
 constexpr std::size_t manyMarks = 24;
 constexpr std::size_t mostRead = 120;  // frames of a stored run, evenly over all
 constexpr ChartLayout strip{15.0, 15.0, 1.2, true};
@@ -67,8 +68,8 @@ struct BoltStrip::Past {
     }
 };
 
-BoltStrip::BoltStrip(const Themes& themes, TimeCursor& cursor, Selection& selection, QWidget* parent)
-    : QWidget(parent), themes_(themes), cursor_(cursor), selection_(selection), view_(new ChartView(themes, this)),
+BoltStrip::BoltStrip(const Themes& themes, TimeCursor& cursor, BoltChoice& choice, QWidget* parent)
+    : QWidget(parent), themes_(themes), cursor_(cursor), choice_(choice), view_(new ChartView(themes, this)),
       more_(new QToolButton(this)) {
     setObjectName("boltStrip");
     setAccessibleName(tr("Bolt strip"));
@@ -93,7 +94,9 @@ BoltStrip::BoltStrip(const Themes& themes, TimeCursor& cursor, Selection& select
     connect(view_, &ChartView::redrawn, this, QOverload<>::of(&QWidget::update));
     connect(&cursor, &TimeCursor::runChanged, this, &BoltStrip::runChanged);
     connect(&cursor, &TimeCursor::moved, this, &BoltStrip::make);
-    connect(&selection, &Selection::changed, this, &BoltStrip::make);
+    later_.setSingleShot(true);
+    connect(&later_, &QTimer::timeout, this, &BoltStrip::make);
+    connect(&choice, &BoltChoice::changed, this, &BoltStrip::make);
     runChanged();
 }
 
@@ -130,39 +133,33 @@ void BoltStrip::fillMenu(QMenu& menu) {
     if (!cursor_.run()) return;
     menu.addSeparator();
     const Scene& scene = cursor_.run()->scene();
-    const int wanted = wantedBolt();
-    QAction* most = menu.addAction(tr("Most loaded bolt"), this, [this] { selection_.clear(); });
+    const int wanted = choice_.bolt();
+    QAction* most = menu.addAction(tr("Most loaded bolt"), this, [this] { choice_.choose(-1); });
     most->setCheckable(true);
     most->setChecked(wanted < 0);
     constexpr std::size_t mostListed = 40;
     for (std::size_t b = 0; b < std::min(scene.bolts.size(), mostListed); ++b) {
         QAction* action = menu.addAction(QString::fromStdString(boltName(scene, static_cast<int>(b))), this,
-                                         [this, b] { selection_.set({QStringLiteral("/bolts/%1").arg(b)}); });
+                                         [this, b] { choice_.choose(static_cast<int>(b)); });
         action->setCheckable(true);
         action->setChecked(static_cast<int>(b) == wanted);
     }
 }
 
-/// The one that is selected.
-int BoltStrip::wantedBolt() const {
-    const auto count = static_cast<int>(cursor_.run()->scene().bolts.size());
-    for (const QString& pointer : selection_.pointers()) {
-        const QStringList parts = pointer.split('/');
-        bool isNumber = false;
-        const int bolt = parts.size() >= 3 && parts[1] == "bolts" ? parts[2].toInt(&isNumber) : -1;
-        if (isNumber && bolt >= 0 && bolt < count) return bolt;
-    }
-    return -1;
-}
-
+/// Of a run that is followed, a few times a second: axes and curves are drawn anew each time.
 void BoltStrip::make() {
+    if (cursor_.isLive() && made_.isValid() && made_.elapsed() < leastBetween) {
+        if (!later_.isActive()) later_.start(leastBetween - static_cast<int>(made_.elapsed()));
+        return;
+    }
+    made_.start();
     if (!isVisible() || !cursor_.hasMoment() || cursor_.run()->scene().bolts.empty()) {
         if (cursor_.run() && cursor_.run()->scene().bolts.empty()) view_->clear(tr("The scene has no bolts."));
         return;
     }
     const std::vector<const char*> wantedPanels = panelChoices()[panels_].columns;
     const std::size_t stored = cursor_.goesOn() ? 0 : cursor_.run()->frames().size();
-    painting_.ask([this, moment = cursor_.moment(), run = cursor_.run(), past = past_, wanted = wantedBolt(),
+    painting_.ask([this, moment = cursor_.moment(), run = cursor_.run(), past = past_, wanted = choice_.bolt(),
                    wantedPanels, stored]() -> Background::Result {
         try {
             const auto frame = moment->sharedFrame();

@@ -8,6 +8,8 @@
 #include "ui/picture/bolt_chart.h"
 #include "ui/runs/background.h"
 
+#include <QElapsedTimer>
+#include <QTimer>
 #include <QWidget>
 
 #include <memory>
@@ -18,9 +20,9 @@ class QToolButton;
 
 namespace keyblock {
 
+class BoltChoice;
 class ChartView;
 class LiveRun;
-class Selection;
 class Themes;
 class TimeCursor;
 
@@ -28,7 +30,7 @@ class BoltStrip : public QWidget {
     Q_OBJECT
 
 public:
-    BoltStrip(const Themes& themes, TimeCursor& cursor, Selection& selection, QWidget* parent = nullptr);
+    BoltStrip(const Themes& themes, TimeCursor& cursor, BoltChoice& choice, QWidget* parent = nullptr);
     ~BoltStrip() override;
 
     QSize sizeHint() const override { return {740, 214}; }
@@ -53,7 +55,6 @@ private:
     };
 
     void runChanged();
-    int wantedBolt() const;  // −1: the one that bears most
     void make();
     void take(std::shared_ptr<const Shown> shown);
     void fillMenu(QMenu& menu);
@@ -63,13 +64,14 @@ private:
 
     const Themes& themes_;
     TimeCursor& cursor_;
-    Selection& selection_;
+    BoltChoice& choice_;
     ChartView* view_;
     QToolButton* more_;
     std::size_t panels_ = 0;  // which of the choices
     std::shared_ptr<Past> past_;
     std::shared_ptr<const Shown> shown_;
-    QString problem_;
+    QElapsedTimer made_;
+    QTimer later_;
     Background painting_;
 };
 

@@ -4,10 +4,10 @@
 
 #include "solver/results/words.h"
 #include "ui/docks/event_marks.h"
-#include "ui/document/selection.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
 #include "ui/picture/captions.h"
+#include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/time_cursor.h"
 
@@ -150,8 +150,8 @@ QString EventsModel::chainOf(std::size_t number) const {
     return lines.join(QStringLiteral("\n→ "));
 }
 
-EventsList::EventsList(const Themes& themes, TimeCursor& cursor, Selection& selection, QWidget* parent)
-    : QWidget(parent), cursor_(cursor), selection_(selection), model_(new EventsModel(themes, cursor, this)),
+EventsList::EventsList(const Themes& themes, TimeCursor& cursor, BoltChoice& choice, QWidget* parent)
+    : QWidget(parent), cursor_(cursor), choice_(choice), model_(new EventsModel(themes, cursor, this)),
       view_(new QTreeView(this)), empty_(new QLabel(tr("What lets go stands here, as it happens."), this)) {
     setObjectName("eventsList");
     setAttribute(Qt::WA_StyledBackground);
@@ -223,7 +223,7 @@ void EventsList::open(const QModelIndex& index) {
     const Event event = events[number];
     cursor_.pause();
     cursor_.goToEvent(event);
-    if (event.bolt >= 0) selection_.set({QStringLiteral("/bolts/%1").arg(event.bolt)});
+    if (event.bolt >= 0) choice_.choose(event.bolt);
     else if (event.block >= 0) Q_EMIT blockAsked(event.block, words(wordOf(event.kind)));
 }
 

@@ -17,7 +17,7 @@ class QTreeView;
 
 namespace keyblock {
 
-class Selection;
+class BoltChoice;
 class Themes;
 class TimeCursor;
 
@@ -56,7 +56,7 @@ class EventsList : public QWidget {
     Q_OBJECT
 
 public:
-    EventsList(const Themes& themes, TimeCursor& cursor, Selection& selection, QWidget* parent = nullptr);
+    EventsList(const Themes& themes, TimeCursor& cursor, BoltChoice& choice, QWidget* parent = nullptr);
 
     std::size_t count() const;
     QSize sizeHint() const override { return {415, 214}; }
@@ -71,7 +71,7 @@ private:
     void open(const QModelIndex& index);
 
     TimeCursor& cursor_;
-    Selection& selection_;
+    BoltChoice& choice_;
     EventsModel* model_;
     QTreeView* view_;
     QLabel* empty_;

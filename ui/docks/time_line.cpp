@@ -5,11 +5,11 @@
 #include "solver/results/history.h"
 #include "solver/results/words.h"
 #include "ui/docks/time_track.h"
-#include "ui/document/selection.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
 #include "ui/picture/captions.h"
+#include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/time_cursor.h"
 
@@ -54,23 +54,11 @@ long rowAt(const std::vector<HistoryRow>& rows, const FrameHead& head) {
     return static_cast<long>(after - rows.begin()) - 1;
 }
 
-/// Bolt of the scene that is selected; −1: none.
-int selectedBolt(const Selection& selection, const Scene& scene) {
-    for (const QString& pointer : selection.pointers()) {
-        const QStringList parts = pointer.split('/');
-        if (parts.size() < 3 || parts[1] != "bolts") continue;
-        bool isNumber = false;
-        const int bolt = parts[2].toInt(&isNumber);
-        if (isNumber && bolt >= 0 && static_cast<std::size_t>(bolt) < scene.bolts.size()) return bolt;
-    }
-    return -1;
-}
-
 }  // namespace
 
-TimeLine::TimeLine(const Themes& themes, Commands& commands, TimeCursor& cursor, const Selection& selection,
+TimeLine::TimeLine(const Themes& themes, Commands& commands, TimeCursor& cursor, const BoltChoice& choice,
                    QWidget* parent)
-    : QWidget(parent), themes_(themes), commands_(commands), cursor_(cursor), selection_(selection),
+    : QWidget(parent), themes_(themes), commands_(commands), cursor_(cursor), choice_(choice),
       full_(new QWidget(this)), empty_(new QWidget(this)), track_(new TimeTrack(themes, cursor, full_)) {
     setObjectName("timeLine");
     setAttribute(Qt::WA_StyledBackground);
@@ -103,7 +91,7 @@ TimeLine::TimeLine(const Themes& themes, Commands& commands, TimeCursor& cursor,
         showMoment();
         showIcons();
     });
-    connect(&selection, &Selection::changed, this, &TimeLine::showMoment);
+    connect(&choice, &BoltChoice::changed, this, &TimeLine::showMoment);
     showIcons();
     showRun();
 }
@@ -307,7 +295,7 @@ QString TimeLine::compareText() const {
                 QString::fromStdString(timeText(run.scene(), here.stage, here.time - there.time));
     else
         text += QStringLiteral("   ") + QString::fromStdString(stageName(run.scene(), there.stage));
-    const int bolt = selectedBolt(selection_, run.scene());
+    const int bolt = choice_.bolt();
     const long a = rowAt(run.historyRows(), here), from = rowAt(run.historyRows(), there);
     if (bolt < 0 || a < 0 || from < 0) return text;
     const auto column = static_cast<std::size_t>(historyColumn(run.scene(), {-1, 0, bolt, BoltQuantity::AxialForce}));

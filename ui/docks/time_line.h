@@ -18,8 +18,8 @@ class QToolButton;
 
 namespace keyblock {
 
+class BoltChoice;
 class Commands;
-class Selection;
 class Themes;
 class TimeCursor;
 class TimeTrack;
@@ -29,7 +29,7 @@ class TimeLine : public QWidget {
 
 public:
     /// \pre the commands of runs and of time are there.
-    TimeLine(const Themes& themes, Commands& commands, TimeCursor& cursor, const Selection& selection,
+    TimeLine(const Themes& themes, Commands& commands, TimeCursor& cursor, const BoltChoice& choice,
              QWidget* parent = nullptr);
 
 private:
@@ -45,7 +45,7 @@ private:
     const Themes& themes_;
     Commands& commands_;
     TimeCursor& cursor_;
-    const Selection& selection_;
+    const BoltChoice& choice_;
     QWidget *full_, *empty_;
     TimeTrack* track_;
     QToolButton *play_ = nullptr, *loop_ = nullptr, *bookmark_ = nullptr;

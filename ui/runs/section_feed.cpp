@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/section_feed.h"
 
-#include "ui/document/selection.h"
 #include "ui/picture/section_ranges.h"
+#include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/time_cursor.h"
 #include "ui/runs/view_settings.h"
@@ -18,18 +18,6 @@ namespace {
 constexpr std::size_t mostValues = 100000;  // kept for ranges
 constexpr std::size_t fewestFrames = 8, mostFrames = 64;  // whose values are kept
 constexpr std::size_t mostRead = 400;  // frames of a stored run, evenly over all
-
-/// Bolt of the scene that a pointer leads to; −1: none.
-int boltOf(const QStringList& pointers, std::size_t bolts) {
-    for (const QString& pointer : pointers) {
-        const QStringList parts = pointer.split('/');
-        if (parts.size() < 3 || parts[1] != "bolts") continue;
-        bool isNumber = false;
-        const int index = parts[2].toInt(&isNumber);
-        if (isNumber && index >= 0 && static_cast<std::size_t>(index) < bolts) return index;
-    }
-    return -1;
-}
 
 }  // namespace
 
@@ -68,12 +56,12 @@ struct SectionFeed::Ranges {
     }
 };
 
-SectionFeed::SectionFeed(const Selection& selection, TimeCursor& cursor, ViewSettings& settings, QObject* parent)
-    : QObject(parent), selection_(selection), cursor_(cursor), settings_(settings) {
+SectionFeed::SectionFeed(const BoltChoice& choice, TimeCursor& cursor, ViewSettings& settings, QObject* parent)
+    : QObject(parent), choice_(choice), cursor_(cursor), settings_(settings) {
     connect(&cursor, &TimeCursor::runChanged, this, &SectionFeed::runChanged);
     connect(&cursor, &TimeCursor::moved, this, &SectionFeed::make);
     connect(&settings, &ViewSettings::changed, this, &SectionFeed::make);
-    connect(&selection, &Selection::changed, this, [this] {
+    connect(&choice, &BoltChoice::changed, this, [this] {
         if (settings_.choice().ribbon == RibbonOf::Selected) make();
     });
     make();
@@ -106,7 +94,7 @@ SectionRequest SectionFeed::request() const {
     request.contacts = choice.contacts;
     request.factor = choice.factor;
     if (!choice.callOuts) request.mostEvents = 0;
-    const int bolt = boltOf(selection_.pointers(), cursor_.run()->scene().bolts.size());
+    const int bolt = choice_.bolt();
     if (choice.ribbon == RibbonOf::Selected && bolt >= 0) request.ribbon = bolt;
     return request;
 }

@@ -10,15 +10,14 @@
 #include "ui/runs/background.h"
 
 #include <QObject>
-#include <QStringList>
 
 #include <memory>
 #include <optional>
 
 namespace keyblock {
 
+class BoltChoice;
 class LiveRun;
-class Selection;
 class TimeCursor;
 class ViewSettings;
 
@@ -26,7 +25,7 @@ class SectionFeed : public QObject {
     Q_OBJECT
 
 public:
-    SectionFeed(const Selection& selection, TimeCursor& cursor, ViewSettings& settings, QObject* parent = nullptr);
+    SectionFeed(const BoltChoice& choice, TimeCursor& cursor, ViewSettings& settings, QObject* parent = nullptr);
     ~SectionFeed() override;
 
     /// Whether results are wanted, where there are any, or the scene as it is drawn.
@@ -51,7 +50,7 @@ private:
     SectionRequest request() const;
     void put(std::shared_ptr<const SectionPicture> picture);
 
-    const Selection& selection_;
+    const BoltChoice& choice_;
     TimeCursor& cursor_;
     ViewSettings& settings_;
     bool results_ = true, showed_ = false;

@@ -44,7 +44,12 @@ void TimeCursor::grown() {
     const bool first = !live_ && run_->frames().size() == 1;
     if (live_ && !run_->frames().empty()) frame_ = run_->frames().size() - 1;
     Q_EMIT runGrew();
-    if (live_ || first) Q_EMIT moved();
+    // Progress alone shows nothing new.
+    const Frame* newest = run_->newest().frame.get();
+    const bool isNew = newest ? newest != followed_ : run_->frames().size() != followedFrames_;
+    followed_ = newest;
+    followedFrames_ = run_->frames().size();
+    if ((live_ && isNew) || first) Q_EMIT moved();
 }
 
 void TimeCursor::ranOut() {

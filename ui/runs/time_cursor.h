@@ -100,6 +100,8 @@ private:
     std::shared_ptr<LiveRun> run_;
     bool goesOn_ = false, live_ = false, loops_ = false;
     std::size_t frame_ = 0;
+    const Frame* followed_ = nullptr;  // the newest state when the run grew last; only compared
+    std::size_t followedFrames_ = 0;
     double speed_ = 1.0;
     std::optional<std::size_t> b_;
     std::set<std::size_t> bookmarks_;

@@ -14,8 +14,8 @@
 #include "ui/docks/time_line.h"
 #include "ui/docks/view_bar.h"
 #include "ui/document/document.h"
-#include "ui/document/selection.h"
 #include "ui/look/theme.h"
+#include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/run_commands.h"
 #include "ui/runs/run_session.h"
@@ -42,13 +42,14 @@ constexpr int messageTime = 8000;  // [ms]
 
 RunArea::RunArea(const RunAreaParts& parts)
     : QObject(&parts.window), parts_(parts), cursor_(new TimeCursor(this)),
+      choice_(new BoltChoice(parts.selection, *cursor_, this)),
       runs_(new Runs(parts.document, *cursor_, this)), settings_(new ViewSettings(this)),
-      feed_(new SectionFeed(parts.selection, *cursor_, *settings_, this)) {
+      feed_(new SectionFeed(*choice_, *cursor_, *settings_, this)) {
     addRunCommands(parts.commands, *runs_);
     addTimeCommands(parts.commands, *cursor_);
     connect(feed_, &SectionFeed::modeChanged, this, &RunArea::showMode);
     connect(feed_, &SectionFeed::pictureChanged, this, &RunArea::showPicture);
-    connect(&parts.selection, &Selection::changed, this, &RunArea::showSelection);
+    connect(choice_, &BoltChoice::changed, this, &RunArea::showSelection);
     connect(&parts.workflow, &WorkflowBar::chosen, this, &RunArea::followTabs);
     connect(runs_, &Runs::sessionChanged, this, &RunArea::statesChanged);
     connect(cursor_, &TimeCursor::runChanged, this, [this] {
@@ -78,12 +79,12 @@ void RunArea::place(QVBoxLayout& aboveCanvas) {
 void RunArea::placeDocks() {
     QMainWindow& window = parts_.window;
     const Themes& themes = parts_.themes;
-    auto* line = new TimeLine(themes, parts_.commands, *cursor_, parts_.selection, &window);
+    auto* line = new TimeLine(themes, parts_.commands, *cursor_, *choice_, &window);
     QDockWidget* time = makeBand(window, "timeDock", tr("Time line"), line);
     health_ = new HealthStrip(themes, *cursor_, &window);
-    events_ = new EventsList(themes, *cursor_, parts_.selection, &window);
+    events_ = new EventsList(themes, *cursor_, *choice_, &window);
     log_ = new RunLog(themes, &window);
-    auto* bolt = new BoltStrip(themes, *cursor_, parts_.selection, &window);
+    auto* bolt = new BoltStrip(themes, *cursor_, *choice_, &window);
     QDockWidget* strip = makeDock(window, themes, "stripDock", tr("Bolt strip"), bolt);
     connect(bolt, &BoltStrip::titleChanged, strip, [strip, bolt] {
         const QString shown = bolt->title();
@@ -131,14 +132,7 @@ void RunArea::showPicture() {
 
 void RunArea::showSelection() {
     if (!feed_->showsResults()) return;
-    std::vector<int> bolts;
-    for (const QString& pointer : parts_.selection.pointers()) {
-        const QStringList path = pointer.split('/');
-        bool isNumber = false;
-        const int bolt = path.size() >= 3 && path[1] == "bolts" ? path[2].toInt(&isNumber) : -1;
-        if (isNumber) bolts.push_back(bolt);
-    }
-    parts_.canvas.setSelectedBolts(bolts);
+    parts_.canvas.setSelectedBolts(choice_->bolt() >= 0 ? std::vector<int>{choice_->bolt()} : std::vector<int>{});
 }
 
 /// The steps of drawing show the drawing, the others what a run found.

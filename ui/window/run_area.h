@@ -16,6 +16,7 @@ class QVBoxLayout;
 
 namespace keyblock {
 
+class BoltChoice;
 class Canvas;
 class Commands;
 class Document;
@@ -77,6 +78,7 @@ private:
 
     RunAreaParts parts_;
     TimeCursor* cursor_;
+    BoltChoice* choice_;
     Runs* runs_;
     ViewSettings* settings_;
     SectionFeed* feed_;

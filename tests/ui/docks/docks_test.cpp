@@ -11,6 +11,7 @@
 #include "ui/document/selection.h"
 #include "ui/look/commands.h"
 #include "ui/look/theme.h"
+#include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/run_commands.h"
 #include "ui/runs/time_cursor.h"
@@ -137,7 +138,8 @@ TEST_F(DocksTest, AClickOnAnEventGoesThereAndSelectsItsBolt) {
     Themes themes;
     TimeCursor cursor;
     Selection selection;
-    EventsList list(themes, cursor, selection);
+    BoltChoice choice(selection, cursor);
+    EventsList list(themes, cursor, choice);
     list.resize(500, 200);
     list.show();
     cursor.setRun(elevenFrames(), false);
@@ -167,7 +169,8 @@ TEST_F(DocksTest, TheTimeLineScrubsZoomsAndCounts) {
     TimeCursor cursor;
     addTimeCommands(commands, cursor);
     Selection selection;
-    TimeLine line(themes, commands, cursor, selection);
+    BoltChoice choice(selection, cursor);
+    TimeLine line(themes, commands, cursor, choice);
     line.resize(1200, 104);
     line.show();
     EXPECT_EQ(line.height(), 30);  // nothing to tell yet
@@ -190,6 +193,29 @@ TEST_F(DocksTest, TheTimeLineScrubsZoomsAndCounts) {
     cursor.setRun(nullptr, false);
     EXPECT_EQ(line.height(), 30);
     QTest::mouseClick(track, Qt::LeftButton, {}, {300, 50});
+}
+
+TEST(BoltChoice, ABoltOfAPatternIsChosenByItsPattern) {
+    Scene scene = test::bricks();
+    scene.boltPatterns.resize(1);
+    scene.boltPatterns[0].name = "roof";
+    scene.bolts.push_back(scene.bolts.front());
+    scene.bolts.back().name = "roof.1";
+    Selection selection;
+    TimeCursor cursor;
+    BoltChoice choice(selection, cursor);
+    choice.choose(1);  // without a run
+    EXPECT_EQ(choice.bolt(), -1);
+    cursor.setRun(std::make_shared<LiveRun>("nowhere.kbrun", LiveStart{std::make_shared<const Scene>(scene), {}}), false);
+    choice.choose(1);
+    EXPECT_EQ(choice.bolt(), 1);
+    EXPECT_EQ(selection.pointers(), QStringList{"/bolt_patterns/0"});
+    selection.set({"/bolts/0"});
+    EXPECT_EQ(choice.bolt(), 0);
+    selection.set({"/bolts/77", "/bolts/x", "/materials/rock"});
+    EXPECT_EQ(choice.bolt(), -1);
+    choice.choose(99);
+    EXPECT_EQ(choice.bolt(), -1);
 }
 
 }  // namespace
