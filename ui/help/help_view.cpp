@@ -13,6 +13,7 @@
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextTable>
+#include <QTimer>
 #include <QUrl>
 #include <QUrlQuery>
 #include <QVBoxLayout>
@@ -25,6 +26,8 @@ namespace keyblock {
 namespace {
 
 constexpr std::array headingSizes{20, 20, 16, 13, 12, 12, 12};  // [px], by level
+
+constexpr int settleTime = 150;  // [ms]
 
 QString linkTo(const HelpHit& hit, const QString& words) {
     QUrlQuery query;
@@ -86,7 +89,12 @@ void HelpView::open(const QString& name, const QString& words, int occurrence) {
     if (words.isEmpty() || !goTo(words, occurrence)) {
         text_->moveCursor(QTextCursor::Start);
         text_->verticalScrollBar()->setValue(0);
+        return;
     }
+    // Once more when a dock that was opened for it has its width, and the page its breaks.
+    QTimer::singleShot(settleTime, this, [=, this] {
+        if (shown_ == name) goTo(words, occurrence);
+    });
 }
 
 /// The page as a document of its own, made before it is shown: laying it out after each change would take seconds.
