@@ -13,7 +13,7 @@ help:
 	@echo "make show   excavate, bolt and load the drift on the command line, draw and film it, compare with the paper"
 	@echo "make pictures  make the pictures of the README anew"
 	@echo "make test   build and run all tests"
-	@echo "make kills  a hundred runs killed at random moments and fifty stopped; resumed, they end with the same bytes"
+	@echo "make kills  a hundred runs killed at random moments and fifty stopped; resumed, they end with the same bytes; and thirty windows killed while editing"
 	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
 	@echo "make tsan   the tests with several threads under the thread sanitizer"
 	@echo "make bench  time and memory of typical work"
@@ -65,6 +65,8 @@ test: packages
 kills: packages
 	$(call build,dev)
 	KEYBLOCK_KILLS=100 KEYBLOCK_STOPS=50 build/dev/tests/cli_tests --gtest_filter='Kills.*'
+	@if [ -x build/dev/tests/ui_document_tests ]; then \
+	    KEYBLOCK_KILLS=30 build/dev/tests/ui_document_tests --gtest_filter='JournalKills.*'; fi
 
 asan tsan: packages
 	$(call build,$@)
