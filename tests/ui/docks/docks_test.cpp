@@ -179,7 +179,7 @@ TEST_F(DocksTest, TheTimeLineScrubsZoomsAndCounts) {
     line.resize(1200, 104);
     QCoreApplication::processEvents();
     auto* track = line.findChild<TimeTrack*>("timeTrack");
-    QTest::mouseClick(track, Qt::LeftButton, {}, {track->width() / 2, 50});
+    QTest::mouseClick(track, Qt::LeftButton, {}, {track->width() / 2 + 8, 50});
     EXPECT_EQ(cursor.frame(), 5u);
     EXPECT_TRUE(line.findChild<QLabel*>("timeFrame")->text().contains("6"));
     QTest::mouseClick(track, Qt::LeftButton, Qt::ControlModifier, {20, 50});
