@@ -24,7 +24,8 @@ QString Visibility::keyOf(const QString& pointer) const {
 
 bool Visibility::has(const QSet<QString>& keys, const QString& pointer) const {
     if (keys.isEmpty()) return false;
-    return keys.contains(keyOf(pointer)) || keys.contains(pointer.section('/', 0, -2));
+    const QString list = pointer.section('/', 0, -2);
+    return keys.contains(keyOf(pointer)) || (!list.isEmpty() && keys.contains(list));
 }
 
 void Visibility::put(QSet<QString>& keys, const QString& pointer, bool in) {

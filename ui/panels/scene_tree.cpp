@@ -282,7 +282,7 @@ void SceneTree::openMenu(const QPoint& place) {
     const QString id = node.id;
     QMenu menu(this);
     if (node.isObject) {
-        if (node.canHide) menu.addAction(tr("Zoom to"), this, [this] { Q_EMIT zoomAsked(selection_.pointers()); });
+        if (node.hasPlace) menu.addAction(tr("Zoom to"), this, [this] { Q_EMIT zoomAsked(selection_.pointers()); });
         if (node.canRename) menu.addAction(tr("Rename\tF2"), view_, [this, index] { view_->edit(index); });
         if (id != "/analysis") {
             if (id.count('/') > 1) menu.addAction(tr("Duplicate\tCtrl+D"), this, &SceneTree::duplicate);
@@ -295,9 +295,10 @@ void SceneTree::openMenu(const QPoint& place) {
     if (node.canHide) {
         const bool hidden = visibility_.isHidden(id);
         menu.addAction(hidden ? tr("Show") : tr("Hide"), this, [this, id, hidden] { visibility_.setHidden(id, !hidden); });
+    }
+    if (node.isObject && node.hasPlace) {
         const bool locked = visibility_.isLocked(id);
-        if (node.isObject)
-            menu.addAction(locked ? tr("Unlock") : tr("Lock"), this, [this, id, locked] { visibility_.setLocked(id, !locked); });
+        menu.addAction(locked ? tr("Unlock") : tr("Lock"), this, [this, id, locked] { visibility_.setLocked(id, !locked); });
     }
     if (!visibility_.showsAll()) menu.addAction(tr("Show all"), this, [this] { visibility_.showAll(); });
     if (!menu.isEmpty()) menu.exec(view_->viewport()->mapToGlobal(place));

@@ -36,7 +36,7 @@ public:
         addMaterials(*root);
         addList(*root, "/joint_sets", words("Joint sets"), "joint-set", true);
         addList(*root, "/joints", words("Joints"), "joint", true);
-        addList(*root, "/tunnels", words("Tunnels"), "tunnel", true);
+        addList(*root, "/tunnels", words("Tunnels"), "tunnel", false);
         addBolts(*root);
         addList(*root, "/supports", words("Supports"), "support", true);
         addLoads(*root);
@@ -89,7 +89,8 @@ private:
         node->detail = detailOf(source_.document, source_.display, pointer);
         node->icon = iconOf(source_.document, pointer);
         node->isObject = true;
-        node->canHide = list != "/materials" && list != "/joint_materials" && list != "/stages" && list != "/bolt_types";
+        node->hasPlace = list != "/materials" && list != "/joint_materials" && list != "/stages" && list != "/bolt_types";
+        node->canHide = node->hasPlace && list != "/tunnels";
         node->canRename = list != "/supports" && !list.isEmpty();
         node->canMove = list == "/stages";
         node->badge = badgeAt(pointer);
@@ -132,8 +133,8 @@ private:
     void addGeometry(TreeNode& root) {
         auto node = heading("#geometry", words("Geometry"), "outline", false);
         node->badge = worst({"/domain", "/regions", "/voronoi", "/blocks", "/cutting"});
-        if (scene_.domain) addOne(*node, "/domain", words("Domain"), true);
-        if (scene_.voronoi) addOne(*node, "/voronoi", words("Voronoi cells"), false);
+        if (scene_.domain) addOne(*node, "/domain", words("Domain"));
+        if (scene_.voronoi) addOne(*node, "/voronoi", words("Voronoi cells"));
         for (auto& row : entries("/regions")) addChild(*node, std::move(row));
         addBlocks(*node);
         addHeading(root, std::move(node));
@@ -151,10 +152,11 @@ private:
         if (source_.filter.isEmpty() || matches(*blocks) || !blocks->children.empty()) addChild(geometry, std::move(blocks));
     }
 
-    void addOne(TreeNode& parent, const std::string& pointer, const QString& name, bool canHide) {
+    void addOne(TreeNode& parent, const std::string& pointer, const QString& name) {
         auto node = entry(pointer, {});
         node->name = name;
-        node->canHide = canHide;
+        node->canHide = false;
+        node->hasPlace = pointer == "/domain";
         if (source_.filter.isEmpty() || matches(*node)) addChild(parent, std::move(node));
     }
 
@@ -203,12 +205,12 @@ private:
 
     void addLoads(TreeNode& root) {
         auto node = heading("#loads", words("Loads"), "load", false);
-        addOne(*node, "/analysis", words("Gravity"), false);
+        addOne(*node, "/analysis", words("Gravity"));
         if (!node->children.empty()) {
             node->children.back()->detail = gravityText();
             node->children.back()->icon = "arrow";
         }
-        if (scene_.inSituStress) addOne(*node, "/in_situ_stress", words("In-situ stress"), false);
+        if (scene_.inSituStress) addOne(*node, "/in_situ_stress", words("In-situ stress"));
         for (std::size_t stage = 0; stage < scene_.stages.size(); ++stage)
             for (const char* list : {"loads", "motions"}) addOfStage(*node, stage, list);
         node->detail = scene_.analysis.gravity.isZero() ? words("no gravity") : words("gravity");

@@ -24,7 +24,8 @@ struct TreeNode {
     QString id;  // of its own kind: pointer of an object or a list, `#…` for the rest
     QString name, detail, icon;
     bool isObject = false;  // `id` is the pointer of something to select
-    bool canHide = false;  // something of it is seen in the section
+    bool hasPlace = false;  // it can be zoomed to
+    bool canHide = false;  // in the section
     bool canRename = false;
     bool canMove = false;  // by dragging, within its list
     bool bold = false;

@@ -26,7 +26,8 @@ QFont fontOf(const QFont& base, int pixels, QFont::Weight weight) {
     return font;
 }
 
-bool isObject(const TreeNode& node) { return node.isObject && node.canHide; }
+/// Things that the mouse could take hold of.
+bool canLock(const TreeNode& node) { return node.isObject && node.hasPlace; }
 
 }  // namespace
 
@@ -49,7 +50,7 @@ int TreeRows::paintRight(QPainter& painter, const QRect& row, const TreeNode& no
     int x = eyeOf(row).left();
     if (node.canHide)
         themes_.icon(hidden ? "eye-off" : "eye", hidden ? t.text3 : selected ? t.accent : t.text2).paint(&painter, eyeOf(row));
-    if (isObject(node) && locked) {
+    if (canLock(node) && locked) {
         themes_.icon("lock", t.text2).paint(&painter, lockOf(row));
         x = lockOf(row).left();
     }
@@ -138,7 +139,7 @@ void TreeView::mousePressEvent(QMouseEvent* event) {
         const QRect row(0, visualRect(index).top(), viewport()->width(), visualRect(index).height());
         if (node.canHide && TreeRows::eyeOf(row).adjusted(-2, -4, 2, 4).contains(event->pos()))
             return Q_EMIT eyeClicked(node.id);
-        if (isObject(node) && TreeRows::lockOf(row).adjusted(-2, -4, 2, 4).contains(event->pos()))
+        if (canLock(node) && TreeRows::lockOf(row).adjusted(-2, -4, 2, 4).contains(event->pos()))
             return Q_EMIT lockClicked(node.id);
     }
     QTreeView::mousePressEvent(event);

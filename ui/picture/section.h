@@ -46,6 +46,7 @@ struct BlockShape {
     std::vector<Point> before;  // where it was [m]
     std::optional<double> value;  // in the unit shown
     double displaced = 0.0;  // largest way of a corner, as drawn [m]
+    std::vector<char> edgesHidden{};  // an edge each: not drawn as a joint; empty: all are
 };
 
 struct BoltShape {

@@ -25,10 +25,12 @@ void SectionShapes::addCorner(LayerShapes& shapes, const Point& place) const {
     shapes.corners.push_back(static_cast<float>(place.y() - origin_.y()));
 }
 
-void SectionShapes::addRing(LayerShapes& shapes, const std::vector<Point>& ring) const {
+void SectionShapes::addRing(LayerShapes& shapes, const std::vector<Point>& ring,
+                            const std::vector<char>& without) const {
     const int first = cornersOf(shapes), count = static_cast<int>(ring.size());
     for (const Point& corner : ring) addCorner(shapes, corner);
     for (int i = 0; i < count; ++i) {
+        if (!without.empty() && without[static_cast<std::size_t>(i)]) continue;
         shapes.cells.push_back(first + i);
         shapes.cells.push_back(first + (i + 1) % count);
     }
@@ -68,7 +70,7 @@ LayerShapes SectionShapes::blocks(const ViewColours& colours, bool drawing) cons
 
 LayerShapes SectionShapes::outlines() const {
     LayerShapes shapes;
-    for (const BlockShape& block : picture_.blocks) addRing(shapes, block.outline);
+    for (const BlockShape& block : picture_.blocks) addRing(shapes, block.outline, block.edgesHidden);
     return shapes;
 }
 

@@ -32,7 +32,7 @@ public:
 
 private:
     void addCorner(LayerShapes& shapes, const Point& place) const;
-    void addRing(LayerShapes& shapes, const std::vector<Point>& ring) const;
+    void addRing(LayerShapes& shapes, const std::vector<Point>& ring, const std::vector<char>& without = {}) const;
     void addFilled(LayerShapes& shapes, const std::vector<Point>& outline, const std::vector<Point>& tiledBy) const;
 
     const SectionPicture& picture_;

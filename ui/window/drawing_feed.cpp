@@ -4,11 +4,14 @@
 
 #include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
+#include "ui/document/visibility.h"
+#include "ui/document/visible_picture.h"
 
 namespace keyblock {
 
-DrawingFeed::DrawingFeed(Document& document, Canvas& canvas, QObject* parent)
-    : QObject(parent), document_(document), canvas_(canvas) {
+DrawingFeed::DrawingFeed(Document& document, const Visibility& visibility, Canvas& canvas, QObject* parent)
+    : QObject(parent), document_(document), visibility_(visibility), canvas_(canvas) {
+    connect(&visibility, &Visibility::changed, this, &DrawingFeed::show);
     connect(&document, &Document::checkedChanged, this, &DrawingFeed::show);
     // Another document is fitted into the view; an edit leaves the view where it is.
     connect(&document, &Document::replaced, this, [this] {
@@ -33,7 +36,7 @@ void DrawingFeed::show() {
     const Checked& checked = document_.checked();
     const bool broken = hasErrors(checked.problems);
     // While something is wrong the last good picture stays: the problems say what to do.
-    if (checked.picture || !broken) canvas_.show(checked.picture);
+    if (checked.picture || !broken) canvas_.show(visiblePicture(checked, visibility_));
 }
 
 void DrawingFeed::showHint() {

@@ -10,12 +10,13 @@ namespace keyblock {
 
 class Canvas;
 class Document;
+class Visibility;
 
 class DrawingFeed : public QObject {
     Q_OBJECT
 
 public:
-    DrawingFeed(Document& document, Canvas& canvas, QObject* parent = nullptr);
+    DrawingFeed(Document& document, const Visibility& visibility, Canvas& canvas, QObject* parent = nullptr);
 
     bool isOn() const { return on_; }
     /// On: the canvas shows the drawing, and follows it. Off: others show on the canvas what they have.
@@ -29,6 +30,7 @@ private:
     void showHint();
 
     Document& document_;
+    const Visibility& visibility_;
     Canvas& canvas_;
     bool on_ = true;
 };

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The tree shows what the scene holds and keeps what is open; the selection goes
+// both ways; what is hidden goes from the drawing.
+#include "tests/ui/panels/form_bench.h"
+
+#include "ui/document/selection.h"
+#include "ui/document/visibility.h"
+#include "ui/document/visible_picture.h"
+#include "ui/edit/edits.h"
+#include "ui/look/commands.h"
+#include "ui/panels/scene_tree.h"
+#include "ui/panels/tree_model.h"
+#include "ui/panels/tree_view.h"
+#include "ui/picture/section.h"
+
+#include <QElapsedTimer>
+
+#include <algorithm>
+
+namespace keyblock {
+namespace {
+
+struct TreeBench {
+    Themes themes;
+    Display display;
+    Commands commands{themes};
+    Document document;
+    Selection selection;
+    Visibility visibility{document};
+    SceneTree tree{document, selection, visibility, display, commands, themes};
+
+    explicit TreeBench(Scene scene) {
+        document.startNew(std::move(scene));
+        tree.resize(236, 700);
+        tree.show();
+        tree.refresh();
+    }
+
+    TreeModel& model() { return *static_cast<TreeModel*>(tree.view().model()); }
+    QModelIndex at(const QString& id) { return model().indexOf(id); }
+};
+
+Scene wall(int columns, int rows) {
+    Scene scene = sampleScene("drift-bolted");
+    scene.domain.reset();
+    scene.joints.clear();
+    scene.jointSets.clear();
+    scene.tunnels.clear();
+    scene.boltPatterns.clear();
+    scene.stages.clear();
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            Block block;
+            block.name = std::to_string(i) + "-" + std::to_string(j);
+            block.points = {Point(i, j), Point(i + 1, j), Point(i + 1, j + 1), Point(i, j + 1)};
+            block.material = scene.materials[0].first;
+            scene.blocks.push_back(block);
+        }
+    return scene;
+}
+
+TEST(SceneTree, TheSelectionGoesBothWays) {
+    NEED_SCREEN();
+    TreeBench bench(sampleScene("drift-bolted"));
+    ASSERT_TRUE(bench.at("/joint_sets/1").isValid());
+    bench.tree.view().setCurrentIndex(bench.at("/joint_sets/1"));
+    EXPECT_EQ(bench.selection.pointers(), QStringList{"/joint_sets/1"});
+    bench.selection.set({"/tunnels/0"});
+    EXPECT_TRUE(bench.tree.view().selectionModel()->isSelected(bench.at("/tunnels/0")));
+    EXPECT_FALSE(bench.tree.view().selectionModel()->isSelected(bench.at("/joint_sets/1")));
+}
+
+TEST(SceneTree, FiveThousandBlocksWaitUntilTheyAreOpened) {
+    NEED_SCREEN();
+    TreeBench bench(wall(100, 50));
+    const QModelIndex blocks = bench.at("/blocks");
+    ASSERT_TRUE(blocks.isValid());
+    EXPECT_EQ(bench.model().rowCount(blocks), 0);
+    EXPECT_TRUE(bench.model().hasChildren(blocks));
+    QElapsedTimer timer;
+    timer.start();
+    for (int i = 0; i < 20; ++i) bench.tree.refresh();
+    EXPECT_LT(timer.elapsed(), 20 * 20);  // a refresh stays below a frame of the screen
+    bench.selection.set({"/blocks/4321"});  // opens what it needs
+    EXPECT_EQ(bench.model().rowCount(bench.at("/blocks")), 5000);
+    EXPECT_TRUE(bench.tree.view().selectionModel()->isSelected(bench.at("/blocks/4321")));
+}
+
+TEST(SceneTree, WhatIsOpenStaysOpenWhenThingsCome) {
+    NEED_SCREEN();
+    TreeBench bench(sampleScene("drift-bolted"));
+    bench.tree.view().expand(bench.at("/stages"));
+    bench.tree.view().collapse(bench.at("/joint_sets"));
+    bench.document.apply("add", appendAt(*bench.document.scene(), "/materials").scene);
+    bench.tree.refresh();
+    EXPECT_TRUE(bench.tree.view().isExpanded(bench.at("/stages")));
+    EXPECT_FALSE(bench.tree.view().isExpanded(bench.at("/joint_sets")));
+}
+
+TEST(SceneTree, NamesAreChangedInPlaceWhereverTheyStand) {
+    NEED_SCREEN();
+    TreeBench bench(sampleScene("drift-bolted"));
+    const QString pointer = QString::fromStdString("/materials/" + bench.document.scene()->materials[0].first);
+    ASSERT_TRUE(bench.model().setData(bench.at(pointer), "gneiss", Qt::EditRole));
+    EXPECT_EQ(bench.document.scene()->domain->material, "gneiss");
+    bench.tree.refresh();
+    EXPECT_TRUE(bench.at("/materials/gneiss").isValid());
+}
+
+TEST(SceneTree, TheFilterLeavesWhatHoldsItsText) {
+    NEED_SCREEN();
+    TreeBench bench(sampleScene("drift-bolted"));
+    bench.tree.findChild<QLineEdit*>()->setText("J2");
+    EXPECT_TRUE(bench.at("/joint_sets/1").isValid());
+    EXPECT_FALSE(bench.at("/joint_sets/0").isValid());
+    EXPECT_FALSE(bench.at("/tunnels").isValid());
+}
+
+TEST(SceneTree, DeletingTakesTheSelectionAway) {
+    NEED_SCREEN();
+    TreeBench bench(sampleScene("drift-bolted"));
+    const Scene before = *bench.document.scene();
+    bench.selection.set({"/joint_sets/0"});
+    QTest::keyClick(&bench.tree.view(), Qt::Key_Delete);
+    EXPECT_EQ(bench.document.scene()->jointSets.size(), before.jointSets.size() - 1);
+    EXPECT_TRUE(bench.selection.isEmpty());
+    bench.document.undo().undo();
+    EXPECT_EQ(*bench.document.scene(), before);
+}
+
+TEST(Visibility, HiddenThingsAreKnownByNameWhenOthersGo) {
+    NEED_SCREEN();
+    TreeBench bench(sampleScene("drift-bolted"));
+    bench.visibility.setHidden("/joint_sets/1", true);
+    bench.document.apply("remove", removeAt(*bench.document.scene(), "/joint_sets/0").scene);
+    EXPECT_TRUE(bench.visibility.isHidden("/joint_sets/0"));
+    EXPECT_FALSE(bench.visibility.isHidden("/joint_sets/1"));
+}
+
+TEST(Visibility, WhatIsHiddenGoesFromTheDrawing) {
+    NEED_SCREEN();
+    TreeBench bench(sampleScene("drift-bolted"));
+    ASSERT_TRUE(waitFor([&] { return bench.document.checkIsCurrent() && bench.document.checked().picture; }));
+    const Checked& checked = bench.document.checked();
+    EXPECT_EQ(visiblePicture(checked, bench.visibility), checked.picture);
+    bench.visibility.setHidden("/bolt_patterns/0", true);
+    EXPECT_TRUE(visiblePicture(checked, bench.visibility)->bolts.empty());
+    bench.visibility.setHidden("/joint_sets/0", true);
+    std::ptrdiff_t hidden = 0, shown = 0;
+    const auto picture = visiblePicture(checked, bench.visibility);
+    for (const BlockShape& block : picture->blocks) {
+        hidden += std::ranges::count(block.edgesHidden, char{1});
+        shown += std::ranges::count(block.edgesHidden, char{0});
+    }
+    EXPECT_GT(hidden, 100);
+    EXPECT_GT(shown, 100);
+    bench.visibility.showAll();
+    EXPECT_EQ(visiblePicture(checked, bench.visibility), checked.picture);
+}
+
+}  // namespace
+}  // namespace keyblock

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The drawing without what a person has hidden: bolts and patterns, blocks, and the
+// lines of joints and joint sets.
+#pragma once
+
+#include "ui/document/checker.h"
+
+#include <memory>
+
+namespace keyblock {
+
+class Visibility;
+
+/// The picture itself where nothing is hidden; null where there is none.
+std::shared_ptr<const SectionPicture> visiblePicture(const Checked& checked, const Visibility& visibility);
+
+}  // namespace keyblock
