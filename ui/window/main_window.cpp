@@ -22,6 +22,7 @@
 #include "ui/window/import_binding.h"
 #include "ui/window/layouts.h"
 #include "ui/window/menus.h"
+#include "ui/window/panel_runs.h"
 #include "ui/window/place_panels.h"
 #include "ui/window/place_tools.h"
 #include "ui/window/run_area.h"
@@ -45,7 +46,7 @@ MainWindow::MainWindow(Themes& themes)
       document_(new Document(this)), journal_(new Journal(*document_, journalFolder(), this)),
       selection_(new Selection(this)), visibility_(new Visibility(*document_, this)),
       workflow_(new WorkflowBar(themes, this)),
-      canvas_(new Canvas(themes, this)), drawing_(new DrawingFeed(*document_, *canvas_, this)),
+      canvas_(new Canvas(themes, this)), drawing_(new DrawingFeed(*document_, *visibility_, *canvas_, this)),
       runs_(new RunArea({*this, themes, *commands_, *document_, *selection_, *canvas_, *drawing_, *workflow_})) {
     setObjectName("studio");
     resize(1600, 1000);
@@ -57,7 +58,8 @@ MainWindow::MainWindow(Themes& themes)
     addExportCommands(*this, *commands_, themes_, runs_->cursor(), runs_->settings());
     placeBars();
     placeCanvas();
-    placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_, *canvas_});
+    showRunsIn(placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_, *canvas_}),
+               runs_->runs());
     placeFileRooms();
     fillMenus(*menuBar(), *commands_);
     layouts_->begin();

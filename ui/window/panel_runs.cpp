@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/panel_runs.h"
+
+#include "ui/panels/census_panel.h"
+#include "ui/panels/scene_tree.h"
+#include "ui/runs/runs.h"
+#include "ui/window/place_panels.h"
+
+namespace keyblock {
+
+namespace {
+
+std::vector<RunRow> rowsOf(const Runs& runs) {
+    std::vector<RunRow> rows;
+    for (const RunEntry& entry : runs.entries()) {
+        RunRow row{entry.path, entry.name(), entry.outcomeText(), entry.goesOn ? "running" : "result",
+                   entry.path == runs.shown()};
+        if (entry.ofEarlierScene) row.detail += Runs::tr(", of an earlier scene");
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+}  // namespace
+
+void showRunsIn(const Panels& panels, Runs& runs) {
+    const auto list = [tree = panels.tree, &runs] { tree->setRuns(rowsOf(runs)); };
+    for (const auto signal : {&Runs::listChanged, &Runs::shownChanged, &Runs::sessionChanged})
+        QObject::connect(&runs, signal, panels.tree, list);
+    QObject::connect(&runs, &Runs::sessionChanged, panels.census,
+                     [census = panels.census, &runs] { census->setBusy(runs.isRunning()); });
+    QObject::connect(panels.tree, &SceneTree::runChosen, &runs, [&runs](const QString& store) {
+        for (const RunEntry& entry : runs.entries())
+            if (entry.path == store && !entry.goesOn) return runs.open(store);
+    });
+    list();
+}
+
+}  // namespace keyblock
