@@ -4,6 +4,7 @@
 
 #include "solver/files/bolt_library.h"
 #include "solver/scene/words.h"
+#include "ui/edit/scene_objects.h"
 
 #include <algorithm>
 
@@ -39,6 +40,16 @@ Names boltTypes(const Scene& scene) {
     return names;
 }
 
+/// Single bolts, then those of patterns as they are laid out: `P1.1`, `P1.2`, …
+Names bolts(const Scene& scene) {
+    Names names = namesIn(scene.bolts);
+    for (const ScenePattern& pattern : scene.boltPatterns) {
+        const std::size_t count = boltsOfPattern(scene, pattern).size();
+        for (std::size_t i = 1; i <= count; ++i) names.push_back(pattern.name + "." + std::to_string(i));
+    }
+    return names;
+}
+
 }  // namespace
 
 std::optional<Names> choicesOf(const Scene& scene, const Structure& structure, const Field& field) {
@@ -48,7 +59,7 @@ std::optional<Names> choicesOf(const Scene& scene, const Structure& structure, c
     if (key == "region") return namesIn(scene.regions);
     if (key == "tunnel") return namesIn(scene.tunnels);
     if (key == "like" || (key == "type" && field.kind == FieldKind::Text)) return boltTypes(scene);
-    if (key == "bolt") return namesIn(scene.bolts);
+    if (key == "bolt") return bolts(scene);
     if (structure.name == "dilation" && key == "joint")
         return namesIn(scene.joints, scene.jointSets, scene.jointMaterials);
     if (key == "excavate") return namesIn(scene.tunnels, scene.blocks);

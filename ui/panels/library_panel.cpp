@@ -43,6 +43,14 @@ QTreeWidget* makeTree(QWidget* parent, const QString& name) {
     return tree;
 }
 
+/// `my-rebar-20`: another number in the name would tell of another bolt.
+std::string nameOfOwn(const Scene& scene, const std::string& name) {
+    const std::string base = name.starts_with("my-") ? name : "my-" + name;
+    std::string own = base;
+    for (int i = 2; findBoltType(scene, own); ++i) own = base + "-" + std::to_string(i);
+    return own;
+}
+
 QTreeWidgetItem* headingItem(QTreeWidget& tree, const QString& text) {
     auto* item = new QTreeWidgetItem(&tree, {text});
     QFont font = item->font(0);
@@ -254,7 +262,7 @@ void LibraryPanel::copyIntoScene() {
         if (QString::fromStdString(entry.type.name) != chosen_) continue;
         BoltType copy = entry.type;
         copy.like = entry.type.name;
-        copy.name = nameOfCopy(after, "/bolt_types", entry.type.name);
+        copy.name = nameOfOwn(after, entry.type.name);
         copy.builtIn = false;
         const QString name = QString::fromStdString(copy.name);
         after.boltTypes.push_back(std::move(copy));
