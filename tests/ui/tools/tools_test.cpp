@@ -20,8 +20,13 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QFrame>
 #include <QLineEdit>
+#include <QMenu>
 #include <QTest>
+#include <QToolButton>
 #include <QUndoStack>
 
 namespace {
@@ -266,6 +271,73 @@ TEST(Tools, OptionsInTheBarChangeTheGhost) {
     place.key(Qt::Key_Return);
     ASSERT_EQ(place.scene().boltPatterns.size(), 1u);
     EXPECT_DOUBLE_EQ(place.scene().boltPatterns[0].spacing, 2.0);
+}
+
+QMenu* menuAt(Place& place, const Point& at) {
+    const QPoint pixel = place.pixel(at);
+    QContextMenuEvent event(QContextMenuEvent::Mouse, pixel, place.canvas.mapToGlobal(pixel));
+    QApplication::sendEvent(&place.canvas, &event);
+    const QList<QMenu*> menus = place.canvas.findChildren<QMenu*>();
+    return menus.isEmpty() ? nullptr : menus.last();
+}
+
+QAction* actionOf(QMenu& menu, const QString& text) {
+    for (QAction* action : menu.actions())
+        if (action->text() == text) return action;
+    return nullptr;
+}
+
+TEST(Tools, TheContextMenuEndsAndUndoesWhatIsDrawn) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    place.choose("joint");
+    for (const Point& at : {Point(-10, -8), Point(-8, -9), Point(-6, -8)}) place.click(at);
+    QMenu* menu = menuAt(place, {-6, -8});
+    ASSERT_TRUE(menu && actionOf(*menu, "Undo point"));
+    actionOf(*menu, "Undo point")->trigger();
+    menu->close();
+    menu = menuAt(place, {-6, -8});
+    ASSERT_TRUE(actionOf(*menu, "Enter")->isEnabled());
+    actionOf(*menu, "Enter")->trigger();
+    menu->close();
+    ASSERT_EQ(place.scene().joints.size(), 1u);
+    EXPECT_EQ(place.scene().joints[0].points.size(), 2u);
+    place.choose("select");
+    menu = menuAt(place, place.scene().joints[0].points[0]);
+    ASSERT_TRUE(menu && actionOf(*menu, "Delete joint J1"));
+    actionOf(*menu, "Delete joint J1")->trigger();
+    menu->close();
+    EXPECT_TRUE(place.scene().joints.empty());
+}
+
+TEST(Tools, WhatFindsNoRoomInTheBarWaitsBehindAButton) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    place.desk->bar().QWidget::show();
+    place.desk->bar().resize(560, 36);
+    place.choose("pattern");
+    QTest::qWait(50);
+    auto* more = place.desk->bar().findChild<QToolButton*>("toolMore");
+    ASSERT_TRUE(more->isVisible());
+    EXPECT_FALSE(place.desk->bar().findChild<QLineEdit*>("option.offset")->isVisible());
+    more->click();
+    auto* popup = place.desk->bar().findChild<QFrame*>("toolMorePopup");
+    ASSERT_TRUE(popup);
+    auto* offset = popup->findChild<QLineEdit*>("option.offset");
+    ASSERT_TRUE(offset);
+    offset->setText("0,25");
+    QTest::keyClick(offset, Qt::Key_Return);
+    popup->close();
+    place.click({2.55, 0.0});
+    place.click({-2.55, 0.0});
+    place.key(Qt::Key_Return);
+    ASSERT_EQ(place.scene().boltPatterns.size(), 1u);
+    EXPECT_DOUBLE_EQ(place.scene().boltPatterns[0].offset, 0.25);
+    place.desk->bar().resize(1400, 36);
+    QTest::qWait(50);
+    EXPECT_FALSE(more->isVisible());
 }
 
 TEST(Tools, EveryToolBearsAnyClickInAnEmptyScene) {
