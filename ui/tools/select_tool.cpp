@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/select_tool.h"
 
+#include "geometry/segment.h"
 #include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
@@ -19,7 +20,8 @@
 namespace keyblock {
 namespace {
 
-constexpr double hitReach = 7.0, handleReach = 8.0, dragStart = 4.0, wallReach = 24.0, nudgePixels = 4.0;  // [px]
+constexpr double hitReach = 7.0, handleReach = 8.0, dragStart = 4.0, wallReach = 24.0;  // [px]
+constexpr std::size_t mostNear = 100;  // lines of one thing
 
 }  // namespace
 
@@ -104,6 +106,7 @@ void SelectTool::move(const Pointed& at) {
         return;
     }
     if (doing_ != Doing::Nothing || !bench().isDrawing()) return;
+    mouse_ = at.raw;
     hot_ = handleAt(at.pixel);
     hover_ = hot_ ? QString() : objectAt(at.raw);
 }
@@ -267,7 +270,11 @@ void SelectTool::paint(QPainter& painter, const CanvasMap& map) const {
     ToolInk ink(painter, map, bench().theme());
     const SceneObject* over = hover_.isEmpty() || doing_ != Doing::Nothing ? nullptr : bench().object(hover_);
     if (over && !bench().selection().contains(hover_)) {
-        for (const ObjectLine& line : over->lines) ink.near(line.points, line.closed);
+        // Of a set with thousands of traces the one under the mouse says enough, and is painted in time.
+        const bool all = over->lines.size() <= mostNear;
+        for (const ObjectLine& line : over->lines)
+            if (all || distanceToSegment(line.points.front(), line.points.back(), mouse_) < bench().metres(hitReach))
+                ink.near(line.points, line.closed);
         for (const Point& mark : over->marks) ink.handle(mark, true);
     }
     const std::vector<Handle> all = handles();

@@ -64,6 +64,7 @@ private:
     Pointed pressed_;
     Point grab_{0.0, 0.0};  // the place that is dragged [m]
     QPointF boxEnd_;
+    Point mouse_{0.0, 0.0};  // [m]
     std::optional<std::size_t> hot_;  // handle under the mouse, or dragged
     QString hover_;  // pointer of the object under the mouse
     bool single_ = false;  // a click without a drag chooses this alone
