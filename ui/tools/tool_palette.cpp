@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QVariant>
 
 namespace keyblock {
 namespace {
@@ -59,6 +60,7 @@ void ToolPalette::add(QAction* action, const QString& name) {
     auto* button = new PaletteButton(action, themes_, this);
     button->setObjectName("palette." + action->objectName());
     button->setAccessibleName(name);
+    button->setProperty("helpTopic", "studio#Tools/" + name);
     column_->insertWidget(column_->count() - 1, button);
 }
 

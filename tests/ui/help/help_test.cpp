@@ -108,6 +108,18 @@ TEST(HelpViews, EveryFieldIsFoundBelowItsObject) {
     EXPECT_EQ(above.block().text().toStdString(), "bolt pattern");
 }
 
+TEST(HelpViews, AToolIsFoundBelowTheTools) {
+    NEED_SCREEN();
+    Themes themes;
+    HelpView view(themes);
+    for (const char* tool : {"Block", "Joint set", "Bolt pattern", "Measure"}) {
+        view.open("studio", QString("Tools/") + tool);
+        const QTextCursor found = view.findChild<QTextBrowser*>("help.text")->textCursor();
+        EXPECT_EQ(found.selectedText().toStdString(), tool);
+        EXPECT_TRUE(found.block().text().startsWith(tool)) << found.block().text().toStdString();
+    }
+}
+
 TEST(HelpViews, TheNearestTopicCounts) {
     NEED_SCREEN();
     QWidget outer;
