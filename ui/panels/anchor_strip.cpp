@@ -149,7 +149,8 @@ bool AnchorLine::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip || nodes_.size() < 2) return QWidget::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);
     const std::size_t node = nodeAt(help->pos());
-    QString text = tr("Node %1 at %2 m: %3").arg(node).arg(metres(nodes_[node]), real_[node] ? tr("real") : tr("artificial"));
+    QString text =
+        tr("Node %1 at %2 m: %3").arg(node).arg(metres(nodes_[node]), real_[node] ? tr("real") : tr("artificial"));
     if (editable_) text += tr(". Click to change, drag to change several");
     QToolTip::showText(help->globalPos(), text, this);
     return true;
@@ -227,7 +228,8 @@ void AnchorStrip::refresh() {
     const auto& anchors = bolt && bolt->anchors ? *bolt->anchors : type->anchors;
     std::vector<bool> real = realNodes(anchors, nodes);
     const auto count = std::ranges::count(real, true);
-    count_->setText(tr("%1 real · %2 artificial").arg(count).arg(static_cast<int>(real.size()) - static_cast<int>(count)));
+    const auto rest = static_cast<std::ptrdiff_t>(real.size()) - count;
+    count_->setText(tr("%1 real · %2 artificial").arg(count).arg(rest));
     const PlateKind plate = bolt ? bolt->plate : pattern->plate;
     line_->present(std::move(nodes), std::move(real), plate != PlateKind::None, bolt != nullptr);
     hint_->setText(pattern ? tr("Those of the type. Bolts given one by one have anchored points of their own")
@@ -244,7 +246,8 @@ void AnchorStrip::apply(std::size_t first, std::size_t last, bool real) {
     const BoltType* type = typeNamed(after, bolt.type);
     if (!type) return;
     const Anchor otherwise = type->anchors.empty() ? Anchor{} : type->anchors.front();
-    bolt.anchors = withNodes(bolt.anchors ? *bolt.anchors : type->anchors, line_->nodes(), first, last, real, otherwise);
+    bolt.anchors =
+        withNodes(bolt.anchors ? *bolt.anchors : type->anchors, line_->nodes(), first, last, real, otherwise);
     const QString name = QString::fromStdString(bolt.name);
     const QString step = real ? tr("Anchor nodes of %1") : tr("Free nodes of %1");
     context_.document.apply(step.arg(name), std::move(after));

@@ -130,7 +130,8 @@ void CensusPanel::askLater() {
 void CensusPanel::ask() {
     const Checked& checked = document_.checked();
     if (!document_.checkIsCurrent() || document_.isPreviewing() || !isVisible()) return;  // asked again then
-    if (hasErrors(checked.problems)) return tell(tr("Mend the errors under Problems; then it is told what a run would model."));
+    if (hasErrors(checked.problems))
+        return tell(tr("Mend the errors under Problems; then it is told what a run would model."));
     const CensusQuestion question{checked.scene, checked.cut};
     if (question.solved().blocks.empty()) return tell(tr("Nothing to model yet: draw an outline or a block."));
     tell(tr("Counting…"));
@@ -202,7 +203,8 @@ void CensusPanel::present() {
     const CostEstimate& estimate = census_->estimate;
     const bool runs = !estimate.stages.empty();
     time_->setText(runs ? costText(estimate.seconds) : QString::fromUtf8("–"));
-    range_->setText(runs ? tr("%1 to %2").arg(costText(estimate.secondsLeast), costText(estimate.secondsMost)) : QString());
+    range_->setText(runs ? tr("%1 to %2").arg(costText(estimate.secondsLeast), costText(estimate.secondsMost))
+                    : QString());
     memory_->setText(runs ? memoryText(estimate.memory) : QString::fromUtf8("–"));
     for (QLabel* label : {time_, range_, memory_}) label->setToolTip(runs ? estimateDetails(estimate) : QString());
     run_->setEnabled(runs && commands_.has("run.start"));

@@ -47,11 +47,14 @@ std::vector<CensusRow> censusRows(const Census& census) {
         rows.push_back({words("Bolts"), boltCount(counts), number(counts.boltUnknowns),
                         words("%1 nodes are real anchors, the rest hold across").arg(number(counts.realAnchors))});
     if (counts.plates > 0)
-        rows.push_back({words("Plates"), number(counts.plates), number(counts.plateUnknowns), words("blocks of their own")});
-    rows.push_back({words("Contacts"), QString::fromUtf8("≈ ") + number(counts.contacts), "0", words("at the start; springs, no unknowns")});
+        rows.push_back({words("Plates"), number(counts.plates), number(counts.plateUnknowns),
+            words("blocks of their own")});
+    rows.push_back({words("Contacts"), QString::fromUtf8("≈ ") + number(counts.contacts), "0",
+        words("at the start; springs, no unknowns")});
     if (counts.gluedEdges > 0)
         rows.push_back({words("Glued edges"), number(counts.gluedEdges), "0", words("between cells")});
-    if (counts.heldPoints > 0) rows.push_back({words("Held points"), number(counts.heldPoints), "0", words("supports")});
+    if (counts.heldPoints > 0)
+        rows.push_back({words("Held points"), number(counts.heldPoints), "0", words("supports")});
     rows.push_back({words("Total"), {}, number(counts.unknowns()),
                     census.estimate.stages.empty() ? words("no stages to run")
                     : census.estimate.stages.size() == 1 ? words("in its one stage")
@@ -59,7 +62,8 @@ std::vector<CensusRow> censusRows(const Census& census) {
                     false, true});
     for (const LeftOut& part : census.leftOut)
         rows.push_back({QString::fromStdString(part.what), {}, {},
-                        words("%1; saves %2").arg(QString::fromStdString(part.why), QString::fromStdString(part.saves)), true});
+                        words("%1; saves %2").arg(QString::fromStdString(part.why),
+                                                  QString::fromStdString(part.saves)), true});
     return rows;
 }
 
@@ -69,7 +73,8 @@ QString costText(double seconds) {
     if (seconds < 3600.0) {
         const int rest = static_cast<int>(std::round(std::fmod(seconds, 60.0) / 10.0)) * 10;
         const int minutes = static_cast<int>(seconds / 60.0) + rest / 60;
-        return rest % 60 == 0 || minutes >= 10 ? words("%1 min").arg(minutes) : words("%1 min %2 s").arg(minutes).arg(rest);
+        return rest % 60 == 0 || minutes >= 10 ? words("%1 min").arg(minutes)
+            : words("%1 min %2 s").arg(minutes).arg(rest);
     }
     return words("%1 h").arg(rough(seconds / 3600.0));
 }
@@ -82,7 +87,8 @@ QString estimateDetails(const CostEstimate& estimate) {
     QStringList lines;
     for (const StageCost& stage : estimate.stages)
         lines << words("%1: %2 steps, %3 passes (%4 to %5)")
-                     .arg(QString::fromStdString(stage.name), rough(stage.steps), rough(stage.passes), rough(stage.least),
+                     .arg(QString::fromStdString(stage.name), rough(stage.steps), rough(stage.passes),
+                          rough(stage.least),
                           rough(stage.most));
     lines << words("A pass takes %1 ms, what is around it %2 ms")
                  .arg(rough(1e3 * estimate.passSeconds), rough(1e3 * estimate.stepSeconds));

@@ -36,7 +36,8 @@ QStringList shapeOf(const std::vector<FormGroup>& groups) {
 
 QString lowered(QString text) {
     const bool isName = text.size() > 1 && text[1].isUpper();
-    if (!text.isEmpty() && !isName && !text.startsWith("Young") && !text.startsWith("Poisson")) text[0] = text[0].toLower();
+    if (!text.isEmpty() && !isName && !text.startsWith("Young") && !text.startsWith("Poisson"))
+        text[0] = text[0].toLower();
     return text;
 }
 
@@ -49,7 +50,8 @@ QString subjectOf(const Scene& scene, const FormRow& row) {
 }
 
 Edit setAt(const Scene& scene, const std::string& pointer, const FieldValue& value) {
-    return std::holds_alternative<std::monostate>(value) ? setNullAt(scene, pointer) : setValueAt(scene, pointer, value);
+    return std::holds_alternative<std::monostate>(value) ? setNullAt(scene, pointer)
+        : setValueAt(scene, pointer, value);
 }
 
 }  // namespace
@@ -209,7 +211,8 @@ QString FieldForm::problemsAt(const FormRow& row, bool& error) const {
 void FieldForm::enter(FormRowWidget& widget, const FieldValue& value) {
     const FormRow row = widget.row();
     if (const QString why = outOfRange(row, value, context_); !why.isEmpty()) return widget.setRefusal(why);
-    const QString step = tr("Set %1 of %2").arg(lowered(labelOf(*row.field)), subjectOf(*context_.document.scene(), row));
+    const QString step =
+        tr("Set %1 of %2").arg(lowered(labelOf(*row.field)), subjectOf(*context_.document.scene(), row));
     applyToAll(&widget, row, step, [&](const Scene& scene, const std::string& pointer) {
         if (row.renames) return renameAt(scene, pointer, std::get<std::string>(value));
         return setAt(scene, pointer, value);
@@ -219,7 +222,8 @@ void FieldForm::enter(FormRowWidget& widget, const FieldValue& value) {
 void FieldForm::reset(const FormRow& row) {
     const QString step =
         tr("Reset %1 of %2").arg(lowered(labelOf(*row.field)), subjectOf(*context_.document.scene(), row));
-    applyToAll(nullptr, row, step, [](const Scene& scene, const std::string& pointer) { return resetAt(scene, pointer); });
+    applyToAll(nullptr, row, step,
+               [](const Scene& scene, const std::string& pointer) { return resetAt(scene, pointer); });
 }
 
 void FieldForm::applyToAll(FormRowWidget* widget, const FormRow& row, const QString& step,

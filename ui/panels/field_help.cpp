@@ -27,7 +27,8 @@ QString rangeWords(const Range& range, const std::string& unit, const Display& d
     const bool above = std::isfinite(range.most) && std::abs(range.most) < 1e9;
     const auto number = [&](double x) { return numberText(x, unit, display); };
     const QString symbol = unit.empty() ? QString() : display.shown(unit).symbol;
-    if (below && above) return withUnit(QString::fromUtf8("%1 … %2").arg(number(range.least), number(range.most)), symbol);
+    if (below && above)
+        return withUnit(QString::fromUtf8("%1 … %2").arg(number(range.least), number(range.most)), symbol);
     if (below) return withUnit((range.leastExcluded ? "> " : QString::fromUtf8("≥ ")) + number(range.least), symbol);
     if (above) return withUnit((range.mostExcluded ? "< " : QString::fromUtf8("≤ ")) + number(range.most), symbol);
     return {};

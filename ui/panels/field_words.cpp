@@ -23,7 +23,8 @@ const QHash<QString, QString>& ownLabels() {
         {"in_situ_stress", words("In-situ stress")}, {"unbalanced", words("Unbalanced force")},
         {"set", words("Strength changes")}, {"fix", words("Held")}, {"way", words("Way round")},
         {"max_steps", words("Most steps")}, {"max_passes", words("Most passes")}, {"like", words("Derived from")},
-        {"min_area", words("Least area")}, {"min_width", words("Least width")}, {"continue", words("Go on after collapse")},
+        {"min_area", words("Least area")}, {"min_width", words("Least width")},
+        {"continue", words("Go on after collapse")},
         {"offset", words("Offset of first")}, {"tunnel", words("Along wall of")},
         {"trace_length_deviation", words("Length deviation")}};
     return labels;
@@ -81,7 +82,8 @@ bool isGiven(const ObjectAt& at, std::string_view key) {
 /// True where the second of two units holds.
 bool takesSecond(const ObjectAt& at, const Field& field) {
     if (at.structure->name == "anchor") return !isGiven(at, "at") && wordOf(at, "per") == "length";
-    if (at.structure->name == "bolt type") return field.key == "normal_stiffness" && wordOf(at, "normal_per") == "length";
+    if (at.structure->name == "bolt type")
+        return field.key == "normal_stiffness" && wordOf(at, "normal_per") == "length";
     if (at.structure->name == "dilation") return inStaticStage(at);
     return false;
 }

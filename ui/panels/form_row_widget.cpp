@@ -43,7 +43,8 @@ void setWeight(QLabel& label, bool bold) {
 
 FormRowWidget::FormRowWidget(const FormRow& row, const FormContext& context, QWidget* parent)
     : QWidget(parent), context_(context), row_(row), editor_(makeValueEditor(row, context, this)),
-      label_(new ElidedLabel(this)), unit_(new QLabel(this)), reset_(smallButton(this, tr("Back to the default"), "reset")),
+      label_(new ElidedLabel(this)), unit_(new QLabel(this)),
+      reset_(smallButton(this, tr("Back to the default"), "reset")),
       problem_(new QLabel(this)) {
     setObjectName(QString::fromStdString("row:" + row.path));
     if (row.structure && row.field)
@@ -145,7 +146,8 @@ FormHeading::FormHeading(const FormGroup& group, bool open, const FormContext& c
         Q_EMIT toggled(open_);
     });
     connect(add_, &QToolButton::clicked, this, [this] { Q_EMIT addAsked(QString::fromStdString(group_.addTo)); });
-    connect(remove_, &QToolButton::clicked, this, [this] { Q_EMIT removeAsked(QString::fromStdString(group_.remove)); });
+    connect(remove_, &QToolButton::clicked, this,
+            [this] { Q_EMIT removeAsked(QString::fromStdString(group_.remove)); });
     present(group);
 }
 

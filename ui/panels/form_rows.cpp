@@ -75,7 +75,8 @@ public:
         }
         std::ranges::move(own, std::back_inserter(groups_));
         for (const Field& field : structure.fields)
-            if (hasChildren(field) && appliesToAll(objects, field)) addInside(objects, field, prefix, title.isEmpty() ? depth : depth + 1);
+            if (hasChildren(field) && appliesToAll(objects, field))
+                addInside(objects, field, prefix, title.isEmpty() ? depth : depth + 1);
     }
 
 private:
@@ -105,7 +106,8 @@ private:
         const std::size_t count = field.children.count(owner.at.object);
         FormGroup head = absent(owner, field, path, depth);
         head.detail = count == 0 ? QString() : QString::number(count);
-        if (field.children.isNull(owner.at.object)) head.detail = QCoreApplication::translate("FormRows", "of the type");
+        if (field.children.isNull(owner.at.object))
+            head.detail = QCoreApplication::translate("FormRows", "of the type");
         if (field.nullable && !field.children.isNull(owner.at.object)) head.remove = under(owner.pointer, field.key);
         groups_.push_back(std::move(head));
         for (std::size_t i = 0; i < count; ++i) addItem(owner, field, i, path, depth + 1);

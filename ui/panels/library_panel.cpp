@@ -177,7 +177,8 @@ void LibraryPanel::fillList(const std::vector<LibraryEntry>& entries) {
     for (const LibraryEntry& entry : entries) {
         if (!heading || heading->text(0) != entry.group) heading = headingItem(*list_, entry.group);
         const QString name = QString::fromStdString(entry.type.name);
-        auto* item = new QTreeWidgetItem(heading, {name, entry.users > 0 ? tr("used %1×").arg(entry.users) : QString()});
+        auto* item =
+            new QTreeWidgetItem(heading, {name, entry.users > 0 ? tr("used %1×").arg(entry.users) : QString()});
         item->setData(0, Qt::UserRole, name);
         item->setToolTip(0, name + '\n' + entry.detail);
         item->setForeground(1, context_.themes.current().text2);
@@ -214,7 +215,8 @@ void LibraryPanel::showType(const LibraryEntry& entry) {
         auto* item = new QTreeWidgetItem(heading, {number.label, number.value, number.source});
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         item->setToolTip(2, number.source);
-        item->setForeground(2, number.unconfirmed ? context_.themes.current().warning : context_.themes.current().text2);
+        item->setForeground(2, number.unconfirmed ? context_.themes.current().warning
+                            : context_.themes.current().text2);
     }
     numbers_->expandAll();
     showCurves(entry.type);
@@ -226,7 +228,8 @@ void LibraryPanel::showCurves(const BoltType& type) {
     std::vector<ShownCurve> shown{steelCurve(type, context_.display)};
     for (ShownCurve& curve : bondCurves(type, context_.display)) shown.push_back(std::move(curve));
     for (const ShownCurve& curve : shown) {
-        auto* title = new QLabel(curve.points.empty() ? tr("%1: linear and unbreakable").arg(curve.title) : curve.title, curves_);
+        auto* title =
+            new QLabel(curve.points.empty() ? tr("%1: linear and unbreakable").arg(curve.title) : curve.title, curves_);
         title->setProperty("role", "title");
         curveColumn_->addWidget(title);
         if (curve.points.empty()) continue;

@@ -112,7 +112,8 @@ bool sameLaw(Anchor a, const Anchor& b) {
 
 QString lawTitle(const Anchor& anchor) {
     const QString law = fromUtf8(anchorLawWords[static_cast<std::size_t>(anchor.law)]);
-    return anchor.at || anchor.per == Per::Node ? words("Bond of a node, %1").arg(law) : words("Bond per metre, %1").arg(law);
+    return anchor.at || anchor.per == Per::Node ? words("Bond of a node, %1").arg(law)
+        : words("Bond per metre, %1").arg(law);
 }
 
 double farthestSlip(const Anchor& anchor) {
@@ -126,7 +127,8 @@ double farthestSlip(const Anchor& anchor) {
 std::vector<LibraryEntry> libraryEntries(const Scene& scene, const Display& display, const QString& filter) {
     std::vector<LibraryEntry> entries;
     for (const BoltType& type : scene.boltTypes)
-        if (!type.builtIn) entries.push_back({type, words("In this scene"), detailOf(type, display), usersOf(scene, type.name)});
+        if (!type.builtIn)
+            entries.push_back({type, words("In this scene"), detailOf(type, display), usersOf(scene, type.name)});
     const std::size_t own = entries.size();
     for (const BoltType& type : builtInBoltTypes())
         entries.push_back({type, groupOf(type), detailOf(type, display), usersOf(scene, type.name)});

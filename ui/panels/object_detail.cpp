@@ -89,10 +89,13 @@ struct Teller {
         return quantity(l.force.norm(), "N");
     }
     QString of(const Stage& s) const {
-        return s.kind == StageKind::Static ? words("static") : words("dynamic %1 s").arg(numberText(s.duration, "s", display, 3));
+        return s.kind == StageKind::Static ? words("static")
+            : words("dynamic %1 s").arg(numberText(s.duration, "s", display, 3));
     }
     QString of(const Monitor& m) const {
-        if (m.bolt) return QString::fromStdString(*m.bolt) + ' ' + fromUtf8(boltQuantityWords[static_cast<std::size_t>(m.quantity)]);
+        if (m.bolt)
+            return QString::fromStdString(*m.bolt) + ' ' +
+                   fromUtf8(boltQuantityWords[static_cast<std::size_t>(m.quantity)]);
         if (m.between) return words("opening");
         return m.point ? place(*m.point) : QString();
     }

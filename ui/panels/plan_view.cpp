@@ -39,7 +39,9 @@ void PlanModel::show(std::vector<PlanRow> rows, QStringList stages) {
     Q_EMIT headerDataChanged(Qt::Vertical, 0, rowCount() - 1);
 }
 
-int PlanModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
+int PlanModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
 
 int PlanModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : stages_.size(); }
 
@@ -72,7 +74,8 @@ void PlanCells::paint(QPainter* painter, const QStyleOptionViewItem& option, con
         painter->setPen(QPen(t.accent, 2));
         painter->drawRect(option.rect.adjusted(1, 1, -2, -2));
     }
-    const QRect bar(option.rect.left(), option.rect.center().y() - barHeight / 2 + 1, option.rect.width() + 1, barHeight);
+    const QRect bar(option.rect.left(), option.rect.center().y() - barHeight / 2 + 1, option.rect.width() + 1,
+                    barHeight);
     if (cell.there) {
         painter->fillRect(bar, row.isBolt ? t.text3 : t.rock);
         if (!row.isBolt) {
@@ -126,7 +129,8 @@ void PlanView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void PlanView::keyPressEvent(QKeyEvent* event) {
-    const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_Space;
+    const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter ||
+                        event->key() == Qt::Key_Space;
     if (enters && currentIndex().isValid()) return Q_EMIT cellChosen(currentIndex().row(), currentIndex().column());
     QTableView::keyPressEvent(event);
 }

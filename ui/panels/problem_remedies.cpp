@@ -51,11 +51,13 @@ std::optional<Remedy> renameTaken(const Problem& problem, const ScenePlace& plac
 std::optional<Remedy> leaveOut(const Problem& problem, const ScenePlace& place) {
     const std::string pointer = problem.pointer;
     if (problem.remedy.starts_with("Leave it out")) {
-        if (place.element) return Remedy{words("Leave it out"), [pointer](const Scene& now) { return removeAt(now, pointer); }};
+        if (place.element)
+            return Remedy{words("Leave it out"), [pointer](const Scene& now) { return removeAt(now, pointer); }};
         return Remedy{words("Leave it out"), [pointer](const Scene& now) { return resetAt(now, pointer); }};
     }
     if (problem.remedy.ends_with("leave it to the program") && place.field->nullable)
-        return Remedy{words("Leave it to the program"), [pointer](const Scene& now) { return setNullAt(now, pointer); }};
+        return Remedy{words("Leave it to the program"),
+            [pointer](const Scene& now) { return setNullAt(now, pointer); }};
     return std::nullopt;
 }
 

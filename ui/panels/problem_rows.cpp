@@ -33,7 +33,8 @@ QString capitalised(QString text) {
 QString roomOf(const std::string& pointer) {
     const QString key = QString::fromStdString(pointer).section('/', 1, 1);
     static const std::map<QString, const char*> rooms{
-        {"materials", "materials"}, {"joint_materials", "materials"}, {"bolts", "support"}, {"bolt_patterns", "support"},
+        {"materials", "materials"}, {"joint_materials", "materials"}, {"bolts", "support"},
+        {"bolt_patterns", "support"},
         {"bolt_types", "support"}, {"stages", "stages"}, {"monitors", "results"}, {"quantities", "results"},
         {"supports", "supports"}, {"in_situ_stress", "loads"}, {"analysis", "settings"}, {"output", "settings"},
         {"limits", "settings"}, {"safety", "settings"}, {"cutting", "cut"}, {"joints", "geometry"},
@@ -79,7 +80,8 @@ private:
 
     std::optional<Box> boxAt(const std::string& pointer) {
         if (const auto value = valueAt(scene_, pointer))
-            if (const auto* point = std::get_if<Point>(&*value); point && point->allFinite()) return Box{*point, *point};
+            if (const auto* point = std::get_if<Point>(&*value); point && point->allFinite())
+                return Box{*point, *point};
         if (pointer.empty()) return std::nullopt;
         if (objects_.empty())
             for (const SceneObject& object : objectsOf(scene_)) objects_.emplace(object.pointer, boxOfObject(object));

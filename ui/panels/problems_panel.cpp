@@ -68,7 +68,8 @@ QSize ProblemRowPaint::sizeHint(const QStyleOptionViewItem&, const QModelIndex& 
 }
 
 QRect ProblemRowPaint::linkOf(const QRect& row, const QString& link, const QFont& font) {
-    const int width = QFontMetrics(fontOf(font, 12, QFont::DemiBold)).horizontalAdvance(link) + 4;  // room for the rounding of elision
+    // Some more than it takes, for the rounding of elision.
+    const int width = QFontMetrics(fontOf(font, 12, QFont::DemiBold)).horizontalAdvance(link) + 4;
     return {row.right() - inset - width, row.top(), width, row.height()};
 }
 
@@ -89,7 +90,8 @@ void ProblemRowPaint::paint(QPainter* painter, const QStyleOptionViewItem& optio
     const int whereLeft = box.left() + box.width() * 52 / 100;
     const int textEnd = (narrow ? link.left() : whereLeft) - 12;
     const QRect upper(left + textLeft, box.top() + 5, textEnd - left - textLeft, 16);
-    const auto line = [&](const QRect& place, const QString& text, int pixels, QFont::Weight weight, const QColor& ink) {
+    const auto line =
+        [&](const QRect& place, const QString& text, int pixels, QFont::Weight weight, const QColor& ink) {
         painter->setFont(fontOf(option.font, pixels, weight));
         painter->setPen(ink);
         painter->drawText(place, Qt::AlignVCenter,
@@ -99,7 +101,8 @@ void ProblemRowPaint::paint(QPainter* painter, const QStyleOptionViewItem& optio
     line(upper, row.title, 12, row.depth > 0 ? QFont::Normal : QFont::DemiBold, t.text);
     line(upper.translated(0, lower), row.detail, 11, QFont::Normal, t.text2);
     if (!narrow)
-        line(QRect(whereLeft, box.top(), link.left() - 12 - whereLeft, box.height()), row.where, 11, QFont::Normal, t.text2);
+        line(QRect(whereLeft, box.top(), link.left() - 12 - whereLeft, box.height()), row.where, 11, QFont::Normal,
+             t.text2);
     line(link, row.link, 12, QFont::DemiBold, t.accent);
     painter->restore();
 }
@@ -174,7 +177,8 @@ bool ProblemsPanel::eventFilter(QObject* object, QEvent* event) {
         const auto* mouse = static_cast<QMouseEvent*>(event);
         const QModelIndex index = view_->indexAt(mouse->pos());
         if (!index.isValid() || mouse->button() != Qt::LeftButton) return false;
-        const QRect link = ProblemRowPaint::linkOf(view_->visualRect(index), list_->rowAt(index.row()).link, view_->font());
+        const QRect link =
+            ProblemRowPaint::linkOf(view_->visualRect(index), list_->rowAt(index.row()).link, view_->font());
         if (link.contains(mouse->pos())) {
             follow(index.row());
             return true;
@@ -185,7 +189,8 @@ bool ProblemsPanel::eventFilter(QObject* object, QEvent* event) {
         const auto* mouse = static_cast<QMouseEvent*>(event);
         const QModelIndex index = view_->indexAt(mouse->pos());
         const bool over = index.isValid() &&
-                          ProblemRowPaint::linkOf(view_->visualRect(index), list_->rowAt(index.row()).link, view_->font())
+                          ProblemRowPaint::linkOf(view_->visualRect(index), list_->rowAt(index.row()).link,
+                                                  view_->font())
                               .contains(mouse->pos());
         view_->viewport()->setCursor(over ? Qt::PointingHandCursor : Qt::ArrowCursor);
     }

@@ -172,7 +172,8 @@ void PropertyPanel::showHelp(const FormRow& row) {
 void PropertyPanel::focusPointer(const QString& pointer) {
     const std::string& object = form_->objects().front();
     const std::string field = pointer.toStdString();
-    if (isWithin(field, object) && field.size() > object.size()) focusField(QString::fromStdString(field.substr(object.size() + 1)));
+    if (isWithin(field, object) && field.size() > object.size())
+        focusField(QString::fromStdString(field.substr(object.size() + 1)));
 }
 
 bool PropertyPanel::focusField(const QString& path) {

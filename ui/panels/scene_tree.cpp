@@ -176,7 +176,8 @@ void SceneTree::refresh() {
             const TreeNode& node = model_->nodeAt(heading);
             const bool fresh = !seen_.contains(node.id) && !node.children.empty();
             if (fresh) seen_.insert(node.id);
-            const bool quiet = node.id == "#loads" || node.id == "/stages" || node.id == "/supports" || node.id == "/monitors";
+            const bool quiet = node.id == "#loads" || node.id == "/stages" || node.id == "/supports" ||
+                               node.id == "/monitors";
             const bool byItself = fresh && !quiet && static_cast<int>(node.children.size()) <= openByItself;
             if (byItself || open.contains(node.id) || !filter_.isEmpty()) view_->expand(heading);
             for (int i = 0; i < model_->rowCount(heading); ++i) {
@@ -294,11 +295,13 @@ void SceneTree::openMenu(const QPoint& place) {
     }
     if (node.canHide) {
         const bool hidden = visibility_.isHidden(id);
-        menu.addAction(hidden ? tr("Show") : tr("Hide"), this, [this, id, hidden] { visibility_.setHidden(id, !hidden); });
+        menu.addAction(hidden ? tr("Show") : tr("Hide"), this,
+                       [this, id, hidden] { visibility_.setHidden(id, !hidden); });
     }
     if (node.isObject && node.hasPlace) {
         const bool locked = visibility_.isLocked(id);
-        menu.addAction(locked ? tr("Unlock") : tr("Lock"), this, [this, id, locked] { visibility_.setLocked(id, !locked); });
+        menu.addAction(locked ? tr("Unlock") : tr("Lock"), this,
+                       [this, id, locked] { visibility_.setLocked(id, !locked); });
     }
     if (!visibility_.showsAll()) menu.addAction(tr("Show all"), this, [this] { visibility_.showAll(); });
     if (!menu.isEmpty()) menu.exec(view_->viewport()->mapToGlobal(place));

@@ -23,7 +23,8 @@ bool names(const std::vector<std::string>& list, const std::string& name) {
 
 PlanRow rockRow(const Scene& scene, const std::string& name, const char* icon, bool isTunnel) {
     PlanRow row{name, false, icon, {}};
-    const bool everExcavated = std::ranges::any_of(scene.stages, [&](const Stage& s) { return names(s.excavate, name); });
+    const bool everExcavated =
+        std::ranges::any_of(scene.stages, [&](const Stage& s) { return names(s.excavate, name); });
     bool there = !isTunnel || everExcavated;  // a tunnel that nothing excavates is open from the start
     for (const Stage& stage : scene.stages) {
         const bool goes = names(stage.excavate, name);
@@ -90,7 +91,8 @@ QString changeText(const StrengthChange& change, const Display& display) {
     QString text = words("sets %1").arg(QString::fromStdString(change.jointMaterial));
     if (change.frictionAngle)
         text += QString::fromUtf8(" φ %1°").arg(numberText(*change.frictionAngle, {}, display, 4));
-    if (change.cohesion) text += QString(" c %1 %2").arg(numberText(*change.cohesion, "Pa", display, 4), display.shown("Pa").symbol);
+    if (change.cohesion)
+        text += QString(" c %1 %2").arg(numberText(*change.cohesion, "Pa", display, 4), display.shown("Pa").symbol);
     return text;
 }
 
@@ -101,7 +103,8 @@ std::vector<PlanRow> stagePlan(const Scene& scene) {
     for (const SceneTunnel& tunnel : scene.tunnels) rows.push_back(rockRow(scene, tunnel.name, "tunnel", true));
     std::size_t blocks = 0;
     for (const Block& block : scene.blocks)
-        if (!block.name.empty() && blocks++ < mostPlanBlocks) rows.push_back(rockRow(scene, block.name, "block", false));
+        if (!block.name.empty() && blocks++ < mostPlanBlocks)
+            rows.push_back(rockRow(scene, block.name, "block", false));
     for (const ScenePattern& pattern : scene.boltPatterns) rows.push_back(boltRow(scene, pattern.name, "pattern"));
     for (const Bolt& bolt : scene.bolts) rows.push_back(boltRow(scene, bolt.name, "bolt"));
     return rows;
@@ -114,7 +117,8 @@ Edit toggled(const Scene& scene, const PlanRow& row, std::size_t stage) {
         case PlanCell::Event::Removed: return setNames(scene, stage, "remove", row.name, false);
         default: break;
     }
-    const bool everInstalled = std::ranges::any_of(scene.stages, [&](const Stage& s) { return names(s.install, row.name); });
+    const bool everInstalled =
+        std::ranges::any_of(scene.stages, [&](const Stage& s) { return names(s.install, row.name); });
     const bool there = row.cells[stage].there;
     return setNames(scene, stage, there && everInstalled ? "remove" : "install", row.name, true);
 }
@@ -123,8 +127,10 @@ QString toggledName(const Scene& scene, const PlanRow& row, std::size_t stage) {
     const QString name = QString::fromStdString(row.name), in = QString::fromStdString(scene.stages[stage].name);
     if (row.cells[stage].event != PlanCell::Event::None) return words("Leave %1 as it is in %2").arg(name, in);
     if (!row.isBolt) return words("Excavate %1 in %2").arg(name, in);
-    const bool everInstalled = std::ranges::any_of(scene.stages, [&](const Stage& s) { return names(s.install, row.name); });
-    return (row.cells[stage].there && everInstalled ? words("Remove %1 in %2") : words("Install %1 in %2")).arg(name, in);
+    const bool everInstalled =
+        std::ranges::any_of(scene.stages, [&](const Stage& s) { return names(s.install, row.name); });
+    const QString text = row.cells[stage].there && everInstalled ? words("Remove %1 in %2") : words("Install %1 in %2");
+    return text.arg(name, in);
 }
 
 QStringList stageDeeds(const Scene&, const Stage& stage, const Display& display) {
@@ -137,7 +143,8 @@ QStringList stageDeeds(const Scene&, const Stage& stage, const Display& display)
     for (const StrengthChange& change : stage.set) deeds << changeText(change, display);
     if (!stage.loads.empty()) deeds << counted(stage.loads.size(), "load", "loads");
     if (!stage.motions.empty()) deeds << counted(stage.motions.size(), "motion", "motions");
-    for (const Dilation& dilation : stage.dilations) deeds << words("opens %1").arg(QString::fromStdString(dilation.joint));
+    for (const Dilation& dilation : stage.dilations)
+        deeds << words("opens %1").arg(QString::fromStdString(dilation.joint));
     if (!stage.initialVelocities.empty())
         deeds << counted(stage.initialVelocities.size(), "block thrown", "blocks thrown");
     if (stage.baseAcceleration) deeds << words("shakes the ground");

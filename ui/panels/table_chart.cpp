@@ -27,7 +27,8 @@ QFont tickFont() {
 QCPRange roomFor(double least, double most) {
     if (least > 0.0 && least < 0.5 * most) least = 0.0;
     if (most < 0.0 && most > 0.5 * least) most = 0.0;
-    if (least == most) return {least - std::max(1.0, std::abs(least)) * 0.5, most + std::max(1.0, std::abs(most)) * 0.5};
+    if (least == most)
+        return {least - std::max(1.0, std::abs(least)) * 0.5, most + std::max(1.0, std::abs(most)) * 0.5};
     const double room = 0.08 * (most - least);
     return {least < 0.0 ? least - room : least, most > 0.0 ? most + room : most};
 }

@@ -134,7 +134,8 @@ QMimeData* TreeModel::mimeData(const QModelIndexList& indexes) const {
     return dragged;
 }
 
-bool TreeModel::canDropMimeData(const QMimeData* dragged, Qt::DropAction, int row, int, const QModelIndex& parent) const {
+bool TreeModel::canDropMimeData(const QMimeData* dragged, Qt::DropAction, int row, int,
+                                const QModelIndex& parent) const {
     return dragged->hasFormat(draggedType) && row >= 0 && nodeAt(parent).id == "/stages";
 }
 

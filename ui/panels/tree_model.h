@@ -17,6 +17,7 @@ class TreeModel : public QAbstractItemModel {
     Q_OBJECT
 
 public:
+    using Fetch = std::function<std::vector<std::unique_ptr<TreeNode>>(const TreeNode&)>;
     using Rename = std::function<void(const QString& pointer, const QString& name)>;
     using Move = std::function<void(const QString& pointer, int to)>;
 
@@ -26,7 +27,7 @@ public:
     bool show(std::unique_ptr<TreeNode> root);
 
     /// Makes the children that wait in a row.
-    void setFetch(std::function<std::vector<std::unique_ptr<TreeNode>>(const TreeNode&)> fetch) { fetch_ = std::move(fetch); }
+    void setFetch(Fetch fetch) { fetch_ = std::move(fetch); }
     void setRename(Rename rename) { rename_ = std::move(rename); }
     void setMove(Move move) { move_ = std::move(move); }
 
@@ -58,7 +59,7 @@ private:
     QModelIndex indexOfNode(const TreeNode& node) const;
 
     std::unique_ptr<TreeNode> root_;
-    std::function<std::vector<std::unique_ptr<TreeNode>>(const TreeNode&)> fetch_;
+    Fetch fetch_;
     Rename rename_;
     Move move_;
 };

@@ -89,7 +89,8 @@ private:
         node->detail = detailOf(source_.document, source_.display, pointer);
         node->icon = iconOf(source_.document, pointer);
         node->isObject = true;
-        node->hasPlace = list != "/materials" && list != "/joint_materials" && list != "/stages" && list != "/bolt_types";
+        node->hasPlace = list != "/materials" && list != "/joint_materials" && list != "/stages" &&
+                         list != "/bolt_types";
         node->canHide = node->hasPlace && list != "/tunnels";
         node->canRename = list != "/supports" && !list.isEmpty();
         node->canMove = list == "/stages";
@@ -149,7 +150,8 @@ private:
         if (all > scene_.blocks.size() && !scene_.blocks.empty())
             blocks->detail = words("%1, %2 given").arg(blocks->detail).arg(scene_.blocks.size());
         fill(*blocks, "/blocks");
-        if (source_.filter.isEmpty() || matches(*blocks) || !blocks->children.empty()) addChild(geometry, std::move(blocks));
+        if (source_.filter.isEmpty() || matches(*blocks) || !blocks->children.empty())
+            addChild(geometry, std::move(blocks));
     }
 
     void addOne(TreeNode& parent, const std::string& pointer, const QString& name) {

@@ -49,7 +49,8 @@ int TreeRows::paintRight(QPainter& painter, const QRect& row, const TreeNode& no
     const bool locked = visibility_.isLocked(node.id);
     int x = eyeOf(row).left();
     if (node.canHide)
-        themes_.icon(hidden ? "eye-off" : "eye", hidden ? t.text3 : selected ? t.accent : t.text2).paint(&painter, eyeOf(row));
+        themes_.icon(hidden ? "eye-off" : "eye", hidden ? t.text3 : selected ? t.accent : t.text2)
+            .paint(&painter, eyeOf(row));
     if (canLock(node) && locked) {
         themes_.icon("lock", t.text2).paint(&painter, lockOf(row));
         x = lockOf(row).left();

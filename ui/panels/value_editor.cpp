@@ -58,7 +58,8 @@ QString automaticOfSteel(const FormRow& row, const FormContext& context) {
     if (row.field->key == "area" && d) return number(std::numbers::pi * *d * *d / 4.0, row, context);
     if (!curve || curve->size() < 2) return {};
     if (row.field->key == "tensile_strength")
-        return number(std::ranges::max(*curve, {}, [](const auto& point) { return point.second; }).second, row, context);
+        return number(std::ranges::max(*curve, {}, [](const auto& point) { return point.second; }).second, row,
+                      context);
     const auto& [strain, stress] = (*curve)[1];
     return row.field->key == "youngs_modulus" && strain > 0.0 ? number(stress / strain, row, context) : QString();
 }
@@ -74,7 +75,8 @@ ValueEditor* editorOf(const FormRow& row, const FormContext& context, QWidget* p
         default: break;
     }
     const auto names = choicesOf(*context.document.scene(), *row.structure, *row.field);
-    if (row.field->kind == FieldKind::TextList && names && names->size() <= mostTicks) return new NamesEditor(context, parent);
+    if (row.field->kind == FieldKind::TextList && names && names->size() <= mostTicks)
+        return new NamesEditor(context, parent);
     if (row.field->kind == FieldKind::TextList) return new TableEditor(row, context, parent);
     if (names) return new ChoiceEditor(context, parent);
     return new LineEditor(row, context, parent);

@@ -18,9 +18,13 @@ namespace {
 QString words(const char* text) { return QCoreApplication::translate("ValueText", text); }
 
 /// Of 736.8 kN/m a person means 736800 N/m, not what is left of it after a product of two rounded numbers.
-double withoutRoundOff(double value) { return std::isfinite(value) ? QString::number(value, 'g', 15).toDouble() : value; }
+double withoutRoundOff(double value) {
+    return std::isfinite(value) ? QString::number(value, 'g', 15).toDouble() : value;
+}
 
-double fromShown(double shown, double factor) { return factor == 1.0 ? shown : withoutRoundOff(shown * (1.0 / factor)); }
+double fromShown(double shown, double factor) {
+    return factor == 1.0 ? shown : withoutRoundOff(shown * (1.0 / factor));
+}
 
 bool isOneOf(const QString& text, const QStringList& list) { return list.contains(text, Qt::CaseInsensitive); }
 
@@ -154,8 +158,10 @@ Typed<FieldValue> readValue(const QString& typedText, const Field& field, std::s
 
 QString summaryOf(const FieldValue& value, const Field& field, std::string_view unit, const Display& display) {
     if (const auto* flag = std::get_if<bool>(&value)) return *flag ? words("yes") : words("no");
-    if (const auto* points = std::get_if<std::vector<Point>>(&value)) return words("%n points").replace("%n", QString::number(points->size()));
-    if (const auto* table = std::get_if<Table>(&value)) return words("%n rows").replace("%n", QString::number(table->size()));
+    if (const auto* points = std::get_if<std::vector<Point>>(&value))
+        return words("%n points").replace("%n", QString::number(points->size()));
+    if (const auto* table = std::get_if<Table>(&value))
+        return words("%n rows").replace("%n", QString::number(table->size()));
     if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
         QStringList list;
         for (const std::string& text : *texts) list << QString::fromStdString(text);

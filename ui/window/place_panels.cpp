@@ -92,7 +92,8 @@ Panels placePanels(QMainWindow& window, const PanelNeeds& needs) {
     panels.properties = new PropertyPanel(context, needs.selection, &window);
     panels.tree->setMinimumWidth(180);
     panels.properties->setMinimumWidth(280);
-    QDockWidget* left = dockWithHeader(window, "sceneDock", QMainWindow::tr("Scene"), panels.tree, panels.tree->header());
+    QDockWidget* left =
+        dockWithHeader(window, "sceneDock", QMainWindow::tr("Scene"), panels.tree, panels.tree->header());
     QDockWidget* right = dockWithHeader(window, "propertyDock", QMainWindow::tr("Properties"), panels.properties,
                                         new QWidget(&window));
     window.addDockWidget(Qt::LeftDockWidgetArea, left);

@@ -46,7 +46,8 @@ TEST(AnchorEdit, SingleAnchorsComeAndGoAtTheirNodes) {
 
 TEST(AnchorEdit, AnythingThatIsAskedForIsWhatIsThereAfterwards) {
     std::mt19937 random(7);
-    for (const char* type : {"rebar-20", "d-bolt-20", "split-set-47", "expansion-shell-17", "cone-bolt-17", "roofex-rx8"}) {
+    for (const char* type :
+         {"rebar-20", "d-bolt-20", "split-set-47", "expansion-shell-17", "cone-bolt-17", "roofex-rx8"}) {
         const auto nodes = evenNodes(2.4, 24);
         std::vector<Anchor> anchors = anchorsOfType(type);
         const Anchor otherwise = anchors.front();
@@ -95,9 +96,11 @@ TEST(Library, EveryBuiltInTypeTellsItsNumbersAndCurves) {
     for (const LibraryEntry& entry : entries) {
         const auto numbers = libraryNumbers(entry.type, display);
         EXPECT_GT(numbers.size(), 10u) << entry.type.name;
-        EXPECT_TRUE(std::ranges::any_of(numbers, [](const LibraryNumber& n) { return !n.source.isEmpty(); })) << entry.type.name;
+        EXPECT_TRUE(std::ranges::any_of(numbers, [](const LibraryNumber& n) { return !n.source.isEmpty(); }))
+            << entry.type.name;
         EXPECT_EQ(steelCurve(entry.type, display).points.empty(), entry.type.steel.empty()) << entry.type.name;
-        for (const ShownCurve& curve : bondCurves(entry.type, display)) EXPECT_GT(curve.points.size(), 1u) << entry.type.name;
+        for (const ShownCurve& curve : bondCurves(entry.type, display))
+            EXPECT_GT(curve.points.size(), 1u) << entry.type.name;
         EXPECT_FALSE(bondCurves(entry.type, display).empty()) << entry.type.name;
     }
     EXPECT_EQ(libraryEntries(Scene{}, display, "split-set").size(), 1u);

@@ -69,7 +69,8 @@ TEST(FieldForm, WhatIsOutOfRangeIsRefusedAtTheFieldAndNotLost) {
     EXPECT_EQ(*bench.document.scene(), before);
     EXPECT_EQ(bench.line("spacing")->text(), "-2");
     EXPECT_TRUE(bench.line("spacing")->property("invalid").toBool());
-    EXPECT_TRUE(problemOf(*bench.row("spacing")).contains("out of range")) << problemOf(*bench.row("spacing")).toStdString();
+    EXPECT_TRUE(problemOf(*bench.row("spacing")).contains("out of range"))
+        << problemOf(*bench.row("spacing")).toStdString();
     bench.type("spacing", "wide");
     EXPECT_FALSE(problemOf(*bench.row("spacing")).isEmpty());
     QTest::keyClick(bench.line("spacing"), Qt::Key_Escape);
@@ -137,7 +138,8 @@ TEST(FieldForm, EmptyMeansAutomaticWhereThatIsAllowed) {
 }
 
 /// All objects of a scene that a form can show, items of lists inside included.
-void collect(const Structure& structure, const void* object, const std::string& pointer, std::vector<std::string>& all) {
+void collect(const Structure& structure, const void* object, const std::string& pointer,
+             std::vector<std::string>& all) {
     all.push_back(pointer);
     for (const Field& field : structure.fields) {
         if (!hasChildren(field) || field.children.isNull(object)) continue;
@@ -172,10 +174,12 @@ TEST(FieldForm, EveryFieldOfEverySampleReadsBackFromItsOwnText) {
                     const QString text = valueText(row.value, *row.field, unit, bench.display, true);
                     const auto back = readValue(text, *row.field, unit, bench.display);
                     ++fields;
-                    ASSERT_TRUE(back.value) << file.path() << ' ' << row.pointers[0] << " '" << text.toStdString() << "' "
+                    ASSERT_TRUE(back.value) << file.path() << ' ' << row.pointers[0] << " '" << text.toStdString()
+                        << "' "
                                             << back.problem.toStdString();
                     const bool bothEmpty = row.field->emptyIsNull && text.isEmpty();
-                    EXPECT_TRUE(bothEmpty || *back.value == row.value) << file.path() << ' ' << row.pointers[0] << ' ' << text.toStdString();
+                    EXPECT_TRUE(bothEmpty || *back.value == row.value) << file.path() << ' ' << row.pointers[0] << ' '
+                        << text.toStdString();
                 }
     }
     EXPECT_GT(fields, 2000u);
