@@ -78,12 +78,10 @@ bool knowsQt(const Room& room) {
 std::optional<std::string> faultOf(const Room& room, const std::string& included, bool quoted, bool header) {
     static const std::regex windowLibrary("(vtk|VTK).*");
     static const std::regex paperLibrary("(Q[A-Z]|Qt).*|qcustomplot\\.h");
-    static const std::regex vtkWidget("QVTK.*");
-    const bool widget = std::regex_match(included, vtkWidget);
-    const bool paper = !widget && std::regex_match(included, paperLibrary);
+    const bool paper = std::regex_match(included, paperLibrary);
     if (paper && knowsQt(room)) return std::nullopt;
-    const bool screen = widget || std::regex_match(included, windowLibrary);
-    if (screen && (room.folder == "ui/canvas" || (room.folder == "ui/view" && !widget))) return std::nullopt;
+    const bool screen = std::regex_match(included, windowLibrary);
+    if (screen && (room.folder == "ui/canvas" || room.folder == "ui/view")) return std::nullopt;
     if (paper || screen) return "Qt stays in the window and on paper, VTK in ui/view and its widget";
     if (header && included.starts_with("CGAL/")) return "CGAL stays in .cpp files";
     if (!quoted) return std::nullopt;

@@ -8,8 +8,6 @@
 #include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QSurfaceFormat>
-#include <QVTKOpenGLNativeWidget.h>
 
 namespace keyblock {
 
@@ -17,10 +15,10 @@ namespace {
 
 QString text(const char* source) { return QCoreApplication::translate("DisplayCheck", source); }
 
-/// A context as VTK's widget would make it, on a surface that nobody sees.
+/// A context as the section takes it, on a surface that nobody sees.
 std::optional<QString> tryContext() {
     QOpenGLContext context;
-    context.setFormat(QVTKOpenGLNativeWidget::defaultFormat());
+    context.setFormat(sectionFormat());
     if (!context.create()) return text("This display has no OpenGL.");
     QOffscreenSurface surface;
     surface.setFormat(context.format());
@@ -41,6 +39,14 @@ std::optional<QString> check() {
 }
 
 }  // namespace
+
+QSurfaceFormat sectionFormat() {
+    QSurfaceFormat format;
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    return format;
+}
 
 const std::optional<QString>& missingOpenGl() {
     static const std::optional<QString> missing = check();

@@ -6,10 +6,14 @@
 #pragma once
 
 #include <QString>
+#include <QSurfaceFormat>
 
 #include <optional>
 
 namespace keyblock {
+
+/// The OpenGL that VTK paints the section with.
+QSurfaceFormat sectionFormat();
 
 /// What is missing, as one sentence; nothing where OpenGL 3.2 works. Asks once per process.
 const std::optional<QString>& missingOpenGl();
