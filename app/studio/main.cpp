@@ -5,6 +5,7 @@
 #include "solver/files/program_version.h"
 #include "ui/look/theme.h"
 #include "ui/window/main_window.h"
+#include "ui/window/software_gl.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -13,6 +14,7 @@
 int main(int argc, char** argv) {
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    keyblock::leaveProcessorsToRuns();
     QApplication application(argc, argv);
     QCoreApplication::setApplicationName("keyblock-studio");
     QCoreApplication::setOrganizationName("keyblock");

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the window costs a run, and a run the window: processor time of the solver's
-// thread per step with the view on and off, by turns within one run; the heartbeat of
-// the window meanwhile; how soon it stops; memory over ten thousand frames. Takes the
+// thread over the same steps with the view on and off, by turns; the heartbeat of the
+// window while it runs; how soon it stops; memory over ten thousand frames. Takes the
 // scene, how long to measure, and settings of the scene as the command line does:
 //   keyblock_studio_bench SCENE.json SECONDS [path=value …]
 #include "solver/files/scene_file.h"
@@ -13,6 +13,7 @@
 #include "ui/runs/run_session.h"
 #include "ui/runs/runs.h"
 #include "ui/window/main_window.h"
+#include "ui/window/software_gl.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -27,13 +28,15 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace keyblock {
 namespace {
 
-constexpr qint64 turn = 1000;  // [ms] with the view on, then as long with it off
 constexpr int looksPerSecond = 10;
+constexpr long firstStep = 5;
 constexpr long settled = 1000, manyFrames = 10000;
 
 double residentMegabytes() {
@@ -43,8 +46,11 @@ double residentMegabytes() {
     return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
+/// Sleeps between events as the window itself does: a wait that looks round and round would take a whole core.
 void waitFor(const std::function<bool()>& done) {
-    while (!done()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+    QTimer look;
+    look.start(5);
+    while (!done()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
 }
 
 double ownSeconds() {
@@ -94,52 +100,82 @@ struct Spent {
     double perStep() const { return 1e3 * seconds / static_cast<double>(std::max(1L, steps)); }
 };
 
-/// Turns with the view on and off, for so many seconds or until the run ends; the first one warms up.
-void measureCost(RunSession& session, double seconds) {
-    Spent on, off;
-    QElapsedTimer all;
-    all.start();
-    bool isOn = true, isFirst = true;
-    while (!session.isOver() && 1e-3 * static_cast<double>(all.elapsed()) < seconds) {
-        session.setLooksPerSecond(isOn ? looksPerSecond : 0);
-        QElapsedTimer clock;
-        clock.start();
-        const double before = session.threadSeconds();
-        const long from = session.steps();
-        waitFor([&] { return session.isOver() || clock.elapsed() >= turn; });
-        if (session.isOver()) break;
-        Spent& spent = isOn ? on : off;
-        if (!isFirst) {
-            spent.seconds += session.threadSeconds() - before;
-            spent.steps += session.steps() - from;
-        }
-        isFirst = false;
-        isOn = !isOn;
-    }
-    std::printf("solver thread, ms a step: view on %.3f (%ld steps), off %.3f (%ld steps), %+.1f %%\n", on.perStep(),
-                on.steps, off.perStep(), off.steps, 100.0 * (on.perStep() / off.perStep() - 1.0));
-    session.setLooksPerSecond(30);
+/// What the solver's thread takes from the first steps to step `last`, or for so many seconds.
+Spent spent(const RunSession& session, double seconds, long last) {
+    waitFor([&] { return session.isOver() || session.steps() >= firstStep; });
+    const double before = session.threadSeconds();
+    const long from = session.steps();
+    Spent spent;
+    const auto look = [&] {
+        if (session.isOver()) return true;
+        spent = {session.threadSeconds() - before, session.steps() - from};
+        return from + spent.steps >= last || spent.seconds >= seconds;
+    };
+    waitFor(look);
+    return spent;
+}
+
+void endRun(RunSession& session) {
+    session.stop();
+    waitFor([&] { return session.isOver(); });
 }
 
 void measureStop(RunSession& session) {
     QElapsedTimer clock;
     clock.start();
-    session.stop();
-    waitFor([&] { return session.isOver(); });
+    endRun(session);
     std::printf("stop after %.0f ms\n", 1e-6 * static_cast<double>(clock.nsecsElapsed()));
 }
 
-bool start(MainWindow& window, Scene scene, const QString& folder, const QString& name) {
-    auto* runs = window.findChild<Runs*>();
+void show(MainWindow& window, Scene scene, const QString& folder, const QString& name) {
     auto* document = window.findChild<Document*>();
     document->startNew(std::move(scene), name);
     document->save(folder + "/" + name + ".json");
     waitFor([&] { return document->checkIsCurrent(); });
+}
+
+/// A run of the scene that is shown; null where it does not begin.
+RunSession* start(MainWindow& window) {
+    auto* runs = window.findChild<Runs*>();
     runs->start();
     waitFor([&] { return !runs->isRunning() || runs->session()->run(); });
-    if (runs->isRunning()) return true;
+    if (runs->isRunning()) return runs->session();
     std::cerr << runs->session()->message().toStdString() << '\n';
-    return false;
+    return nullptr;
+}
+
+/// The same steps again and again, as one step may cost a hundred times another: runs with the view on and off by turns.
+void measureCost(MainWindow& window, double seconds) {
+    Spent on, off;
+    long last = std::numeric_limits<long>::max();
+    bool isWarm = false;  // the first run only touches memory for the others
+    for (const bool isOn : {true, true, false, false, true, true, false}) {
+        RunSession* session = start(window);
+        if (!session) return;
+        session->setLooksPerSecond(isOn ? looksPerSecond : 0);
+        const Spent part = spent(*session, seconds / 7.0, last);
+        last = std::min(last, firstStep + part.steps);
+        endRun(*session);
+        if (!std::exchange(isWarm, true)) continue;
+        Spent& sum = isOn ? on : off;
+        sum = {sum.seconds + part.seconds, sum.steps + part.steps};
+        std::printf("  view %s: %.3f ms a step, %ld steps\n", isOn ? "on" : "off", part.perStep(), part.steps);
+    }
+    std::printf("solver thread, ms a step: view on %.3f, off %.3f, %+.1f %%\n", on.perStep(), off.perStep(),
+                100.0 * (on.perStep() / off.perStep() - 1.0));
+}
+
+/// The window as a person has it: it looks as often as it can.
+void measureHeart(MainWindow& window, double seconds) {
+    RunSession* session = start(window);
+    if (!session) return;
+    std::printf("%zu blocks\n", session->run()->blockNames().size());
+    Heartbeat heart;
+    QElapsedTimer clock;
+    clock.start();
+    waitFor([&] { return session->isOver() || 1e-3 * static_cast<double>(clock.elapsed()) >= seconds; });
+    heart.tell();
+    if (!session->isOver()) measureStop(*session);
 }
 
 void measureMemory(MainWindow& window, const QString& folder) {
@@ -148,12 +184,13 @@ void measureMemory(MainWindow& window, const QString& folder) {
     reading.scene->output.every.reset();
     reading.scene->output.frames = static_cast<int>(manyFrames + settled);
     for (Stage& stage : reading.scene->stages) stage.timeStep = stage.duration / static_cast<double>(manyFrames + settled);
-    if (!start(window, *reading.scene, folder, "frames")) return;
-    RunSession& session = *window.findChild<Runs*>()->session();
-    double early = 0.0;
+    show(window, *reading.scene, folder, "frames");
+    RunSession* started = start(window);
+    if (!started) return;
+    RunSession& session = *started;
     const auto frames = [&] { return static_cast<long>(session.run()->frames().size()); };
     waitFor([&] { return session.isOver() || frames() >= settled; });
-    early = residentMegabytes();
+    const double early = residentMegabytes();
     waitFor([&] { return session.isOver() || frames() >= manyFrames; });
     std::printf("memory: %.1f MB at %ld frames, %.1f MB at %ld\n", early, settled, residentMegabytes(), frames());
 }
@@ -169,16 +206,14 @@ int measure(int argc, char** argv) {
     Themes themes;
     MainWindow window(themes);
     window.show();
-    window.findChild<Runs*>()->setThreads(1);  // so that all of the solver's work is its thread's
-    if (!start(window, *reading.scene, folder.path(), "scene")) return 1;
-    RunSession& session = *window.findChild<Runs*>()->session();
-    std::printf("%zu blocks\n", session.run()->blockNames().size());
-    Heartbeat heart;
-    measureCost(session, std::atof(argv[2]));
-    heart.tell();
-    if (!session.isOver()) measureStop(session);
+    Runs& runs = *window.findChild<Runs*>();
+    runs.setThreads(1);  // so that all of the solver's work is its thread's
+    show(window, *reading.scene, folder.path(), "scene");
+    measureCost(window, std::atof(argv[2]));
+    runs.setThreads(0);
+    measureHeart(window, std::atof(argv[2]) / 2.0);
     measureMemory(window, folder.path());
-    window.findChild<Runs*>()->stopForClosing();
+    runs.stopForClosing();
     return 0;
 }
 
@@ -190,6 +225,7 @@ int main(int argc, char** argv) {
         std::cerr << "keyblock_studio_bench SCENE.json SECONDS [path=value ...]\n";
         return 2;
     }
+    keyblock::leaveProcessorsToRuns();
     QApplication application(argc, argv);
     QCoreApplication::setApplicationName("keyblock-studio-bench");
     QCoreApplication::setOrganizationName("keyblock");

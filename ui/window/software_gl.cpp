@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/software_gl.h"
+
+#include <QByteArray>
+
+#include <algorithm>
+#include <thread>
+
+namespace keyblock {
+
+void leaveProcessorsToRuns() {
+    if (qEnvironmentVariableIsSet("LP_NUM_THREADS")) return;
+    // The window's thread and the run's have one each; without a thread of its own Mesa draws on the window's.
+    const int others = std::clamp(static_cast<int>(std::thread::hardware_concurrency()) - 2, 0, 8);
+    qputenv("LP_NUM_THREADS", QByteArray::number(others));
+}
+
+}  // namespace keyblock
