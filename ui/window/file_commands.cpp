@@ -6,6 +6,7 @@
 #include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
 #include "ui/edit/usual.h"
+#include "ui/look/ask_path.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
@@ -31,10 +32,8 @@ bool saveTo(Document& document, const QString& path, QWidget& window) {
 
 bool saveAs(Document& document, QWidget& window) {
     const QString start = document.path().isEmpty() ? document.title() + ".json" : document.path();
-    QString path = QFileDialog::getSaveFileName(&window, QWidget::tr("Save scene"), start, QWidget::tr("Scenes (*.json)"));
-    if (path.isEmpty()) return false;
-    if (!path.endsWith(".json")) path += ".json";
-    return saveTo(document, path, window);
+    const QString path = askSavePath(window, QWidget::tr("Save scene"), start, QWidget::tr("Scenes (*.json)"), "json");
+    return !path.isEmpty() && saveTo(document, path, window);
 }
 
 bool save(Document& document, QWidget& window) {
