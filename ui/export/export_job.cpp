@@ -119,10 +119,10 @@ std::size_t ExportJob::paint(const RunSource& run, const FigureRequest& request,
 
 std::size_t ExportJob::exportEverything(const RunSource& run, const ExportOrder& order) {
     std::filesystem::create_directories(order.out);
-    std::size_t written = exportFigures(run, order);
+    std::size_t written = exportFigures(run, order), tried = 0;
     for (const std::string_view word : tableWords()) {
         if (stop_) throw ExportStopped();
-        tell(tr("Tables"), 1, 2);
+        tell(tr("Tables"), ++tried, std::size(tableWords()));
         const TableKind kind = *tableKindOf(word);
         if (hasBolts(kind) && run.scene().bolts.empty()) continue;
         writeTableFile(run, kind, {}, order.out / (order.figure.runName + "-" + std::string(word) + ".csv"));
@@ -132,15 +132,17 @@ std::size_t ExportJob::exportEverything(const RunSource& run, const ExportOrder&
 }
 
 std::size_t ExportJob::exportFigures(const RunSource& run, const ExportOrder& order) {
-    std::size_t written = 0;
+    std::size_t written = 0, tried = 0;
+    const std::size_t all = 3 + run.scene().bolts.size();
     const auto add = [&](FigureKind kind, const std::string& name, std::optional<int> bolt) {
         if (stop_) throw ExportStopped();
+        tell(tr("Figures"), ++tried, all);
         if (!isThere(run, kind)) return;
-        tell(tr("Figures"), written, written + 1);
         FigureRequest request = order.figure;
         request.kind = kind;
         if (kind != FigureKind::Section) request.quantity.reset();
-        if (kind != FigureKind::Section) request.filter.bolt = bolt;
+        if (kind == FigureKind::Curves) request.filter = {};  // they are of the whole run
+        request.filter.bolt = bolt;
         const std::string ending = endings[static_cast<std::size_t>(request.format)];
         written += paint(run, request, order.out / (request.runName + "-" + name + ending));
     };

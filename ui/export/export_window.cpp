@@ -4,6 +4,7 @@
 
 #include "solver/files/run_store.h"
 #include "solver/results/frame_quantities.h"
+#include "ui/look/ask_path.h"
 #include "ui/look/theme.h"
 #include "ui/picture/arrows.h"
 #include "ui/picture/contact_lines.h"
@@ -50,11 +51,37 @@ Preview previewOf(const RunSource& run, FigureRequest request) {
     }
 }
 
+/// What goes to the clipboard.
+struct Copied {
+    QByteArray bytes;
+    QString problem;  // empty: none
+};
+
+std::string bytesOf(const RunSource& run, const ExportOrder& order) {
+    if (order.what == ExportWhat::Numbers) {
+        std::ostringstream text;
+        writeTable(order.table, run, order.figure.filter, text);
+        return text.str();
+    }
+    FigureRequest figure = order.figure;
+    figure.format = PaperFormat::Png;
+    return paintFigure(run, figure).bytes;
+}
+
+/// \param run null: as the store has it, for other threads.
+Copied copyOf(const RunSource* run, const ExportOrder& order) {
+    try {
+        return {QByteArray::fromStdString(run ? bytesOf(*run, order) : bytesOf(RunStore(order.store), order)), {}};
+    } catch (const std::exception& error) {
+        return {{}, QString::fromUtf8(error.what())};
+    }
+}
+
 }  // namespace
 
 ExportWindow::ExportWindow(std::function<Exportable()> shown, const Themes& themes, QWidget* parent)
     : QWidget(parent, Qt::Window), shown_(std::move(shown)), themes_(themes), job_(new ExportJob(this)),
-      painting_(new Background(this)), kind_(makeCombo(tr("What to export"), "export.kind")),
+      painting_(new Background(this)), copying_(new Background(this)), kind_(makeCombo(tr("What to export"), "export.kind")),
       quantity_(makeCombo(tr("Quantity"), "export.quantity")), bolt_(makeCombo(tr("Bolt"), "export.bolt")),
       table_(makeCombo(tr("Table"), "export.table")), format_(makeCombo(tr("Format"), "export.format")),
       width_(makeCombo(tr("Width"), "export.width")), dpi_(makeCombo(tr("Resolution"), "export.dpi")),
@@ -157,7 +184,7 @@ void ExportWindow::open(ExportWhat what) {
     bolt_->clear();
     if (now_.run)
         for (const Bolt& bolt : now_.run->scene().bolts) bolt_->addItem(QString::fromStdString(bolt.name));
-    if (now_.bolt) bolt_->setCurrentIndex(*now_.bolt);
+    if (now_.bolt >= 0) bolt_->setCurrentIndex(now_.bolt);
     switch (what) {
         case ExportWhat::Figure: if (kind() > Kind::Events) kind_->setCurrentIndex(int(Kind::Section)); break;
         case ExportWhat::Numbers: kind_->setCurrentIndex(int(Kind::Numbers)); break;
@@ -227,7 +254,8 @@ FigureRequest ExportWindow::request() const {
     request.runName = now_.store.stem().string();
     if (request.kind == FigureKind::Section) request.quantity = quantity_->currentData().toString().toStdString();
     if (request.kind == FigureKind::Bolt && bolt_->currentIndex() >= 0) request.filter.bolt = bolt_->currentIndex();
-    if (!now_.run || !now_.frame || *now_.frame >= now_.run->frames().size() || what == Kind::Film) return request;
+    const bool isOfMoment = what != Kind::Curves && what != Kind::Numbers && what != Kind::Film;
+    if (!isOfMoment || !now_.run || !now_.frame || *now_.frame >= now_.run->frames().size()) return request;
     const FrameHead& head = now_.run->frames()[*now_.frame];
     request.filter.stage = head.stage;
     request.filter.when = When::At;
@@ -267,21 +295,17 @@ void ExportWindow::showPreview(const QImage& image, const QString& message) {
 /// A figure as it would be printed at the chosen resolution; a table as text.
 void ExportWindow::copy() {
     if (!now_.run) return;
-    try {
-        if (kind() == Kind::Numbers) {
-            std::ostringstream text;
-            writeTable(order().table, *now_.run, request().filter, text);
-            QApplication::clipboard()->setText(QString::fromStdString(text.str()));
-        } else {
-            FigureRequest asked = request();
-            asked.format = PaperFormat::Png;
-            const std::string bytes = paintFigure(*now_.run, asked).bytes;
-            QApplication::clipboard()->setImage(QImage::fromData(QByteArray::fromStdString(bytes), "PNG"));
-        }
-        message_->setText(tr("Copied"));
-    } catch (const std::exception& error) {
-        message_->setText(QString::fromUtf8(error.what()));
-    }
+    const auto copied = [this, isText = kind() == Kind::Numbers](const Copied& made) -> Background::Result {
+        return [this, isText, made] {
+            if (made.problem.isEmpty() && isText) QApplication::clipboard()->setText(QString::fromUtf8(made.bytes));
+            else if (made.problem.isEmpty()) QApplication::clipboard()->setImage(QImage::fromData(made.bytes, "PNG"));
+            message_->setText(made.problem.isEmpty() ? tr("Copied") : made.problem);
+        };
+    };
+    const ExportOrder asked = order();
+    if (hasCharts(asked.figure.kind)) return copied(copyOf(now_.run.get(), asked))();
+    message_->setText(tr("Copying …"));
+    copying_->ask([asked, copied] { return copied(copyOf(nullptr, asked)); });
 }
 
 ExportOrder ExportWindow::order() const {
@@ -294,7 +318,6 @@ ExportOrder ExportWindow::order() const {
     order.store = now_.store;
     order.figure = request();
     order.table = static_cast<TableKind>(std::max(0, table_->currentIndex()));
-    if (what == Kind::Numbers) order.figure.filter = {};
     order.perSecond = perSecond_->value();
     return order;
 }
@@ -310,11 +333,10 @@ QString ExportWindow::suggested() const {
 void ExportWindow::choosePlace() {
     ExportOrder asked = order();
     const QString ending = kind() == Kind::Numbers ? QString("csv") : format_->currentText();
-    QString out = kind() == Kind::Everything
-                      ? QFileDialog::getExistingDirectory(this, tr("Export everything into"), suggested())
-                      : QFileDialog::getSaveFileName(this, tr("Export"), suggested(), "*." + ending);
+    const QString out = kind() == Kind::Everything
+                            ? QFileDialog::getExistingDirectory(this, tr("Export everything into"), suggested())
+                            : askSavePath(*this, tr("Export"), suggested(), "*." + ending, ending);
     if (out.isEmpty()) return;
-    if (kind() != Kind::Everything && !out.endsWith("." + ending)) out += "." + ending;
     asked.out = out.toStdString();
     message_->setText(tr("Exporting …"));
     job_->start(std::move(asked));

@@ -32,7 +32,7 @@ struct Exportable {
     std::filesystem::path store;
     std::optional<std::size_t> frame;  // null: the last
     std::string quantity;  // of blocks or over them, as figures name it; empty: their own choice
-    std::optional<int> bolt;
+    int bolt = -1;  // row of the scene's bolts; −1: none in particular
     double factor = 1.0;  // on displacements
 };
 
@@ -67,7 +67,7 @@ private:
     const Themes& themes_;
     Exportable now_;
     ExportJob* job_;
-    Background* painting_;
+    Background *painting_, *copying_;
     QFormLayout* form_ = nullptr;
     QComboBox *kind_, *quantity_, *bolt_, *table_, *format_, *width_, *dpi_;
     QSpinBox* perSecond_;

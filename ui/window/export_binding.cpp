@@ -6,6 +6,7 @@
 #include "ui/look/commands.h"
 #include "ui/picture/arrows.h"
 #include "ui/picture/contact_lines.h"
+#include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/time_cursor.h"
 #include "ui/runs/view_settings.h"
@@ -22,12 +23,13 @@ std::string quantityOf(const ViewChoice& view) {
     return view.blocks ? std::string(view.blocks->name) : std::string();
 }
 
-Exportable shownNow(const TimeCursor& cursor, const ViewSettings& view) {
+Exportable shownNow(const TimeCursor& cursor, const BoltChoice& choice, const ViewSettings& view) {
     Exportable shown;
     if (!cursor.run()) return shown;
     shown.run = cursor.run();
     shown.store = cursor.run()->store();
     shown.frame = cursor.frame();
+    shown.bolt = choice.bolt();
     shown.quantity = quantityOf(view.choice());
     shown.factor = view.choice().factor;
     return shown;
@@ -36,8 +38,9 @@ Exportable shownNow(const TimeCursor& cursor, const ViewSettings& view) {
 }  // namespace
 
 void addExportCommands(QMainWindow& window, Commands& commands, const Themes& themes, const TimeCursor& cursor,
-                       const ViewSettings& view) {
-    auto* exporting = new ExportWindow([&cursor, &view] { return shownNow(cursor, view); }, themes, &window);
+                       const BoltChoice& choice, const ViewSettings& view) {
+    auto* exporting =
+        new ExportWindow([&cursor, &choice, &view] { return shownNow(cursor, choice, view); }, themes, &window);
     const auto add = [&](const char* id, const QString& text, const QString& help, ExportWhat what) {
         commands.add({id, text, "Results", "export", help, {}, false, "export"}, [exporting, what] { exporting->open(what); });
     };

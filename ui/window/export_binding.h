@@ -8,6 +8,7 @@ class QMainWindow;
 
 namespace keyblock {
 
+class BoltChoice;
 class Commands;
 class Themes;
 class TimeCursor;
@@ -15,6 +16,6 @@ class ViewSettings;
 
 /// Adds export.figure, export.table, export.film and export.all.
 void addExportCommands(QMainWindow& window, Commands& commands, const Themes& themes, const TimeCursor& cursor,
-                       const ViewSettings& view);
+                       const BoltChoice& choice, const ViewSettings& view);
 
 }  // namespace keyblock

@@ -55,7 +55,7 @@ MainWindow::MainWindow(Themes& themes)
     addEditCommands(*commands_, *document_);
     addViewCommands(*commands_, themes_, *display_);
     addCanvasCommands(*commands_, *canvas_);
-    addExportCommands(*this, *commands_, themes_, runs_->cursor(), runs_->settings());
+    addExportCommands(*this, *commands_, themes_, runs_->cursor(), runs_->choice(), runs_->settings());
     placeBars();
     placeCanvas();
     showRunsIn(placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_, *canvas_}),

@@ -61,6 +61,7 @@ public:
 
     Runs& runs() { return *runs_; }
     TimeCursor& cursor() { return *cursor_; }
+    const BoltChoice& choice() const { return *choice_; }
     ViewSettings& settings() { return *settings_; }
 
 Q_SIGNALS:

@@ -71,6 +71,9 @@ TEST_F(Exports, FiguresOfAllKindsAndFormats) {
 TEST_F(Exports, EverythingIntoAFolder) {
     order_.what = ExportWhat::Everything;
     order_.out = scratch_.path() / "all";
+    order_.figure.filter.stage = 0;  // as the window asks for the moment that it shows
+    order_.figure.filter.when = When::At;
+    order_.figure.filter.time = 0.5;
     const auto [said, bad] = run(order_);
     EXPECT_FALSE(bad) << said.toStdString();
     for (const char* name : {"rebar-section.svg", "rebar-curves.svg", "rebar-history.csv", "rebar-blocks.csv"})
@@ -106,15 +109,22 @@ TEST_F(Exports, WhatCannotBeWrittenOrReadIsTold) {
 TEST_F(Exports, TheWindowPreviewsAndCopies) {
     Themes themes;
     const auto store = std::make_shared<const RunStore>(order_.store);
-    ExportWindow window([&] { return Exportable{store, order_.store, {}, "sigma1", {}, 1.0}; }, themes, nullptr);
+    ExportWindow window([&] { return Exportable{store, order_.store, 1, "sigma1", 0, 1.0}; }, themes, nullptr);
     window.open(ExportWhat::Figure);
     const auto* picture = window.findChild<QLabel*>("export.preview");
     EXPECT_TRUE(waitFor([&] { return picture->pixmap(Qt::ReturnByValue).width() > 100; }));
-    window.findChild<QPushButton*>("export.Copy")->click();
-    EXPECT_FALSE(QApplication::clipboard()->image().isNull());
+    auto* kinds = window.findChild<QComboBox*>("export.kind");
+    auto* copy = window.findChild<QPushButton*>("export.Copy");
+    for (const int kind : {0, 1, 2, 3}) {  // section, bolt, curves, events, at a moment
+        QApplication::clipboard()->clear();
+        kinds->setCurrentIndex(kind);
+        copy->click();
+        EXPECT_TRUE(waitFor([] { return !QApplication::clipboard()->image().isNull(); }))
+            << kinds->currentText().toStdString();
+    }
     window.open(ExportWhat::Numbers);
-    window.findChild<QPushButton*>("export.Copy")->click();
-    EXPECT_TRUE(QApplication::clipboard()->text().contains(','));
+    copy->click();
+    EXPECT_TRUE(waitFor([] { return QApplication::clipboard()->text().contains(','); }));
 }
 
 TEST(ExportWindows, WithoutARunNothingIsOffered) {
