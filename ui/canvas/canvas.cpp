@@ -15,6 +15,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <cmath>
 
 namespace keyblock {
 
@@ -58,6 +59,7 @@ void Canvas::show(std::shared_ptr<const SectionPicture> picture) {
 
 void Canvas::setTool(CanvasTool* tool) {
     tool_ = tool;
+    held_ = Qt::NoButton;
     showCursor();
     refresh();
 }

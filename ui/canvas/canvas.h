@@ -120,6 +120,7 @@ private:
     bool shapesChanged_ = true, fits_ = false;
     bool spaceDown_ = false, spacePanned_ = false;
     std::optional<QPointF> panFrom_;
+    Qt::MouseButtons held_ = Qt::NoButton;  // whose release the tool is to hear of
 };
 
 }  // namespace keyblock

@@ -40,6 +40,7 @@ void Canvas::mousePressEvent(QMouseEvent* event) {
         spacePanned_ = spaceDown_;
         showCursor();
     } else if (tool_ && !panFrom_) {
+        held_ |= event->button();
         tool_->press(eventOf(*event));
         showCursor();
     }
@@ -58,11 +59,12 @@ void Canvas::mouseMoveEvent(QMouseEvent* event) {
 
 void Canvas::mouseReleaseEvent(QMouseEvent* event) {
     const bool endsPan = event->button() == Qt::MiddleButton || event->button() == Qt::LeftButton;
-    if (panFrom_ && endsPan) {
-        panFrom_.reset();
-        showCursor();
-    } else if (tool_ && !panFrom_) {
+    if (tool_ && held_ & event->button()) {
+        held_ &= ~Qt::MouseButtons(event->button());
         tool_->release(eventOf(*event));
+        showCursor();
+    } else if (panFrom_ && endsPan) {
+        panFrom_.reset();
         showCursor();
     }
 }
@@ -74,6 +76,7 @@ void Canvas::mouseDoubleClickEvent(QMouseEvent* event) {
     } else if (startsPan(*event)) {
         mousePressEvent(event);
     } else if (tool_) {
+        held_ |= event->button();
         tool_->doubleClick(eventOf(*event));
         showCursor();
     }

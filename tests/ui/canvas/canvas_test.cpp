@@ -27,8 +27,10 @@ std::shared_ptr<const SectionPicture> pictureOf(const test::BricksRun& bricks, s
 struct NotingTool : CanvasTool {
     void press(const CanvasEvent& event) override { pressed = event; }
     void move(const CanvasEvent&) override { ++moves; }
+    void release(const CanvasEvent& event) override { released.push_back(event.button); }
     void leave() override { ++leaves; }
     std::optional<CanvasEvent> pressed;
+    std::vector<Qt::MouseButton> released;
     int moves = 0, leaves = 0;
 };
 
@@ -124,6 +126,25 @@ TEST_F(OnCanvas, TheMiddleButtonPansAndTheToolSeesOnlyItsOwn) {
     QTest::mouseClick(canvas.get(), Qt::LeftButton, {}, {100, 100});
     ASSERT_TRUE(tool.pressed);
     EXPECT_LT((tool.pressed->place - canvas->map().toPlace({100, 100})).norm(), 1e-12);
+    canvas->setTool(nullptr);
+}
+
+TEST_F(OnCanvas, ADragEndsWhereItsButtonIsLetGoEvenWhileTheViewIsPanned) {
+    NEED_SCREEN();
+    open();
+    NotingTool tool;
+    canvas->show(pictureOf(bricks, {}));
+    canvas->setTool(&tool);
+    QTest::mousePress(canvas.get(), Qt::LeftButton, {}, {300, 300});
+    QTest::mousePress(canvas.get(), Qt::MiddleButton, {}, {310, 300});
+    QTest::mouseRelease(canvas.get(), Qt::LeftButton, {}, {330, 300});
+    EXPECT_EQ(tool.released, std::vector{Qt::LeftButton});
+    QTest::mouseRelease(canvas.get(), Qt::MiddleButton, {}, {340, 300});
+    EXPECT_EQ(tool.released.size(), 1u);  // that one was the view's
+    QTest::mousePress(canvas.get(), Qt::LeftButton, {}, {300, 300});
+    const int moves = tool.moves;
+    QTest::mouseMove(canvas.get(), {320, 300});
+    EXPECT_GT(tool.moves, moves);
     canvas->setTool(nullptr);
 }
 
