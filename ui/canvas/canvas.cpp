@@ -85,12 +85,6 @@ void Canvas::setSelectedBolts(const std::vector<int>& bolts) {
     sceneChanged();
 }
 
-void Canvas::setParts(const CanvasParts& parts) {
-    parts_ = parts;
-    sheet_->forget();
-    refresh();
-}
-
 void Canvas::setCulprit(const std::optional<Culprit>& culprit) {
     if (culprit == culprit_) return;
     culprit_ = culprit;
@@ -105,7 +99,7 @@ void Canvas::setHint(const QString& title, const QString& text) {
 }
 
 QRectF Canvas::room() const {
-    const bool explains = picture_ && !style_.drawing && parts_.legend && (picture_->blockLegend || picture_->boltLegend);
+    const bool explains = picture_ && !style_.drawing && (picture_->blockLegend || picture_->boltLegend);
     const double legend = explains ? legendWidth(size()) : 0.0;
     return QRectF(rect()).adjusted(rimOfRoom, rimOfRoom, -rimOfRoom - legend, -rimOfRoom);
 }

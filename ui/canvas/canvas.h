@@ -7,8 +7,8 @@
 #pragma once
 
 #include "ui/canvas/canvas_map.h"
-#include "ui/canvas/canvas_parts.h"
 #include "ui/canvas/canvas_tool.h"
+#include "ui/canvas/culprit.h"
 #include "ui/picture/pick.h"
 #include "ui/view/view_colours.h"
 
@@ -49,8 +49,6 @@ public:
     /// Plain rock with lighter joints while a person draws; coloured results otherwise.
     void setDrawing(bool drawing);
     void setSelectedBolts(const std::vector<int>& bolts);  // rows of the scene's bolts
-    void setParts(const CanvasParts& parts);
-    const CanvasParts& parts() const { return parts_; }
     void setCulprit(const std::optional<Culprit>& culprit);
     void setHint(const QString& title, const QString& text);  // where nothing is shown
 
@@ -112,7 +110,6 @@ private:
     mutable std::unique_ptr<PickIndex> index_;  // of the picture, once asked
     CanvasMap map_;
     ViewStyle style_;
-    CanvasParts parts_;
     std::optional<Culprit> culprit_;
     CanvasTool* tool_ = nullptr;
     std::vector<const CanvasOverlay*> overlays_;

@@ -53,10 +53,8 @@ void CanvasSheet::paintHint(QPainter& painter) const {
 }
 
 void CanvasSheet::paintPicture(QPainter& painter) const {
-    CanvasParts parts = canvas_.parts();
-    parts.legend = parts.legend && !canvas_.style_.drawing;
-    SectionInk(*canvas_.picture(), canvas_.map(), canvas_.themes_.current(), parts, canvas_.style_.selectedBolts,
-               canvas_.culprit_)
+    SectionInk(*canvas_.picture(), canvas_.map(), canvas_.themes_.current(), !canvas_.style_.drawing,
+               canvas_.style_.selectedBolts, canvas_.culprit_)
         .paint(painter);
 }
 

@@ -84,7 +84,7 @@ void SectionInk::paintRibbon(QPainter& painter) {
     painter.setBrush(theme_.accent);
     painter.drawEllipse(QPointF(shape.peak.x(), shape.peak.y()), 3.0, 3.0);
     for (std::size_t e = 0; e < shape.tips.size(); ++e) placement_.keepOff(shape.feet[e], shape.tips[e], 3.0);
-    if (parts_.callOuts) callOutRibbon(shape);
+    callOutRibbon(shape);
 }
 
 void SectionInk::callOutRibbon(const RibbonShape& shape) {

@@ -27,9 +27,9 @@ Box sheetOf(const CanvasMap& map) { return {{edge, edge}, {map.size().width() - 
 }  // namespace
 
 SectionInk::SectionInk(const SectionPicture& picture, const CanvasMap& map, const Theme& theme,
-                       const CanvasParts& parts, const std::vector<int>& selected,
+                       bool hasLegend, const std::vector<int>& selected,
                        const std::optional<Culprit>& culprit)
-    : picture_(picture), map_(map), theme_(theme), parts_(parts), selected_(selected), culprit_(culprit),
+    : picture_(picture), map_(map), theme_(theme), hasLegend_(hasLegend), selected_(selected), culprit_(culprit),
       placement_(sheetOf(map), pixelsPerMm) {
     moved_ = movedBlocks(picture, map.pixelsPerMetre(), onTheScreen);
     chooseMarks();
@@ -71,14 +71,12 @@ void SectionInk::paint(QPainter& painter) {
     paintBroken(painter);
     keepOffPanels();
     keepOffBolts();
-    if (parts_.ribbon) paintRibbon(painter);
-    if (parts_.marks) paintMarks(painter);
-    if (parts_.names) paintNames(painter);
-    if (parts_.callOuts) {
-        callOutEvents();
-        callOutMoved();
-        paintCallOuts(painter);
-    }
+    paintRibbon(painter);
+    paintMarks(painter);
+    paintNames(painter);
+    callOutEvents();
+    callOutMoved();
+    paintCallOuts(painter);
     paintPanels(painter);
 }
 
@@ -94,16 +92,16 @@ LegendContent SectionInk::legendContent() const {
 
 /// Panels take their room before anything else, and are painted over everything.
 void SectionInk::keepOffPanels() {
-    if (parts_.legend) {
+    if (hasLegend_) {
         const QRectF panel = legendRect(theme_, legendContent(), map_.size());
         if (!panel.isEmpty()) placement_.keepOff(grown(boxOf(panel), 4.0));
     }
-    if (parts_.scaleBar) placement_.keepOff(grown(boxOf(scaleBarRect(map_)), 4.0));
+    placement_.keepOff(grown(boxOf(scaleBarRect(map_)), 4.0));
 }
 
 void SectionInk::paintPanels(QPainter& painter) const {
-    if (parts_.legend) paintLegend(painter, theme_, legendContent(), map_.size());
-    if (parts_.scaleBar) paintScaleBar(painter, theme_, map_);
+    if (hasLegend_) paintLegend(painter, theme_, legendContent(), map_.size());
+    paintScaleBar(painter, theme_, map_);
 }
 
 void SectionInk::paintMoved(QPainter& painter) const {

@@ -8,7 +8,7 @@
 
 #include "ui/canvas/call_out.h"
 #include "ui/canvas/canvas_map.h"
-#include "ui/canvas/canvas_parts.h"
+#include "ui/canvas/culprit.h"
 #include "ui/canvas/legend_panel.h"
 #include "ui/picture/placement.h"
 #include "ui/picture/ribbon_shape.h"
@@ -27,7 +27,7 @@ struct Theme;
 class SectionInk {
 public:
     /// All must outlive it. `selected` are rows of the scene's bolts.
-    SectionInk(const SectionPicture& picture, const CanvasMap& map, const Theme& theme, const CanvasParts& parts,
+    SectionInk(const SectionPicture& picture, const CanvasMap& map, const Theme& theme, bool hasLegend,
                const std::vector<int>& selected, const std::optional<Culprit>& culprit);
 
     void paint(QPainter& painter);
@@ -59,7 +59,7 @@ private:
     const SectionPicture& picture_;
     const CanvasMap& map_;
     const Theme& theme_;
-    const CanvasParts& parts_;
+    bool hasLegend_;
     const std::vector<int>& selected_;
     const std::optional<Culprit>& culprit_;
     std::vector<double> spacing_;  // of each bolt [px]
