@@ -7,6 +7,8 @@
 #include "ui/document/visibility.h"
 #include "ui/document/visible_picture.h"
 
+#include <utility>
+
 namespace keyblock {
 
 DrawingFeed::DrawingFeed(Document& document, const Visibility& visibility, Canvas& canvas, QObject* parent)
@@ -15,6 +17,7 @@ DrawingFeed::DrawingFeed(Document& document, const Visibility& visibility, Canva
     connect(&document, &Document::checkedChanged, this, &DrawingFeed::show);
     // Another document is fitted into the view; an edit leaves the view where it is.
     connect(&document, &Document::replaced, this, [this] {
+        isOther_ = true;
         if (on_) canvas_.show(nullptr);
     });
     canvas_.setDrawing(true);
@@ -32,6 +35,8 @@ void DrawingFeed::setOn(bool on) {
 
 void DrawingFeed::show() {
     if (!on_) return;
+    if (isOther_ && !document_.checkIsCurrent()) return;  // what is known is of the document before
+    if (std::exchange(isOther_, false)) canvas_.show(nullptr);
     showHint();
     const Checked& checked = document_.checked();
     const bool broken = hasErrors(checked.problems);

@@ -33,6 +33,7 @@ private:
     const Visibility& visibility_;
     Canvas& canvas_;
     bool on_ = true;
+    bool isOther_ = false;  // another document, of which nothing was shown yet
 };
 
 }  // namespace keyblock
