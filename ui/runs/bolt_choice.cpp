@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/bolt_choice.h"
 
+#include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/time_cursor.h"
@@ -12,19 +13,32 @@ namespace keyblock {
 
 namespace {
 
-/// The pattern that a bolt is of, as PATTERN.3; −1: it stands there by itself.
-int patternOf(const Scene& scene, const Bolt& bolt) {
+/// −1: none is called so.
+template <typename Things>
+int rowOf(const Things& things, const std::string& name) {
+    const auto found = std::ranges::find_if(things, [&](const auto& thing) { return thing.name == name; });
+    return found == things.end() ? -1 : static_cast<int>(found - things.begin());
+}
+
+/// The pattern that a bolt is of, as PATTERN.3; empty: it stands there by itself.
+std::string patternOf(const Scene& scene, const Bolt& bolt) {
     const std::size_t dot = bolt.name.rfind('.');
-    if (dot == std::string::npos) return -1;
-    for (std::size_t p = 0; p < scene.boltPatterns.size(); ++p)
-        if (scene.boltPatterns[p].name == bolt.name.substr(0, dot)) return static_cast<int>(p);
-    return -1;
+    if (dot == std::string::npos) return {};
+    const std::string name = bolt.name.substr(0, dot);
+    return rowOf(scene.boltPatterns, name) < 0 ? std::string() : name;
+}
+
+/// Row in `/bolts/3` of a scene; −1 for other pointers.
+int boltAt(const Scene& scene, const QString& pointer) {
+    bool isNumber = false;
+    const int row = pointer.startsWith("/bolts/") ? pointer.section('/', 2, 2).toInt(&isNumber) : -1;
+    return isNumber && row >= 0 && static_cast<std::size_t>(row) < scene.bolts.size() ? row : -1;
 }
 
 }  // namespace
 
-BoltChoice::BoltChoice(Selection& selection, const TimeCursor& cursor, QObject* parent)
-    : QObject(parent), selection_(selection), cursor_(cursor) {
+BoltChoice::BoltChoice(const Document& document, Selection& selection, const TimeCursor& cursor, QObject* parent)
+    : QObject(parent), document_(document), selection_(selection), cursor_(cursor) {
     connect(&selection, &Selection::changed, this, &BoltChoice::follow);
     connect(&cursor, &TimeCursor::runChanged, this, [this] {
         bolt_ = selectedRow();
@@ -35,16 +49,21 @@ BoltChoice::BoltChoice(Selection& selection, const TimeCursor& cursor, QObject* 
 /// The first bolt that is selected.
 int BoltChoice::selectedRow() const {
     if (!cursor_.run()) return -1;
-    const Scene& scene = cursor_.run()->scene();
-    for (const QString& pointer : selection_.pointers()) {
-        const QStringList parts = pointer.split('/');
-        if (parts.size() < 3 || parts[1] != "bolts") continue;
-        bool isNumber = false;
-        const int row = parts[2].toInt(&isNumber);
-        if (!isNumber || row < 0 || static_cast<std::size_t>(row) >= scene.bolts.size()) continue;
-        if (patternOf(scene, scene.bolts[static_cast<std::size_t>(row)]) < 0) return row;
-    }
+    const Scene& drawn = *document_.scene();
+    for (const QString& pointer : selection_.pointers())
+        if (const int row = boltAt(drawn, pointer); row >= 0)
+            return rowOf(cursor_.run()->scene().bolts, drawn.bolts[static_cast<std::size_t>(row)].name);
     return -1;
+}
+
+/// To the bolt of the document, or its pattern; empty where the document has neither.
+QString BoltChoice::pointerTo(int bolt) const {
+    const Scene &ran = cursor_.run()->scene(), &drawn = *document_.scene();
+    const Bolt& chosen = ran.bolts[static_cast<std::size_t>(bolt)];
+    const std::string pattern = patternOf(ran, chosen);
+    const int row = pattern.empty() ? rowOf(drawn.bolts, chosen.name) : rowOf(drawn.boltPatterns, pattern);
+    if (row < 0) return {};
+    return (pattern.empty() ? QStringLiteral("/bolts/%1") : QStringLiteral("/bolt_patterns/%1")).arg(row);
 }
 
 void BoltChoice::follow() {
@@ -57,15 +76,10 @@ void BoltChoice::follow() {
 
 void BoltChoice::choose(int bolt) {
     if (!cursor_.run() || bolt >= static_cast<int>(cursor_.run()->scene().bolts.size())) return;
-    const Scene& scene = cursor_.run()->scene();
-    QStringList pointers;
-    if (bolt >= 0) {
-        const int pattern = patternOf(scene, scene.bolts[static_cast<std::size_t>(bolt)]);
-        pointers += pattern < 0 ? QStringLiteral("/bolts/%1").arg(bolt) : QStringLiteral("/bolt_patterns/%1").arg(pattern);
-    }
     bolt_ = std::max(bolt, -1);
+    const QString pointer = bolt_ >= 0 ? pointerTo(bolt_) : QString();
     choosing_ = true;
-    selection_.set(pointers);
+    selection_.set(pointer.isEmpty() ? QStringList() : QStringList{pointer});
     choosing_ = false;
     Q_EMIT changed();
 }

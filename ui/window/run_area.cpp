@@ -42,7 +42,7 @@ constexpr int messageTime = 8000;  // [ms]
 
 RunArea::RunArea(const RunAreaParts& parts)
     : QObject(&parts.window), parts_(parts), cursor_(new TimeCursor(this)),
-      choice_(new BoltChoice(parts.selection, *cursor_, this)),
+      choice_(new BoltChoice(parts.document, parts.selection, *cursor_, this)),
       runs_(new Runs(parts.document, *cursor_, this)), settings_(new ViewSettings(this)),
       feed_(new SectionFeed(*choice_, *cursor_, *settings_, this)) {
     addRunCommands(parts.commands, *runs_);

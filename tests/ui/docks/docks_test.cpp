@@ -8,6 +8,7 @@
 #include "ui/docks/health_strip.h"
 #include "ui/docks/time_line.h"
 #include "ui/docks/time_track.h"
+#include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/look/commands.h"
 #include "ui/look/theme.h"
@@ -138,7 +139,9 @@ TEST_F(DocksTest, AClickOnAnEventGoesThereAndSelectsItsBolt) {
     Themes themes;
     TimeCursor cursor;
     Selection selection;
-    BoltChoice choice(selection, cursor);
+    Document document;
+    BoltChoice choice(document, selection, cursor);
+    document.startNew(test::bricks());
     EventsList list(themes, cursor, choice);
     list.resize(500, 200);
     list.show();
@@ -169,7 +172,8 @@ TEST_F(DocksTest, TheTimeLineScrubsZoomsAndCounts) {
     TimeCursor cursor;
     addTimeCommands(commands, cursor);
     Selection selection;
-    BoltChoice choice(selection, cursor);
+    Document document;
+    BoltChoice choice(document, selection, cursor);
     TimeLine line(themes, commands, cursor, choice);
     line.resize(1200, 104);
     line.show();
@@ -203,7 +207,9 @@ TEST(BoltChoice, ABoltOfAPatternIsChosenByItsPattern) {
     scene.bolts.back().name = "roof.1";
     Selection selection;
     TimeCursor cursor;
-    BoltChoice choice(selection, cursor);
+    Document document;
+    BoltChoice choice(document, selection, cursor);
+    document.startNew(scene);
     choice.choose(1);  // without a run
     EXPECT_EQ(choice.bolt(), -1);
     cursor.setRun(std::make_shared<LiveRun>("nowhere.kbrun", LiveStart{std::make_shared<const Scene>(scene), {}}), false);
@@ -216,6 +222,27 @@ TEST(BoltChoice, ABoltOfAPatternIsChosenByItsPattern) {
     EXPECT_EQ(choice.bolt(), -1);
     choice.choose(99);
     EXPECT_EQ(choice.bolt(), -1);
+}
+
+TEST(BoltChoice, KeepsToNamesWhereTheSceneWasEditedSinceTheRun) {
+    Scene ran = test::bricks();
+    ran.bolts.push_back(ran.bolts.front());
+    ran.bolts.back().name = "C";
+    Scene drawn = ran;
+    drawn.bolts.erase(drawn.bolts.begin());  // C is the first now
+    Document document;
+    document.startNew(drawn);
+    Selection selection;
+    TimeCursor cursor;
+    BoltChoice choice(document, selection, cursor);
+    cursor.setRun(std::make_shared<LiveRun>("nowhere.kbrun", LiveStart{std::make_shared<const Scene>(ran), {}}), false);
+    selection.set({"/bolts/0"});
+    EXPECT_EQ(choice.bolt(), 1);
+    choice.choose(0);  // B is not in the document any more
+    EXPECT_EQ(choice.bolt(), 0);
+    EXPECT_TRUE(selection.isEmpty());
+    choice.choose(1);
+    EXPECT_EQ(selection.pointers(), QStringList{"/bolts/0"});
 }
 
 }  // namespace
