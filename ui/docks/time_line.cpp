@@ -212,9 +212,7 @@ void TimeLine::showIcons() {
     if (auto* home = full_->findChild<QToolButton*>("time.home")) home->setIcon(themes_.icon("home", themes_.current().text));
     if (auto* end = full_->findChild<QToolButton*>("time.end")) end->setIcon(themes_.icon("end", themes_.current().text));
     loop_->setIcon(themes_.icon("loop"));
-    const auto here = cursor_.frame();
-    const bool marked = here && cursor_.bookmarks().contains(*here);
-    bookmark_->setIcon(themes_.icon("bookmark", marked ? themes_.current().accent : themes_.current().text2));
+    showBookmark();
     for (std::size_t g = 0; g < eventGroups; ++g) {
         constexpr int side = 16, sharp = 3;
         QPixmap pixmap(side * sharp, side * sharp);
@@ -279,8 +277,13 @@ void TimeLine::showMoment() {
                                                 .arg(theme.accentSoft.name(), theme.accent.name())
                                           : QString());
     compare_->setText(compareText());
-    const bool marked = frame && cursor_.bookmarks().contains(*frame);
-    bookmark_->setIcon(themes_.icon("bookmark", marked ? theme.accent : theme.text2));
+    showBookmark();
+}
+
+void TimeLine::showBookmark() {
+    const auto here = cursor_.storedFrame();
+    const bool marked = here && cursor_.bookmarks().contains(*here);
+    bookmark_->setIcon(themes_.icon("bookmark", marked ? themes_.current().accent : themes_.current().text2));
 }
 
 /// B's time, how far A is from it, and what the selected bolt's force changed by.

@@ -13,7 +13,6 @@
 
 class QComboBox;
 class QLabel;
-class QStackedLayout;
 class QToolButton;
 
 namespace keyblock {
@@ -40,6 +39,7 @@ private:
     void showMoment();
     void showCounts();
     void showIcons();
+    void showBookmark();
     QString compareText() const;
 
     const Themes& themes_;

@@ -3,6 +3,7 @@
 #include "ui/runs/run_commands.h"
 
 #include "ui/look/commands.h"
+#include "ui/runs/live_run.h"
 #include "ui/runs/run_session.h"
 #include "ui/runs/runs.h"
 #include "ui/runs/time_cursor.h"
@@ -13,21 +14,24 @@ namespace {
 
 /// Commands are on where they do something.
 void enableRunCommands(Commands& commands, const Runs& runs) {
-    const bool running = runs.isRunning();
-    const bool stopping = running && runs.session()->state() == RunSession::State::Stopping;
-    const bool paused = running && runs.session()->state() == RunSession::State::Paused;
-    commands.action("run.start")->setEnabled(!running);
-    commands.action("run.pause")->setEnabled(running && !stopping);
-    commands.action("run.pause")->setText(paused ? Runs::tr("Continue run") : Runs::tr("Pause run"));
-    commands.action("run.step")->setEnabled(running && !stopping);
-    commands.action("run.stop")->setEnabled(running && !stopping);
+    using State = RunSession::State;
+    const State state = runs.isRunning() ? runs.session()->state() : State::Ended;
+    const bool goesOn = state == State::Running || state == State::Paused;
+    commands.action("run.start")->setEnabled(state == State::Ended);
+    commands.action("run.pause")->setEnabled(goesOn);
+    commands.action("run.pause")->setText(state == State::Paused ? Runs::tr("Continue run") : Runs::tr("Pause run"));
+    commands.action("run.step")->setEnabled(goesOn);
+    commands.action("run.stop")->setEnabled(goesOn || state == State::Preparing);
 }
 
 void enableTimeCommands(Commands& commands, const TimeCursor& cursor) {
-    const bool any = cursor.hasMoment();
-    for (const char* id : {"time.play", "time.next", "time.previous", "time.home", "time.end", "time.nextEvent",
-                           "time.previousEvent", "time.bookmark", "time.compare"})
-        commands.action(id)->setEnabled(any);
+    const std::size_t frames = cursor.run() ? cursor.run()->frames().size() : 0;
+    const bool isEvent = frames > 0 && !cursor.run()->eventList().empty();
+    for (const char* id : {"time.home", "time.end", "time.bookmark", "time.compare"})
+        commands.action(id)->setEnabled(frames > 0);
+    for (const char* id : {"time.play", "time.next", "time.previous"})
+        commands.action(id)->setEnabled(frames > 1 || (frames == 1 && cursor.isLive()));
+    for (const char* id : {"time.nextEvent", "time.previousEvent"}) commands.action(id)->setEnabled(isEvent);
 }
 
 }  // namespace
@@ -55,7 +59,7 @@ void addTimeCommands(Commands& commands, TimeCursor& cursor) {
         commands.add({id, text, "Results", icon, help, {key}, false, "time"}, std::move(run));
     };
     add("time.play", TimeCursor::tr("Play or pause"), "play", TimeCursor::tr("Play the frames one after the other"),
-        QKeySequence(Qt::Key_Space), [&cursor] { cursor.isPlaying() ? cursor.pause() : cursor.play(); });
+        QKeySequence(Qt::Key_Space), [&cursor] { cursor.playOrPause(); });
     add("time.next", TimeCursor::tr("Next frame"), "step", TimeCursor::tr("Show the next frame"),
         QKeySequence(Qt::Key_Period), [&cursor] { cursor.step(1); });
     add("time.previous", TimeCursor::tr("Previous frame"), "", TimeCursor::tr("Show the frame before"),
@@ -74,13 +78,11 @@ void addTimeCommands(Commands& commands, TimeCursor& cursor) {
         [&cursor] { cursor.toggleBookmark(); });
     add("time.compare", TimeCursor::tr("Compare from here"), "", 
         TimeCursor::tr("Set cursor B at the frame shown, to read differences from; once more takes it away"),
-        QKeySequence("Shift+B"), [&cursor] {
-            const auto here = cursor.frame();
-            cursor.setCursorB(cursor.cursorB() == here ? std::nullopt : here);
-        });
+        QKeySequence("Shift+B"), [&cursor] { cursor.toggleCursorB(); });
     const auto enable = [&] { enableTimeCommands(commands, cursor); };
     QObject::connect(&cursor, &TimeCursor::runChanged, &commands, enable);
     QObject::connect(&cursor, &TimeCursor::moved, &commands, enable);
+    QObject::connect(&cursor, &TimeCursor::runGrew, &commands, enable);
     enable();
 }
 

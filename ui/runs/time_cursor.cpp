@@ -70,6 +70,10 @@ std::optional<std::size_t> TimeCursor::frame() const {
     return frame_;
 }
 
+std::optional<std::size_t> TimeCursor::storedFrame() const {
+    return run_ && !run_->frames().empty() ? std::optional(frame_) : std::nullopt;
+}
+
 FrameHead TimeCursor::head() const {
     if (live_ && run_->newest().frame) {
         const Frame& newest = *run_->newest().frame;
@@ -186,10 +190,15 @@ bool TimeCursor::previousEvent() {
     return false;
 }
 
+void TimeCursor::playOrPause() {
+    if (isPlaying()) pause();
+    else if (!live_) play();
+    else if (storedFrame()) show(frame_);
+}
+
 void TimeCursor::play() {
-    if (!run_ || run_->frames().size() < 2 || isPlaying()) return;
-    if (frame_ + 1 >= run_->frames().size() && !live_) frame_ = 0;
-    if (live_) return;  // it plays itself
+    if (!run_ || run_->frames().size() < 2 || isPlaying() || live_) return;  // what is live plays itself
+    if (frame_ + 1 >= run_->frames().size()) show(0);
     timer_.start(std::max(shortestInterval, static_cast<int>(std::lround(1000.0 / (framesPerSecond * speed_)))));
     Q_EMIT changed();
 }
@@ -231,8 +240,10 @@ void TimeCursor::setCursorB(std::optional<std::size_t> frame) {
     Q_EMIT changed();
 }
 
+void TimeCursor::toggleCursorB() { setCursorB(b_ == storedFrame() ? std::nullopt : storedFrame()); }
+
 void TimeCursor::toggleBookmark() {
-    const auto at = frame();
+    const auto at = storedFrame();
     if (!at) return;
     if (!bookmarks_.erase(*at)) bookmarks_.insert(*at);
     Q_EMIT changed();

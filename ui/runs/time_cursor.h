@@ -50,6 +50,8 @@ public:
     bool hasMoment() const;
     /// Stored frame that is shown; none: there is none yet, or it lies between the stored ones.
     std::optional<std::size_t> frame() const;
+    /// The same, or the last one before; none: nothing is stored yet.
+    std::optional<std::size_t> storedFrame() const;
     /// \pre there is a moment.
     FrameHead head() const;
     /// The moment for pictures, on any thread; null without one.
@@ -66,6 +68,7 @@ public:
     bool nextEvent();
     bool previousEvent();  // to the frame that shows the last event before those of this frame
 
+    void playOrPause();  // of a run that is followed: stays at its last stored frame
     void play();
     void pause();
     bool isPlaying() const { return timer_.isActive(); }
@@ -79,7 +82,8 @@ public:
     void setCursorB(std::optional<std::size_t> frame);
 
     const std::set<std::size_t>& bookmarks() const { return bookmarks_; }
-    void toggleBookmark();  // at the frame shown
+    void toggleBookmark();  // at the frame shown, or the last one before
+    void toggleCursorB();
 
     /// Kinds of events that are hidden on the time line and passed over.
     const std::set<EventKind>& hiddenKinds() const { return hidden_; }

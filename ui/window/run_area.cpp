@@ -14,6 +14,7 @@
 #include "ui/docks/time_line.h"
 #include "ui/docks/view_bar.h"
 #include "ui/document/document.h"
+#include "ui/look/commands.h"
 #include "ui/look/theme.h"
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
@@ -57,7 +58,7 @@ RunArea::RunArea(const RunAreaParts& parts)
         if (cursor_->run()) parts_.workflow.choose(WorkStep::Results);
         Q_EMIT statesChanged();
     });
-    connect(&parts.canvas, &Canvas::spaceTapped, this, [this] { cursor_->isPlaying() ? cursor_->pause() : cursor_->play(); });
+    connect(&parts.canvas, &Canvas::spaceTapped, parts.commands.action("time.play"), &QAction::trigger);
 }
 
 RunArea::~RunArea() = default;

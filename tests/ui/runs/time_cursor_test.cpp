@@ -116,6 +116,17 @@ TEST_F(TimeCursorTest, FollowsARunThatGoesOnUntilAPersonLooksBack) {
     EXPECT_EQ(cursor.frame(), std::nullopt);  // between stored frames
     EXPECT_DOUBLE_EQ(cursor.head().time, 1.0);
     ASSERT_TRUE(cursor.moment());
+    cursor.toggleBookmark();  // at the last that is stored
+    cursor.toggleCursorB();
+    EXPECT_TRUE(cursor.bookmarks().contains(9));
+    EXPECT_EQ(cursor.cursorB(), 9u);
+    cursor.toggleCursorB();
+    EXPECT_EQ(cursor.cursorB(), std::nullopt);
+    cursor.playOrPause();
+    EXPECT_FALSE(cursor.isLive());
+    EXPECT_EQ(cursor.frame(), 9u);
+    cursor.goLive();
+    EXPECT_EQ(cursor.frame(), std::nullopt);
     cursor.step(-1);
     EXPECT_FALSE(cursor.isLive());
     EXPECT_EQ(cursor.frame(), 9u);
