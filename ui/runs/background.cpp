@@ -11,7 +11,7 @@ Background::Background(QObject* parent) : QObject(parent), thread_([this] { work
 Background::~Background() {
     {
         const std::scoped_lock lock(mutex_);
-        ends_ = true;
+        ends_ = overtaken_ = true;
     }
     wake_.notify_one();
     thread_.join();
@@ -20,8 +20,8 @@ Background::~Background() {
 void Background::ask(std::function<Result()> job) {
     {
         const std::scoped_lock lock(mutex_);
-        if (!next_) ++open_;
         next_ = std::move(job);
+        overtaken_ = true;
     }
     wake_.notify_one();
 }
@@ -34,17 +34,12 @@ void Background::work() {
             wake_.wait(lock, [this] { return ends_ || next_; });
             if (ends_) return;
             job = std::exchange(next_, nullptr);
+            overtaken_ = false;
         }
         Result result = job();
         job = nullptr;  // what it held goes here, not in the window
-        QMetaObject::invokeMethod(this, [this, done = std::move(result)] { deliver(done); }, Qt::QueuedConnection);
+        if (result) QMetaObject::invokeMethod(this, std::move(result), Qt::QueuedConnection);
     }
-}
-
-void Background::deliver(const Result& result) {
-    --open_;
-    if (result) result();
-    if (open_ == 0) Q_EMIT becameIdle();
 }
 
 }  // namespace keyblock

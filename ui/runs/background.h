@@ -7,6 +7,7 @@
 
 #include <QObject>
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -29,21 +30,17 @@ public:
     /// tells its errors by its result.
     void ask(std::function<Result()> job);
 
-    /// Nothing runs, waits, or has a result on its way.
-    bool isIdle() const { return open_ == 0; }
-
-Q_SIGNALS:
-    void becameIdle();
+    /// From within a job: another one waits in its place, or nobody does any more.
+    bool isOvertaken() const { return overtaken_; }
 
 private:
     void work();
-    void deliver(const Result& result);
 
     std::mutex mutex_;
     std::condition_variable wake_;
     std::function<Result()> next_;
     bool ends_ = false;
-    int open_ = 0;  // jobs asked for and not delivered
+    std::atomic<bool> overtaken_{false};
     std::thread thread_;
 };
 

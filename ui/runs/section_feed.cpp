@@ -61,6 +61,9 @@ SectionFeed::SectionFeed(const BoltChoice& choice, TimeCursor& cursor, ViewSetti
     connect(&cursor, &TimeCursor::runChanged, this, &SectionFeed::runChanged);
     connect(&cursor, &TimeCursor::moved, this, &SectionFeed::make);
     connect(&settings, &ViewSettings::changed, this, &SectionFeed::make);
+    connect(&cursor, &TimeCursor::changed, this, [this] {
+        if (std::exchange(goesOn_, cursor_.goesOn()) && !cursor_.goesOn()) runEnded();
+    });
     connect(&choice, &BoltChoice::changed, this, [this] {
         if (settings_.choice().ribbon == RibbonOf::Selected) make();
     });
@@ -79,9 +82,16 @@ bool SectionFeed::showsResults() const { return results_ && cursor_.hasMoment();
 /// A run that is chosen is one that a person wants to see.
 void SectionFeed::runChanged() {
     if (cursor_.run()) results_ = true;
+    goesOn_ = cursor_.goesOn();
     ranges_.reset();
     picture_.reset();
     make();
+}
+
+/// Until then ranges were of the frames that were looked at.
+void SectionFeed::runEnded() {
+    if (ranges_ && showsResults()) gatherRanges();
+    else ranges_.reset();
 }
 
 SectionRequest SectionFeed::request() const {
@@ -137,7 +147,7 @@ void SectionFeed::gatherRanges() {
     gathering_.ask([this, ranges, count]() -> Background::Result {
         try {
             const std::size_t read = std::min(count, mostRead);
-            for (std::size_t i = 0; i < read; ++i)
+            for (std::size_t i = 0; i < read && !gathering_.isOvertaken(); ++i)
                 ranges->add(ranges->run->frame(read == 1 ? 0 : i * (count - 1) / (read - 1)));
         } catch (const std::exception&) {
             // Painting tells of a store that cannot be read; the ranges are of what could.

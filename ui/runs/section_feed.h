@@ -44,6 +44,7 @@ private:
     struct Ranges;
 
     void runChanged();
+    void runEnded();
     void make();
     void gatherRanges();
     void takeRanges(std::shared_ptr<Ranges> ranges);
@@ -53,7 +54,7 @@ private:
     const BoltChoice& choice_;
     TimeCursor& cursor_;
     ViewSettings& settings_;
-    bool results_ = true, showed_ = false;
+    bool results_ = true, showed_ = false, goesOn_ = false;
     std::shared_ptr<Ranges> ranges_;  // of the run and the quantities shown
     std::shared_ptr<const SectionPicture> picture_;
     Background painting_, gathering_;
