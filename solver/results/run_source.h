@@ -52,6 +52,9 @@ bool endsRun(const Scene& scene, const StageResult& result);
 /// Whether nothing is left to do of a run.
 bool isFinished(const RunSource& run);
 
+/// Whether a stage came to where it was to come: to rest, or to the end of its time.
+bool endedAsPlanned(Outcome outcome);
+
 /// A run kept in memory. The results must outlive it.
 class MemoryRun : public RunSource {
 public:

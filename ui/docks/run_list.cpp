@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/run_list.h"
 
+#include "solver/results/run_source.h"
 #include "ui/look/theme.h"
 #include "ui/runs/runs.h"
 
@@ -68,8 +69,7 @@ void RunList::fill() {
         QFont font = item->font(0);
         font.setWeight(entry.path == runs_.shown() ? QFont::DemiBold : QFont::Normal);
         item->setFont(0, font);
-        const bool good = entry.summary && entry.summary->outcome &&
-                          (entry.summary->outcome == Outcome::Equilibrium || entry.summary->outcome == Outcome::Duration);
+        const bool good = entry.summary && entry.summary->outcome && endedAsPlanned(*entry.summary->outcome);
         if (entry.goesOn) item->setIcon(0, themes_.icon("running", theme.accent));
         else if (!entry.summary) item->setIcon(0, themes_.icon("error", theme.error));
         else item->setIcon(0, good ? themes_.icon("ok", theme.ok) : themes_.icon("warning", theme.warning));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/run_status.h"
 
+#include "solver/results/run_source.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
@@ -78,8 +79,7 @@ private:
 
     void paintEnding(QPainter& painter, const RunSession& session) const {
         const Theme& theme = themes_.current();
-        const bool good = !session.failed() && session.outcome() &&
-                          (session.outcome() == Outcome::Equilibrium || session.outcome() == Outcome::Duration);
+        const bool good = !session.failed() && session.outcome() && endedAsPlanned(*session.outcome());
         const char* icon = session.failed() ? "error" : good ? "ok" : "warning";
         const QColor colour = session.failed() ? theme.error : good ? theme.ok : theme.warning;
         QFont font = painter.font();

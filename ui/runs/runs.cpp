@@ -72,17 +72,33 @@ QString RunEntry::outcomeText() const {
 
 Runs::Runs(Document& document, TimeCursor& cursor, QObject* parent)
     : QObject(parent), document_(document), cursor_(cursor) {
-    connect(&document, &Document::replaced, this, [this] {
-        opened_.clear();
-        if (!isRunning()) cursor_.setRun(nullptr, false);
-        Q_EMIT shownChanged();
+    connect(&document, &Document::replaced, this, &Runs::leave);
+    connect(&document, &Document::fileChanged, this, [this] {
+        keepShown();
+        refresh();
     });
-    connect(&document, &Document::fileChanged, this, &Runs::refresh);
     connect(&document, &Document::checkedChanged, this, &Runs::refresh);
     refresh();
 }
 
 Runs::~Runs() = default;
+
+/// What is over was of the document before; a run that goes on is still shown.
+void Runs::leave() {
+    opened_.clear();
+    if (!isRunning()) {
+        session_.reset();
+        cursor_.setRun(nullptr, false);
+        Q_EMIT sessionChanged();
+    }
+    Q_EMIT shownChanged();
+}
+
+/// A run that is shown stays in the list when the scene gets another file.
+void Runs::keepShown() {
+    const std::vector<QString> found = stores();
+    if (cursor_.run() && std::find(found.begin(), found.end(), shown()) == found.end()) opened_ = shown();
+}
 
 QString Runs::folder() const {
     if (!document_.path().isEmpty()) return QFileInfo(document_.path()).absolutePath();
@@ -132,12 +148,10 @@ void Runs::refresh() {
             entries_ = entries;
             documentHash_ = hash;
             Q_EMIT listChanged();
-            compareScenes();
+            Q_EMIT stalenessChanged();
         };
     });
 }
-
-void Runs::compareScenes() { Q_EMIT stalenessChanged(); }
 
 QString Runs::staleness() const {
     if (!cursor_.run() || shownHash_.isEmpty() || documentHash_.isEmpty() || shownHash_ == documentHash_) return {};
@@ -184,7 +198,6 @@ void Runs::begin(const QString& store, bool resume) {
     if (checked.scene == order.scene && !hasErrors(checked.problems)) order.cut = checked.cut;
     order.store = store.toStdString();
     order.resume = resume;
-    order.threads = threads_;
     session_ = std::make_unique<RunSession>(std::move(order));
     connect(session_.get(), &RunSession::began, this, [this] {
         shownHash_ = QString::fromStdString(sceneHash(*session_->order().scene));
@@ -223,12 +236,9 @@ void Runs::stop() {
     if (isRunning()) session_->stop();
 }
 
-QString Runs::stopForClosing() {
-    if (!isRunning()) return {};
-    const QString store = QString::fromStdString(session_->order().store.string());
-    session_.reset();  // stops and waits
+void Runs::stopForClosing() {
+    session_.reset();
     Q_EMIT sessionChanged();
-    return tr("The run was stopped; what was done is kept in %1.").arg(store);
 }
 
 void Runs::open(const QString& store) {
@@ -239,10 +249,9 @@ void Runs::open(const QString& store) {
             auto run = LiveRun::opened(store.toStdString());
             const RunSummary summary = runSummary(store.toStdString());
             return [this, store, run = std::move(run), hash = summary.sceneHash] {
-                const auto found = stores();
-                if (std::find(found.begin(), found.end(), store) == found.end()) opened_ = store;
                 shownHash_ = QString::fromStdString(hash);
                 showRun(run, false);
+                keepShown();
                 refresh();
             };
         } catch (const std::exception& error) {
@@ -272,7 +281,7 @@ QString Runs::shown() const {
 void Runs::showRun(std::shared_ptr<LiveRun> run, bool goesOn) {
     cursor_.setRun(std::move(run), goesOn);
     Q_EMIT shownChanged();
-    compareScenes();
+    Q_EMIT stalenessChanged();
 }
 
 }  // namespace keyblock

@@ -48,9 +48,6 @@ public:
     /// Looks for stores again.
     void refresh();
 
-    /// Threads of the runs that are started from now on; 0: as many as the machine has.
-    void setThreads(int threads) { threads_ = threads; }
-
     /// Starts a run of the document, unless one goes on.
     void start();
     /// Goes on with a run that was cut short. \pre it is resumable.
@@ -72,8 +69,8 @@ public:
     /// "Run 12 is of an earlier scene"; empty where the run shown is of the scene as it is.
     QString staleness() const;
 
-    /// Stops a run that goes on and waits for it. What was done is kept. Says where.
-    QString stopForClosing();
+    /// Stops a run that goes on and waits for it; what was done is kept.
+    void stopForClosing();
 
 Q_SIGNALS:
     void listChanged();
@@ -91,13 +88,13 @@ private:
     QString stem() const;
     std::vector<QString> stores() const;
     void showRun(std::shared_ptr<LiveRun> run, bool goesOn);
-    void compareScenes();
+    void leave();
+    void keepShown();
 
     Document& document_;
     TimeCursor& cursor_;
     std::unique_ptr<RunSession> session_;
     std::vector<RunEntry> entries_;
-    int threads_ = 0;
     QString opened_;  // a store that is none of the document's
     QString documentHash_, shownHash_;
     Background listing_, opening_;

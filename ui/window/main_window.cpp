@@ -73,6 +73,7 @@ MainWindow::MainWindow(Themes& themes)
         statusBar()->showMessage(tr("Edits are no longer kept for recovery: %1").arg(why));
     });
     showTitle();
+    showStates();
 }
 
 MainWindow::~MainWindow() = default;

@@ -30,10 +30,7 @@ void showRunsIn(const Panels& panels, Runs& runs) {
         QObject::connect(&runs, signal, panels.tree, list);
     QObject::connect(&runs, &Runs::sessionChanged, panels.census,
                      [census = panels.census, &runs] { census->setBusy(runs.isRunning()); });
-    QObject::connect(panels.tree, &SceneTree::runChosen, &runs, [&runs](const QString& store) {
-        for (const RunEntry& entry : runs.entries())
-            if (entry.path == store && !entry.goesOn) return runs.open(store);
-    });
+    QObject::connect(panels.tree, &SceneTree::runChosen, &runs, &Runs::open);
     list();
 }
 

@@ -121,7 +121,7 @@ void RunArea::showMode() {
     if (bar_) bar_->setVisible(results);
     parts_.drawing.setOn(!results);
     Q_EMIT modeChanged(results);
-    if (!results) return;
+    if (!results) return askBlock(-1, {});  // blocks of a run are not those of the drawing
     parts_.canvas.setDrawing(false);
     showPicture();
     showSelection();
@@ -151,9 +151,13 @@ void RunArea::addTo(WorkStates& states) const {
     const auto state = [&](WorkStep step) -> WorkState& { return states[static_cast<std::size_t>(step)]; };
     if (runs_->isRunning()) {
         state(WorkStep::Run) = WorkState::Running;
-    } else if (const RunSession* session = runs_->session()) {
-        const bool whole = session->outcome() == Outcome::Equilibrium || session->outcome() == Outcome::Duration;
-        state(WorkStep::Run) = session->failed() ? WorkState::Error : whole ? WorkState::Done : WorkState::Warning;
+    } else if (const RunSession* session = runs_->session(); session && session->failed()) {
+        state(WorkStep::Run) = WorkState::Error;
+    } else if (const LiveRun* run = cursor_->run().get()) {
+        const bool whole = isFinished(*run) && endedAsPlanned(run->stageList().back().result.outcome);
+        state(WorkStep::Run) = whole ? WorkState::Done : WorkState::Warning;
+    } else {
+        state(WorkStep::Run) = WorkState::NotYet;
     }
 }
 

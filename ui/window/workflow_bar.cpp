@@ -37,7 +37,7 @@ QString wordOf(WorkState state) {
         case WorkState::NotYet: return WorkflowBar::tr("not yet");
         case WorkState::Nothing: break;
     }
-    return WorkflowBar::tr("nothing here");
+    return {};
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ void WorkflowBar::showIcons() {
         QString name = tabs_[i]->text();
         tabs_[i]->setAccessibleName(name.replace("&&", "&"));
         tabs_[i]->setAccessibleDescription(wordOf(states_[i]));
-        tabs_[i]->setToolTip(name + ": " + wordOf(states_[i]));
+        tabs_[i]->setToolTip(states_[i] == WorkState::Nothing ? name : name + ": " + wordOf(states_[i]));
     }
 }
 
