@@ -6,7 +6,6 @@
 #include "ui/document/document.h"
 #include "ui/look/display.h"
 
-#include <QCursor>
 #include <QLabel>
 #include <QStatusBar>
 #include <QUndoStack>
@@ -52,7 +51,8 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document, Canvas& canvas, Disp
     place_->setMinimumWidth(150);
     connect(&canvas, &Canvas::hovered, this, [this](const Point& place, bool inside) {
         place_->setText(inside ? tr("x %1   y %2 m").arg(metres(place.x()), metres(place.y())) : QString());
-        showUnder();
+        const auto pick = inside ? canvas_.pickAt(canvas_.map().toPixel(place)) : std::nullopt;
+        under_->setText(pick ? pickText(*canvas_.picture(), *pick) : QString());
     });
     connect(&document, &Document::checkedChanged, this, &StatusLine::showCounts);
     connect(&document.undo(), &QUndoStack::indexChanged, this, &StatusLine::showUndo);
@@ -61,11 +61,6 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document, Canvas& canvas, Disp
     showUnits();
     showCounts();
     showUndo();
-}
-
-void StatusLine::showUnder() {
-    const std::optional<Pick> pick = canvas_.pickAt(canvas_.mapFromGlobal(QCursor::pos()));
-    under_->setText(pick && canvas_.picture() ? pickText(*canvas_.picture(), *pick) : QString());
 }
 
 void StatusLine::showCounts() {

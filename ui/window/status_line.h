@@ -7,8 +7,6 @@
 
 #include <QObject>
 
-#include <memory>
-
 class QLabel;
 class QStatusBar;
 
@@ -25,8 +23,6 @@ public:
     StatusLine(QStatusBar& bar, Document& document, Canvas& canvas, Display& display);
 
 private:
-    void showPlace(const QString& place);
-    void showUnder();
     void showCounts();
     void showUndo();
 

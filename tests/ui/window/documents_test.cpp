@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The window while documents come and go: what is shown and said is of the one that
+// is open, and no file is written over unasked.
+#include "tests/scratch_folder.h"
+#include "tests/ui/screen/screen.h"
+
+#include "ui/canvas/canvas.h"
+#include "ui/document/document.h"
+#include "ui/look/commands.h"
+#include "ui/look/theme.h"
+#include "ui/runs/runs.h"
+#include "ui/runs/time_cursor.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace keyblock {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Documents : public testing::Test {
+protected:
+    void SetUp() override {
+        NEED_SCREEN();
+        themes_ = std::make_unique<Themes>();
+        window_ = std::make_unique<MainWindow>(*themes_);
+        window_->show();
+        document_ = window_->findChild<Document*>();
+        canvas_ = window_->findChild<Canvas*>();
+    }
+
+    /// Opens a copy, so that runs of it lie beside the copy.
+    void open(const std::string& sample) {
+        const fs::path copy = folder_.path() / (sample + ".json");
+        fs::copy_file(fs::path(KEYBLOCK_SAMPLES_DIR) / (sample + ".json"), copy, fs::copy_options::overwrite_existing);
+        window_->openPath(QString::fromStdString(copy.string()));
+        ASSERT_TRUE(waitFor([&] { return document_->checkIsCurrent() && document_->checked().picture; }));
+    }
+
+    void run() {
+        Runs& runs = *window_->findChild<Runs*>();
+        runs.start();
+        ASSERT_TRUE(waitFor([&] { return !runs.isRunning(); }, 60000));
+        ASSERT_TRUE(window_->findChild<TimeCursor*>()->hasMoment());
+    }
+
+    QString stateOf(const char* tab) { return window_->findChild<QToolButton*>(tab)->accessibleDescription(); }
+
+    test::ScratchFolder folder_;
+    std::unique_ptr<Themes> themes_;
+    std::unique_ptr<MainWindow> window_;
+    Document* document_ = nullptr;
+    Canvas* canvas_ = nullptr;
+};
+
+TEST_F(Documents, AnotherSceneIsFittedAndHasNoRunWhereResultsWereShown) {
+    open("incline");
+    EXPECT_EQ(stateOf("workflow.4"), "not yet");
+    run();
+    EXPECT_EQ(stateOf("workflow.4"), "done");
+    open("drift-bolted");
+    const Box about = document_->checked().picture->window;
+    ASSERT_TRUE(waitFor([&] { return canvas_->picture() && canvas_->picture()->blocks.size() > 10; }));
+    const Box seen = canvas_->map().window();
+    EXPECT_TRUE((seen.min.array() <= about.min.array()).all() && (seen.max.array() >= about.max.array()).all());
+    EXPECT_LT((seen.max - seen.min).minCoeff(), 2.0 * (about.max - about.min).maxCoeff());
+    EXPECT_EQ(stateOf("workflow.4"), "not yet");
+    EXPECT_FALSE(window_->findChild<Runs*>()->session());
+}
+
+TEST_F(Documents, WhatIsUnderTheMouseIsToldOnTheSectionAlone) {
+    open("drift-bolted");
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    auto* under = window_->findChild<QLabel*>("status.under");
+    canvas_->zoomTo(canvas_->picture()->model);
+    const Point block = moments(canvas_->picture()->blocks.front().outline).centroid;
+    QTest::mouseMove(canvas_, {5, 5});
+    QTest::mouseMove(canvas_, canvas_->map().toPixel(block).toPoint());
+    EXPECT_TRUE(waitFor([&] { return !under->text().isEmpty(); }));
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(canvas_, &leave);
+    EXPECT_TRUE(under->text().isEmpty()) << under->text().toStdString();
+}
+
+/// Answers the dialog of files with a name, and a question after it with no.
+void answerWith(const QString& name, int& asked) {
+    QTimer::singleShot(0, [=, &asked] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (!dialog) return answerWith(name, asked);
+        dialog->findChild<QLineEdit*>("fileNameEdit")->setText(name);
+        QTimer::singleShot(100, [&asked] {
+            auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (!question) return;
+            ++asked;
+            question->button(QMessageBox::No)->click();
+        });
+        QMetaObject::invokeMethod(dialog, "accept");
+    });
+}
+
+TEST_F(Documents, AFileIsNotWrittenOverUnaskedWhereItsEndingIsNotTyped) {
+    open("incline");
+    const fs::path other = folder_.path() / "other.json";
+    test::putContent(other, "mine");
+    int asked = 0;
+    answerWith(QString::fromStdString((folder_.path() / "other").string()), asked);
+    window_->findChild<Commands*>()->action("file.saveAs")->trigger();
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(test::contentOf(other), "mine");
+    EXPECT_TRUE(document_->path().endsWith("incline.json"));
+}
+
+}  // namespace
+}  // namespace keyblock
