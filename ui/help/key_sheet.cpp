@@ -171,16 +171,24 @@ void KeySheet::change() {
     QAction* action = chosen();
     if (!action) return;
     const QKeySequence keys = keys_->keySequence();
-    if (QAction* other = commandWithKeys(commands_, keys, action)) {
-        QList<QKeySequence> left = other->shortcuts();
-        left.removeAll(keys);
-        commands_.setKeys(other->objectName(), left.isEmpty() ? QList<QKeySequence>{QKeySequence()} : left);
-    }
+    takeFromOthers(keys, action);
     commands_.setKeys(action->objectName(), {keys});
 }
 
 void KeySheet::restore() {
-    if (QAction* action = chosen()) commands_.setKeys(action->objectName(), {});
+    QAction* action = chosen();
+    if (!action) return;
+    commands_.setKeys(action->objectName(), {});
+    for (const QKeySequence& keys : action->shortcuts()) takeFromOthers(keys, action);
+}
+
+/// Keys of two commands would do nothing.
+void KeySheet::takeFromOthers(const QKeySequence& keys, const QAction* owner) {
+    QAction* other = commandWithKeys(commands_, keys, owner);
+    if (!other) return;
+    QList<QKeySequence> left = other->shortcuts();
+    left.removeAll(keys);
+    commands_.setKeys(other->objectName(), left.isEmpty() ? QList<QKeySequence>{QKeySequence()} : left);
 }
 
 }  // namespace keyblock

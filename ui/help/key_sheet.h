@@ -36,6 +36,7 @@ private:
     void showConflict();
     void change();
     void restore();
+    void takeFromOthers(const QKeySequence& keys, const QAction* owner);
     QAction* chosen() const;
 
     Commands& commands_;
