@@ -17,6 +17,7 @@ PicturePane::PicturePane(const Themes& themes, QWidget* parent) : QWidget(parent
 void PicturePane::show(std::optional<SectionPicture> picture, const QString& otherwise) {
     picture_ = std::move(picture);
     otherwise_ = otherwise;
+    setAccessibleDescription(picture_ ? QString() : otherwise);
     update();
 }
 

@@ -113,7 +113,7 @@ void SampleCard::paintEvent(QPaintEvent*) {
 
 RecentRow::RecentRow(const RecentFile& file, const Themes& themes, QWidget* parent)
     : QAbstractButton(parent), themes_(themes), name_(QFileInfo(file.path).fileName()), time_(whenText(file.opened)),
-      folder_(QFileInfo(file.path).path()), exists_(QFileInfo::exists(file.path)) {
+      exists_(QFileInfo::exists(file.path)) {
     setObjectName("recent." + name_);
     setText(file.path);
     setAccessibleName(name_);

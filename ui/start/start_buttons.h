@@ -52,7 +52,7 @@ private:
     QString factsText() const;
 
     const Themes& themes_;
-    QString name_, time_, folder_;
+    QString name_, time_;
     bool exists_;
     bool known_ = false;
     SceneFacts facts_;

@@ -70,10 +70,11 @@ StartPage::StartPage(const Rooms& rooms, QWidget* covered)
     row->addWidget(side_);
     row->addWidget(gallery, 1);
     connect(gallery, &Gallery::wanted, this, &StartPage::sampleWanted);
-    connect(&rooms.recent, &RecentFiles::changed, this, &StartPage::showRecent);
+    connect(&rooms.recent, &RecentFiles::changed, this, [this] { if (isVisible()) showRecent(); });
     connect(&rooms.document, &Document::replaced, this, &QWidget::hide);
     connect(&rooms.document, &Document::changed, this, &QWidget::hide);
     connect(&rooms.themes, &Themes::changed, this, [this] {
+        if (!isVisible()) return;
         showRecovery();
         showRecent();
     });
@@ -300,7 +301,6 @@ void StartPage::showEvent(QShowEvent* event) {
 void StartPage::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
     qApp->removeEventFilter(this);
-    Q_EMIT closed();
 }
 
 void StartPage::keyPressEvent(QKeyEvent* event) {

@@ -49,7 +49,6 @@ Q_SIGNALS:
     void sampleWanted(const keyblock::Sample& sample);
     void recoverWanted(const keyblock::Abandoned& abandoned, keyblock::Recover what);
     void told(const QString& message);  // for the status bar
-    void closed();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

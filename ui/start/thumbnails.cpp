@@ -16,6 +16,7 @@
 #include <QStandardPaths>
 
 #include <algorithm>
+#include <exception>
 
 namespace keyblock {
 
@@ -126,7 +127,12 @@ void Thumbnails::work() {
             wanted = wanted_.front();
             wanted_.pop_front();
         }
-        const Painted painted = picture(wanted.path, wanted.size, wanted.ratio, *wanted.theme);
+        Painted painted;
+        try {
+            painted = picture(wanted.path, wanted.size, wanted.ratio, *wanted.theme);
+        } catch (const std::exception&) {
+            // Memory that ran out, say: the card stays without a picture.
+        }
         QMetaObject::invokeMethod(
             this, [this, wanted, painted] { Q_EMIT ready(wanted.path, wanted.size, painted.image, painted.facts); },
             Qt::QueuedConnection);

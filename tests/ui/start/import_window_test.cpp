@@ -9,6 +9,7 @@
 #include "solver/scene/scene.h"
 #include "ui/look/theme.h"
 #include "ui/start/import_window.h"
+#include "ui/start/picture_pane.h"
 
 #include <QComboBox>
 #include <QPushButton>
@@ -73,7 +74,8 @@ TEST(ImportWindows, AFileThatIsNoneIsToldAndMakesNothing) {
     Themes themes;
     auto* window = new ImportWindow("/nowhere/at-all.dxf", themes, nullptr);
     window->QWidget::show();
-    QTest::qWait(500);
+    const auto* pane = window->findChild<PicturePane*>();
+    EXPECT_TRUE(waitFor([&] { return pane->accessibleDescription().contains("/nowhere/at-all.dxf"); }));
     EXPECT_FALSE(window->findChild<QPushButton*>("import.import")->isEnabled());
     window->close();
 }
