@@ -113,9 +113,13 @@ QString BoltStrip::title() const {
 
 void BoltStrip::runChanged() {
     past_.reset();
-    shown_.reset();
-    view_->clear(tr("The bolt that is selected stands here, straightened, once there is a run."));
+    showNothing(tr("The bolt that is selected stands here, straightened, once there is a run."));
     make();
+}
+
+void BoltStrip::showNothing(const QString& why) {
+    shown_.reset();
+    view_->clear(why);
     update();
     Q_EMIT titleChanged();
 }
@@ -165,11 +169,7 @@ void BoltStrip::make() {
             const auto frame = moment->sharedFrame();
             const int bolt = wanted >= 0 ? wanted : mostLoadedBolt(*frame);
             if (bolt < 0 || frame->bolts[static_cast<std::size_t>(bolt)].nodes.size() < 2)
-                return [this] {
-                    shown_.reset();
-                    view_->clear(tr("The bolt is not there at this moment."));
-                    update();
-                };
+                return [this] { showNothing(tr("The bolt is not there at this moment.")); };
             std::shared_ptr<Past> known = past;
             if (!known || known->run != run || known->reach.bolt() != bolt)
                 known = std::make_shared<Past>(Past{run, BoltReach(bolt)});
@@ -193,11 +193,7 @@ void BoltStrip::make() {
                 take(shown);
             };
         } catch (const std::exception& error) {
-            return [this, text = QString::fromStdString(error.what())] {
-                shown_.reset();
-                view_->clear(text);
-                update();
-            };
+            return [this, text = QString::fromStdString(error.what())] { showNothing(text); };
         }
     });
 }

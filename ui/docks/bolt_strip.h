@@ -56,6 +56,7 @@ private:
 
     void runChanged();
     void make();
+    void showNothing(const QString& why);
     void take(std::shared_ptr<const Shown> shown);
     void fillMenu(QMenu& menu);
     void paintBand(QPainter& painter) const;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/chart_view.h"
 
+#include "ui/canvas/view_theme.h"
 #include "ui/figure/chart_pixmap.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
@@ -24,11 +25,6 @@ namespace {
 constexpr int leastWidth = 140, leastHeight = 70;  // [px] below it nothing can be read
 constexpr double pixelsPerTick = 17.0;
 
-Colour plain(const QColor& colour) {
-    return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),
-            static_cast<std::uint8_t>(colour.blue())};
-}
-
 Colour mixed(const QColor& a, const QColor& b, double share) {
     const auto mix = [&](int from, int to) { return static_cast<std::uint8_t>(std::lround(from + share * (to - from))); };
     return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
@@ -38,20 +34,20 @@ Colour mixed(const QColor& a, const QColor& b, double share) {
 
 ChartTheme chartThemeOf(const Theme& theme) {
     ChartTheme chart;
-    chart.ground = plain(theme.panel);
-    chart.text = plain(theme.text);
-    chart.softText = plain(theme.text2);
-    chart.axis = plain(theme.border);
-    chart.grid = plain(theme.chartGrid);
-    chart.main = plain(theme.accent);
-    chart.second = plain(theme.text2);
-    chart.third = plain(theme.ok);
-    chart.fourth = plain(theme.warning);
-    chart.envelope = plain(theme.text3);
-    chart.references = {plain(theme.text), plain(theme.warning), plain(theme.yielded), plain(theme.ok)};
-    chart.limit = plain(theme.error);
+    chart.ground = colourOf(theme.panel);
+    chart.text = colourOf(theme.text);
+    chart.softText = colourOf(theme.text2);
+    chart.axis = colourOf(theme.border);
+    chart.grid = colourOf(theme.chartGrid);
+    chart.main = colourOf(theme.accent);
+    chart.second = colourOf(theme.text2);
+    chart.third = colourOf(theme.ok);
+    chart.fourth = colourOf(theme.warning);
+    chart.envelope = colourOf(theme.text3);
+    chart.references = {colourOf(theme.text), colourOf(theme.warning), colourOf(theme.yielded), colourOf(theme.ok)};
+    chart.limit = colourOf(theme.error);
     chart.event = mixed(theme.panel, theme.slipping, 0.35);
-    chart.zone = plain(theme.slipping);
+    chart.zone = colourOf(theme.slipping);
     return chart;
 }
 
@@ -67,9 +63,6 @@ ChartView::ChartView(const Themes& themes, QWidget* parent) : QWidget(parent), t
 }
 
 void ChartView::show(Chart chart) {
-    const auto most = static_cast<std::size_t>(std::max(400, 3 * width()));
-    for (ChartPanel& panel : chart.panels)
-        for (ChartCurve& curve : panel.curves) curve = thinned(curve, most);
     chart_ = std::move(chart);
     drawn_ = {};
     update();
@@ -119,8 +112,12 @@ void ChartView::redraw() {
     ChartLayout layout = layout_;
     const double perPanel = static_cast<double>(height() - 24) / static_cast<double>(chart_->panels.size());
     layout.mostTicks = std::clamp(static_cast<int>(perPanel / pixelsPerTick), 2, mostPanelTicks);
+    Chart chart = *chart_;  // as many points as can be seen
+    for (ChartPanel& panel : chart.panels)
+        for (ChartCurve& curve : panel.curves)
+            curve = thinned(curve, static_cast<std::size_t>(std::max(400, 3 * width())));
     const Box box{{0.6, 0.8}, {width() / pixelsPerMm - 0.6, height() / pixelsPerMm - 0.6}};
-    place_ = drawChart(drawn_, pixelsPerMm, *chart_, box, chartThemeOf(themes_.current()), layout);
+    place_ = drawChart(drawn_, pixelsPerMm, chart, box, chartThemeOf(themes_.current()), layout);
     Q_EMIT redrawn();
 }
 
