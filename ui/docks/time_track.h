@@ -67,7 +67,8 @@ private:
     QString tipAt(const QPointF& at) const;
 
     void paintBands(QPainter& painter) const;
-    void paintBand(QPainter& painter, const TimeAxis::Span& span, double reached, bool current) const;
+    void paintBand(QPainter& painter, const TimeAxis::Span& span) const;
+    void paintStage(QPainter& painter, const Stage& stage, double from, double to, double done) const;
     void paintTicks(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
     void paintCursors(QPainter& painter) const;

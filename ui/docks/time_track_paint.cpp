@@ -3,6 +3,7 @@
 //
 // How the time line looks: bands, ticks, marks and flags, in px.
 #include "solver/results/words.h"
+#include "ui/canvas/call_out.h"
 #include "ui/docks/time_track.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
@@ -21,13 +22,6 @@ namespace {
 
 constexpr double bandTop = 13.0, bandHeight = 20.0, marksAt = 46.0, axisAt = 59.0, labelsAt = 71.0;  // [px]
 constexpr double perTick = 62.0;  // [px]
-
-QFont sized(const QWidget& widget, int pixels, bool bold) {
-    QFont font = widget.font();
-    font.setPixelSize(pixels);
-    font.setWeight(bold ? QFont::DemiBold : QFont::Normal);
-    return font;
-}
 
 QColor clear(QColor colour, double opacity) {
     colour.setAlphaF(opacity);
@@ -54,6 +48,33 @@ const char* iconOf(const StageRecord* record, bool goesOn) {
     }
 }
 
+/// How far in its own time a stage came.
+double reachedIn(const LiveRun& run, int stage, const StageRecord* record) {
+    double reached = record && record->ended ? record->result.time : 0.0;
+    for (const FrameHead& head : run.frames())
+        if (head.stage == stage) reached = std::max(reached, head.time);
+    if (const Frame* newest = run.newest().frame.get(); newest && newest->stage == stage)
+        reached = std::max(reached, newest->time);
+    return reached;
+}
+
+const StageRecord* recordOf(const LiveRun& run, int stage) {
+    const auto& records = run.stageList();
+    const auto found = std::find_if(records.begin(), records.end(),
+                                    [&](const StageRecord& record) { return record.result.stage == stage; });
+    return found == records.end() ? nullptr : &*found;
+}
+
+/// Hatched: still to come, or never made.
+void paintUndone(QPainter& painter, const Theme& theme, double from, double to) {
+    painter.save();
+    painter.setClipRect(QRectF(from, bandTop, to - from, bandHeight), Qt::IntersectClip);
+    painter.setPen(QPen(theme.separator, 1.0));
+    for (double x = from - bandHeight; x < to; x += 7.0)
+        painter.drawLine(QPointF(x, bandTop + bandHeight), QPointF(x + bandHeight, bandTop));
+    painter.restore();
+}
+
 QColor colourOf(const QString& icon, const Theme& theme) {
     if (icon == "ok") return theme.ok;
     if (icon == "error") return theme.error;
@@ -76,84 +97,65 @@ void TimeTrack::paintEvent(QPaintEvent*) {
 }
 
 void TimeTrack::paintBands(QPainter& painter) const {
-    const auto& records = cursor_.run()->stageList();
-    const auto& frames = cursor_.run()->frames();
-    const auto& newest = cursor_.run()->newest();
     painter.save();
     painter.setClipRect(QRectF(inset, 0.0, width() - 2.0 * inset, height()));
-    for (const TimeAxis::Span& span : axis_.spans()) {
-        double reached = 0.0;
-        for (const FrameHead& head : frames)
-            if (head.stage == span.stage) reached = std::max(reached, head.time);
-        if (newest.frame && newest.frame->stage == span.stage) reached = std::max(reached, newest.frame->time);
-        const auto record = std::find_if(records.begin(), records.end(),
-                                         [&](const StageRecord& r) { return r.result.stage == span.stage; });
-        if (record != records.end() && record->ended) reached = std::max(reached, record->result.time);
-        paintBand(painter, span, reached, record != records.end() && !record->ended && cursor_.goesOn());
-    }
+    for (const TimeAxis::Span& span : axis_.spans()) paintBand(painter, span);
     painter.restore();
 }
 
-void TimeTrack::paintBand(QPainter& painter, const TimeAxis::Span& span, double reached, bool current) const {
+void TimeTrack::paintBand(QPainter& painter, const TimeAxis::Span& span) const {
     const Theme& theme = themes_.current();
     const double left = std::max(xOf(span.from), -10.0), right = std::min(xOf(span.to), width() + 10.0);
     if (right < 0.0 || left > width()) return;
+    const StageRecord* record = recordOf(*cursor_.run(), span.stage);
+    const bool current = record && !record->ended && cursor_.goesOn();
+    const double reached = reachedIn(*cursor_.run(), span.stage, record);
     const double done = std::clamp(xOf(axis_.at(span.stage, reached)), left, right);
-    const QRectF band(left, bandTop, right - left, bandHeight);
     const QRectF computed(left, bandTop, done - left, bandHeight);
-    painter.fillRect(band, current ? theme.accentSoft : theme.panel);
-    painter.fillRect(computed, current ? clear(theme.accent, 0.16) : theme.header);
-    const bool open = right - done > 1.0;
-    if (open) {
-        painter.save();
-        painter.setClipRect(QRectF(done, bandTop, right - done, bandHeight), Qt::IntersectClip);
-        painter.fillRect(QRectF(done, bandTop, right - done, bandHeight), theme.panel);
-        painter.setPen(QPen(theme.separator, 1.0));
-        for (double x = done - bandHeight; x < right; x += 7.0)
-            painter.drawLine(QPointF(x, bandTop + bandHeight), QPointF(x + bandHeight, bandTop));
-        painter.restore();
-    }
+    painter.fillRect(computed, current ? theme.accentSoft : theme.header);
+    if (current) painter.fillRect(computed, clear(theme.accent, 0.16));
+    if (right - done > 1.0) paintUndone(painter, theme, done, right);
     painter.setPen(QPen(current ? clear(theme.accent, 0.45) : theme.border, 1.0));
     painter.setBrush(Qt::NoBrush);
-    painter.drawRect(band.adjusted(0.5, 0.5, -0.5, -0.5));
-
-    const auto& records = cursor_.run()->stageList();
-    const auto record = std::find_if(records.begin(), records.end(),
-                                     [&](const StageRecord& r) { return r.result.stage == span.stage; });
-    const QString icon = iconOf(record == records.end() ? nullptr : &*record, cursor_.goesOn());
+    painter.drawRect(QRectF(left, bandTop, right - left, bandHeight).adjusted(0.5, 0.5, -0.5, -0.5));
     const double from = std::max(left, inset) + 8.0, to = std::min(right, width() - inset) - 6.0;
-    double x = from;
-    if (to - x < 18.0) return;
-    themes_.icon(icon, colourOf(icon, theme)).paint(&painter, QRect(int(x), int(bandTop) + 3, 14, 14));
-    x += 20.0;
-    const auto write = [&](const QString& text, const QFont& font, const QColor& colour, double end) {
-        painter.setFont(font);
+    if (to - from < 18.0) return;
+    const QString icon = iconOf(record, cursor_.goesOn());
+    themes_.icon(icon, colourOf(icon, theme)).paint(&painter, QRect(int(from), int(bandTop) + 3, 14, 14));
+    paintStage(painter, cursor_.run()->scene().stages[static_cast<std::size_t>(span.stage)], from, to,
+               right - done > 1.0 ? std::max(done, from) : to);
+}
+
+/// Name and nature, and at the end what is not computed, from `done`, where there is room to say so.
+void TimeTrack::paintStage(QPainter& painter, const Stage& stage, double from, double to, double done) const {
+    const Theme& theme = themes_.current();
+    const QFont small = screenFont(11);
+    const QString unmade = cursor_.goesOn() ? tr("not yet computed") : tr("not computed");
+    const double unmadeWidth = QFontMetricsF(small).horizontalAdvance(unmade) + 10.0;
+    const bool tells = to - done > unmadeWidth + 4.0 && to - from > unmadeWidth + 90.0;
+    const double end = tells ? to - unmadeWidth : to;
+    double x = from + 20.0;
+    const auto write = [&](const QString& text, const QFont& font, const QColor& colour) {
+        if (end - x < 24.0) return;
         const QFontMetricsF metrics(font);
         const QString shown = metrics.elidedText(text, Qt::ElideRight, end - x);
-        if (end - x < 24.0) return;
+        painter.setFont(font);
         painter.setPen(colour);
         painter.drawText(QRectF(x, bandTop, end - x, bandHeight), Qt::AlignVCenter | Qt::AlignLeft, shown);
         x += metrics.horizontalAdvance(shown) + 12.0;
     };
-    const Stage& stage = cursor_.run()->scene().stages[static_cast<std::size_t>(span.stage)];
-    const QString unmade = cursor_.goesOn() ? tr("not yet computed") : tr("not computed");
-    const QFont small = sized(*this, 11, false);
-    const double unmadeWidth = QFontMetricsF(small).horizontalAdvance(unmade) + 10.0;
-    const bool tells = open && to - std::max(done, from) > unmadeWidth + 4.0 && to - from > unmadeWidth + 90.0;
-    const double end = tells ? to - unmadeWidth : to;
-    write(QString::fromStdString(stage.name), sized(*this, 12, true), theme.text, end);
+    write(QString::fromStdString(stage.name), screenFont(12, true), theme.text);
     const QString nature = natureOf(stage);
-    if (x + QFontMetricsF(small).horizontalAdvance(nature) < end) write(nature, small, theme.text2, end);
+    if (x + QFontMetricsF(small).horizontalAdvance(nature) < end) write(nature, small, theme.text2);
     if (!tells) return;
     painter.setFont(small);
     painter.setPen(theme.text2);
-    painter.drawText(QRectF(to - unmadeWidth, bandTop, unmadeWidth, bandHeight), Qt::AlignVCenter | Qt::AlignRight,
-                     unmade);
+    painter.drawText(QRectF(end, bandTop, unmadeWidth, bandHeight), Qt::AlignVCenter | Qt::AlignRight, unmade);
 }
 
 void TimeTrack::paintTicks(QPainter& painter) const {
     const Theme& theme = themes_.current();
-    painter.setFont(sized(*this, 10, false));
+    painter.setFont(screenFont(10));
     const QFontMetricsF metrics(painter.font());
     painter.setPen(QPen(theme.border, 1.0));
     painter.drawLine(QPointF(inset, axisAt), QPointF(width() - inset, axisAt));
@@ -233,7 +235,7 @@ void TimeTrack::paintFlag(QPainter& painter, double x, const QString& letter, bo
     painter.setPen(QPen(filled ? theme.accent : theme.text2, 1.0));
     painter.setBrush(filled ? theme.accent : theme.panel);
     painter.drawPolygon(QPolygonF(corners));
-    painter.setFont(sized(*this, 10, true));
+    painter.setFont(screenFont(10, true));
     painter.setPen(filled ? theme.onAccent : theme.text2);
     painter.drawText(QRectF(x - 7.5, 0.0, 15.0, 11.0), Qt::AlignCenter, letter);
 }
