@@ -14,8 +14,8 @@ namespace {
 
 class MarkPainter {
 public:
-    MarkPainter(QPainter& painter, const Theme& theme, const QPointF& at, bool faint)
-        : painter_(painter), theme_(theme), at_(at), faint_(faint) {
+    MarkPainter(QPainter& painter, const Theme& theme, const QPointF& at)
+        : painter_(painter), theme_(theme), at_(at) {
         painter_.save();
         painter_.setRenderHint(QPainter::Antialiasing);
     }
@@ -58,14 +58,13 @@ public:
     }
 
 private:
-    QColor shown(const QColor& colour) const { return faint_ ? theme_.text3 : colour; }
     void stroke(const QColor& colour, double width) {
-        painter_.setPen(QPen(shown(colour), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter_.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter_.setBrush(Qt::NoBrush);
     }
     void fill(const QColor& inside, const QColor& rim) {
-        painter_.setPen(QPen(faint_ ? theme_.text3 : rim, 1.0));
-        painter_.setBrush(faint_ ? Qt::NoBrush : QBrush(inside));
+        painter_.setPen(QPen(rim, 1.0));
+        painter_.setBrush(inside);
     }
     QPolygonF moved(const QVector<QPointF>& points) const { return QPolygonF(points).translated(at_); }
     void lines(const QVector<QPointF>& points) { painter_.drawPolyline(moved(points)); }
@@ -73,7 +72,6 @@ private:
     QPainter& painter_;
     const Theme& theme_;
     QPointF at_;
-    bool faint_;
 };
 
 }  // namespace
@@ -125,8 +123,8 @@ QString nameOf(EventGroup group) {
     return tr("block falls");
 }
 
-void drawEventMark(QPainter& painter, const Theme& theme, EventGroup group, const QPointF& at, bool faint) {
-    MarkPainter mark(painter, theme, at, faint);
+void drawEventMark(QPainter& painter, const Theme& theme, EventGroup group, const QPointF& at) {
+    MarkPainter mark(painter, theme, at);
     switch (group) {
         case EventGroup::Slip: return mark.slip();
         case EventGroup::Debonding: return mark.debonding();

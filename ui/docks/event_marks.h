@@ -28,7 +28,7 @@ EventGroup groupOf(EventKind kind);
 std::array<EventKind, 3> kindsOf(EventGroup group);  // the last ones repeat where there are fewer
 QString nameOf(EventGroup group);  // "debonding"
 
-/// The mark about `at`, as large as the look's page says; `faint` in text3.
-void drawEventMark(QPainter& painter, const Theme& theme, EventGroup group, const QPointF& at, bool faint = false);
+/// The mark about `at`, as large as the look's page says.
+void drawEventMark(QPainter& painter, const Theme& theme, EventGroup group, const QPointF& at);
 
 }  // namespace keyblock

@@ -70,11 +70,6 @@ void EventsModel::takeMore() {
     endInsertRows();
 }
 
-int EventsModel::rowOf(std::size_t event) const {
-    const auto found = std::lower_bound(rows_.begin(), rows_.end(), event);
-    return found == rows_.end() || *found != event ? -1 : static_cast<int>(found - rows_.begin());
-}
-
 int EventsModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }

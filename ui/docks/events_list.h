@@ -31,8 +31,6 @@ public:
 
     /// The event of a row, as its number in the run.
     std::size_t eventAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
-    /// The row of an event; −1: hidden.
-    int rowOf(std::size_t event) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;

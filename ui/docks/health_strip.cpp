@@ -3,6 +3,7 @@
 #include "ui/docks/health_strip.h"
 
 #include "solver/results/words.h"
+#include "ui/canvas/call_out.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
 #include "ui/runs/live_run.h"
@@ -70,13 +71,6 @@ QColor colourOf(HealthState state, const Theme& theme) {
     return theme.text3;
 }
 
-QFont sized(const QWidget& widget, int pixels, bool bold) {
-    QFont font = widget.font();
-    font.setPixelSize(pixels);
-    font.setWeight(bold ? QFont::DemiBold : QFont::Normal);
-    return font;
-}
-
 }  // namespace
 
 HealthStrip::HealthStrip(const Themes& themes, TimeCursor& cursor, QWidget* parent)
@@ -92,7 +86,6 @@ HealthStrip::HealthStrip(const Themes& themes, TimeCursor& cursor, QWidget* pare
 }
 
 void HealthStrip::judge() {
-    const HealthState before = worst();
     known_ = cursor_.hasMoment();
     if (known_) {
         const FrameHead head = cursor_.head();
@@ -101,14 +94,7 @@ void HealthStrip::judge() {
     } else {
         rows_ = {};
     }
-    if (worst() != before) Q_EMIT worstChanged();
     update();
-}
-
-HealthState HealthStrip::worst() const {
-    HealthState worst = HealthState::Unknown;
-    for (const HealthRow& row : rows_) worst = std::max(worst, row.state);
-    return worst;
 }
 
 /// The first of the worst, where it is worth a word.
@@ -185,16 +171,16 @@ void HealthStrip::paintRow(QPainter& painter, const HealthRow& row, double y) co
     const double limitAt = right - limitWidth, valueAt = limitAt - valueWidth;
     const double nameAt = inset + 24.0, nameEnd = std::min(nameAt + mostName, valueAt - 4.0);
     painter.setPen(theme.text);
-    painter.setFont(sized(*this, 12, false));
+    painter.setFont(screenFont(12));
     painter.drawText(QRectF(nameAt, y, nameEnd - nameAt, rowHeight), Qt::AlignVCenter | Qt::AlignLeft,
                      painter.fontMetrics().elidedText(nameOf(row.measure), Qt::ElideRight, int(nameEnd - nameAt)));
     const double courseAt = valueAt - courseWidth;
     if (courseAt > nameAt + 130.0) paintCourse(painter, row, QRectF(courseAt, y + 4.0, courseWidth, rowHeight - 8.0));
     painter.setPen(theme.text);
-    painter.setFont(sized(*this, 12, true));
+    painter.setFont(screenFont(12, true));
     painter.drawText(QRectF(valueAt, y, valueWidth - 8.0, rowHeight), Qt::AlignVCenter | Qt::AlignRight, valueText(row));
     painter.setPen(theme.text2);
-    painter.setFont(sized(*this, 11, false));
+    painter.setFont(screenFont(11));
     painter.drawText(QRectF(limitAt, y, limitWidth, rowHeight), Qt::AlignVCenter | Qt::AlignRight, limitText(row));
 }
 
@@ -235,10 +221,10 @@ void HealthStrip::paintAdvice(QPainter& painter, double y) {
     const bool bad = row.state == HealthState::Bad;
     const QRectF room(inset, y, width() - 2.0 * inset, std::max(20.0, height() - y - 8.0));
     const QString link = row.block >= 0 ? tr("Show block") : QString();
-    painter.setFont(sized(*this, 12, true));
+    painter.setFont(screenFont(12, true));
     const double linkWidth = link.isEmpty() ? 0.0 : painter.fontMetrics().horizontalAdvance(link) + 12.0;
     const QRectF text(room.left() + 34.0, room.top() + 8.0, room.width() - 42.0 - linkWidth, 400.0);
-    painter.setFont(sized(*this, 12, false));
+    painter.setFont(screenFont(12));
     const QString words = adviceOn(row);
     const QRectF needed = painter.boundingRect(text, Qt::AlignLeft | Qt::TextWordWrap, words);
     const QRectF box(room.left(), room.top(), room.width(), std::min(needed.height() + 16.0, room.height()));
@@ -250,7 +236,7 @@ void HealthStrip::paintAdvice(QPainter& painter, double y) {
     painter.setPen(theme.text);
     painter.drawText(text.intersected(box.adjusted(0, 0, 0, -4)), Qt::AlignLeft | Qt::TextWordWrap, words);
     if (link.isEmpty()) return;
-    painter.setFont(sized(*this, 12, true));
+    painter.setFont(screenFont(12, true));
     painter.setPen(theme.accent);
     link_ = QRectF(box.right() - linkWidth, box.top() + 8.0, linkWidth, 18.0);
     painter.drawText(link_, Qt::AlignLeft, link);

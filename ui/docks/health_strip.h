@@ -45,14 +45,11 @@ class HealthStrip : public QWidget {
 public:
     HealthStrip(const Themes& themes, TimeCursor& cursor, QWidget* parent = nullptr);
 
-    /// The worst of the measures, for the tab.
-    HealthState worst() const;
     QSize minimumSizeHint() const override { return {280, 140}; }
     QSize sizeHint() const override { return {415, 214}; }
 
 Q_SIGNALS:
     void blockAsked(int block, const QString& why);  // row of the solved blocks
-    void worstChanged();
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -45,7 +45,6 @@ public:
     const std::vector<StageRecord>& stageList() const { return stages_; }
     const std::vector<Event>& eventList() const { return events_; }
     const std::vector<HistoryRow>& historyRows() const { return history_; }
-    const std::shared_ptr<const Scene>& sharedScene() const { return scene_; }
     /// As they are now; they do not grow in the hands of who has them.
     std::shared_ptr<const std::vector<Event>> sharedEvents() const;
 

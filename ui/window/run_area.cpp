@@ -93,13 +93,13 @@ void RunArea::placeDocks() {
     });
     QDockWidget* curves =
         makeDock(window, themes, "curvesDock", tr("Curves"), new Curves(themes, *cursor_, CurveKind::All, &window));
-    healthDock_ = makeDock(window, themes, "healthDock", tr("Health"), health_);
+    QDockWidget* health = makeDock(window, themes, "healthDock", tr("Health"), health_);
     eventsDock_ = makeDock(window, themes, "eventsDock", tr("Events"), events_);
     QDockWidget* energy =
         makeDock(window, themes, "energyDock", tr("Energy"), new Curves(themes, *cursor_, CurveKind::Energies, &window));
     QDockWidget* list = makeDock(window, themes, "runsDock", tr("Runs"), new RunList(themes, *runs_, &window));
     QDockWidget* log = makeDock(window, themes, "logDock", tr("Log"), log_);
-    for (QDockWidget* dock : {time, strip, curves, healthDock_, eventsDock_, energy, list, log})
+    for (QDockWidget* dock : {time, strip, curves, health, eventsDock_, energy, list, log})
         window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // where, is for the layouts to say
     connect(health_, &HealthStrip::blockAsked, this, &RunArea::askBlock);
     connect(events_, &EventsList::blockAsked, this, [this](int block, const QString& what) {

@@ -88,7 +88,7 @@ private:
     HealthStrip* health_ = nullptr;
     EventsList* events_ = nullptr;
     RunLog* log_ = nullptr;
-    QDockWidget *healthDock_ = nullptr, *eventsDock_ = nullptr;
+    QDockWidget* eventsDock_ = nullptr;
 };
 
 }  // namespace keyblock
