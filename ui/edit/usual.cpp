@@ -17,6 +17,7 @@ namespace {
 
 constexpr Material granite{.density = 2700.0, .youngsModulus = 50e9, .poissonsRatio = 0.2};
 constexpr double share = 0.5;  // of the walls' forces that go before bolts come
+constexpr double usualDuration = 0.1;  // [s] of a burst, and of what lets go after it
 constexpr const char* usualBolt = "d-bolt-20";
 
 void makeMaterial(const Scene&, void* made) { *static_cast<Material*>(made) = granite; }
@@ -28,7 +29,8 @@ void makeDomain(const Scene& scene, void* made) {
 }
 void makeSet(const Scene& scene, void* made) {
     auto& set = *static_cast<SceneJointSet*>(made);
-    set.dip = scene.jointSets.size() % 2 == 1 ? 60.0 : -60.0;
+    constexpr double dips[] = {60.0, -60.0, 0.0, 90.0};  // no set lies on the one before
+    set.dip = dips[(std::max<std::size_t>(scene.jointSets.size(), 1) - 1) % 4];
     set.spacing = 2.0;
     if (scene.domain && scene.domain->boundary.size() >= 3) {
         const Box box = boxOf(scene.domain->boundary);
@@ -196,6 +198,15 @@ Edit withPattern(const Scene& scene, const ScenePattern& pattern) {
     const int stage = excavatingStage(scene, pattern.tunnel);
     if (stage >= 0) installAfter(edit, stage, edit.scene.boltPatterns.back().name);
     settleBoltTypes(edit.scene);
+    return edit;
+}
+
+Edit withStageKind(const Scene& scene, std::size_t stage, StageKind kind) {
+    const std::string pointer = under("/stages", stage);
+    Edit edit = setValueAt(scene, under(pointer, "kind"), std::string(kind == StageKind::Dynamic ? "dynamic" : "static"));
+    if (!edit.done()) return edit;
+    double& duration = edit.scene.stages[stage].duration;
+    if (kind == StageKind::Dynamic && !(duration > 0.0)) duration = usualDuration;
     return edit;
 }
 

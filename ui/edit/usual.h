@@ -35,6 +35,9 @@ Edit withTunnel(const Scene& scene, const SceneTunnel& tunnel);
 Edit withPattern(const Scene& scene, const ScenePattern& pattern);
 Edit withBolt(const Scene& scene, const Bolt& bolt);
 
+/// The kind of a stage; a dynamic one that has no duration yet gets a usual one.
+Edit withStageKind(const Scene& scene, std::size_t stage, StageKind kind);
+
 /// The first entry's name of these lists; empty without any.
 std::string firstMaterial(const Scene& scene);
 std::string firstJointMaterial(const Scene& scene);

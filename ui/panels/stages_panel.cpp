@@ -115,7 +115,9 @@ void StagesPanel::fillRow(QTreeWidgetItem& item, std::size_t stage) {
         box->setFrame(false);
         box->setFixedHeight(22);
         connect(box, QOverload<int>::of(&QComboBox::activated), this,
-                [this, stage, box] { setKind(static_cast<int>(stage), box->currentText()); });
+                [this, stage](int kind) {
+                    setKind(static_cast<int>(stage), kind == 0 ? StageKind::Static : StageKind::Dynamic);
+                });
         list_->setItemWidget(&item, KindColumn, box);
     }
     box->setAccessibleName(tr("Kind of %1").arg(item.text(NameColumn)));
@@ -174,11 +176,11 @@ void StagesPanel::rename(QTreeWidgetItem* item) {
           renameAt(scene, pointerOf(stage).toStdString(), item->text(NameColumn).trimmed().toStdString()), {});
 }
 
-void StagesPanel::setKind(int stage, const QString& kind) {
+void StagesPanel::setKind(int stage, StageKind kind) {
     const Scene& scene = *context_.document.scene();
     const QString name = QString::fromStdString(nameAt(scene, pointerOf(stage).toStdString()));
-    apply(tr("Make %1 %2").arg(name, kind),
-          setValueAt(scene, pointerOf(stage).toStdString() + "/kind", kind.toStdString()), {});
+    apply((kind == StageKind::Dynamic ? tr("Make %1 dynamic") : tr("Make %1 static")).arg(name),
+          withStageKind(scene, static_cast<std::size_t>(stage), kind), {});
 }
 
 void StagesPanel::togglePlan(int row, int stage) {
@@ -188,12 +190,16 @@ void StagesPanel::togglePlan(int row, int stage) {
     apply(toggledName(scene, thing, at), toggled(scene, thing, at), {});
 }
 
-void StagesPanel::add(const char* kind) {
+void StagesPanel::addStatic() { add(StageKind::Static); }
+
+void StagesPanel::addDynamic() { add(StageKind::Dynamic); }
+
+void StagesPanel::add(StageKind kind) {
     Edit edit = appendAt(*context_.document.scene(), "/stages");
     if (!edit.done()) return;
     const QString made = QString::fromStdString(edit.made);
-    const QString title = QString::fromStdString(titleAt(edit.scene, edit.made));
-    edit = setValueAt(edit.scene, edit.made + "/kind", std::string(kind));
+    edit = withStageKind(edit.scene, edit.scene.stages.size() - 1, kind);
+    const QString title = QString::fromStdString(titleAt(edit.scene, made.toStdString()));
     apply(tr("Add %1").arg(title), std::move(edit), made);
 }
 

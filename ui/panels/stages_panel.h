@@ -19,6 +19,7 @@ namespace keyblock {
 class PlanView;
 class Selection;
 struct Edit;
+enum class StageKind;
 
 class StagesPanel : public QWidget {
     Q_OBJECT
@@ -39,15 +40,15 @@ private:
     void takeSelection();
     void rename(QTreeWidgetItem* item);
     void togglePlan(int row, int stage);
-    void addStatic() { add("static"); }
-    void addDynamic() { add("dynamic"); }
-    void add(const char* kind);
+    void addStatic();
+    void addDynamic();
+    void add(StageKind kind);
     void duplicate();
     void remove();
     void moveUp() { move(-1); }
     void moveDown() { move(1); }
     void move(int by);
-    void setKind(int stage, const QString& kind);
+    void setKind(int stage, StageKind kind);
     int chosen() const;
     void apply(const QString& step, Edit edit, const QString& select);
 

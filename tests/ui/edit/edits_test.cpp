@@ -204,7 +204,7 @@ TEST(Names, AreFree) {
     EXPECT_EQ(freeName("B", {}), "B1");
     const Scene scene = drawn();
     EXPECT_EQ(newName(scene, "/bolts"), "B2");
-    EXPECT_EQ(newName(scene, "/stages"), "stage 1");
+    EXPECT_EQ(newName(scene, "/stages"), "stage " + std::to_string(scene.stages.size() + 1));
     EXPECT_EQ(newName(scene, "/supports"), "");
     EXPECT_EQ(nameOfCopy(scene, "/tunnels", "drift"), "drift 2");
     EXPECT_EQ(nameOfCopy(scene, "/joints", "J1"), "J3") << "joint sets have J1 and J2";
