@@ -58,8 +58,10 @@ MainWindow::MainWindow(Themes& themes)
     addExportCommands(*this, *commands_, themes_, runs_->cursor(), runs_->choice(), runs_->settings());
     placeBars();
     placeCanvas();
-    showRunsIn(placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_, *canvas_}),
-               runs_->runs());
+    const Panels panels =
+        placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_, *canvas_});
+    showRunsIn(panels, runs_->runs());
+    raiseAskedPanels(*workflow_, panels);
     placeFileRooms();
     fillMenus(*menuBar(), *commands_);
     layouts_->begin();

@@ -17,9 +17,11 @@
 #include "ui/panels/scene_tree.h"
 #include "ui/panels/stages_panel.h"
 #include "ui/window/dock.h"
+#include "ui/window/workflow_bar.h"
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QTimer>
 
 #include <algorithm>
 #include <optional>
@@ -101,6 +103,18 @@ Panels placePanels(QMainWindow& window, const PanelNeeds& needs) {
     window.resizeDocks({left, right}, {treeWidth, propertyWidth}, Qt::Horizontal);
     placeBelow(window, needs, panels);
     return panels;
+}
+
+void raiseAskedPanels(WorkflowBar& bar, const Panels& panels) {
+    const auto raise = [support = panels.libraryDock, stages = panels.stagesDock](WorkStep step) {
+        QDockWidget* dock = step == WorkStep::Support ? support : step == WorkStep::Stages ? stages : nullptr;
+        if (!dock) return;
+        QTimer::singleShot(0, dock, [dock] {  // after the arrangement, which may change with the step
+            dock->show();
+            dock->raise();
+        });
+    };
+    QObject::connect(&bar, &WorkflowBar::asked, panels.stagesDock, raise);
 }
 
 }  // namespace keyblock

@@ -23,6 +23,7 @@ class Selection;
 class StagesPanel;
 class Themes;
 class Visibility;
+class WorkflowBar;
 
 /// What the panels work on.
 struct PanelNeeds {
@@ -47,5 +48,8 @@ struct Panels {
 };
 
 Panels placePanels(QMainWindow& window, const PanelNeeds& needs);
+
+/// A click on a step of the work brings the dock forward in which it is done.
+void raiseAskedPanels(WorkflowBar& bar, const Panels& panels);
 
 }  // namespace keyblock

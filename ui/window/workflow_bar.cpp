@@ -59,7 +59,10 @@ WorkflowBar::WorkflowBar(const Themes& themes, QWidget* parent)
         tab->setCheckable(true);
         tab->setAutoExclusive(true);
         tab->setFixedHeight(barHeight);
-        connect(tab, &QToolButton::clicked, this, [this, i] { choose(static_cast<WorkStep>(i)); });
+        connect(tab, &QToolButton::clicked, this, [this, i] {
+            choose(static_cast<WorkStep>(i));
+            Q_EMIT asked(static_cast<WorkStep>(i));
+        });
         row_->addWidget(tab);
         tabs_[i] = tab;
     }

@@ -33,6 +33,7 @@ public:
 
 Q_SIGNALS:
     void chosen(keyblock::WorkStep step);
+    void asked(keyblock::WorkStep step);  // a person clicked on it, be it chosen or not
 
 protected:
     void paintEvent(QPaintEvent* event) override;
