@@ -26,6 +26,7 @@ public:
     bool back() override;
     bool undoPoint() override { return back(); }
     std::optional<Point> previous() const override { return first_; }
+    bool accepts(const Snap&) const override { return what_ != OnBlock; }  // inside a block nothing snaps: what does lies on its faces
     void paint(QPainter& painter, const CanvasMap& map) const override;
 
 private:

@@ -22,6 +22,7 @@ public:
     void press(const Pointed& at) override;
     void move(const Pointed& at) override { cursor_ = at.place; }
     void leave() override { cursor_.reset(); }
+    bool accepts(const Snap&) const override { return false; }  // inside a block nothing snaps: what does lies on its faces
     void paint(QPainter& painter, const CanvasMap& map) const override;
 
 private:
