@@ -41,6 +41,7 @@ CellTable::CellTable(const QStringList& headings, bool numbers, QWidget* parent)
         Q_EMIT edited();
     });
     connect(this, &QTableWidget::currentCellChanged, this, [this] { Q_EMIT focused(); });
+    fitHeight();
 }
 
 void CellTable::setHeadings(const QStringList& headings) { setHorizontalHeaderLabels(headings); }

@@ -19,7 +19,7 @@ namespace keyblock {
 namespace {
 
 constexpr int inset = 12, rowHeight = 25, headingHeight = 26, indent = 10;
-constexpr int valueWidth = 100, flagWidth = 16, unitWidth = 38, arrowSize = 16, gap = 6;
+constexpr int valueWidth = 100, flagWidth = 16, unitWidth = 38, metreWidth = 18, arrowSize = 16, gap = 6;
 
 QToolButton* smallButton(QWidget* parent, const QString& tip, const char* name) {
     auto* button = new QToolButton(parent);
@@ -70,18 +70,21 @@ void FormRowWidget::layOut() {
     grid->setColumnStretch(0, 1);
     const bool wide = editor_->isWide();
     const bool acrossUnit = editor_->tellsUnit();
+    const bool isPlace = row_.field->kind == FieldKind::Vector && row_.field->unit == "m";  // two numbers need room
+    const int forUnit = isPlace ? metreWidth : unitWidth;
     grid->addWidget(label_, 0, 0);
     if (wide) {
         grid->addWidget(editor_, 1, 0, 1, 4);
     } else {
         const int span = acrossUnit ? 2 : 1;
         const bool flag = row_.field->kind == FieldKind::Flag;  // leaves its room to the label
-        editor_->setFixedWidth(flag ? flagWidth : valueWidth + (acrossUnit ? gap + unitWidth : 0));
+        const int further = acrossUnit ? gap + unitWidth : unitWidth - forUnit;
+        editor_->setFixedWidth(flag ? flagWidth : valueWidth + further);
         grid->addWidget(editor_, 0, 1, 1, span);
     }
     if (!acrossUnit) grid->addWidget(unit_, 0, 2);
     unit_->setVisible(!acrossUnit);
-    unit_->setFixedWidth(gap + unitWidth);
+    unit_->setFixedWidth(gap + forUnit);
     unit_->setContentsMargins(gap, 0, 0, 0);
     label_->setContentsMargins(0, 0, 4, 0);
     grid->addWidget(reset_, 0, 3);
