@@ -69,7 +69,9 @@ void StatusLine::showCounts() {
         counts_->clear();
         return;
     }
-    const std::size_t blocks = checked.picture->blocks.size(), bolts = checked.picture->bolts.size();
+    // As the tree counts them: with those that are excavated later, which the drawing leaves out.
+    const std::size_t blocks = checked.cut ? checked.cut->scene.blocks.size() : checked.scene->blocks.size();
+    const std::size_t bolts = checked.picture->bolts.size();
     counts_->setText((blocks == 1 ? tr("1 block") : tr("%1 blocks").arg(blocks)) + dot +
                      (bolts == 1 ? tr("1 bolt") : tr("%1 bolts").arg(bolts)));
 }
