@@ -316,9 +316,10 @@ private:
         ++now_.written.frames;
     }
 
-    /// Waits while the run is paused, but for one step at a time that is asked for.
+    /// Waits between two steps while the run is paused, but for one step at a time that is asked for. A step that is
+    /// under way is finished first: in the middle of one there is no state to show.
     bool stopAsked() {
-        if (control_.pause && !control_.stop && !stepping_) {
+        if (atRest_ && control_.pause && !control_.stop && !stepping_) {
             const auto paused = std::chrono::steady_clock::now();
             waitForStep();
             limit_.addPause(std::chrono::steady_clock::now() - paused);
@@ -328,7 +329,7 @@ private:
 
     void waitForStep() {
         while (control_.pause && !control_.stop && !stepping_) {
-            if (atRest_) show();
+            show();
             int left = control_.steps;
             stepping_ = left > 0 && control_.steps.compare_exchange_strong(left, left - 1);
             if (!stepping_) std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -31,6 +31,7 @@ void TimeCursor::setRun(std::shared_ptr<LiveRun> run, bool goesOn) {
     run_ = std::move(run);
     goesOn_ = run_ && goesOn;
     live_ = goesOn_;
+    followed_ = {};
     frame_ = run_ && !run_->frames().empty() ? run_->frames().size() - 1 : 0;
     b_ = std::nullopt;
     bookmarks_.clear();
@@ -44,11 +45,12 @@ void TimeCursor::grown() {
     const bool first = !live_ && run_->frames().size() == 1;
     if (live_ && !run_->frames().empty()) frame_ = run_->frames().size() - 1;
     Q_EMIT runGrew();
-    // Progress alone shows nothing new.
-    const Frame* newest = run_->newest().frame.get();
-    const bool isNew = newest ? newest != followed_ : run_->frames().size() != followedFrames_;
-    followed_ = newest;
-    followedFrames_ = run_->frames().size();
+    // Progress alone shows nothing new, nor does a paused run that is looked at again.
+    const ShownFrame& newest = run_->newest();
+    const Followed now{newest.frame ? newest.frame->stage : -1, newest.frame ? newest.frame->step : -1,
+                       newest.frame ? newest.frame->time : 0.0, run_->frames().size()};
+    const bool isNew = !(now == followed_);
+    followed_ = now;
     if ((live_ && isNew) || first) Q_EMIT moved();
 }
 

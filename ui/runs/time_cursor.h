@@ -96,6 +96,16 @@ Q_SIGNALS:
     void changed();  // playing, speed, loop, cursor B, bookmarks, kinds
 
 private:
+    /// How far the run was when it grew last.
+    struct Followed {
+        int stage = -1;
+        long step = -1;
+        double time = 0.0;
+        std::size_t frames = 0;
+
+        bool operator==(const Followed&) const = default;
+    };
+
     void show(std::size_t frame);
     void advance();
     std::optional<std::size_t> frameAt(const StageTime& time) const;
@@ -104,8 +114,7 @@ private:
     std::shared_ptr<LiveRun> run_;
     bool goesOn_ = false, live_ = false, loops_ = false;
     std::size_t frame_ = 0;
-    const Frame* followed_ = nullptr;  // the newest state when the run grew last; only compared
-    std::size_t followedFrames_ = 0;
+    Followed followed_;
     double speed_ = 1.0;
     std::optional<std::size_t> b_;
     std::set<std::size_t> bookmarks_;
