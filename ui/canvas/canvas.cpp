@@ -92,9 +92,11 @@ void Canvas::setCulprit(const std::optional<Culprit>& culprit) {
     refresh();
 }
 
-void Canvas::setHint(const QString& title, const QString& text) {
+void Canvas::setHint(const QString& title, const QString& text, bool aside) {
     hintTitle_ = title;
     hintText_ = text;
+    hintAside_ = aside;
+    sheet_->forget();
     refresh();
 }
 
@@ -125,6 +127,13 @@ void Canvas::zoomBy(double factor, const QPointF& pixel) {
 
 void Canvas::panBy(const QPointF& pixels) {
     map_.panBy(pixels);
+    mapChanged();
+}
+
+void Canvas::lookAs(const CanvasMap& other) {
+    fits_ = true;
+    if (map_.centre() == other.centre() && map_.pixelsPerMetre() == other.pixelsPerMetre()) return;
+    map_.lookAs(other);
     mapChanged();
 }
 

@@ -50,7 +50,8 @@ public:
     void setDrawing(bool drawing);
     void setSelectedBolts(const std::vector<int>& bolts);  // rows of the scene's bolts
     void setCulprit(const std::optional<Culprit>& culprit);
-    void setHint(const QString& title, const QString& text);  // where nothing is shown
+    /// Where nothing is shown: in the middle, or aside at the foot where a drawing is to be seen behind it.
+    void setHint(const QString& title, const QString& text, bool aside = false);
 
     const CanvasMap& map() const { return map_; }
     /// What the picture is about (round tunnels and bolts); all of the model where that is seen already.
@@ -58,6 +59,8 @@ public:
     void zoomTo(const Box& box);
     void zoomBy(double factor, const QPointF& pixel);
     void panBy(const QPointF& pixels);
+    /// The same camera as another canvas has.
+    void lookAs(const CanvasMap& other);
 
     /// What lies under a pixel of the canvas, as drawn.
     std::optional<Pick> pickAt(const QPointF& pixel) const;
@@ -114,6 +117,7 @@ private:
     CanvasTool* tool_ = nullptr;
     std::vector<const CanvasOverlay*> overlays_;
     QString hintTitle_, hintText_;
+    bool hintAside_ = false;
     bool shapesChanged_ = true, fits_ = false;
     bool spaceDown_ = false, spacePanned_ = false;
     std::optional<QPointF> panFrom_;

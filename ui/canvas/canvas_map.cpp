@@ -34,6 +34,11 @@ void CanvasMap::show(const Box& box, const QRectF& room) {
     centre_ = 0.5 * (box.min + box.max) - Point(aside.x(), -aside.y()) / scale_;
 }
 
+void CanvasMap::lookAs(const CanvasMap& other) {
+    centre_ = other.centre_;
+    scale_ = other.scale_;
+}
+
 void CanvasMap::panBy(const QPointF& pixels) { centre_ -= Point(pixels.x(), -pixels.y()) / scale_; }
 
 void CanvasMap::zoomBy(double factor, const QPointF& pixel) {

@@ -27,6 +27,8 @@ public:
     void resize(const QSizeF& size) { size_ = size; }
     /// All of the box, as large as `room` of the widget allows, in its middle. A box without extent gets a metre.
     void show(const Box& box, const QRectF& room);
+    /// The same place in the middle, at the same scale.
+    void lookAs(const CanvasMap& other);
     void panBy(const QPointF& pixels);
     /// The place under `pixel` stays there. The scale stays between 1e-4 and 1e7 px/m.
     void zoomBy(double factor, const QPointF& pixel);

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/canvas_sheet.h"
 
+#include "ui/canvas/call_out.h"
 #include "ui/canvas/canvas.h"
 #include "ui/canvas/section_ink.h"
 #include "ui/look/theme.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
+
+#include <algorithm>
 
 namespace keyblock {
 
@@ -25,7 +29,7 @@ void CanvasSheet::paintEvent(QPaintEvent*) {
         QPainter painter(&kept_);
         painter.setRenderHint(QPainter::Antialiasing);
         if (canvas_.picture()) paintPicture(painter);
-        else paintHint(painter);
+        else if (!canvas_.hintAside_) paintHint(painter);
     }
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -35,6 +39,7 @@ void CanvasSheet::paintEvent(QPaintEvent*) {
         overlay->paint(painter, canvas_.map());
         painter.restore();
     }
+    if (!canvas_.picture() && canvas_.hintAside_) paintHintAside(painter);
     if (canvas_.tool()) canvas_.tool()->paint(painter, canvas_.map());
 }
 
@@ -50,6 +55,22 @@ void CanvasSheet::paintHint(QPainter& painter) const {
     painter.setFont(font());
     painter.setPen(theme.text3);
     painter.drawText(middle.translated(0.0, 28.0), Qt::AlignCenter, canvas_.hintText_);
+}
+
+/// On a panel, so that it can be read over whatever lies there.
+void CanvasSheet::paintHintAside(QPainter& painter) const {
+    const Theme& theme = canvas_.themes_.current();
+    const QFont title = screenFont(12, true), details = screenFont(11);
+    const double wide = 32.0 + std::max(QFontMetricsF(title).horizontalAdvance(canvas_.hintTitle_),
+                                        QFontMetricsF(details).horizontalAdvance(canvas_.hintText_));
+    const QRectF panel(0.5 * (width() - wide), height() - 60.0, wide, 48.0);
+    paintPanel(painter, theme, panel);
+    painter.setFont(title);
+    painter.setPen(theme.text);
+    painter.drawText(panel.adjusted(0.0, 7.0, 0.0, -23.0), Qt::AlignCenter, canvas_.hintTitle_);
+    painter.setFont(details);
+    painter.setPen(theme.text2);
+    painter.drawText(panel.adjusted(0.0, 23.0, 0.0, -7.0), Qt::AlignCenter, canvas_.hintText_);
 }
 
 void CanvasSheet::paintPicture(QPainter& painter) const {

@@ -27,6 +27,7 @@ protected:
 
 private:
     void paintHint(QPainter& painter) const;
+    void paintHintAside(QPainter& painter) const;
     void paintPicture(QPainter& painter) const;
 
     Canvas& canvas_;
