@@ -4,6 +4,7 @@
 
 #include "solver/results/reference_table.h"
 #include "ui/figure/application.h"
+#include "ui/figure/chart_pens.h"
 #include "ui/figure/paper.h"
 
 #include <qcustomplot.h>
@@ -15,24 +16,8 @@ namespace keyblock {
 
 namespace {
 
-using namespace paper_theme;
-
 constexpr double keySample = 6.0, keyGap = 3.0, keyRow = 2.8;  // [mm]
 constexpr std::size_t mostMarks = 60;  // of a reference: more points are a line alone
-
-int units(double mm) { return static_cast<int>(std::lround(mm * unitsPerMm)); }
-QColor qt(const Colour& colour, double opacity = 1.0) {
-    QColor result(colour.red, colour.green, colour.blue);
-    result.setAlphaF(opacity);
-    return result;
-}
-QPen pen(double width, const Colour& colour, const QVector<qreal>& dashes = {}) {
-    QPen result(qt(colour), width * unitsPerMm);
-    if (!dashes.empty()) result.setDashPattern(dashes);
-    result.setCapStyle(dashes.empty() ? Qt::RoundCap : Qt::FlatCap);
-    result.setJoinStyle(Qt::RoundJoin);
-    return result;
-}
 
 /// Our round numbers in place of QCustomPlot's, with a true minus.
 class RoundTicker : public QCPAxisTicker {
@@ -63,69 +48,9 @@ protected:
     QRect clipRect() const override { return this->parentPlot()->viewport(); }
 };
 
-Colour colourOf(const ChartTheme& theme, CurveStyle style) {
-    switch (style) {
-        case CurveStyle::Main:
-        case CurveStyle::Stems: return theme.main;
-        case CurveStyle::Second: return theme.second;
-        case CurveStyle::Third: return theme.third;
-        case CurveStyle::Fourth: return theme.fourth;
-        case CurveStyle::Reference: return theme.references[0];
-        case CurveStyle::SecondReference: return theme.references[1];
-        case CurveStyle::ThirdReference: return theme.references[2];
-        case CurveStyle::FourthReference: return theme.references[3];
-        case CurveStyle::Envelope: break;
-    }
-    return theme.envelope;
-}
-
 TextStyle inked(TextStyle style, const Colour& colour) {
     style.colour = colour;
     return style;
-}
-
-/// In widths of the line; empty: solid.
-std::vector<double> dashesOf(CurveStyle style) {
-    switch (style) {
-        case CurveStyle::Reference: return {5.0, 3.0};
-        case CurveStyle::SecondReference: return {9.0, 3.0};
-        case CurveStyle::ThirdReference: return {2.0, 2.5};
-        case CurveStyle::FourthReference: return {9.0, 3.0, 2.0, 3.0};
-        default: return {};
-    }
-}
-
-constexpr double referenceLine = 0.25;  // [mm]
-
-/// Each reference has a mark of its own.
-void drawMark(Ink& ink, const ChartTheme& theme, CurveStyle style, const Point& at) {
-    const double r = 0.65;
-    const Stroke line{0.17, colourOf(theme, style)};
-    const auto outline = [&](std::vector<Point> points) {
-        for (Point& point : points) point = at + r * point;
-        ink.polygon(points, theme.ground, line);
-    };
-    switch (style) {
-        case CurveStyle::SecondReference: return outline({{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}});
-        case CurveStyle::ThirdReference: return outline({{0.0, -1.1}, {1.0, 0.8}, {-1.0, 0.8}});
-        case CurveStyle::FourthReference: return outline({{0.0, -1.2}, {1.2, 0.0}, {0.0, 1.2}, {-1.2, 0.0}});
-        default: ink.circle(at, r, theme.ground, line);
-    }
-}
-
-QPen penOf(const ChartTheme& theme, CurveStyle style) {
-    const Colour colour = colourOf(theme, style);
-    if (isReference(style)) {
-        const std::vector<double> dashes = dashesOf(style);
-        return pen(referenceLine, colour, QVector<qreal>(dashes.begin(), dashes.end()));
-    }
-    switch (style) {
-        case CurveStyle::Envelope: return pen(0.17, colour, {5.0, 3.0});
-        case CurveStyle::Stems: return pen(0.3, colour);
-        case CurveStyle::Third: return pen(0.3, colour, {6.0, 2.5});
-        case CurveStyle::Fourth: return pen(0.3, colour, {1.5, 2.5});
-        default: return pen(0.3, colour);
-    }
 }
 
 class ChartPainter {
@@ -134,19 +59,19 @@ public:
         : chart_(chart), theme_(theme), layout_(layout), keyRoom_(width - 16.0) {
         plot_.plotLayout()->clear();
         plot_.setBackground(Qt::NoBrush);
-        plot_.plotLayout()->setRowSpacing(units(layout.panelGap));
+        plot_.plotLayout()->setRowSpacing(unitsOf(layout.panelGap));
         auto* group = new QCPMarginGroup(&plot_);
         for (std::size_t i = 0; i < chart.panels.size(); ++i) addPanel(i, group);
     }
 
     ChartPlace draw(QCPPainter& painter, const Box& box) {
         const Point size = box.max - box.min;
-        plot_.setViewport(QRect(0, 0, units(size.x()), units(size.y())));
+        plot_.setViewport(QRect(0, 0, unitsOf(size.x()), unitsOf(size.y())));
         plot_.replot(QCustomPlot::rpImmediateRefresh);
         painter.save();
         painter.translate(box.min.x() * unitsPerMm, box.min.y() * unitsPerMm);
         drawZones(painter);
-        plot_.toPainter(&painter, units(size.x()), units(size.y()));
+        plot_.toPainter(&painter, unitsOf(size.x()), unitsOf(size.y()));
         Ink ink(painter);
         for (std::size_t i = 0; i < chart_.panels.size(); ++i) {
             markReferences(ink, i);
@@ -159,21 +84,21 @@ public:
 
 private:
     void styleAxis(QCPAxis* axis, bool labels) const {
-        axis->setBasePen(pen(0.15, theme_.axis));
-        axis->setTickPen(pen(0.15, theme_.axis));
+        axis->setBasePen(chartPen(0.15, theme_.axis));
+        axis->setTickPen(chartPen(0.15, theme_.axis));
         axis->setSubTicks(false);
         axis->setTickLengthIn(0);
-        axis->setTickLengthOut(labels ? units(0.7) : 0);
+        axis->setTickLengthOut(labels ? unitsOf(0.7) : 0);
         axis->setTickLabels(labels);
         axis->setTickLabelFont(fontOf(text_style::tick));
-        axis->setTickLabelColor(qt(theme_.softText));
-        axis->setTickLabelPadding(units(0.6));
+        axis->setTickLabelColor(inkOf(theme_.softText));
+        axis->setTickLabelPadding(unitsOf(0.6));
         axis->setLabelFont(fontOf(text_style::body));
-        axis->setLabelColor(qt(theme_.text));
-        axis->setLabelPadding(units(0.7));
+        axis->setLabelColor(inkOf(theme_.text));
+        axis->setLabelPadding(unitsOf(0.7));
         axis->setPadding(0);
-        axis->grid()->setPen(pen(0.13, theme_.grid));
-        axis->grid()->setZeroLinePen(pen(0.15, theme_.axis));
+        axis->grid()->setPen(chartPen(0.13, theme_.grid));
+        axis->grid()->setZeroLinePen(chartPen(0.15, theme_.axis));
     }
 
     void addPanel(std::size_t index, QCPMarginGroup* group) {
@@ -186,7 +111,8 @@ private:
         rect->setMarginGroup(QCP::msLeft | QCP::msRight, group);
         const double title = layout_.titlesBeside ? 0.0 : 1.4;
         const double above = (index == 0 ? 1.2 + title : 1.2) + keyRow * keyRowsOf(panel), below = last ? 2.0 : 0.6;
-        rect->setMinimumMargins(QMargins(units(layout_.leftRoom), units(above), units(layout_.rightRoom), units(below)));
+        rect->setMinimumMargins(
+            QMargins(unitsOf(layout_.leftRoom), unitsOf(above), unitsOf(layout_.rightRoom), unitsOf(below)));
         rects_.push_back(rect);
         QCPAxis* x = rect->axis(QCPAxis::atBottom);
         QCPAxis* y = rect->axis(QCPAxis::atLeft);
@@ -198,8 +124,9 @@ private:
         x->setRange(chart_.x.low, chart_.x.high);
         y->setRange(panel.range.low, panel.range.high);
         if (last) x->setLabel(QString::fromStdString(elided(chart_.xTitle, text_style::body, keyRoom_ - 10.0, true)));
-        for (const double place : chart_.dividers) addVertical(x, y, place, pen(0.17, theme_.softText, {1.0, 2.0}));
-        for (const double place : chart_.events) addVertical(x, y, place, pen(0.1, theme_.event));
+        for (const double place : chart_.dividers)
+            addVertical(x, y, place, chartPen(0.17, theme_.softText, {1.0, 2.0}));
+        for (const double place : chart_.events) addVertical(x, y, place, chartPen(0.1, theme_.event));
         for (const ChartLimit& limit : panel.limits) addLimit(x, y, limit);
         for (const ChartCurve& curve : panel.curves) addCurve(x, y, curve);
     }
@@ -215,7 +142,8 @@ private:
     }
 
     void addLimit(QCPAxis* x, QCPAxis* y, const ChartLimit& limit) {
-        const QPen line = limit.ultimate ? pen(0.2, theme_.limit, {6.0, 3.0}) : pen(0.2, theme_.softText, {1.5, 2.5});
+        const QPen line = limit.ultimate ? chartPen(0.2, theme_.limit, {6.0, 3.0})
+                                         : chartPen(0.2, theme_.softText, {1.5, 2.5});
         if (limit.x.empty()) addLine(x, y, {x->range().lower, x->range().upper}, {limit.value, limit.value}, line);
         else
             addLine(x, y, QVector<double>(limit.x.begin(), limit.x.end()),
@@ -225,17 +153,17 @@ private:
     void addCurve(QCPAxis* x, QCPAxis* y, const ChartCurve& curve) {
         if (curve.style == CurveStyle::Stems) {
             for (std::size_t i = 0; i < curve.x.size(); ++i)
-                addLine(x, y, {curve.x[i], curve.x[i]}, {0.0, curve.y[i]}, penOf(theme_, curve.style));
+                addLine(x, y, {curve.x[i], curve.x[i]}, {0.0, curve.y[i]}, penOf(theme_, curve));
             auto* dots = new Unclipped<QCPGraph>(x, y);
             dots->setData(QVector<double>(curve.x.begin(), curve.x.end()),
                           QVector<double>(curve.y.begin(), curve.y.end()));
             dots->setLineStyle(QCPGraph::lsNone);
             dots->setScatterStyle(
-                QCPScatterStyle(QCPScatterStyle::ssDisc, qt(colourOf(theme_, curve.style)), units(0.9)));
+                QCPScatterStyle(QCPScatterStyle::ssDisc, inkOf(colourOf(theme_, curve.style)), unitsOf(0.9)));
             return;
         }
         addLine(x, y, QVector<double>(curve.x.begin(), curve.x.end()), QVector<double>(curve.y.begin(), curve.y.end()),
-                penOf(theme_, curve.style));
+                penOf(theme_, curve));
     }
 
     void drawZones(QCPPainter& painter) const {
@@ -243,7 +171,7 @@ private:
             for (const QCPAxisRect* rect : rects_) {
                 const QCPAxis* x = const_cast<QCPAxisRect*>(rect)->axis(QCPAxis::atBottom);
                 const double left = x->coordToPixel(zone.from), right = x->coordToPixel(zone.to);
-                painter.fillRect(QRectF(left, rect->top(), right - left, rect->height()), qt(theme_.zone, 0.11));
+                painter.fillRect(QRectF(left, rect->top(), right - left, rect->height()), inkOf(theme_.zone, 0.11));
             }
     }
 
@@ -375,14 +303,6 @@ private:
 };
 
 }  // namespace
-
-const ChartTheme& paperChartTheme() {
-    static const ChartTheme theme{white, black, softText, paper_theme::axis, paper_theme::grid,
-                                  paper_theme::ribbon, rgb(0xB63100), rgb(0x1B7F55), rgb(0x4A5260), rgb(0x8A93A0),
-                                  {rgb(0x111111), rgb(0x8A5A00), rgb(0x7A2E7A), rgb(0x2B6E8F)},
-                                  error, rgb(0xC9A3A6), slipping};
-    return theme;
-}
 
 ChartPlace drawChart(QCPPainter& painter, const Chart& chart, const Box& box, const ChartTheme& theme,
                      const ChartLayout& layout) {

@@ -36,6 +36,7 @@ struct ChartCurve {
     std::vector<double> x, y;  // as shown
     int table = -1;  // of a reference: its number
     std::string column{};  // of a reference
+    bool ofOther = false;  // of the run that is compared: drawn broken
 };
 
 struct ChartLimit {
