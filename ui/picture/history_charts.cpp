@@ -5,11 +5,11 @@
 #include "solver/results/frame_quantities.h"
 #include "solver/results/history.h"
 #include "solver/results/words.h"
+#include "ui/picture/history_series.h"
 #include "ui/picture/reference_curves.h"
-#include "ui/picture/run_time.h"
+#include "ui/picture/series_chart.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -17,94 +17,16 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostCurves = 4;  // of a panel
-constexpr double leastBetweenEvents = 0.005;  // of the chart's width
 constexpr double negligible = 1e-3;  // energies below it, of the largest, are not shown
 constexpr double nothing = 1e-5;  // of the largest of its kind: nobody could draw or measure it
-
-/// A column of the history as people see it.
-struct Series {
-    std::string name;
-    std::string title;  // of its panel
-    std::size_t column = 0;
-    double factor = 1.0;
-    bool isForce = false, isOpening = false;
-};
-
-struct Shown {
-    const char* title;
-    double factor;
-};
-
-/// In the order of `BoltQuantity`.
-constexpr std::array<Shown, boltQuantityWords.size()> shownOfBolts{{{"Axial force (kN)", 1e-3},
-                                                                    {"Shear force (kN)", 1e-3},
-                                                                    {"Moment (N m)", 1.0},
-                                                                    {"Bond force (kN)", 1e-3},
-                                                                    {"Slip of bolts (mm)", 1e3},
-                                                                    {"Plate force (kN)", 1e-3},
-                                                                    {"Debonded length (m)", 1.0},
-                                                                    {"Strain of bolts (mm/m)", 1e3},
-                                                                    {"Utilisation", 1.0},
-                                                                    {"Utilisation with moment", 1.0}}};
-
-std::vector<Series> seriesOf(const Scene& scene) {
-    std::vector<Series> all;
-    for (std::size_t m = 0; m < scene.monitors.size(); ++m) {
-        const Monitor& monitor = scene.monitors[m];
-        const auto column = [&](int component) {
-            return static_cast<std::size_t>(historyColumn(scene, {static_cast<int>(m), component, -1, {}}));
-        };
-        if (monitor.point) {
-            all.push_back({monitor.name + ".ux", "Displacement along x (mm)", column(0), 1e3, false, false});
-            all.push_back({monitor.name + ".uy", "Displacement along y (mm)", column(1), 1e3, false, false});
-        } else if (monitor.between) {
-            all.push_back({monitor.name, "Opening (mm)", column(0), 1e3, false, true});
-        } else {
-            const Shown& shown = shownOfBolts[static_cast<std::size_t>(monitor.quantity)];
-            const bool force = std::string_view(shown.title).ends_with("(kN)");
-            all.push_back({monitor.name, shown.title, column(0), shown.factor, force, false});
-        }
-    }
-    return all;
-}
-
-std::string withUnit(const Series& series) {
-    const std::size_t unit = series.title.rfind(" (");
-    return series.name + (unit == std::string::npos ? "" : series.title.substr(unit));
-}
-
-bool isOfBolts(const Event& event) {
-    return event.bolt >= 0 && event.kind != EventKind::Restick;
-}
-
-constexpr std::array<CurveStyle, mostCurves> styles{CurveStyle::Main, CurveStyle::Second, CurveStyle::Third,
-                                                    CurveStyle::Fourth};
-
-/// Adds a curve, broken where there is no number; its last piece bears the name.
-void addCurve(ChartPanel& panel, CurveStyle style, const std::string& name, const std::vector<double>& x,
-              const std::vector<double>& y) {
-    ChartCurve piece{"", style, {}, {}};
-    for (std::size_t i = 0; i < y.size(); ++i) {
-        const bool known = std::isfinite(x[i]) && std::isfinite(y[i]);
-        if (known) {
-            piece.x.push_back(x[i]);
-            piece.y.push_back(y[i]);
-        }
-        if ((!known || i + 1 == y.size()) && !piece.x.empty()) {
-            panel.curves.push_back(piece);
-            piece = {"", style, {}, {}};
-        }
-    }
-    if (!panel.curves.empty() && panel.curves.back().style == style) panel.curves.back().name = name;
-}
 
 class HistoryChartBuilder {
 public:
     HistoryChartBuilder(const RunSource& run, const std::vector<ReferenceTable>& references)
-        : run_(run), time_(run), history_(run.history()), events_(run.events()), series_(seriesOf(run.scene())),
+        : run_(run), time_(run), history_(run.history()), events_(run.events()), series_(monitorSeries(run.scene())),
           placer_(references, time_, stageNames(run.scene())) {
         for (const HistoryRow& row : history_) times_.push_back(time_.at(row.stage, row.time));
+        for (const FrameHead& frame : run_.frames()) frameTimes_.push_back(time_.at(frame.stage, frame.time));
     }
 
     HistoryCharts all() {
@@ -113,7 +35,7 @@ public:
         if (openings == 1)
             for (const Series& series : series_)
                 if (series.isOpening) addOver(forces(), series);
-        Chart chart = overTime();
+        Chart chart = chartOverTime(time_, events_);
         addMonitors(chart, series_);
         addDebonded(chart);
         addEnergies(chart);
@@ -125,17 +47,15 @@ public:
 
     HistoryCharts of(const std::string& asked) {
         const std::size_t over = asked.find(" over ");
-        const std::vector<const Series*> found = named(asked.substr(0, over));
+        const std::vector<Series> found = named(asked.substr(0, over));
         if (over != std::string::npos) {
-            const std::vector<const Series*> x = named(asked.substr(over + 6));
+            const std::vector<Series> x = named(asked.substr(over + 6));
             if (found.size() != 1 || x.size() != 1) return unknown(asked);
-            addOver({*found.front()}, *x.front());
+            addOver(found, x.front());
         } else {
             if (found.empty()) return unknown(asked);
-            Chart chart = overTime();
-            std::vector<Series> chosen;
-            for (const Series* series : found) chosen.push_back(*series);
-            addMonitors(chart, chosen);
+            Chart chart = chartOverTime(time_, events_);
+            addMonitors(chart, found);
             finish(std::move(chart));
         }
         return result("the run has no history of '" + asked + "' yet");
@@ -157,11 +77,15 @@ private:
         return std::move(result_);
     }
 
-    std::vector<const Series*> named(const std::string& name) const {
-        std::vector<const Series*> found;
+    /// A monitor, else what else the run has of that name.
+    std::vector<Series> named(const std::string& name) const {
+        std::vector<Series> found;
         for (const Series& series : series_)
             if (series.name == name || series.name == name + ".ux" || series.name == name + ".uy")
-                found.push_back(&series);
+                found.push_back(series);
+        if (found.empty())
+            for (const Series& series : allSeries(run_))
+                if (series.name == name) found.push_back(series);
         return found;
     }
 
@@ -169,7 +93,8 @@ private:
         std::string names;
         for (const Series& series : series_) names += (names.empty() ? "" : ", ") + series.name;
         return {{}, "'" + asked + "' is no monitor of the scene, nor one over another; there are: " +
-                        (names.empty() ? "none" : names), {}, {}};
+                        (names.empty() ? "none" : names) +
+                        "; further BOLT.axial_force and the like of every bolt, energy.kinetic and the like", {}, {}};
     }
 
     std::vector<Series> forces() const {
@@ -179,44 +104,49 @@ private:
         return found;
     }
 
-    std::vector<double> valuesOf(std::size_t column, double factor) const {
-        std::vector<double> values;
-        for (const HistoryRow& row : history_) values.push_back(row.values[column] * factor);
-        return values;
+    static bool isOfFrames(const std::vector<Series>& some) {
+        return std::any_of(some.begin(), some.end(), [](const Series& series) { return series.energy; });
     }
 
-    Chart overTime() const {
-        Chart chart;
-        chart.xTitle = time_.title();
-        chart.x = {0.0, time_.end()};
-        chart.overTime = true;
-        for (const StageSpan& span : time_.stages())
-            if (span.from > 0.0) chart.dividers.push_back(span.from);
-        for (const Event& event : events_)
-            if (isOfBolts(event)) chart.events.push_back(time_.at(event.stage, event.time));
-        return chart;
+    std::vector<double> valuesAt(const Series& series, bool atFrames) const {
+        return atFrames ? valuesOf(series, history_, run_.frames()) : valuesOf(series, history_);
     }
 
-    /// Several forces over one displacement, with the events where they happened.
+    /// Row of the history, or frame, that an event comes after; −1: before all.
+    long placeOf(const Event& event, bool atFrames) const {
+        if (!atFrames) return event.historyRow;
+        const auto& frames = run_.frames();
+        const auto after = std::upper_bound(frames.begin(), frames.end(), event, [](const Event& e, const FrameHead& f) {
+            return std::pair(e.stage, e.time) < std::pair(f.stage, f.time);
+        });
+        return after - frames.begin() - 1;
+    }
+
+    /// Several over one, with the events where they happened. What only the frames have is drawn at the frames.
     void addOver(const std::vector<Series>& of, const Series& over) {
-        const std::vector<double> x = valuesOf(over.column, over.factor);
+        const bool atFrames = over.energy || isOfFrames(of);
+        const std::vector<double> x = valuesAt(over, atFrames);
         Chart chart;
         chart.xTitle = withUnit(over);
         ValueRange range;
         for (const double value : x)
             if (std::isfinite(value)) range = {std::min(range.low, value), std::max(range.high, value)};
         chart.x = range;
-        for (const Event& event : events_)
-            if (isOfBolts(event) && event.historyRow >= 0 && static_cast<std::size_t>(event.historyRow) < x.size())
-                chart.events.push_back(x[static_cast<std::size_t>(event.historyRow)]);
-        addPanels(chart, of, x);
+        for (const Event& event : events_) {
+            const long place = placeOf(event, atFrames);
+            const auto at = static_cast<std::size_t>(place);
+            if (isOfBolts(event) && place >= 0 && at < x.size() && std::isfinite(x[at])) chart.events.push_back(x[at]);
+        }
+        addPanels(chart, of, x, atFrames);
         finish(std::move(chart));
     }
 
-    void addMonitors(Chart& chart, const std::vector<Series>& of) { addPanels(chart, of, times_); }
+    void addMonitors(Chart& chart, const std::vector<Series>& of) {
+        addPanels(chart, of, isOfFrames(of) ? frameTimes_ : times_, isOfFrames(of));
+    }
 
     /// A panel for each title, in the order in which they come first.
-    void addPanels(Chart& chart, const std::vector<Series>& of, const std::vector<double>& x) {
+    void addPanels(Chart& chart, const std::vector<Series>& of, const std::vector<double>& x, bool atFrames = false) {
         std::vector<std::string> titles;
         for (const Series& series : of)
             if (std::find(titles.begin(), titles.end(), series.title) == titles.end()) titles.push_back(series.title);
@@ -227,7 +157,7 @@ private:
                 if (series.title != title) continue;
                 if (curves == mostCurves) push(chart, panel, curves);
                 panel.title = title;
-                addCurve(panel, styles[curves++], series.name, x, valuesOf(series.column, series.factor));
+                addCurve(panel, curveStyles[curves++], series.name, x, valuesAt(series, atFrames));
             }
             push(chart, panel, curves);
         }
@@ -259,8 +189,6 @@ private:
 
     /// The largest energies of the frames.
     void addEnergies(Chart& chart) {
-        std::vector<double> x;
-        for (const FrameHead& frame : run_.frames()) x.push_back(time_.at(frame.stage, frame.time));
         std::vector<std::pair<double, const FrameQuantity<Energy>*>> rows;
         double largest = 0.0;
         for (const FrameQuantity<Energy>& row : energyQuantities()) {
@@ -280,19 +208,9 @@ private:
             std::vector<double> y;
             for (const FrameHead& frame : run_.frames())
                 y.push_back(rows[i].second->value(frame.energy) * (small ? 1.0 : 1e-3));
-            addCurve(panel, styles[i], std::string(rows[i].second->display.title), x, y);
+            addCurve(panel, curveStyles[i], std::string(rows[i].second->display.title), frameTimes_, y);
         }
         if (!panel.curves.empty()) chart.panels.push_back(std::move(panel));
-    }
-
-    /// Events nearer to each other than a line is wide stand as one.
-    static void thinEvents(Chart& chart) {
-        const double least = leastBetweenEvents * (chart.x.high - chart.x.low);
-        std::vector<double> kept;
-        std::sort(chart.events.begin(), chart.events.end());
-        for (const double place : chart.events)
-            if (kept.empty() || place - kept.back() >= least) kept.push_back(place);
-        chart.events = std::move(kept);
     }
 
     static std::string unitOf(const ChartPanel& panel) { return partedTitle(panel.title).unit; }
@@ -326,10 +244,7 @@ private:
     void finish(Chart chart, bool placed = false) {
         if (chart.panels.empty() || !(chart.x.low < chart.x.high)) return;
         if (!placed) placer_.place(chart);
-        if (!chart.overTime) chart.x = roundedRange(chart.x, 9);
-        thinEvents(chart);
-        for (ChartPanel& panel : chart.panels) fitRange(panel);
-        result_.charts.push_back(std::move(chart));
+        if (finishChart(chart)) result_.charts.push_back(std::move(chart));
     }
 
     const RunSource& run_;
@@ -337,7 +252,7 @@ private:
     std::vector<HistoryRow> history_;
     std::vector<Event> events_;
     std::vector<Series> series_;
-    std::vector<double> times_;  // of the history's rows
+    std::vector<double> times_, frameTimes_;  // of the history's rows, and of the frames
     ReferencePlacer placer_;
     HistoryCharts result_;
 };

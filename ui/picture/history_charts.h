@@ -23,8 +23,9 @@ struct HistoryCharts {
     std::vector<Problem> references;  // what of the references no panel shows; an error: nothing of one
 };
 
-/// Of what was asked for: a monitor's name, NAME.ux, NAME.uy, or `Y over X`; else of all that the run has. A panel
-/// shows four curves at most, further ones stand in a panel below. Beside them stand the curves of `references`.
+/// Of what was asked for: a monitor's name, NAME.ux, NAME.uy, any other of `allSeries`, or `Y over X`; else of all that
+/// the run has. A panel shows four curves at most, further ones stand in a panel below. Beside them stand the curves of
+/// `references`.
 HistoryCharts historyCharts(const RunSource& run, const std::optional<std::string>& asked,
                             const std::vector<ReferenceTable>& references = {});
 

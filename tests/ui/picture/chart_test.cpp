@@ -212,6 +212,27 @@ TEST(HistoryCharts, WhatIsAskedForIsShownAlone) {
     EXPECT_NE(none.problem.find("gap, pull, crown.ux, crown.uy"), std::string::npos) << none.problem;
 }
 
+TEST(HistoryCharts, AnyNumberStandsOverAnyOther) {
+    HistoryRun run;
+    const auto column = static_cast<std::size_t>(historyColumn(run.scene, {-1, 0, 0, BoltQuantity::AxialForce}));
+    for (std::size_t i = 0; i < run.results.history.size(); ++i)
+        run.results.history[i].values[column] = 5e3 * static_cast<double>(i);
+    const HistoryCharts bolt = run.charts("B.axial_force over crown.uy");
+    ASSERT_EQ(bolt.charts.size(), 1u) << bolt.problem;
+    EXPECT_EQ(bolt.charts[0].xTitle, "crown.uy (mm)");
+    EXPECT_EQ(bolt.charts[0].panels[0].title, "Axial force (kN)");
+    EXPECT_EQ(bolt.charts[0].panels[0].curves[0].y, (std::vector<double>{0.0, 5.0, 10.0, 15.0}));
+    // Energies are known at the frames alone (0 and 0.1 s of the second stage): there the history's last row counts.
+    run.results.frames[1].energy.kinetic = 7.0;
+    const HistoryCharts energy = run.charts("energy.kinetic over B.axial_force");
+    ASSERT_EQ(energy.charts.size(), 1u) << energy.problem;
+    EXPECT_EQ(energy.charts[0].panels[0].title, "Energy (J)");
+    EXPECT_EQ(energy.charts[0].panels[0].curves[0].x, (std::vector<double>{5.0, 15.0}));
+    EXPECT_EQ(energy.charts[0].panels[0].curves[0].y, (std::vector<double>{0.0, 7.0}));
+    EXPECT_EQ(run.charts("energy.kinetic").charts[0].overTime, true);
+    EXPECT_TRUE(run.charts("B.axial_force over nothing").charts.empty());
+}
+
 /// `opening, load` in SI.
 ReferenceTable labOf(const std::string& x, const std::string& y) {
     return {"lab.csv", "lab", {}, {{y + "_kN", y, Measure::Force, {0.0, 2.5e3, 5e3}},
