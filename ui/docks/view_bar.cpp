@@ -84,8 +84,16 @@ ViewBar::ViewBar(const Themes& themes, Commands& commands, ViewSettings& setting
     fill();
     row_->addSpacing(8);
     callOuts_ = addToggle("viewCallOuts", tr("Call-outs at events"), "label");
-    arrows_ = addToggle("viewArrows", tr("Arrows of displacement"), "arrow");
+    arrows_[static_cast<std::size_t>(ArrowKind::Displacements)] =
+        addToggle("viewArrows", tr("Arrows of displacement"), "arrow");
+    arrows_[static_cast<std::size_t>(ArrowKind::Velocities)] =
+        addToggle("viewVelocities", tr("Arrows of velocity"), "velocity");
+    arrows_[static_cast<std::size_t>(ArrowKind::StressCrosses)] =
+        addToggle("viewCrosses", tr("Principal stresses as crosses"), "stress-cross");
     contacts_ = addToggle("viewContacts", tr("Forces between blocks"), "load");
+    for (QToolButton* button : {callOuts_, contacts_}) connect(button, &QToolButton::clicked, this, &ViewBar::take);
+    for (std::size_t kind = 0; kind < arrows_.size(); ++kind)
+        connect(arrows_[kind], &QToolButton::clicked, this, [this, kind](bool on) { takeArrows(kind, on); });
     row_->addStretch(1);
     connect(&settings, &ViewSettings::changed, this, &ViewBar::showChoice);
     connect(&themes, &Themes::changed, this, &ViewBar::showIcons);
@@ -111,7 +119,7 @@ QToolButton* ViewBar::addToggle(const char* name, const QString& text, const cha
     button->setCheckable(true);
     button->setFixedSize(28, 28);
     row_->addWidget(button);
-    connect(button, &QToolButton::clicked, this, &ViewBar::take);
+    toggles_.push_back(button);
     return button;
 }
 
@@ -126,17 +134,16 @@ void ViewBar::fill() {
 
 /// Those of other rooms that belong here, as far as they are there.
 void ViewBar::addCommands() {
-    for (const char* id : {"view.zoomBox", "view.fit", "export.figure"}) {
+    for (const char* id : {"view.probe", "view.zoomBox", "view.fit", "export.figure"}) {
         if (!commands_.has(id)) continue;
         auto* button = new QToolButton(this);
         button->setDefaultAction(commands_.action(id));
         button->setObjectName(QString::fromUtf8(id) + "Bar");
         button->setAccessibleName(commands_.action(id)->text());
         button->setFixedHeight(28);
-        if (QString::fromUtf8(id) == "export.figure") {
-            button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-            button->setProperty("framed", true);
-        }
+        const bool isExport = QString::fromUtf8(id) == "export.figure";
+        if (isExport || QString::fromUtf8(id) == "view.probe") button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        if (isExport) button->setProperty("framed", true);
         row_->addWidget(button);
     }
 }
@@ -154,8 +161,15 @@ void ViewBar::take() {
     choice.ribbon = static_cast<RibbonOf>(ribbon_->currentIndex());
     choice.factor = factor_->currentData().toDouble();
     choice.callOuts = callOuts_->isChecked();
-    choice.arrows = arrows_->isChecked() ? std::optional(ArrowKind::Displacements) : std::nullopt;
     choice.contacts = contacts_->isChecked();
+    settings_.choose(choice);
+    showChoice();
+}
+
+/// One kind of arrows at a time; a second click takes them away.
+void ViewBar::takeArrows(std::size_t kind, bool on) {
+    ViewChoice choice = settings_.choice();
+    choice.arrows = on ? std::optional(static_cast<ArrowKind>(kind)) : std::nullopt;
     settings_.choose(choice);
     showChoice();
 }
@@ -173,13 +187,14 @@ void ViewBar::showChoice() {
     factor_->setCurrentIndex(factor_->findData(choice.factor));
     ribbon_->setEnabled(choice.bolts != nullptr);
     callOuts_->setChecked(choice.callOuts);
-    arrows_->setChecked(choice.arrows.has_value());
+    for (std::size_t kind = 0; kind < arrows_.size(); ++kind)
+        arrows_[kind]->setChecked(choice.arrows == static_cast<ArrowKind>(kind));
     contacts_->setChecked(choice.contacts);
     for (QComboBox* box : {blocks_, bolts_, ribbon_, factor_}) box->updateGeometry();
 }
 
 void ViewBar::showIcons() {
-    for (QToolButton* button : {callOuts_, arrows_, contacts_})
+    for (QToolButton* button : toggles_)
         button->setIcon(themes_.icon(button->property("iconName").toString()));
     update();
 }

@@ -6,6 +6,9 @@
 
 #include <QWidget>
 
+#include <array>
+#include <vector>
+
 class QComboBox;
 class QHBoxLayout;
 class QToolButton;
@@ -32,6 +35,7 @@ private:
     void fill();
     void addCommands();
     void take();
+    void takeArrows(std::size_t kind, bool on);
     void showChoice();
     void showIcons();
 
@@ -40,7 +44,9 @@ private:
     ViewSettings& settings_;
     QHBoxLayout* row_;
     QComboBox *blocks_, *bolts_, *ribbon_, *factor_;
-    QToolButton *callOuts_, *arrows_, *contacts_;
+    QToolButton *callOuts_, *contacts_;
+    std::array<QToolButton*, 3> arrows_;  // in the order of `ArrowKind`
+    std::vector<QToolButton*> toggles_;
     bool hasCommands_ = false;
 };
 
