@@ -85,6 +85,12 @@ void Canvas::setSelectedBolts(const std::vector<int>& bolts) {
     sceneChanged();
 }
 
+void Canvas::setLegend(bool legend) {
+    hasLegend_ = legend;
+    sheet_->forget();
+    refresh();
+}
+
 void Canvas::setCulprit(const std::optional<Culprit>& culprit) {
     if (culprit == culprit_) return;
     culprit_ = culprit;
@@ -101,7 +107,7 @@ void Canvas::setHint(const QString& title, const QString& text, bool aside) {
 }
 
 QRectF Canvas::room() const {
-    const bool explains = picture_ && !style_.drawing && (picture_->blockLegend || picture_->boltLegend);
+    const bool explains = picture_ && hasLegend_ && !style_.drawing && (picture_->blockLegend || picture_->boltLegend);
     const double legend = explains ? legendWidth(size()) : 0.0;
     return QRectF(rect()).adjusted(rimOfRoom, rimOfRoom, -rimOfRoom - legend, -rimOfRoom);
 }

@@ -49,6 +49,8 @@ public:
     /// Plain rock with lighter joints while a person draws; coloured results otherwise.
     void setDrawing(bool drawing);
     void setSelectedBolts(const std::vector<int>& bolts);  // rows of the scene's bolts
+    /// Off: another canvas beside has one that counts for both.
+    void setLegend(bool legend);
     void setCulprit(const std::optional<Culprit>& culprit);
     /// Where nothing is shown: in the middle, or aside at the foot where a drawing is to be seen behind it.
     void setHint(const QString& title, const QString& text, bool aside = false);
@@ -117,7 +119,7 @@ private:
     CanvasTool* tool_ = nullptr;
     std::vector<const CanvasOverlay*> overlays_;
     QString hintTitle_, hintText_;
-    bool hintAside_ = false;
+    bool hintAside_ = false, hasLegend_ = true;
     bool shapesChanged_ = true, fits_ = false;
     bool spaceDown_ = false, spacePanned_ = false;
     std::optional<QPointF> panFrom_;

@@ -74,8 +74,9 @@ void CanvasSheet::paintHintAside(QPainter& painter) const {
 }
 
 void CanvasSheet::paintPicture(QPainter& painter) const {
-    SectionInk(*canvas_.picture(), canvas_.map(), canvas_.themes_.current(), !canvas_.style_.drawing,
-               canvas_.style_.selectedBolts, canvas_.culprit_)
+    const bool hasLegend = canvas_.hasLegend_ && !canvas_.style_.drawing;
+    SectionInk(*canvas_.picture(), canvas_.map(), canvas_.themes_.current(), hasLegend, canvas_.style_.selectedBolts,
+               canvas_.culprit_)
         .paint(painter);
 }
 

@@ -2,31 +2,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Curves of the run's history, one chart at a time, with the moment that is shown on
-// it: load over displacement, monitors, debonded length, energies.
+// it: load over displacement, monitors, debonded length, energies, pins, any number
+// over any other; beside them those of a run that is compared.
 #pragma once
 
-#include "ui/picture/chart.h"
+#include "ui/docks/curve_entries.h"
 
 #include <QTimer>
 #include <QWidget>
-
-#include <vector>
 
 class QComboBox;
 
 namespace keyblock {
 
+class AxisChoice;
 class ChartView;
+class LiveRun;
+class Pins;
 class Themes;
 class TimeCursor;
-
-enum class CurveKind { All, Energies };
 
 class Curves : public QWidget {
     Q_OBJECT
 
 public:
-    Curves(const Themes& themes, TimeCursor& cursor, CurveKind kind, QWidget* parent = nullptr);
+    /// \param pins null: no pins and no choice of axes.
+    Curves(const Themes& themes, TimeCursor& cursor, CurveKind kind, Pins* pins, QWidget* parent = nullptr);
+
+    /// Another run whose curves stand beside, drawn broken; null: none.
+    void setOther(std::shared_ptr<const LiveRun> other, const QString& name);
 
     QSize sizeHint() const override { return {445, 214}; }
 
@@ -34,29 +38,34 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    /// A chart of one panel, with the whole first curve before it is thinned.
-    struct Entry {
-        QString name;
-        Chart chart;
-        std::vector<double> x, y;
-    };
-
+    QWidget* makeChoices();
     void runChanged();
+    void grow();
     void read();
+    void fillChoice();
     void choose();
+    void showPinned();
+    CurveEntry withOther(CurveEntry entry) const;
+    bool choosesAxes() const;
     void showNow();
     void jump(double x);
-    const Entry* current() const;
+    const CurveEntry* current() const;
 
     TimeCursor& cursor_;
     CurveKind kind_;
+    Pins* pins_;
     QComboBox* choice_;
+    AxisChoice* axes_ = nullptr;
     ChartView* view_;
     QTimer timer_;
     bool stale_ = true;
-    std::vector<Entry> entries_;
+    std::vector<CurveEntry> entries_, otherEntries_;
+    CurveEntries free_;  // of the axes that a person chose
+    std::shared_ptr<const LiveRun> other_, offered_;  // beside; whose numbers can be chosen
+    QString otherName_;
     QString problem_;
     QString wanted_;  // the chart that a person chose, by name
+    std::size_t pinCount_ = 0;
 };
 
 }  // namespace keyblock

@@ -4,21 +4,26 @@
 
 #include "solver/results/run_source.h"
 #include "ui/look/theme.h"
+#include "ui/runs/comparison.h"
 #include "ui/runs/runs.h"
 
+#include <QFileDialog>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
 namespace keyblock {
 
-RunList::RunList(const Themes& themes, Runs& runs, QWidget* parent)
-    : QWidget(parent), themes_(themes), runs_(runs), stale_(new QLabel(this)), list_(new QTreeWidget(this)) {
+RunList::RunList(const Themes& themes, Runs& runs, Comparison& comparison, QWidget* parent)
+    : QWidget(parent), themes_(themes), runs_(runs), comparison_(comparison), stale_(new QLabel(this)),
+      compare_(new QToolButton(this)), list_(new QTreeWidget(this)) {
     setObjectName("runList");
     setAttribute(Qt::WA_StyledBackground);
     setAccessibleName(tr("Runs"));
@@ -36,6 +41,20 @@ RunList::RunList(const Themes& themes, Runs& runs, QWidget* parent)
     column->setSpacing(0);
     column->addWidget(stale_);
     column->addWidget(list_, 1);
+    compare_->setObjectName("compareRuns");
+    compare_->setText(tr("Compare"));
+    compare_->setAccessibleName(tr("Compare with another run"));
+    compare_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    compare_->setPopupMode(QToolButton::InstantPopup);
+    compare_->setProperty("framed", true);
+    compare_->setMenu(new QMenu(compare_));
+    connect(compare_->menu(), &QMenu::aboutToShow, this, [this] { fillCompareMenu(*compare_->menu()); });
+    auto* foot = new QHBoxLayout;
+    foot->setContentsMargins(12, 4, 12, 6);
+    foot->addWidget(compare_);
+    foot->addStretch(1);
+    column->addLayout(foot);
+    connect(&comparison, &Comparison::changed, this, &RunList::fill);
     connect(&runs, &Runs::listChanged, this, &RunList::fill);
     connect(&runs, &Runs::shownChanged, this, &RunList::fill);
     connect(&runs, &Runs::stalenessChanged, this, &RunList::fill);
@@ -52,9 +71,12 @@ void RunList::fill() {
     stale_->setVisible(!stale.isEmpty());
     stale_->setText(stale + tr(". F5 runs the scene as it is."));
     stale_->setStyleSheet(QStringLiteral("background: %1; color: %2;").arg(theme.warningSoft.name(), theme.text.name()));
+    compare_->setIcon(themes_.icon("compare"));
+    compare_->setEnabled(!runs_.shown().isEmpty());
     list_->clear();
     for (const RunEntry& entry : runs_.entries()) {
         QString outcome = entry.outcomeText();
+        if (!comparison_.store().isEmpty() && entry.path == comparison_.store()) outcome += tr(" · compared");
         if (entry.ofEarlierScene) outcome += tr(" · of an earlier scene");
         const auto count = [&](long RunSummary::* what) {
             return entry.summary ? QLocale::c().toString(qlonglong((*entry.summary).*what)) : QString();
@@ -77,21 +99,45 @@ void RunList::fill() {
     for (const int column : {0, 1, 3, 4}) list_->resizeColumnToContents(column);
 }
 
+/// Runs that can stand beside the one shown.
+void RunList::fillCompareMenu(QMenu& menu) {
+    menu.clear();
+    for (const RunEntry& entry : runs_.entries()) {
+        if (!entry.summary || entry.goesOn || entry.path == runs_.shown()) continue;
+        menu.addAction(tr("With %1").arg(entry.name()), this, [this, path = entry.path] { comparison_.begin(path); });
+    }
+    menu.addAction(tr("With a run of another scene…"), this, [this] {
+        const QString path = QFileDialog::getOpenFileName(this, tr("Run to compare with"),
+                                                          QFileInfo(runs_.shown()).absolutePath(), tr("Runs (*.kbrun)"));
+        if (!path.isEmpty()) comparison_.begin(path);
+    });
+    if (!comparison_.isOn()) return;
+    menu.addSeparator();
+    menu.addAction(tr("End comparing"), &comparison_, &Comparison::end);
+}
+
 void RunList::showMenu(const QPoint& at) {
     const QTreeWidgetItem* item = list_->itemAt(at);
     if (!item) return;
     const QString store = item->data(0, Qt::UserRole).toString();
     const QString name = item->text(0);
-    bool resumable = false, goesOn = false;
+    bool resumable = false, goesOn = false, readable = false;
     for (const RunEntry& entry : runs_.entries())
         if (entry.path == store) {
             resumable = entry.summary && entry.summary->resumable && !entry.ofEarlierScene;
             goesOn = entry.goesOn;
+            readable = entry.summary.has_value();
         }
     QMenu menu(this);
     menu.addAction(tr("Show %1").arg(name), this, [this, store] { runs_.open(store); });
     QAction* on = menu.addAction(tr("Go on with %1").arg(name), this, [this, store] { runs_.resume(store); });
     on->setEnabled(resumable && !runs_.isRunning());
+    if (comparison_.store() == store) {
+        menu.addAction(tr("End comparing"), &comparison_, &Comparison::end);
+    } else {
+        QAction* beside = menu.addAction(tr("Compare with %1").arg(name), this, [this, store] { comparison_.begin(store); });
+        beside->setEnabled(readable && !goesOn && !runs_.shown().isEmpty() && store != runs_.shown());
+    }
     menu.addSeparator();
     QAction* away = menu.addAction(tr("Remove %1…").arg(name), this, [this, store, name] {
         const auto answer = QMessageBox::question(this, tr("Remove run"),

@@ -1,16 +1,19 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The runs of the document: open, go on with, remove.
+// The runs of the document: open, go on with, compare, remove.
 #pragma once
 
 #include <QWidget>
 
 class QLabel;
+class QMenu;
+class QToolButton;
 class QTreeWidget;
 
 namespace keyblock {
 
+class Comparison;
 class Runs;
 class Themes;
 
@@ -18,17 +21,20 @@ class RunList : public QWidget {
     Q_OBJECT
 
 public:
-    RunList(const Themes& themes, Runs& runs, QWidget* parent = nullptr);
+    RunList(const Themes& themes, Runs& runs, Comparison& comparison, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {415, 214}; }
 
 private:
     void fill();
     void showMenu(const QPoint& at);
+    void fillCompareMenu(QMenu& menu);
 
     const Themes& themes_;
     Runs& runs_;
+    Comparison& comparison_;
     QLabel* stale_;
+    QToolButton* compare_;
     QTreeWidget* list_;
 };
 

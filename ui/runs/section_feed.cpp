@@ -31,9 +31,10 @@ struct SectionFeed::Ranges {
     std::optional<std::pair<int, long>> newest;  // stage and step of the last frame that was added
     std::optional<SectionLegends> legends;
 
-    Ranges(std::shared_ptr<const LiveRun> of, const SectionRequest& request)
+    /// \param scene whose limits count
+    Ranges(std::shared_ptr<const LiveRun> of, const Scene& scene, const SectionRequest& request)
         : run(std::move(of)), blocks(request.blocks), bolts(request.bolts), contacts(request.contacts),
-          ranges(run->scene(), request) {}
+          ranges(scene, request) {}
 
     bool fits(const std::shared_ptr<LiveRun>& other, const SectionRequest& request) const {
         return run == other && blocks == request.blocks && bolts == request.bolts && contacts == request.contacts;
@@ -43,11 +44,24 @@ struct SectionFeed::Ranges {
         const std::pair at{frame.stage, frame.step};
         if (newest && at <= *newest) return;
         newest = at;
+        widen(frame);
+    }
+
+    void widen(const Frame& frame) {
         ranges.add(frame);
         const std::size_t most = std::clamp(mostValues / std::max<std::size_t>(1, frame.blocks.size()), fewestFrames,
                                             mostFrames);
         if (ranges.frames() > most) ranges.dropEverySecond();
         legends.reset();
+    }
+
+    /// All frames that a store holds, or some evenly over all, until the job is overtaken.
+    void addStored(const LiveRun& of, std::size_t count, const Background& job) {
+        const std::size_t read = std::min(count, mostRead);
+        for (std::size_t i = 0; i < read && !job.isOvertaken(); ++i) {
+            const Frame frame = of.frame(read == 1 ? 0 : i * (count - 1) / (read - 1));
+            &of == run.get() ? add(frame) : widen(frame);
+        }
     }
 
     const SectionLegends& current() {
@@ -83,8 +97,10 @@ bool SectionFeed::showsResults() const { return results_ && cursor_.hasMoment();
 void SectionFeed::runChanged() {
     if (cursor_.run()) results_ = true;
     goesOn_ = cursor_.goesOn();
+    other_.reset();
     ranges_.reset();
     picture_.reset();
+    frame_.reset();
     make();
 }
 
@@ -117,21 +133,22 @@ void SectionFeed::make() {
     if (!showsResults()) return;
     const SectionRequest wanted = request();
     if (!ranges_ || !ranges_->fits(cursor_.run(), wanted)) {
-        ranges_ = std::make_shared<Ranges>(cursor_.run(), wanted);
+        ranges_ = emptyRanges();
         gatherRanges();
     }
     painting_.ask([this, wanted, moment = cursor_.moment(), ranges = ranges_,
                    ribbon = settings_.choice().ribbon]() -> Background::Result {
         try {
             SectionRequest full = wanted;
-            ranges->add(*moment->sharedFrame());
+            const std::shared_ptr<const Frame> frame = moment->sharedFrame();
+            ranges->add(*frame);
             const SectionLegends& legends = ranges->current();
             full.legends = &legends;
             if (legends.bolts) full.ribbonScale = legends.bolts->range.high;
             auto picture = std::make_shared<SectionPicture>(sectionPicture(*moment, full));
             if (ribbon == RibbonOf::Nothing) picture->ribbon.reset();
-            return [this, picture, run = ranges->run] {
-                if (showsResults() && cursor_.run() == run) put(picture);
+            return [this, picture, frame, run = ranges->run] {
+                if (showsResults() && cursor_.run() == run) put(picture, frame);
             };
         } catch (const std::exception& error) {
             return [this, text = QString::fromStdString(error.what())] { Q_EMIT failed(text); };
@@ -139,20 +156,34 @@ void SectionFeed::make() {
     });
 }
 
-/// Values of the frames that a store holds already, read beside the painting.
+std::shared_ptr<SectionFeed::Ranges> SectionFeed::emptyRanges() const {
+    const Scene& scene = other_ && !leads_ ? other_->scene() : cursor_.run()->scene();
+    return std::make_shared<Ranges>(cursor_.run(), scene, request());
+}
+
+void SectionFeed::shareRanges(std::shared_ptr<const LiveRun> other, bool leads) {
+    other_ = std::move(other);
+    leads_ = leads;
+    ranges_.reset();
+    make();
+}
+
+/// Values of the frames that a store holds already, read beside the painting. Two runs that share their ranges are read
+/// in the same order, so that both find the same.
 void SectionFeed::gatherRanges() {
-    const std::size_t count = cursor_.run()->frames().size();
-    if (count < 2) return;
-    auto ranges = std::make_shared<Ranges>(cursor_.run(), request());
-    gathering_.ask([this, ranges, count]() -> Background::Result {
+    const std::size_t count = cursor_.run()->frames().size(), others = other_ ? other_->frames().size() : 0;
+    if (count + others < 2) return;
+    gathering_.ask([this, ranges = emptyRanges(), count, other = other_, others, leads = leads_]() -> Background::Result {
         try {
-            const std::size_t read = std::min(count, mostRead);
-            for (std::size_t i = 0; i < read && !gathering_.isOvertaken(); ++i)
-                ranges->add(ranges->run->frame(read == 1 ? 0 : i * (count - 1) / (read - 1)));
+            if (other && !leads) ranges->addStored(*other, others, gathering_);
+            ranges->addStored(*ranges->run, count, gathering_);
+            if (other && leads) ranges->addStored(*other, others, gathering_);
         } catch (const std::exception&) {
             // Painting tells of a store that cannot be read; the ranges are of what could.
         }
-        return [this, ranges] { takeRanges(ranges); };
+        return [this, ranges, other] {
+            if (other == other_) takeRanges(ranges);
+        };
     });
 }
 
@@ -162,9 +193,10 @@ void SectionFeed::takeRanges(std::shared_ptr<Ranges> ranges) {
     make();
 }
 
-void SectionFeed::put(std::shared_ptr<const SectionPicture> picture) {
+void SectionFeed::put(std::shared_ptr<const SectionPicture> picture, std::shared_ptr<const Frame> frame) {
     if (picture == picture_) return;
     picture_ = std::move(picture);
+    frame_ = std::move(frame);
     Q_EMIT pictureChanged();
 }
 

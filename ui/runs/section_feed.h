@@ -32,8 +32,14 @@ public:
     void showResults(bool results);
     bool showsResults() const;
 
+    /// Ranges over this run and another that stands beside it, alike in both; null: over this one alone. One of the two
+    /// leads: limits of the steel and round-off are those of its scene.
+    void shareRanges(std::shared_ptr<const LiveRun> other, bool leads);
+
     /// The newest picture of results; null before the first.
     const std::shared_ptr<const SectionPicture>& picture() const { return picture_; }
+    /// The frame that it is of.
+    const std::shared_ptr<const Frame>& frame() const { return frame_; }
 
 Q_SIGNALS:
     void pictureChanged();
@@ -47,16 +53,20 @@ private:
     void runEnded();
     void make();
     void gatherRanges();
+    std::shared_ptr<Ranges> emptyRanges() const;
     void takeRanges(std::shared_ptr<Ranges> ranges);
     SectionRequest request() const;
-    void put(std::shared_ptr<const SectionPicture> picture);
+    void put(std::shared_ptr<const SectionPicture> picture, std::shared_ptr<const Frame> frame);
 
     const BoltChoice& choice_;
     TimeCursor& cursor_;
     ViewSettings& settings_;
     bool results_ = true, showed_ = false, goesOn_ = false;
     std::shared_ptr<Ranges> ranges_;  // of the run and the quantities shown
+    std::shared_ptr<const LiveRun> other_;  // whose ranges are shared
+    bool leads_ = true;
     std::shared_ptr<const SectionPicture> picture_;
+    std::shared_ptr<const Frame> frame_;
     Background painting_, gathering_;
 };
 

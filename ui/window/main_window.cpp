@@ -25,6 +25,7 @@
 #include "ui/window/panel_runs.h"
 #include "ui/window/place_panels.h"
 #include "ui/window/place_tools.h"
+#include "ui/window/probe_binding.h"
 #include "ui/window/run_area.h"
 #include "ui/window/start_binding.h"
 #include "ui/window/status_line.h"
@@ -33,6 +34,7 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QMenuBar>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -128,7 +130,9 @@ void MainWindow::placeBars() {
 
 void MainWindow::placeCanvas() {
     auto* desk = new ToolDesk(*canvas_, *document_, *selection_, *visibility_, *display_, themes_, *commands_, this);
-    runs_->place(placeTools({*this, *desk, *canvas_, *drawing_, *workflow_, *commands_, themes_}));
+    const CanvasPlaces places = placeTools({*this, *desk, *canvas_, *drawing_, *workflow_, *commands_, themes_});
+    runs_->place(places.column, places.row);
+    connect(desk, &ToolDesk::chosen, &runs_->probe(), &ProbeBinding::end);
     new StatusLine(*statusBar(), *document_, *canvas_, *display_);
 }
 

@@ -19,7 +19,7 @@
 
 namespace keyblock {
 
-QVBoxLayout& placeTools(const ToolNeeds& needs) {
+CanvasPlaces placeTools(const ToolNeeds& needs) {
     auto* middle = new QWidget(&needs.window);
     middle->setObjectName("drawing");
     auto* row = new QHBoxLayout(middle);
@@ -30,7 +30,10 @@ QVBoxLayout& placeTools(const ToolNeeds& needs) {
     column->setSpacing(0);
     row->addLayout(column, 1);
     column->addWidget(&needs.desk.bar());
-    column->addWidget(&needs.canvas, 1);
+    auto* beside = new QHBoxLayout;
+    beside->setSpacing(1);
+    column->addLayout(beside, 1);
+    beside->addWidget(&needs.canvas, 1);
     needs.window.setCentralWidget(middle);
     needs.window.statusBar()->addWidget(new ModeLine(needs.commands, needs.themes, &needs.window));
     ToolDesk& desk = needs.desk;
@@ -38,7 +41,7 @@ QVBoxLayout& placeTools(const ToolNeeds& needs) {
     // Whoever takes a tool to draw while results are shown wants to see the drawing.
     QObject::connect(&desk, &ToolDesk::drawingAsked, &needs.workflow,
                      [&workflow = needs.workflow] { workflow.choose(WorkStep::Geometry); });
-    return *column;
+    return {*column, *beside};
 }
 
 }  // namespace keyblock

@@ -5,6 +5,7 @@
 // it, their switches at the foot; and tells them when results are looked at.
 #pragma once
 
+class QHBoxLayout;
 class QMainWindow;
 class QVBoxLayout;
 
@@ -27,8 +28,13 @@ struct ToolNeeds {
     const Themes& themes;
 };
 
-/// Makes the canvas with palette and bar the middle of the window. The column that holds bar and canvas comes back, for
-/// other bars.
-QVBoxLayout& placeTools(const ToolNeeds& needs);
+/// Where others stand round the canvas.
+struct CanvasPlaces {
+    QVBoxLayout& column;  // bars above it
+    QHBoxLayout& row;  // a second canvas beside it
+};
+
+/// Makes the canvas with palette and bar the middle of the window.
+CanvasPlaces placeTools(const ToolNeeds& needs);
 
 }  // namespace keyblock

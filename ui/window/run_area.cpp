@@ -17,15 +17,19 @@
 #include "ui/look/commands.h"
 #include "ui/look/theme.h"
 #include "ui/runs/bolt_choice.h"
+#include "ui/runs/comparison.h"
 #include "ui/runs/live_run.h"
+#include "ui/runs/pins.h"
 #include "ui/runs/run_commands.h"
 #include "ui/runs/run_session.h"
 #include "ui/runs/runs.h"
 #include "ui/runs/section_feed.h"
 #include "ui/runs/time_cursor.h"
 #include "ui/runs/view_settings.h"
+#include "ui/window/compare_area.h"
 #include "ui/window/dock.h"
 #include "ui/window/drawing_feed.h"
+#include "ui/window/probe_binding.h"
 #include "ui/window/workflow_bar.h"
 
 #include <QDockWidget>
@@ -45,9 +49,16 @@ RunArea::RunArea(const RunAreaParts& parts)
     : QObject(&parts.window), parts_(parts), cursor_(new TimeCursor(this)),
       choice_(new BoltChoice(parts.document, parts.selection, *cursor_, this)),
       runs_(new Runs(parts.document, *cursor_, this)), settings_(new ViewSettings(this)),
-      feed_(new SectionFeed(*choice_, *cursor_, *settings_, this)) {
+      feed_(new SectionFeed(*choice_, *cursor_, *settings_, this)), pins_(new Pins(*cursor_, this)),
+      comparison_(new Comparison(*cursor_, this)) {
     addRunCommands(parts.commands, *runs_);
     addTimeCommands(parts.commands, *cursor_);
+    probe_ = new ProbeBinding({parts.canvas, parts.commands, parts.document, parts.themes, *cursor_, *feed_, *settings_,
+                               *pins_},
+                              [this](const QString& message) { tell(message, false); }, this);
+    compare_ = new CompareArea({parts.window, parts.themes, parts.commands, parts.document, parts.selection, parts.canvas,
+                                *runs_, *comparison_, *feed_, *settings_},
+                               this);
     connect(feed_, &SectionFeed::modeChanged, this, &RunArea::showMode);
     connect(feed_, &SectionFeed::pictureChanged, this, &RunArea::showPicture);
     connect(choice_, &BoltChoice::changed, this, &RunArea::showSelection);
@@ -63,21 +74,24 @@ RunArea::RunArea(const RunAreaParts& parts)
 
 RunArea::~RunArea() = default;
 
-void RunArea::place(QVBoxLayout& aboveCanvas) {
+void RunArea::place(QVBoxLayout& aboveCanvas, QBoxLayout& besideCanvas) {
     bar_ = new ViewBar(parts_.themes, parts_.commands, *settings_, &parts_.window);
     aboveCanvas.insertWidget(0, bar_);
     bar_->setVisible(feed_->showsResults());
     parts_.workflow.addRight(new RunStatus(parts_.themes, parts_.commands, *runs_, &parts_.workflow));
-    placeDocks();
-    connect(runs_, &Runs::told, this, [this](const QString& message, bool isError) {
-        log_->tell(message, isError);
-        parts_.window.statusBar()->showMessage(message, messageTime);
-    });
+    placeDocks(besideCanvas);
+    connect(runs_, &Runs::told, this, &RunArea::tell);
+    connect(comparison_, &Comparison::failed, this, [this](const QString& message) { tell(message, true); });
     connect(feed_, &SectionFeed::failed, this, [this](const QString& message) { log_->tell(message, true); });
     showMode();
 }
 
-void RunArea::placeDocks() {
+void RunArea::tell(const QString& message, bool isError) {
+    log_->tell(message, isError);
+    parts_.window.statusBar()->showMessage(message, messageTime);
+}
+
+void RunArea::placeDocks(QBoxLayout& besideCanvas) {
     QMainWindow& window = parts_.window;
     const Themes& themes = parts_.themes;
     auto* line = new TimeLine(themes, parts_.commands, *cursor_, *choice_, &window);
@@ -91,13 +105,15 @@ void RunArea::placeDocks() {
         const QString shown = bolt->title();
         strip->setWindowTitle(shown.isEmpty() ? tr("Bolt strip") : tr("Bolt strip   %1").arg(shown));
     });
-    QDockWidget* curves =
-        makeDock(window, themes, "curvesDock", tr("Curves"), new Curves(themes, *cursor_, CurveKind::All, &window));
+    auto* allCurves = new Curves(themes, *cursor_, CurveKind::All, pins_, &window);
+    auto* energies = new Curves(themes, *cursor_, CurveKind::Energies, nullptr, &window);
+    QDockWidget* curves = makeDock(window, themes, "curvesDock", tr("Curves"), allCurves);
     QDockWidget* health = makeDock(window, themes, "healthDock", tr("Health"), health_);
     eventsDock_ = makeDock(window, themes, "eventsDock", tr("Events"), events_);
-    QDockWidget* energy =
-        makeDock(window, themes, "energyDock", tr("Energy"), new Curves(themes, *cursor_, CurveKind::Energies, &window));
-    QDockWidget* list = makeDock(window, themes, "runsDock", tr("Runs"), new RunList(themes, *runs_, &window));
+    QDockWidget* energy = makeDock(window, themes, "energyDock", tr("Energy"), energies);
+    compare_->place(besideCanvas, *allCurves, *energies);
+    QDockWidget* list =
+        makeDock(window, themes, "runsDock", tr("Runs"), new RunList(themes, *runs_, *comparison_, &window));
     QDockWidget* log = makeDock(window, themes, "logDock", tr("Log"), log_);
     for (QDockWidget* dock : {time, strip, curves, health, eventsDock_, energy, list, log})
         window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // where, is for the layouts to say

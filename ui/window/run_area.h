@@ -10,6 +10,7 @@
 
 #include <QObject>
 
+class QBoxLayout;
 class QDockWidget;
 class QMainWindow;
 class QVBoxLayout;
@@ -19,10 +20,14 @@ namespace keyblock {
 class BoltChoice;
 class Canvas;
 class Commands;
+class CompareArea;
+class Comparison;
 class Document;
 class DrawingFeed;
 class EventsList;
 class HealthStrip;
+class Pins;
+class ProbeBinding;
 class RunLog;
 class Runs;
 class SectionFeed;
@@ -54,7 +59,8 @@ public:
     ~RunArea() override;
 
     /// Puts the docks at the foot of the window and the bar into the column that holds the canvas, above it.
-    void place(QVBoxLayout& aboveCanvas);
+    /// A second canvas comes into the row, beside the first.
+    void place(QVBoxLayout& aboveCanvas, QBoxLayout& besideCanvas);
 
     /// States of the last two steps of the work.
     void addTo(WorkStates& states) const;
@@ -63,19 +69,21 @@ public:
     TimeCursor& cursor() { return *cursor_; }
     const BoltChoice& choice() const { return *choice_; }
     ViewSettings& settings() { return *settings_; }
+    ProbeBinding& probe() { return *probe_; }
 
 Q_SIGNALS:
     void statesChanged();
     void modeChanged(bool results);
 
 private:
-    void placeDocks();
+    void placeDocks(QBoxLayout& besideCanvas);
     void showMode();
     void showPicture();
     void showSelection();
     void followTabs(WorkStep step);
     void askBlock(int block, const QString& why);
     void nameTabs();
+    void tell(const QString& message, bool isError);
 
     RunAreaParts parts_;
     TimeCursor* cursor_;
@@ -83,6 +91,10 @@ private:
     Runs* runs_;
     ViewSettings* settings_;
     SectionFeed* feed_;
+    Pins* pins_;
+    ProbeBinding* probe_;
+    Comparison* comparison_;
+    CompareArea* compare_;
     int asked_ = -1;  // block that is outlined
     ViewBar* bar_ = nullptr;
     HealthStrip* health_ = nullptr;

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The dock of curves: what was pinned is shown and goes by its cross, any number
+// stands over any other, and a second run's curves stand beside, drawn broken. The bar
+// of the view shows one kind of arrows at a time.
+#include "ui/docks/curves.h"
+
+#include "tests/scratch_folder.h"
+#include "tests/ui/runs/stored_run.h"
+#include "tests/ui/screen/screen.h"
+#include "ui/docks/chart_view.h"
+#include "ui/docks/view_bar.h"
+#include "ui/look/commands.h"
+#include "ui/look/theme.h"
+#include "ui/runs/pins.h"
+#include "ui/runs/time_cursor.h"
+#include "ui/runs/view_settings.h"
+
+#include <QComboBox>
+#include <QTest>
+#include <QToolButton>
+
+namespace keyblock {
+namespace {
+
+class CurvesTest : public ::testing::Test {
+protected:
+    void SetUp() override { NEED_SCREEN(); }
+
+    void choose(Curves& curves, const char* box, const QString& text) {
+        auto* choice = curves.findChild<QComboBox*>(box);
+        ASSERT_TRUE(choice);
+        const int index = choice->findText(text);
+        ASSERT_GE(index, 0) << text.toStdString();
+        choice->setCurrentIndex(index);
+        Q_EMIT choice->activated(index);
+    }
+
+    std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
+    test::ScratchFolder folder_;
+};
+
+Pin sliderPin(const LiveRun& run) {
+    SectionRequest request;
+    request.frame = 0;
+    const auto picture = std::make_shared<const SectionPicture>(sectionPicture(run, request));
+    const Point place = *run.scene().monitors.front().point;
+    return pinAt(*picture, *PickIndex(picture).at(place, 0.01), place, findQuantity(blockQuantities(), "velocity"),
+                 nullptr);
+}
+
+TEST_F(CurvesTest, WhatIsPinnedIsShownUntilItsCrossIsClicked) {
+    Themes themes;
+    TimeCursor cursor;
+    Pins pins(cursor);
+    Curves curves(themes, cursor, CurveKind::All, &pins);
+    auto* view = curves.findChild<ChartView*>("chart");
+    auto* choice = curves.findChild<QComboBox*>("curveChoice");
+    curves.resize(500, 240);
+    curves.show();
+    const auto run = test::slidingRun(path("a.kbrun"), 0.3);
+    cursor.setRun(run, false);
+    EXPECT_FALSE(curves.findChild<QWidget*>("pinLegend")->isVisible());
+    const QString before = choice->currentText();
+    pins.add(sliderPin(*run));
+    ASSERT_TRUE(waitFor([&] { return choice->currentText().startsWith("Pins: Velocity"); }));
+    ASSERT_TRUE(waitFor([&] { return pins.isComplete() && view->chart().has_value(); }));
+    ASSERT_TRUE(waitFor([&] {
+        const ChartCurve& curve = view->chart()->panels[0].curves[0];
+        return curve.name == "1 Block slider" && curve.x.size() == run->frames().size();
+    }));
+    auto* chip = curves.findChild<QToolButton*>("pin1");
+    ASSERT_TRUE(chip && chip->isVisible());
+    EXPECT_TRUE(chip->accessibleName().contains("Unpin 1 Block slider"));
+    QTest::mouseClick(chip, Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return pins.tracks().empty(); }));
+    EXPECT_TRUE(waitFor([&] { return choice->currentText() == before; }));
+    EXPECT_FALSE(curves.findChild<QWidget*>("pinLegend")->isVisible());
+}
+
+TEST_F(CurvesTest, AnyNumberStandsOverAnyOtherAndBesideThatOfAnotherRun) {
+    Themes themes;
+    TimeCursor cursor;
+    Pins pins(cursor);
+    Curves curves(themes, cursor, CurveKind::All, &pins);
+    auto* view = curves.findChild<ChartView*>("chart");
+    curves.resize(600, 240);
+    curves.show();
+    const auto run = test::slidingRun(path("a.kbrun"), 0.3);
+    cursor.setRun(run, false);
+    choose(curves, "curveChoice", "Any quantity over any other");
+    EXPECT_TRUE(curves.findChild<QWidget*>("axisChoice")->isVisible());
+    ASSERT_TRUE(view->chart());
+    EXPECT_TRUE(view->chart()->overTime);
+    choose(curves, "curveX", QString::fromUtf8("slider · ux"));
+    choose(curves, "curveY", QString::fromUtf8("energy · kinetic"));
+    ASSERT_TRUE(view->chart());
+    EXPECT_EQ(view->chart()->xTitle, "slider.ux (mm)");
+    EXPECT_TRUE(view->chart()->panels[0].title.starts_with("Energy"));
+    EXPECT_EQ(view->chart()->panels[0].curves[0].x.size(), run->frames().size());
+    Q_EMIT view->picked(view->chart()->panels[0].curves[0].x[4]);
+    EXPECT_EQ(cursor.frame(), 4u);
+    const auto other = test::slidingRun(path("b.kbrun"), 0.6);
+    const double alone = view->chart()->x.high;
+    curves.setOther(other, "Run 2");
+    ASSERT_EQ(view->chart()->panels[0].curves.size(), 2u);
+    EXPECT_TRUE(view->chart()->panels[0].curves[1].ofOther);
+    EXPECT_GT(view->chart()->x.high, alone);
+    curves.setOther(nullptr, {});
+    EXPECT_EQ(view->chart()->panels[0].curves.size(), 1u);
+    cursor.setRun(nullptr, false);
+    curves.setOther(other, "Run 2");  // without a first run nothing is drawn
+    EXPECT_FALSE(view->chart());
+}
+
+TEST_F(CurvesTest, ArrowsAreOfOneKindAtATime) {
+    Themes themes;
+    Commands commands(themes);
+    ViewSettings settings;
+    ViewBar bar(themes, commands, settings);
+    bar.resize(1200, 36);
+    bar.show();
+    const auto click = [&](const char* name) { QTest::mouseClick(bar.findChild<QToolButton*>(name), Qt::LeftButton); };
+    click("viewVelocities");
+    EXPECT_EQ(settings.choice().arrows, ArrowKind::Velocities);
+    click("viewCrosses");
+    EXPECT_EQ(settings.choice().arrows, ArrowKind::StressCrosses);
+    EXPECT_FALSE(bar.findChild<QToolButton*>("viewVelocities")->isChecked());
+    click("viewContacts");
+    EXPECT_EQ(settings.choice().arrows, ArrowKind::StressCrosses);
+    EXPECT_TRUE(settings.choice().contacts);
+    click("viewCrosses");
+    EXPECT_FALSE(settings.choice().arrows);
+}
+
+}  // namespace
+}  // namespace keyblock

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A sample that was run into a store, for what reads its frames.
+#pragma once
+
+#include "solver/files/run_store_writer.h"
+#include "solver/files/scene_file.h"
+#include "solver/run/run.h"
+#include "ui/runs/live_run.h"
+
+#include <gtest/gtest.h>
+
+namespace keyblock::test {
+
+/// The sample slides for so long [s], with a frame every tenth of it.
+inline std::shared_ptr<LiveRun> slidingRun(const std::filesystem::path& store, double duration) {
+    SceneReading reading = readSceneFile(std::filesystem::path(KEYBLOCK_SAMPLES_DIR) / "incline.json");
+    EXPECT_TRUE(reading.scene);
+    reading.scene->stages.front().duration = duration;
+    reading.scene->output.every = 0.1 * duration;
+    RunStoreWriter writer(store, false);
+    Control control;
+    run(*reading.scene, writer, control);
+    writer.close();
+    return LiveRun::opened(store);
+}
+
+}  // namespace keyblock::test

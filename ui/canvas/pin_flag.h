@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A small numbered flag whose pole stands on what is pinned.
+#pragma once
+
+#include <QPointF>
+#include <QRectF>
+
+class QPainter;
+
+namespace keyblock {
+
+struct Theme;
+
+/// The flag and its pole [px].
+QRectF pinFlagRect(const QPointF& foot, int number);
+void paintPinFlag(QPainter& painter, const Theme& theme, const QPointF& foot, int number);
+
+}  // namespace keyblock

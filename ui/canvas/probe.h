@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The probe: while it is on, what is under the mouse is told beside it, and a click
+// pins it. Pins stand as small numbered flags above the section, whether the probe is
+// on or not, and move with what they are pinned to.
+#pragma once
+
+#include "ui/canvas/canvas_tool.h"
+#include "ui/picture/pins.h"
+#include "ui/picture/probe.h"
+
+#include <QObject>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace keyblock {
+
+class Canvas;
+class Themes;
+
+class Probe : public QObject, public CanvasTool {
+    Q_OBJECT
+
+public:
+    /// What the section tells of a pick; nothing where it shows no results.
+    using Reading = std::function<std::optional<ProbeReading>(const Pick&)>;
+
+    Probe(Canvas& canvas, const Themes& themes, Reading reading, QObject* parent = nullptr);
+    ~Probe() override;
+
+    void setOn(bool on);
+    bool isOn() const { return on_; }
+    void setPins(std::vector<Pin> pins);
+
+    void press(const CanvasEvent& event) override;
+    void move(const CanvasEvent& event) override;
+    void leave() override;
+    void paint(QPainter& painter, const CanvasMap& map) const override;
+    QCursor cursor() const override { return Qt::CrossCursor; }
+
+Q_SIGNALS:
+    void switched(bool on);
+    void pinned(const keyblock::Pick& pick, const keyblock::Point& place);
+    void unpinAsked(int number);
+    void unpinAllAsked();
+    void keepAsked(int number);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    /// Painted below whatever tool is at work.
+    class Flags : public CanvasOverlay {
+    public:
+        explicit Flags(const Probe& probe) : probe_(probe) {}
+        void paint(QPainter& painter, const CanvasMap& map) const override;
+
+    private:
+        const Probe& probe_;
+    };
+
+    const Pin* pinUnder(const QPointF& pixel) const;
+    void showMenu(const Pin& pin, const QPoint& global);
+
+    Canvas& canvas_;
+    const Themes& themes_;
+    Reading reading_;
+    CanvasTool* before_ = nullptr;  // the tool that comes back
+    bool on_ = false;
+    std::optional<QPointF> mouse_;  // over the canvas
+    std::vector<Pin> pins_;
+    Flags flags_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/curve_entries.h"
+
+#include "ui/picture/history_charts.h"
+#include "ui/picture/history_series.h"
+#include "ui/picture/series_chart.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace keyblock {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Curves", text); }
+
+/// The first curve whole: where there was no number it lies in pieces.
+void addPieces(CurveEntry& entry, const ChartPanel& panel) {
+    for (const ChartCurve& piece : panel.curves) {
+        if (piece.style != panel.curves.front().style) break;
+        entry.x.insert(entry.x.end(), piece.x.begin(), piece.x.end());
+        entry.y.insert(entry.y.end(), piece.y.begin(), piece.y.end());
+    }
+}
+
+CurveEntry entryOf(const Chart& chart, const ChartPanel& panel, const QString& name) {
+    CurveEntry entry;
+    entry.name = name;
+    entry.chart = chart;
+    entry.chart.panels = {panel};
+    addPieces(entry, panel);
+    return entry;
+}
+
+std::vector<double> valuesOf(const RunSource& run, const Series& series, bool ofFrames) {
+    return ofFrames ? keyblock::valuesOf(series, run.history(), run.frames()) : keyblock::valuesOf(series, run.history());
+}
+
+}  // namespace
+
+CurveEntries curveEntries(const RunSource& run, CurveKind kind) {
+    const HistoryCharts charts = historyCharts(run, std::nullopt);
+    CurveEntries found{{}, QString::fromStdString(charts.problem)};
+    for (const Chart& chart : charts.charts)
+        for (const ChartPanel& panel : chart.panels) {
+            if (panel.curves.empty() || (kind == CurveKind::Energies) != panel.title.starts_with("Energy")) continue;
+            QString name = QString::fromStdString(panel.title);
+            if (!chart.overTime) name = tr("%1 over %2").arg(name, QString::fromStdString(chart.xTitle));
+            found.entries.push_back(entryOf(chart, panel, name));
+        }
+    return found;
+}
+
+CurveEntries curveOver(const RunSource& run, const std::string& y, const std::string& x) {
+    const HistoryCharts charts = historyCharts(run, x.empty() ? y : y + " over " + x);
+    CurveEntries found{{}, QString::fromStdString(charts.problem)};
+    if (charts.charts.empty()) return found;
+    const Chart& chart = charts.charts.front();
+    CurveEntry entry = entryOf(chart, chart.panels.front(), {});
+    if (!x.empty()) {
+        const std::vector<Series> all = allSeries(run);
+        const auto find = [&](const std::string& name) {
+            return std::find_if(all.begin(), all.end(), [&](const Series& series) { return series.name == name; });
+        };
+        const auto of = find(y), over = find(x);
+        if (of != all.end() && over != all.end()) {
+            entry.ofFrames = of->energy || over->energy;
+            entry.x = valuesOf(run, *over, entry.ofFrames);
+            entry.y = valuesOf(run, *of, entry.ofFrames);
+        }
+    }
+    found.entries.push_back(std::move(entry));
+    return found;
+}
+
+QString pinEntryName(const Pin& pin) { return tr("Pins: %1").arg(QString::fromStdString(titleOf(pin))); }
+
+std::vector<CurveEntry> pinEntries(const RunSource& run, const std::vector<std::shared_ptr<const PinTrack>>& tracks) {
+    std::vector<CurveEntry> entries;
+    for (const Chart& chart : pinCharts(run, tracks)) {
+        const QString title = QString::fromStdString(chart.panels.front().title);
+        const auto same = std::count_if(entries.begin(), entries.end(), [&](const CurveEntry& entry) {
+            return entry.chart.panels.front().title == chart.panels.front().title;
+        });
+        const QString name = same > 0 ? tr("Pins %1: %2").arg(same + 1).arg(title) : tr("Pins: %1").arg(title);
+        entries.push_back(entryOf(chart, chart.panels.front(), name));
+    }
+    return entries;
+}
+
+void addOther(CurveEntry& shown, const CurveEntry& other, const QString& name) {
+    ChartPanel& panel = shown.chart.panels.front();
+    for (ChartCurve curve : other.chart.panels.front().curves) {
+        curve.ofOther = true;
+        if (!curve.name.empty()) curve.name += " (" + name.toStdString() + ")";
+        panel.curves.push_back(std::move(curve));
+    }
+    ValueRange& x = shown.chart.x;
+    x = {std::min(x.low, other.chart.x.low), std::max(x.high, other.chart.x.high)};
+    panel.range = {0.0, 0.0};
+    for (const ChartLimit& limit : other.chart.panels.front().limits)
+        if (panel.limits.empty()) panel.limits.push_back(limit);
+    fitRange(panel);
+}
+
+}  // namespace keyblock

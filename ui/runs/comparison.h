@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A second run, of this scene or of another, that is looked at beside the one that is
+// shown: its own cursor follows the first by time. Without a second run nothing of
+// it is there but this.
+#pragma once
+
+#include "ui/runs/background.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+
+namespace keyblock {
+
+class LiveRun;
+class TimeCursor;
+
+class Comparison : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Comparison(TimeCursor& first, QObject* parent = nullptr);
+    ~Comparison() override;
+
+    /// Reads the store in the background and puts its run beside the first.
+    void begin(const QString& store);
+    void end();
+    bool isOn() const;
+
+    TimeCursor& first() const { return first_; }
+    TimeCursor& second() const { return *second_; }
+    /// Path of the second run's store; empty: none.
+    QString store() const;
+
+Q_SIGNALS:
+    void changed();  // another second run, or none
+    void failed(const QString& message);
+
+private:
+    void follow();
+
+    TimeCursor& first_;
+    TimeCursor* second_;
+    Background opening_;
+    int asked_ = 0;  // so that what was ended meanwhile does not begin
+};
+
+/// "Run 2 · drift-bolted" for drift-bolted-2.kbrun.
+QString runTitle(const QString& store);
+
+}  // namespace keyblock

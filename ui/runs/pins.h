@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Places that a person pinned on the section, with their values over the run. They
+// belong to the view, not to the scene. Frames are read in the background, each once;
+// without pins nothing is read.
+#pragma once
+
+#include "ui/picture/pins.h"
+#include "ui/runs/background.h"
+
+#include <QObject>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+class LiveRun;
+class TimeCursor;
+
+class Pins : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Pins(const TimeCursor& cursor, QObject* parent = nullptr);
+    ~Pins() override;
+
+    /// In the order in which they were pinned.
+    const std::vector<std::shared_ptr<const PinTrack>>& tracks() const { return tracks_; }
+    std::vector<Pin> pins() const;
+
+    /// Pins it under the smallest number that is free, and returns that.
+    int add(Pin pin);
+    void remove(int number);
+    void clear();
+    /// All frames that the run has are in the curves.
+    bool isComplete() const;
+
+Q_SIGNALS:
+    void changed();  // other pins
+    void grew();  // more of their values
+    void failed(const QString& message);  // a frame could not be read
+
+private:
+    void runChanged();
+    void read();
+    void take(const std::vector<std::shared_ptr<const PinTrack>>& grown);
+    std::size_t framesRead() const;
+
+    const TimeCursor& cursor_;
+    std::vector<std::shared_ptr<const PinTrack>> tracks_;
+    std::shared_ptr<const LiveRun> run_;
+    bool reading_ = false;
+    Background reader_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/compare_area.h"
+
+#include "ui/canvas/canvas.h"
+#include "ui/canvas/canvas_caption.h"
+#include "ui/docks/curves.h"
+#include "ui/look/commands.h"
+#include "ui/runs/bolt_choice.h"
+#include "ui/runs/comparison.h"
+#include "ui/runs/live_run.h"
+#include "ui/runs/runs.h"
+#include "ui/runs/section_feed.h"
+#include "ui/runs/time_cursor.h"
+#include "ui/runs/view_settings.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace keyblock {
+
+struct CompareArea::Second {
+    Second(const CompareNeeds& needs)
+        : choice(needs.document, needs.selection, needs.comparison.second()),
+          feed(choice, needs.comparison.second(), needs.settings), canvas(new Canvas(needs.themes)),
+          caption(new CanvasCaption(*canvas, needs.themes, true)),
+          firstCaption(new CanvasCaption(needs.canvas, needs.themes, false)) {
+        canvas->setObjectName("secondCanvas");
+        canvas->setAccessibleName(CompareArea::tr("Section of the second run"));
+        canvas->setDrawing(false);
+        canvas->setLegend(false);  // that of the first is of both
+    }
+    ~Second() {
+        delete firstCaption;
+        delete canvas;
+    }
+    Second(const Second&) = delete;
+    Second& operator=(const Second&) = delete;
+
+    BoltChoice choice;
+    SectionFeed feed;
+    Canvas* canvas;
+    CanvasCaption *caption, *firstCaption;
+};
+
+CompareArea::CompareArea(const CompareNeeds& needs, QObject* parent) : QObject(parent), needs_(needs) {
+    QAction* action = needs.commands.add(
+        {"run.compare", tr("Compare runs"), "Results", "compare",
+         tr("Put a second run beside the one shown, with the same camera and time; once more takes it away"),
+         {QKeySequence("Shift+C")}, true},
+        [this] { beginOrEnd(); });
+    const auto enable = [this, action] {
+        action->setChecked(needs_.comparison.isOn());
+        action->setEnabled(needs_.feed.showsResults() || needs_.comparison.isOn());
+    };
+    connect(&needs.comparison, &Comparison::changed, this, [this, enable] {
+        show();
+        enable();
+    });
+    connect(&needs.feed, &SectionFeed::modeChanged, this, [this, enable] {
+        show();
+        enable();
+    });
+    connect(&needs.runs, &Runs::shownChanged, this, &CompareArea::show);
+    enable();
+}
+
+CompareArea::~CompareArea() = default;
+
+void CompareArea::place(QBoxLayout& besideCanvas, Curves& curves, Curves& energies) {
+    row_ = &besideCanvas;
+    curves_ = &curves;
+    energies_ = &energies;
+}
+
+/// The newest other run that can be read; where there is none, a person points at one.
+void CompareArea::beginOrEnd() {
+    needs_.commands.action("run.compare")->setChecked(needs_.comparison.isOn());
+    if (needs_.comparison.isOn()) return needs_.comparison.end();
+    const QString shown = needs_.runs.shown();
+    for (const RunEntry& entry : needs_.runs.entries())
+        if (entry.path != shown && entry.summary && !entry.goesOn) return needs_.comparison.begin(entry.path);
+    const QString path = QFileDialog::getOpenFileName(&needs_.window, tr("Run to compare with"),
+                                                      QFileInfo(shown).absolutePath(), tr("Runs (*.kbrun)"));
+    if (!path.isEmpty()) needs_.comparison.begin(path);
+}
+
+/// Results of both while both are there.
+void CompareArea::show() {
+    const bool on = needs_.comparison.isOn() && needs_.feed.showsResults() && row_;
+    if (!on) return end();
+    if (!second_) showSecond();
+    const auto first = needs_.comparison.first().run(), second = needs_.comparison.second().run();
+    const QString title = runTitle(needs_.comparison.store());
+    second_->caption->setText(title);
+    second_->firstCaption->setText(runTitle(needs_.runs.shown()));
+    needs_.feed.shareRanges(second, true);
+    second_->feed.shareRanges(first, false);
+    for (Curves* curves : {curves_, energies_}) curves->setOther(second, title);
+}
+
+void CompareArea::showSecond() {
+    second_ = std::make_unique<Second>(needs_);
+    Canvas& canvas = *second_->canvas;
+    row_->addWidget(&canvas, 1);
+    connect(second_->caption, &CanvasCaption::closed, &needs_.comparison, &Comparison::end,
+            Qt::QueuedConnection);  // it takes the caption away
+    connect(&second_->feed, &SectionFeed::pictureChanged, &canvas, [this, &canvas] {
+        canvas.show(second_->feed.picture());
+        canvas.lookAs(needs_.canvas.map());
+    });
+    const auto select = [this, &canvas] {
+        const int bolt = second_->choice.bolt();
+        canvas.setSelectedBolts(bolt >= 0 ? std::vector<int>{bolt} : std::vector<int>{});
+    };
+    connect(&second_->choice, &BoltChoice::changed, &canvas, select);
+    connect(&needs_.canvas, &Canvas::viewChanged, &canvas, [this, &canvas] { canvas.lookAs(needs_.canvas.map()); });
+    connect(&canvas, &Canvas::viewChanged, &needs_.canvas, [this, &canvas] {
+        if (canvas.picture()) needs_.canvas.lookAs(canvas.map());
+    });
+    connect(&canvas, &Canvas::spaceTapped, &needs_.canvas, &Canvas::spaceTapped);
+    canvas.QWidget::show();
+    select();
+    zoomLater(0.5);
+}
+
+/// Half as wide, the canvas shows what it showed before.
+void CompareArea::zoomLater(double factor) {
+    QTimer::singleShot(0, &needs_.canvas, [&canvas = needs_.canvas, factor] {
+        canvas.zoomBy(factor, QPointF(0.5 * canvas.width(), 0.5 * canvas.height()));
+    });
+}
+
+void CompareArea::end() {
+    if (!second_) return;
+    second_.reset();
+    zoomLater(2.0);
+    needs_.feed.shareRanges(nullptr, true);
+    for (Curves* curves : {curves_, energies_}) curves->setOther(nullptr, {});
+}
+
+}  // namespace keyblock

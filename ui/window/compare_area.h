@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Two runs side by side: a second canvas with the same camera beside the first while a
+// comparison is on, captions that tell them apart, and the curves of both.
+#pragma once
+
+#include <QObject>
+
+#include <memory>
+
+class QBoxLayout;
+class QWidget;
+
+namespace keyblock {
+
+class Canvas;
+class Commands;
+class Comparison;
+class Curves;
+class Document;
+class Runs;
+class SectionFeed;
+class Selection;
+class Themes;
+class ViewSettings;
+
+struct CompareNeeds {
+    QWidget& window;
+    const Themes& themes;
+    Commands& commands;
+    Document& document;
+    Selection& selection;
+    Canvas& canvas;
+    Runs& runs;
+    Comparison& comparison;
+    SectionFeed& feed;
+    ViewSettings& settings;
+};
+
+class CompareArea : public QObject {
+    Q_OBJECT
+
+public:
+    /// Adds its command.
+    CompareArea(const CompareNeeds& needs, QObject* parent);
+    ~CompareArea() override;
+
+    /// Where the canvas stands, and the curves that show both.
+    void place(QBoxLayout& besideCanvas, Curves& curves, Curves& energies);
+
+private:
+    /// What is there only while two runs are shown.
+    struct Second;
+
+    void beginOrEnd();
+    void show();
+    void showSecond();
+    void end();
+    void zoomLater(double factor);
+
+    CompareNeeds needs_;
+    QBoxLayout* row_ = nullptr;
+    Curves *curves_ = nullptr, *energies_ = nullptr;
+    std::unique_ptr<Second> second_;
+};
+
+}  // namespace keyblock

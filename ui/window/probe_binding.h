@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Brings the probe of the canvas, the pins of the run and the scene together, under
+// the command that a person calls it by.
+#pragma once
+
+#include <QObject>
+
+#include <functional>
+
+namespace keyblock {
+
+class Canvas;
+class Commands;
+class Document;
+class Pins;
+class Probe;
+class SectionFeed;
+class Themes;
+class TimeCursor;
+class ViewSettings;
+
+struct ProbeNeeds {
+    Canvas& canvas;
+    Commands& commands;
+    Document& document;
+    const Themes& themes;
+    const TimeCursor& cursor;
+    const SectionFeed& feed;
+    const ViewSettings& settings;
+    Pins& pins;
+};
+
+class ProbeBinding : public QObject {
+    Q_OBJECT
+
+public:
+    /// Adds its command. \param tell says a sentence to the person.
+    ProbeBinding(const ProbeNeeds& needs, std::function<void(const QString&)> tell, QObject* parent);
+
+    /// Puts the probe down: another tool is taken, or results are no longer shown.
+    void end();
+
+private:
+    void keep(int number);
+
+    ProbeNeeds needs_;
+    std::function<void(const QString&)> tell_;
+    Probe* probe_;
+};
+
+}  // namespace keyblock
