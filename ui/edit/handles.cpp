@@ -7,7 +7,6 @@
 #include "solver/scene/pointer.h"
 #include "solver/scene/shapes.h"
 #include "ui/edit/locate.h"
-#include "ui/edit/names.h"
 #include "ui/edit/values.h"
 #include "ui/edit/wall.h"
 

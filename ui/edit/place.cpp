@@ -54,10 +54,7 @@ std::set<std::string> withPatterns(const Scene& scene, const std::vector<std::st
         for (std::size_t t = 0; t < scene.tunnels.size(); ++t)
             if (scene.tunnels[t].name == scene.boltPatterns[i].tunnel && all.contains(under("/tunnels", t)))
                 all.insert(under("/bolt_patterns", i));
-    std::erase_if(all, [&](const std::string& pointer) {
-        return std::any_of(all.begin(), all.end(),
-                           [&](const std::string& other) { return other != pointer && isWithin(pointer, other); });
-    });
+    std::erase_if(all, [&](const std::string& pointer) { return liesIn(all, parentOf(pointer)); });
     return all;
 }
 
@@ -108,22 +105,21 @@ public:
     Edit finish(const std::vector<std::string>& made) {
         if (made.empty()) return {std::move(edit_.scene), "There is nothing to copy."};
         if (!near_) return {std::move(edit_.scene), "The copy would lie too far away."};
-        nameEachOther(made);
+        const std::set<std::string> ours(made.begin(), made.end());
+        nameEachOther(ours);
         if (sameScene_) comeAndGoWithOriginals();
-        bringAlong(made);
+        bringAlong(ours);
         settleBoltTypes(edit_.scene);
         edit_.made = made.front();
         return std::move(edit_);
     }
 
 private:
-    void nameEachOther(const std::vector<std::string>& made) {
+    void nameEachOther(const std::set<std::string>& made) {
         std::vector<Reference> references = referencesOf(edit_.scene);
         for (auto at = references.rbegin(); at != references.rend(); ++at) {
-            const bool ours = std::any_of(made.begin(), made.end(),
-                                          [&](const std::string& copy) { return isWithin(at->pointer, copy); });
             const auto name = names_.find({listOf(at->kind), at->name()});
-            if (ours && name != names_.end()) at->text->replace(at->at, at->length, name->second);
+            if (liesIn(made, at->pointer) && name != names_.end()) at->text->replace(at->at, at->length, name->second);
         }
     }
 
@@ -140,14 +136,11 @@ private:
     }
 
     /// What the copies name and this scene lacks.
-    void bringAlong(const std::vector<std::string>& made) {
+    void bringAlong(const std::set<std::string>& made) {
         Scene& scene = edit_.scene;
         for (const Reference& reference : referencesOf(scene)) {
             const std::string name = reference.name();
-            const bool ours = std::any_of(made.begin(), made.end(), [&](const std::string& copy) {
-                return isWithin(reference.pointer, copy);
-            });
-            if (!ours) continue;
+            if (!liesIn(made, reference.pointer)) continue;
             const auto bring = [&](auto Scene::*map) {
                 const auto isIt = [&](const auto& entry) { return entry.first == name; };
                 const auto found = std::find_if((source_.*map).begin(), (source_.*map).end(), isIt);

@@ -28,6 +28,12 @@ std::string parentOf(std::string_view pointer) {
     return slash == std::string_view::npos ? std::string() : std::string(pointer.substr(0, slash));
 }
 
+bool liesIn(const std::set<std::string>& pointers, std::string pointer) {
+    for (; !pointer.empty(); pointer = parentOf(pointer))
+        if (pointers.contains(pointer)) return true;
+    return false;
+}
+
 void PointerChange::removed(const std::string& list, const std::vector<std::size_t>& indices, std::size_t count) {
     std::size_t now = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -59,6 +65,13 @@ std::optional<std::string> PointerChange::now(std::string_view pointer) const {
         after = under(after, found == parts_.end() ? part : *found->second);
     }
     return after;
+}
+
+PointerChange PointerChange::reversed() const {
+    PointerChange back;
+    for (const auto& [before, part] : parts_)
+        if (const auto after = part ? now(before) : std::nullopt) back.parts_[*after] = partsOf(before).back();
+    return back;
 }
 
 }  // namespace keyblock

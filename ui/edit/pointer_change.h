@@ -6,8 +6,10 @@
 // person chose.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +21,12 @@ std::vector<std::string> partsOf(std::string_view pointer);
 
 /// The pointer without its last part; empty for the whole scene.
 std::string parentOf(std::string_view pointer);
+
+/// Where what a pointer led to is now; none: it is gone.
+using WhereNow = std::function<std::optional<std::string>(const std::string& pointer)>;
+
+/// True when the pointer, or one above it, is among them.
+bool liesIn(const std::set<std::string>& pointers, std::string pointer);
 
 /// What became of the entries of some lists and maps.
 class PointerChange {
@@ -37,6 +45,9 @@ public:
 
     /// Where what `pointer` led to is now; none: it is gone.
     std::optional<std::string> now(std::string_view pointer) const;
+
+    /// The way back, for undo.
+    PointerChange reversed() const;
 
     bool empty() const { return parts_.empty(); }
 

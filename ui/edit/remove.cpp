@@ -17,15 +17,13 @@
 namespace keyblock {
 namespace {
 
-/// True when `reference` names the object at `pointer`, and nothing else of that name is left.
-bool isNamed(const Scene& scene, const Reference& reference, const std::set<std::string>& going,
-             const std::string& pointer) {
-    if (parentOf(pointer) != listOf(reference.kind) || nameAt(scene, pointer) != reference.name()) return false;
-    const std::string list = parentOf(pointer);
+/// True when nothing of that kind and name is left.
+bool isLastOfName(const Scene& scene, Named kind, const std::string& name, const std::set<std::string>& going) {
+    const std::string list = listOf(kind);
     if (locate(scene, list)->field->kind == FieldKind::Map) return true;
-    const std::vector<std::string> names = namesOfKind(scene, reference.kind);
+    const std::vector<std::string> names = namesOfKind(scene, kind);
     for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == reference.name() && !going.contains(under(list, i))) return false;
+        if (names[i] == name && !going.contains(under(list, i))) return false;
     return true;
 }
 
@@ -57,10 +55,13 @@ void goWith(const Scene& scene, const Reference& reference, const std::string& g
     }
 }
 
-/// True when the pointer is asked to go by itself or within something that does.
-bool goes(const Departure& out, const std::string& pointer) {
-    return std::any_of(out.objects.begin(), out.objects.end(),
-                       [&](const std::string& object) { return isWithin(pointer, object); });
+/// References by what they name.
+using ByName = std::multimap<std::pair<Named, std::string>, Reference>;
+
+ByName byName(const std::vector<Reference>& references) {
+    ByName found;
+    for (const Reference& reference : references) found.emplace(std::pair(reference.kind, reference.name()), reference);
+    return found;
 }
 
 Departure departureOf(Scene& scene, const std::vector<std::string>& pointers) {
@@ -71,12 +72,18 @@ Departure departureOf(Scene& scene, const std::vector<std::string>& pointers) {
         const bool leads = place && place->field && (place->isObject() || place->element);
         if (leads && out.objects.insert(pointer).second) open.push_back(pointer);
     }
-    const std::vector<Reference> references = referencesOf(scene);
+    const ByName references = byName(referencesOf(scene));
     while (!open.empty()) {
         const std::string gone = open.back();
         open.pop_back();
-        for (const Reference& reference : references) {
-            if (goes(out, reference.pointer) || !isNamed(scene, reference, out.objects, gone)) continue;
+        Named kind;
+        if (!kindOfList(parentOf(gone), kind)) continue;
+        const std::string name = nameAt(scene, gone);
+        const auto [first, last] = references.equal_range({kind, name});
+        if (first == last || !isLastOfName(scene, kind, name, out.objects)) continue;
+        for (auto at = first; at != last; ++at) {
+            const Reference& reference = at->second;
+            if (liesIn(out.objects, reference.pointer)) continue;
             const std::size_t before = out.objects.size();
             goWith(scene, reference, gone, out);
             if (out.objects.size() > before && reference.whenGone == WhenGone::Owner)
@@ -167,11 +174,12 @@ Edit removeAll(const Scene& scene, const std::vector<std::string>& pointers) {
     edit.refusal = tooShort(scene, departure.objects);
     if (!edit.done()) return edit;
     for (const std::string& pointer : departure.nulls) {
-        if (goes(departure, pointer)) continue;
+        if (liesIn(departure.objects, pointer)) continue;
         const ScenePlace place = *locate(edit.scene, pointer);
         place.field->set(changeable(place.owner), {});
     }
-    std::erase_if(departure.objects, [&](const std::string& pointer) { return goes(departure, parentOf(pointer)); });
+    std::erase_if(departure.objects,
+                  [&](const std::string& pointer) { return liesIn(departure.objects, parentOf(pointer)); });
     erase(edit, scene, departure.objects);
     edit.told = std::move(departure.told);
     settleBoltTypes(edit.scene);
@@ -179,17 +187,5 @@ Edit removeAll(const Scene& scene, const std::vector<std::string>& pointers) {
 }
 
 Edit removeAt(const Scene& scene, const std::string& pointer) { return removeAll(scene, {pointer}); }
-
-std::vector<std::string> namedBy(const Scene& scene, const std::string& pointer) {
-    Scene copy = scene;
-    std::vector<std::string> titles;
-    const std::string name = nameAt(scene, pointer);
-    for (const Reference& reference : referencesOf(copy)) {
-        if (parentOf(pointer) != listOf(reference.kind) || name != reference.name()) continue;
-        std::string title = titleAt(scene, reference.pointer);
-        if (std::find(titles.begin(), titles.end(), title) == titles.end()) titles.push_back(std::move(title));
-    }
-    return titles;
-}
 
 }  // namespace keyblock

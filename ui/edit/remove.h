@@ -24,7 +24,4 @@ Edit removeAll(const Scene& scene, const std::vector<std::string>& pointers);
 
 Edit removeAt(const Scene& scene, const std::string& pointer);
 
-/// Who names the object, for people: `block left`, `pattern P1`, … in the order of the scene.
-std::vector<std::string> namedBy(const Scene& scene, const std::string& pointer);
-
 }  // namespace keyblock

@@ -4,10 +4,8 @@
 
 #include "geometry/polygon.h"
 #include "solver/scene/lookup.h"
-#include "solver/scene/pointer.h"
 #include "solver/scene/shapes.h"
 #include "ui/edit/appended.h"
-#include "ui/edit/names.h"
 #include "ui/edit/values.h"
 
 #include <algorithm>

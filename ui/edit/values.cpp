@@ -18,10 +18,11 @@
 namespace keyblock {
 namespace {
 
-Edit refused(const Scene& scene, std::string why) { return {scene, std::move(why)}; }
+Edit refused(Scene scene, std::string why) { return {std::move(scene), std::move(why)}; }
 
-Edit lost(const Scene& scene, const std::string& pointer) {
-    return refused(scene, "There is nothing at " + (pointer.empty() ? "the scene itself" : pointer) + " to change.");
+Edit lost(Scene scene, const std::string& pointer) {
+    return refused(std::move(scene),
+                   "There is nothing at " + (pointer.empty() ? "the scene itself" : pointer) + " to change.");
 }
 
 /// Built-in types serve other scenes too.
@@ -32,8 +33,9 @@ bool isBuiltIn(const Scene& scene, const std::string& pointer) {
     return type && type->builtIn;
 }
 
-Edit refusedBuiltIn(const Scene& scene, const std::string& pointer) {
-    return refused(scene, "The bolt type " + inQuotes(partsOf(pointer)[1]) + " comes with the program. Copy it to change it.");
+Edit refusedBuiltIn(Scene scene, const std::string& pointer) {
+    return refused(std::move(scene), "The bolt type " + inQuotes(partsOf(pointer)[1]) +
+                                         " comes with the program. Copy it to change it.");
 }
 
 /// True when the alternative is the one that the field's kind takes.
@@ -105,14 +107,14 @@ std::string valueProblem(const Field& field, const FieldValue& value) {
     return report.problems.empty() ? std::string() : report.problems.front().remedy + ".";
 }
 
-Edit setValueAt(const Scene& scene, const std::string& pointer, const FieldValue& value) {
+Edit setValueAt(Scene scene, const std::string& pointer, const FieldValue& value) {
     const auto found = locate(scene, pointer);
-    if (!found || !found->field || !found->field->get) return lost(scene, pointer);
-    if (isBuiltIn(scene, pointer)) return refusedBuiltIn(scene, pointer);
+    if (!found || !found->field || !found->field->get) return lost(std::move(scene), pointer);
+    if (isBuiltIn(scene, pointer)) return refusedBuiltIn(std::move(scene), pointer);
     const std::string holder = parentOf(pointer);
     if (found->field->key == "name" && std::holds_alternative<std::string>(value) && locate(scene, holder)->entry)
         return renameAt(scene, holder, std::get<std::string>(value));
-    Edit edit{scene};
+    Edit edit{std::move(scene)};
     const ScenePlace place = *locate(edit.scene, pointer);
     FieldValue whole = value;
     if (place.element) whole = withElement(place.field->get(place.owner), *place.element, value, edit.refusal);
@@ -123,12 +125,12 @@ Edit setValueAt(const Scene& scene, const std::string& pointer, const FieldValue
     return edit;
 }
 
-Edit setNullAt(const Scene& scene, const std::string& pointer) {
+Edit setNullAt(Scene scene, const std::string& pointer) {
     const auto found = locate(scene, pointer);
-    if (!found || !found->field) return lost(scene, pointer);
+    if (!found || !found->field) return lost(std::move(scene), pointer);
     if (found->entry || found->element) return removeAt(scene, pointer);
-    if (isBuiltIn(scene, pointer)) return refusedBuiltIn(scene, pointer);
-    Edit edit{scene};
+    if (isBuiltIn(scene, pointer)) return refusedBuiltIn(std::move(scene), pointer);
+    Edit edit{std::move(scene)};
     const ScenePlace place = *locate(edit.scene, pointer);
     if (hasChildren(*place.field)) {
         place.field->children.setNull(changeable(place.owner));
@@ -136,19 +138,19 @@ Edit setNullAt(const Scene& scene, const std::string& pointer) {
     } else if (place.field->nullable) {
         place.field->set(changeable(place.owner), {});
     } else {
-        return resetAt(scene, pointer);
+        return resetAt(std::move(edit.scene), pointer);
     }
     settleBoltTypes(edit.scene);
     return edit;
 }
 
-Edit resetAt(const Scene& scene, const std::string& pointer) {
+Edit resetAt(Scene scene, const std::string& pointer) {
     const auto found = locate(scene, pointer);
-    if (!found || !found->field || found->element) return lost(scene, pointer);
-    if (hasChildren(*found->field)) return setNullAt(scene, pointer);
-    if (!found->field->get) return lost(scene, pointer);
-    if (found->field->required) return refused(scene, "This has no default: a scene always says it.");
-    return setValueAt(scene, pointer, defaultOf(*found->structure, *found->field));
+    if (!found || !found->field || found->element) return lost(std::move(scene), pointer);
+    if (hasChildren(*found->field)) return setNullAt(std::move(scene), pointer);
+    if (!found->field->get) return lost(std::move(scene), pointer);
+    if (found->field->required) return refused(std::move(scene), "This has no default: a scene always says it.");
+    return setValueAt(std::move(scene), pointer, defaultOf(*found->structure, *found->field));
 }
 
 Edit appendAt(const Scene& scene, const std::string& pointer, std::string_view name) {

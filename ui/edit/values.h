@@ -21,15 +21,16 @@ std::optional<FieldValue> valueAt(const Scene& scene, std::string_view pointer);
 std::string valueProblem(const Field& field, const FieldValue& value);
 
 /// Puts a value where the pointer leads. A name goes to `renameAt`, so that references follow; a type of bolt that comes
-/// with the program is refused, for others use it.
-Edit setValueAt(const Scene& scene, const std::string& pointer, const FieldValue& value);
+/// with the program is refused, for others use it. A scene that is handed over is not copied, so that thousands of
+/// objects can be set one after another.
+Edit setValueAt(Scene scene, const std::string& pointer, const FieldValue& value);
 
 /// Makes the field null (nothing, or "chosen by the program"); what cannot be null goes back to its default. An object
 /// such as `/domain` goes.
-Edit setNullAt(const Scene& scene, const std::string& pointer);
+Edit setNullAt(Scene scene, const std::string& pointer);
 
 /// Gives the field the value that it has when a file does not say it.
-Edit resetAt(const Scene& scene, const std::string& pointer);
+Edit resetAt(Scene scene, const std::string& pointer);
 
 /// Adds an entry that is ready to use to the list or map (under `name`, or a free one), or makes an Object that is null.
 Edit appendAt(const Scene& scene, const std::string& pointer, std::string_view name = {});

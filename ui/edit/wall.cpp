@@ -20,10 +20,10 @@ std::optional<TunnelProfile> profileOf(const SceneTunnel& tunnel) {
     return tunnelProfile(shapeOf(tunnel));
 }
 
-/// Looks at the edges of an outline with the rock inside.
-void lookAt(const std::vector<Point>& points, const std::string& name, const Point& place, double& radius,
-            std::optional<WallPlace>& best) {
-    if (points.size() < 3 || !std::all_of(points.begin(), points.end(), isUsable)) return;
+/// Looks at the edges of an outline with the rock inside; true where one is nearer than the best so far.
+bool lookAt(const std::vector<Point>& points, const Point& place, double& radius, std::optional<WallPlace>& best) {
+    bool nearer = false;
+    if (points.size() < 3 || !std::all_of(points.begin(), points.end(), isUsable)) return nearer;
     const std::vector<Point> corners = counterClockwise(points);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Point &a = corners[i], &b = corners[(i + 1) % corners.size()];
@@ -31,8 +31,10 @@ void lookAt(const std::vector<Point>& points, const std::string& name, const Poi
         if (a == b || distance >= radius) continue;
         radius = distance;
         const double on = std::clamp(footParameter(a, b, place), 0.0, 1.0);
-        best = WallPlace{a + on * (b - a), turnLeft(b - a).normalized(), 0.0, -1, "face of " + name};
+        best = WallPlace{a + on * (b - a), turnLeft(b - a).normalized(), 0.0, -1, {}};
+        nearer = true;
     }
+    return nearer;
 }
 
 }  // namespace
@@ -58,9 +60,10 @@ std::optional<WallPlace> wallAt(const Scene& scene, const Point& place, double r
         best = wall;
     }
     if (best) return best;
-    if (scene.domain) lookAt(scene.domain->boundary, "the domain", place, nearest, best);
+    if (scene.domain && lookAt(scene.domain->boundary, place, nearest, best)) best->name = "face of the domain";
     for (std::size_t i = 0; i < scene.blocks.size(); ++i)
-        lookAt(scene.blocks[i].points, titleAt(scene, under("/blocks", i)), place, nearest, best);
+        if (lookAt(scene.blocks[i].points, place, nearest, best))
+            best->name = "face of " + titleAt(scene, under("/blocks", i));
     return best;
 }
 

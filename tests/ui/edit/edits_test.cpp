@@ -112,7 +112,6 @@ TEST(Remove, ClearsWhatHasAMeaningWithout) {
     EXPECT_EQ(rock.scene.domain->material, "granite");
     EXPECT_TRUE(hasErrors(checkScene(rock.scene)));
     EXPECT_EQ(rock.told.at(0), "The domain still names the material granite: give it another.");
-    EXPECT_EQ(namedBy(scene, "/materials/granite"), std::vector<std::string>{"domain"});
 }
 
 TEST(Remove, SeveralAtOnceAndPointersFollow) {
@@ -124,6 +123,8 @@ TEST(Remove, SeveralAtOnceAndPointersFollow) {
     EXPECT_EQ(edit.pointers.now("/stages/4/loads/0"), "/stages/2/loads/0");
     EXPECT_FALSE(edit.pointers.now("/stages/3/duration"));
     EXPECT_EQ(edit.pointers.now("/joint_sets/1"), "/joint_sets/0");
+    for (const char* pointer : {"/stages/0", "/stages/4/loads/0", "/joint_sets/1", "/domain"})
+        EXPECT_EQ(edit.pointers.reversed().now(*edit.pointers.now(pointer)), pointer) << "undo leads back";
     EXPECT_FALSE(removeAll(scene, {"/nothing/5"}).done());
     EXPECT_FALSE(removeAll(scene, {}).done());
     EXPECT_FALSE(removeAt(scene, "/bolt_types/d-bolt-20").done());
