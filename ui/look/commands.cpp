@@ -4,6 +4,9 @@
 
 #include "ui/look/theme.h"
 
+#include <QApplication>
+#include <QLineEdit>
+#include <QPointer>
 #include <QSettings>
 
 #include <algorithm>
@@ -25,6 +28,13 @@ QList<QKeySequence> chosenKeys(const QString& id, const QList<QKeySequence>& ori
 
 }  // namespace
 
+void finishTyping() {
+    const QPointer<QLineEdit> line = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    if (!line) return;
+    line->clearFocus();
+    if (line && line->isVisible()) line->setFocus();  // the line in a cell of a table goes with its text
+}
+
 Commands::Commands(const Themes& themes, QObject* parent) : QObject(parent), themes_(themes) {
     connect(&themes, &Themes::changed, this, [this] {
         for (QAction* action : actions_) describe(action);
@@ -44,7 +54,10 @@ QAction* Commands::add(const CommandText& text, std::function<void()> run) {
     action->setShortcuts(chosenKeys(text.id, text.keys));
     action->setShortcutContext(Qt::WindowShortcut);
     describe(action);
-    connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
+    connect(action, &QAction::triggered, this, [run = std::move(run)] {
+        finishTyping();
+        run();
+    });
     actions_.push_back(action);
     return action;
 }

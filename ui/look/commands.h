@@ -29,6 +29,10 @@ struct CommandText {
     QString group{};  // commands of one group of a menu stand together, a line between groups
 };
 
+/// Enters what a person is typing in a field, as leaving the field would; the cursor stays there. Every command begins
+/// so: what is run, saved or asked about holds what was typed last.
+void finishTyping();
+
 class Commands : public QObject {
     Q_OBJECT
 

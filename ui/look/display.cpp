@@ -59,7 +59,7 @@ QString Display::summary() const {
 
 QString Display::number(double shown, int digits) {
     if (!std::isfinite(shown)) return QString::fromUtf8("–");
-    QString text = QString::number(shown, 'g', digits);
+    QString text = QString::number(shown == 0.0 ? 0.0 : shown, 'g', digits);  // a zero has no sign
     const int exponent = text.indexOf('e');
     if (exponent < 0) {
         const int point = text.indexOf('.');

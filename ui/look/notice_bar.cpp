@@ -23,13 +23,17 @@ NoticeBar::NoticeBar(const Themes& themes, QWidget* over)
     row_->addWidget(icon_);
     row_->addWidget(text_, 1);
     over->installEventFilter(this);
+    const auto sign = [this] {
+        icon_->setPixmap(themes_.icon("warning", themes_.current().warningFill).pixmap(16, 16));
+    };
+    connect(&themes, &Themes::changed, this, sign);
+    sign();
     hide();
 }
 
 void NoticeBar::say(const QString& text, const std::vector<Answer>& answers) {
     for (QWidget* link : links_) link->deleteLater();
     links_.clear();
-    icon_->setPixmap(themes_.icon("warning", themes_.current().warningFill).pixmap(16, 16));
     text_->setText(text);
     for (const Answer& answer : answers) addLink(answer);
     addLink({tr("Close"), [] {}});

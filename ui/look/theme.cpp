@@ -13,6 +13,8 @@
 #include <QStyleFactory>
 #include <QSvgRenderer>
 
+#include <algorithm>
+
 namespace keyblock {
 
 namespace {
@@ -138,9 +140,10 @@ void Themes::choose(bool dark) {
 }
 
 QIcon Themes::icon(const QString& name) const {
-    const QByteArray drawing = resource(":/icons/" + name + ".svg");
     const Theme& t = current();
-    QIcon icon;
+    QIcon& icon = inked_[name + (dark_ ? "/dark" : "/light")];
+    if (!icon.isNull()) return icon;
+    const QByteArray drawing = resource(":/icons/" + name + ".svg");
     if (drawing.isEmpty()) return icon;
     addDrawing(icon, drawing, t.text2, QIcon::Normal, QIcon::Off);
     addDrawing(icon, drawing, t.accent, QIcon::Normal, QIcon::On);

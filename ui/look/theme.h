@@ -50,7 +50,7 @@ private:
     void apply() const;
 
     bool dark_ = false;
-    mutable QHash<QString, QIcon> inked_;  // by name and colour: rows of trees ask at every paint
+    mutable QHash<QString, QIcon> inked_;  // by name and colour or theme: rows of trees ask at every paint
 };
 
 }  // namespace keyblock

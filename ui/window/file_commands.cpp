@@ -49,6 +49,7 @@ void askAndOpen(Document& document, QWidget& window) {
 }  // namespace
 
 bool mayDiscard(Document& document, QWidget& window) {
+    finishTyping();
     if (!document.isModified()) return true;
     QMessageBox box(QMessageBox::Question, QWidget::tr("Unsaved edits"),
                     QWidget::tr("%1 has edits that are not saved.").arg(document.title()),
