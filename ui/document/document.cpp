@@ -6,6 +6,8 @@
 #include "solver/files/json_tree.h"
 #include "solver/files/scene_file.h"
 #include "solver/files/scene_rescue.h"
+#include "ui/edit/edit.h"
+#include "ui/edit/locate.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -16,6 +18,8 @@
 namespace keyblock {
 
 namespace {
+
+constexpr std::size_t mostTold = 3;  // sentences of what else changed
 
 QByteArray contentOf(const QString& path) {
     QFile file(path);
@@ -33,14 +37,16 @@ SceneRescue rescued(const QString& path, const QByteArray& content) {
 /// The one kind of step: the scene before and the scene after.
 class SceneStep : public QUndoCommand {
 public:
-    SceneStep(Document& document, const QString& text, std::shared_ptr<const Scene> after)
-        : QUndoCommand(text), document_(document), before_(document.committed()), after_(std::move(after)) {}
-    void undo() override { document_.setScene(before_); }
-    void redo() override { document_.setScene(after_); }
+    SceneStep(Document& document, const QString& text, std::shared_ptr<const Scene> after, PointerChange pointers = {})
+        : QUndoCommand(text), document_(document), before_(document.committed()), after_(std::move(after)),
+          pointers_(std::move(pointers)) {}
+    void undo() override { document_.take(*after_, before_, pointers_.reversed()); }
+    void redo() override { document_.take(*before_, after_, pointers_); }
 
 private:
     Document& document_;
     std::shared_ptr<const Scene> before_, after_;
+    PointerChange pointers_;
 };
 
 Document::Document(QObject* parent)
@@ -57,7 +63,21 @@ Document::~Document() = default;
 
 const std::shared_ptr<const Scene>& Document::scene() const { return preview_ ? preview_ : scene_; }
 
-void Document::apply(const QString& step, Scene after) {
+bool Document::apply(const QString& step, Edit edit) {
+    if (!edit.done()) {
+        endPreview();
+        Q_EMIT told(QString::fromStdString(edit.refusal), true);
+        return false;
+    }
+    apply(step, std::move(edit.scene), std::move(edit.pointers));
+    QStringList sentences;
+    for (std::size_t i = 0; i < std::min(edit.told.size(), mostTold); ++i)
+        sentences << QString::fromStdString(edit.told[i]);
+    if (!sentences.isEmpty()) Q_EMIT told(sentences.join(' '), false);
+    return true;
+}
+
+void Document::apply(const QString& step, Scene after, PointerChange pointers) {
     addUsedBuiltInBoltTypes(after);
     const bool previewed = preview_ != nullptr;
     preview_.reset();
@@ -65,7 +85,7 @@ void Document::apply(const QString& step, Scene after) {
         if (previewed) show();
         return;
     }
-    undo_->push(new SceneStep(*this, step, std::make_shared<const Scene>(std::move(after))));
+    undo_->push(new SceneStep(*this, step, std::make_shared<const Scene>(std::move(after)), std::move(pointers)));
 }
 
 void Document::preview(Scene during) {
@@ -148,6 +168,16 @@ void Document::setScene(std::shared_ptr<const Scene> scene) {
     scene_ = std::move(scene);
     preview_.reset();
     show();
+}
+
+/// What was there and is not any more is gone; what was never there (a bolt among results) is not the scene's to lose.
+void Document::take(const Scene& from, const std::shared_ptr<const Scene>& to, const PointerChange& pointers) {
+    setScene(to);
+    Q_EMIT moved([&](const std::string& pointer) {
+        std::optional<std::string> now = pointers.now(pointer);
+        if (now && locate(from, pointer) && !locate(*to, *now)) now.reset();
+        return now;
+    });
 }
 
 void Document::start(Scene scene, const QString& path, const QString& name) {

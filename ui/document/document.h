@@ -7,6 +7,7 @@
 #pragma once
 
 #include "ui/document/checker.h"
+#include "ui/edit/pointer_change.h"
 
 #include <QByteArray>
 #include <QObject>
@@ -19,6 +20,8 @@
 class QUndoStack;
 
 namespace keyblock {
+
+struct Edit;
 
 /// A scene with the name of the step that led to it.
 struct RestoredStep {
@@ -45,8 +48,12 @@ public:
     /// Never null; what is shown now, a preview included.
     const std::shared_ptr<const Scene>& scene() const;
 
-    /// One step of undo, called `step`. An edit that changes nothing leaves no trace. Ends a preview.
-    void apply(const QString& step, Scene after);
+    /// One step of undo, called `step`; `pointers` say where those of before lead then. An edit that changes nothing
+    /// leaves no trace. Ends a preview.
+    void apply(const QString& step, Scene after, PointerChange pointers = {});
+
+    /// The same of an edit that may have been refused; tells why, or what else changed. False: refused.
+    bool apply(const QString& step, Edit edit);
 
     /// Shows and checks a scene while a person drags, without a step; `endPreview` goes back to the document.
     void preview(Scene during);
@@ -87,6 +94,8 @@ public:
 
 Q_SIGNALS:
     void changed();  // the scene
+    void moved(const keyblock::WhereNow& now);  // after a step, done or undone: what pointers of before mean
+    void told(const QString& text, bool warns);  // what a person should know of an edit
     void checkedChanged();
     void fileChanged();  // path, title, or whether modified
     void replaced();  // by another document
@@ -95,6 +104,7 @@ Q_SIGNALS:
 private:
     friend class SceneStep;
     void setScene(std::shared_ptr<const Scene> scene);
+    void take(const Scene& from, const std::shared_ptr<const Scene>& to, const PointerChange& pointers);
     void start(Scene scene, const QString& path, const QString& name);
     void show();
 

@@ -5,10 +5,18 @@
 // all read and write this one list.
 #pragma once
 
+#include "ui/edit/pointer_change.h"
+
 #include <QObject>
+#include <QSet>
 #include <QStringList>
 
 namespace keyblock {
+
+class Document;
+
+/// Pointers of before a step, of what is still there.
+QStringList whereNow(const QStringList& pointers, const WhereNow& now);
 
 class Selection : public QObject {
     Q_OBJECT
@@ -16,14 +24,18 @@ class Selection : public QObject {
 public:
     using QObject::QObject;
 
+    /// Stays on its things whatever becomes of the scene.
+    void follow(const Document& document);
+
     const QStringList& pointers() const { return pointers_; }
-    bool contains(const QString& pointer) const { return pointers_.contains(pointer); }
+    bool contains(const QString& pointer) const { return members_.contains(pointer); }
     bool isEmpty() const { return pointers_.isEmpty(); }
 
     void set(QStringList pointers) {
         pointers.removeDuplicates();
         if (pointers == pointers_) return;
         pointers_ = std::move(pointers);
+        members_ = QSet<QString>(pointers_.begin(), pointers_.end());
         Q_EMIT changed();
     }
     void add(const QString& pointer) { set(pointers_ + QStringList{pointer}); }
@@ -39,6 +51,7 @@ Q_SIGNALS:
 
 private:
     QStringList pointers_;
+    QSet<QString> members_;  // the same, to be asked of thousands
 };
 
 }  // namespace keyblock

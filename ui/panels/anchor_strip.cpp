@@ -53,6 +53,7 @@ AnchorLine::AnchorLine(const Themes& themes, QWidget* parent) : QWidget(parent),
 }
 
 void AnchorLine::present(std::vector<double> nodes, std::vector<bool> real, bool plate, bool editable) {
+    if (nodes.size() != nodes_.size() || !editable) from_.reset(), to_.reset();  // the check lays out others
     nodes_ = std::move(nodes);
     real_ = std::move(real);
     plate_ = plate;

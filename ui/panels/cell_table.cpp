@@ -7,7 +7,6 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QScopedValueRollback>
-#include <QScrollBar>
 
 #include <algorithm>
 #include <set>
@@ -73,17 +72,6 @@ std::vector<QStringList> CellTable::rows() const {
             rows.push_back(texts);
     }
     return rows;
-}
-
-void CellTable::markCell(int row, int column) {
-    const QScopedValueRollback<bool> filling(filling_, true);
-    for (int r = 0; r < rowCount(); ++r)
-        for (int c = 0; c < columnCount(); ++c)
-            if (item(r, c)) {
-                QFont font = item(r, c)->font();
-                font.setUnderline(r == row && c == column);
-                item(r, c)->setFont(font);
-            }
 }
 
 void CellTable::keepEmptyRow() {

@@ -28,9 +28,6 @@ public:
 
     void setHeadings(const QStringList& headings);
 
-    /// Marks a cell that could not be read; −1: none.
-    void markCell(int row, int column);
-
 Q_SIGNALS:
     void edited();
     void focused();

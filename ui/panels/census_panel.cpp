@@ -62,7 +62,7 @@ CensusPanel::CensusPanel(Document& document, const Commands& commands, const The
     connect(&document, &Document::checkedChanged, this, &CensusPanel::askLater);
     connect(worker_, &CensusWorker::answered, this, [this](std::shared_ptr<const Census> census) {
         census_ = std::move(census);
-        present();
+        census_ ? present() : tell(tr("The census could not be taken: make the scene smaller."));
         Q_EMIT taken();
     });
     askLater();
@@ -119,6 +119,7 @@ void CensusPanel::setBusy(bool busy) {
     if (!busy) return askLater();
     worker_->cancel();
     calm_->stop();
+    run_->setEnabled(false);
 }
 
 void CensusPanel::askLater() {

@@ -4,6 +4,8 @@
 
 #include <QMetaObject>
 
+#include <exception>
+
 namespace keyblock {
 
 CensusWorker::CensusWorker(QObject* parent) : QObject(parent), thread_([this] { work(); }) {}
@@ -43,7 +45,11 @@ void CensusWorker::work() {
             std::swap(question, next_);
             number = number_;
         }
-        auto census = std::make_shared<const Census>(takeCensus(question.solved(), question.cut.get()));
+        std::shared_ptr<const Census> census;
+        try {
+            census = std::make_shared<const Census>(takeCensus(question.solved(), question.cut.get()));
+        } catch (const std::exception&) {  // of memory that ran out, say
+        }
         QMetaObject::invokeMethod(this, [this, census, number] {
             const bool newest = [&] {
                 const std::lock_guard lock(mutex_);

@@ -38,7 +38,7 @@ public:
     void cancel();
 
 Q_SIGNALS:
-    /// In the thread of this object; of the newest question only.
+    /// In the thread of this object; of the newest question only. Null: it could not be taken.
     void answered(std::shared_ptr<const keyblock::Census> census);
 
 private:

@@ -5,8 +5,6 @@
 #include "solver/scene/pointer.h"
 #include "ui/document/document.h"
 #include "ui/edit/edits.h"
-#include "ui/edit/names.h"
-#include "ui/edit/values.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
 #include "ui/panels/field_help.h"
@@ -18,6 +16,8 @@
 #include <QVBoxLayout>
 
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace keyblock {
 
@@ -49,9 +49,9 @@ QString subjectOf(const Scene& scene, const FormRow& row) {
     return QString::fromStdString(name.empty() ? titleAt(scene, object) : name);
 }
 
-Edit setAt(const Scene& scene, const std::string& pointer, const FieldValue& value) {
-    return std::holds_alternative<std::monostate>(value) ? setNullAt(scene, pointer)
-        : setValueAt(scene, pointer, value);
+Edit setAt(Scene scene, const std::string& pointer, const FieldValue& value) {
+    return std::holds_alternative<std::monostate>(value) ? setNullAt(std::move(scene), pointer)
+                                                         : setValueAt(std::move(scene), pointer, value);
 }
 
 }  // namespace
@@ -89,7 +89,8 @@ void FieldForm::setFilter(const QString& text) {
 
 void FieldForm::refresh() {
     later_->stop();
-    const auto groups = matching(formGroups(*context_.document.scene(), pointers_), filter_);
+    const auto before = std::exchange(shown_, context_.document.scene());  // rows look into it until they are told anew
+    const auto groups = matching(formGroups(*shown_, pointers_), filter_);
     const QStringList shape = shapeOf(groups);
     if (!content_ || shape != shape_) {
         shape_ = shape;
@@ -149,12 +150,12 @@ void FieldForm::addGroup(const FormGroup& group) {
         const Scene& scene = *context_.document.scene();
         Edit edit = appendAt(scene, pointer.toStdString());
         const QString made = edit.made.empty() ? tr("part") : QString::fromStdString(titleAt(edit.scene, edit.made));
-        applyOne(tr("Add %1").arg(made), std::move(edit));
+        context_.document.apply(tr("Add %1").arg(made), std::move(edit));
     });
     connect(heading, &FormHeading::removeAsked, this, [this](const QString& pointer) {
         const Scene& scene = *context_.document.scene();
         const QString title = QString::fromStdString(titleAt(scene, pointer.toStdString()));
-        applyOne(tr("Remove %1").arg(title), removeAt(scene, pointer.toStdString()));
+        context_.document.apply(tr("Remove %1").arg(title), removeAt(scene, pointer.toStdString()));
     });
     content_->layout()->addWidget(heading);
     content_->layout()->addWidget(body);
@@ -197,13 +198,13 @@ void FieldForm::update(const std::vector<FormGroup>& groups) {
 
 QString FieldForm::problemsAt(const FormRow& row, bool& error) const {
     QStringList lines;
-    for (const Problem& problem : context_.document.checked().problems)
-        for (const std::string& pointer : row.pointers) {
-            if (problem.severity == Severity::Note || !isWithin(problem.pointer, pointer) || row.renames) continue;
-            error = error || problem.severity == Severity::Error;
-            lines << QString::fromStdString(problem.message);
-            if (!problem.remedy.empty()) lines.back() += ". " + QString::fromStdString(problem.remedy);
-        }
+    const std::set<std::string> pointers(row.pointers.begin(), row.pointers.end());
+    for (const Problem& problem : context_.document.checked().problems) {
+        if (problem.severity == Severity::Note || row.renames || !liesIn(pointers, problem.pointer)) continue;
+        error = error || problem.severity == Severity::Error;
+        lines << QString::fromStdString(problem.message);
+        if (!problem.remedy.empty()) lines.back() += ". " + QString::fromStdString(problem.remedy);
+    }
     lines.removeDuplicates();
     return lines.join('\n');
 }
@@ -213,9 +214,9 @@ void FieldForm::enter(FormRowWidget& widget, const FieldValue& value) {
     if (const QString why = outOfRange(row, value, context_); !why.isEmpty()) return widget.setRefusal(why);
     const QString step =
         tr("Set %1 of %2").arg(lowered(labelOf(*row.field)), subjectOf(*context_.document.scene(), row));
-    applyToAll(&widget, row, step, [&](const Scene& scene, const std::string& pointer) {
+    applyToAll(&widget, row, step, [&](Scene scene, const std::string& pointer) {
         if (row.renames) return renameAt(scene, pointer, std::get<std::string>(value));
-        return setAt(scene, pointer, value);
+        return setAt(std::move(scene), pointer, value);
     });
 }
 
@@ -223,34 +224,21 @@ void FieldForm::reset(const FormRow& row) {
     const QString step =
         tr("Reset %1 of %2").arg(lowered(labelOf(*row.field)), subjectOf(*context_.document.scene(), row));
     applyToAll(nullptr, row, step,
-               [](const Scene& scene, const std::string& pointer) { return resetAt(scene, pointer); });
+               [](Scene scene, const std::string& pointer) { return resetAt(std::move(scene), pointer); });
 }
 
 void FieldForm::applyToAll(FormRowWidget* widget, const FormRow& row, const QString& step,
-                           const std::function<Edit(const Scene&, const std::string&)>& edit) {
-    Scene after = *context_.document.scene();
-    std::vector<std::pair<QString, QString>> moved;
+                           const std::function<Edit(Scene, const std::string&)>& edit) {
+    Edit all{*context_.document.scene()};
     for (const std::string& pointer : row.pointers) {
-        Edit one = edit(after, pointer);
-        if (!one.done()) {
-            if (widget) widget->setRefusal(QString::fromStdString(one.refusal));
-            return;
-        }
-        const auto now = one.pointers.now(pointer);
-        if (now && *now != pointer) moved.emplace_back(QString::fromStdString(pointer), QString::fromStdString(*now));
-        after = std::move(one.scene);
+        all = edit(std::move(all.scene), pointer);
+        if (all.done()) continue;
+        if (widget) widget->setRefusal(QString::fromStdString(all.refusal));
+        return;
     }
     if (widget) widget->setRefusal({});
-    for (const auto& [before, now] : moved)
-        for (std::string& pointer : pointers_)
-            if (pointer == before.toStdString()) pointer = now.toStdString();
-    context_.document.apply(step, std::move(after));
-    for (const auto& [before, now] : moved) Q_EMIT renamed(before, now);
+    context_.document.apply(step, std::move(all));
     schedule();
-}
-
-void FieldForm::applyOne(const QString& step, Edit edit) {
-    if (edit.done()) context_.document.apply(step, std::move(edit.scene));
 }
 
 bool FieldForm::focusField(const QString& path) {

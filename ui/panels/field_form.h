@@ -12,7 +12,7 @@
 #include <QWidget>
 
 #include <functional>
-#include <map>
+#include <memory>
 
 class QTimer;
 class QVBoxLayout;
@@ -43,7 +43,6 @@ public:
 
 Q_SIGNALS:
     void rowFocused(const keyblock::FormRow& row);
-    void renamed(const QString& before, const QString& after);  // pointers of an entry of a map
 
 private:
     void schedule();
@@ -53,8 +52,7 @@ private:
     void enter(FormRowWidget& widget, const FieldValue& value);
     void reset(const FormRow& row);
     void applyToAll(FormRowWidget* widget, const FormRow& row, const QString& step,
-                    const std::function<Edit(const Scene&, const std::string&)>& edit);
-    void applyOne(const QString& step, Edit edit);
+                    const std::function<Edit(Scene, const std::string&)>& edit);
     QString problemsAt(const FormRow& row, bool& error) const;
     QString focusedPath() const;
     bool isOpen(const FormGroup& group) const;
@@ -62,6 +60,7 @@ private:
 
     FormContext context_;
     std::vector<std::string> pointers_;
+    std::shared_ptr<const Scene> shown_;  // kept while rows look into it
     QString filter_;
     QSet<QString> toggled_;  // groups that are not as they begin
     QStringList shape_;  // headings and rows as they stand

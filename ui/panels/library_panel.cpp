@@ -96,7 +96,9 @@ LibraryPanel::LibraryPanel(const FormContext& context, Selection& selection, QWi
     row->addWidget(scroll);
     later_->setSingleShot(true);
     later_->setInterval(0);
-    const auto schedule = [this] { later_->start(); };
+    const auto schedule = [this] {
+        if (!context_.document.isPreviewing()) later_->start();
+    };
     connect(later_, &QTimer::timeout, this, &LibraryPanel::refresh);
     connect(&context.document, &Document::changed, this, schedule);
     connect(&context.display, &Display::changed, this, schedule);
@@ -277,16 +279,14 @@ void LibraryPanel::copyIntoScene() {
 }
 
 void LibraryPanel::assign() {
-    Scene after = *context_.document.scene();
+    Edit edit{*context_.document.scene()};
     const QStringList bolts = assignable();
-    for (const QString& pointer : bolts) {
-        Edit edit = setValueAt(after, pointer.toStdString() + "/type", chosen_.toStdString());
-        if (!edit.done()) return;
-        after = std::move(edit.scene);
-    }
-    const QString to = bolts.size() == 1 ? QString::fromStdString(nameAt(after, bolts.front().toStdString()))
+    for (const QString& pointer : bolts)
+        if (edit.done())
+            edit = setValueAt(std::move(edit.scene), pointer.toStdString() + "/type", chosen_.toStdString());
+    const QString to = bolts.size() == 1 ? QString::fromStdString(nameAt(edit.scene, bolts.front().toStdString()))
                                          : tr("%1 bolts and patterns").arg(bolts.size());
-    context_.document.apply(tr("Assign %1 to %2").arg(chosen_, to), std::move(after));
+    context_.document.apply(tr("Assign %1 to %2").arg(chosen_, to), std::move(edit));
 }
 
 }  // namespace keyblock

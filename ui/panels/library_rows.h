@@ -8,7 +8,6 @@
 #include "solver/scene/scene.h"
 
 #include <QString>
-#include <QStringList>
 
 #include <vector>
 

@@ -3,13 +3,13 @@
 #include "ui/panels/line_editor.h"
 
 #include "ui/document/document.h"
+#include "ui/panels/calm_box.h"
 #include "ui/panels/field_choices.h"
 #include "ui/panels/field_words.h"
 #include "ui/panels/filter_line.h"
 #include "ui/panels/value_text.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -120,7 +120,7 @@ bool LineEditor::eventFilter(QObject* object, QEvent* event) {
 }
 
 ChoiceEditor::ChoiceEditor(const FormContext& context, QWidget* parent)
-    : ValueEditor(parent), context_(context), box_(new QComboBox(this)) {
+    : ValueEditor(parent), context_(context), box_(new CalmBox(this)) {
     box_->setFixedHeight(fieldHeight);
     box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box_->setMinimumContentsLength(4);
@@ -161,10 +161,6 @@ void ChoiceEditor::present(const FormRow& row) {
 
 bool ChoiceEditor::eventFilter(QObject* object, QEvent* event) {
     if (event->type() == QEvent::FocusIn) Q_EMIT focused();
-    if (event->type() == QEvent::Wheel && !box_->hasFocus()) {
-        event->ignore();  // the panel scrolls, the value stays
-        return true;
-    }
     return ValueEditor::eventFilter(object, event);
 }
 

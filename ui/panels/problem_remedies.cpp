@@ -7,7 +7,6 @@
 #include "ui/edit/edits.h"
 #include "ui/edit/locate.h"
 #include "ui/panels/field_choices.h"
-#include "ui/panels/field_words.h"
 
 #include <QCoreApplication>
 

@@ -54,8 +54,8 @@ std::optional<Box> boxOfObject(const SceneObject& object) {
 
 class Rows {
 public:
-    Rows(const Document& document, const Display& display, const std::set<int>& open)
-        : checked_(document.checked()), scene_(*checked_.scene), display_(display), open_(open) {}
+    Rows(const Document& document, const Display& display, bool reportIsOpen)
+        : checked_(document.checked()), scene_(*checked_.scene), display_(display), reportIsOpen_(reportIsOpen) {}
 
     std::vector<ProblemRow> all() {
         for (const Severity severity : {Severity::Error, Severity::Warning, Severity::Note})
@@ -145,11 +145,10 @@ private:
         if (cut.open > 0) row.title += words(", %1 left out in open tunnels").arg(cut.open);
         row.detail = counts(kinds);
         row.where = words("whole section");
-        const bool open = open_.count(allNotes) > 0;
-        if (!kinds.empty()) row.link = open ? words("Hide report") : words("Show report");
-        row.opens = kinds.empty() ? -1 : allNotes;
+        if (!kinds.empty()) row.link = reportIsOpen_ ? words("Hide report") : words("Show report");
+        row.opensReport = !kinds.empty();
         rows_.push_back(row);
-        if (!open) return;
+        if (!reportIsOpen_) return;
         std::map<CutNoteKind, std::size_t> told;
         for (const CutNote& note : cut.notes)
             if (++told[note.kind] <= mostNotes) rows_.push_back(rowOf(note));
@@ -178,15 +177,15 @@ private:
     const Checked& checked_;
     const Scene& scene_;
     const Display& display_;
-    const std::set<int>& open_;
+    const bool reportIsOpen_;
     std::map<std::string, std::optional<Box>> objects_;
     std::vector<ProblemRow> rows_;
 };
 
 }  // namespace
 
-std::vector<ProblemRow> problemRows(const Document& document, const Display& display, const std::set<int>& open) {
-    return Rows(document, display, open).all();
+std::vector<ProblemRow> problemRows(const Document& document, const Display& display, bool reportIsOpen) {
+    return Rows(document, display, reportIsOpen).all();
 }
 
 int urgentCount(const std::vector<ProblemRow>& rows) {

@@ -9,7 +9,6 @@
 #include <QString>
 
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -27,15 +26,13 @@ struct ProblemRow {
     std::optional<Remedy> remedy;
     QString pointer;  // of what it is about, down to the field; empty: the whole section
     std::optional<Box> box;  // where it lies [m]
-    int opens = -1;  // kind of notes that the row stands for, as CutNoteKind; `allNotes`: the report
+    bool opensReport = false;
     int depth = 0;
 };
 
-inline constexpr int allNotes = 100;
-
-/// Errors, warnings and notes of the newest check, then slivers and the report of the cut. Notes of a kind that is in
-/// `open` follow their row, one each.
-std::vector<ProblemRow> problemRows(const Document& document, const Display& display, const std::set<int>& open);
+/// Errors, warnings and notes of the newest check, then slivers and the report of the cut; where that is open, its
+/// notes follow one by one.
+std::vector<ProblemRow> problemRows(const Document& document, const Display& display, bool reportIsOpen);
 
 /// Of these, errors and warnings.
 int urgentCount(const std::vector<ProblemRow>& rows);

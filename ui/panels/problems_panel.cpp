@@ -136,7 +136,7 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, const Dis
     const auto schedule = [this] { later_->start(); };
     connect(later_, &QTimer::timeout, this, &ProblemsPanel::refresh);
     connect(&document, &Document::checkedChanged, this, schedule);
-    connect(&document, &Document::replaced, this, [this] { open_.clear(); });
+    connect(&document, &Document::replaced, this, [this] { reportIsOpen_ = false; });
     connect(&display, &Display::changed, this, schedule);
     connect(&themes, &Themes::changed, view_->viewport(), QOverload<>::of(&QWidget::update));
     refresh();
@@ -145,7 +145,7 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, const Dis
 void ProblemsPanel::refresh() {
     later_->stop();
     const int before = urgent();
-    list_->show(problemRows(document_, display_, open_));
+    list_->show(problemRows(document_, display_, reportIsOpen_));
     view_->setVisible(!list_->rows().empty());
     none_->setVisible(list_->rows().empty());
     if (urgent() != before) Q_EMIT countChanged(urgent());
@@ -153,13 +153,13 @@ void ProblemsPanel::refresh() {
 
 void ProblemsPanel::follow(int row) {
     const ProblemRow chosen = list_->rowAt(row);
-    if (chosen.opens >= 0) {
-        if (!open_.erase(chosen.opens)) open_.insert(chosen.opens);
+    if (chosen.opensReport) {
+        reportIsOpen_ = !reportIsOpen_;
         return refresh();
     }
     if (!chosen.remedy) return showRow(row);
-    Edit edit = chosen.remedy->edit(*document_.scene());
-    if (edit.done()) document_.apply(chosen.remedy->text, std::move(edit.scene));
+    // What an older check says may be meant of another thing by now.
+    if (document_.checkIsCurrent()) document_.apply(chosen.remedy->text, chosen.remedy->edit(*document_.scene()));
 }
 
 void ProblemsPanel::showRow(int row) {

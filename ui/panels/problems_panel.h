@@ -83,7 +83,7 @@ private:
     Selection& selection_;
     const Display& display_;
     const Themes& themes_;
-    std::set<int> open_;
+    bool reportIsOpen_ = false;
     ProblemList* list_;
     QListView* view_;
     QLabel* none_;

@@ -18,7 +18,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QRegularExpression>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -69,10 +68,11 @@ PropertyPanel::PropertyPanel(const FormContext& context, Selection& selection, Q
     column->addWidget(makeFoot());
     connect(filter_, &QLineEdit::textChanged, form_, &FieldForm::setFilter);
     connect(form_, &FieldForm::rowFocused, this, &PropertyPanel::showHelp);
-    connect(form_, &FieldForm::renamed, this, [this](const QString& before, const QString& after) {
-        QStringList pointers = selection_.pointers();
-        pointers.replaceInStrings(QRegularExpression("^" + QRegularExpression::escape(before) + "$"), after);
-        selection_.set(pointers);
+    connect(&context.document, &Document::moved, this, [this](const WhereNow& now) {
+        if (!pin_->isChecked()) return;
+        const QStringList left = whereNow(pinned_, now);
+        if (left.isEmpty() && !pinned_.isEmpty()) return pin_->setChecked(false);
+        if (left != pinned_) present(left);
     });
     connect(&selection, &Selection::changed, this, &PropertyPanel::follow);
     connect(&context.document, &Document::changed, this, &PropertyPanel::showHeader);
@@ -132,8 +132,12 @@ QWidget* PropertyPanel::makeFoot() {
 }
 
 void PropertyPanel::follow() {
-    if (pin_->isChecked()) return;
-    form_->setObjects(pointersOf(selection_.pointers()));
+    if (!pin_->isChecked()) present(selection_.pointers());
+}
+
+void PropertyPanel::present(const QStringList& pointers) {
+    pinned_ = pointers;
+    form_->setObjects(pointersOf(pointers));
     strip_->setObject(form_->objects().size() == 1 ? form_->objects().front() : std::string());
     showHeader();
     const auto at = objectAt(*context_.document.scene(), form_->objects().front());

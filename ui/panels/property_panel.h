@@ -8,6 +8,7 @@
 #include "ui/panels/form_rows.h"
 #include "ui/panels/value_editor.h"
 
+#include <QStringList>
 #include <QWidget>
 
 class QLabel;
@@ -37,6 +38,7 @@ public:
 
 private:
     void follow();
+    void present(const QStringList& pointers);
     void showHeader();
     void showHelp(const FormRow& row);
     QWidget* makeHeader();
@@ -46,6 +48,7 @@ private:
     Selection& selection_;
     QLabel *title_, *detail_, *helpTitle_, *helpText_;
     QToolButton* pin_;
+    QStringList pinned_;  // what is shown
     FilterLine* filter_;
     QScrollArea* scroll_;
     FieldForm* form_;

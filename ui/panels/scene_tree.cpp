@@ -20,6 +20,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QScopedValueRollback>
+#include <QScrollBar>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -66,11 +67,12 @@ SceneTree::SceneTree(Document& document, Selection& selection, Visibility& visib
     view_->installEventFilter(this);
     line_->installEventFilter(this);
     later_->setSingleShot(true);
-    later_->setInterval(0);
     model_->setFetch([this](const TreeNode& node) { return waitingChildren(source(), node); });
     model_->setRename([this](const QString& pointer, const QString& name) { rename(pointer, name); });
     model_->setMove([this](const QString& pointer, int to) { moveStage(pointer, to); });
-    const auto schedule = [this] { later_->start(); };
+    const auto schedule = [this] {
+        if (!document_.isPreviewing()) later_->start(0);
+    };
     connect(later_, &QTimer::timeout, this, &SceneTree::refresh);
     connect(&document, &Document::changed, this, schedule);
     connect(&document, &Document::checkedChanged, this, schedule);
@@ -80,7 +82,10 @@ SceneTree::SceneTree(Document& document, Selection& selection, Visibility& visib
         seen_.clear();
     });
     connect(&visibility, &Visibility::changed, view_->viewport(), QOverload<>::of(&QWidget::update));
-    connect(&selection, &Selection::changed, this, &SceneTree::showSelection);
+    connect(&selection, &Selection::changed, this, [this] {
+        sought_ = true;
+        showSelection();
+    });
     connect(&themes, &Themes::changed, view_->viewport(), QOverload<>::of(&QWidget::update));
     connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &SceneTree::takeSelection);
     connect(view_, &QTreeView::expanded, this, [this](const QModelIndex& i) { open_.insert(model_->nodeAt(i).id); });
@@ -150,19 +155,16 @@ void SceneTree::fillAddMenu() {
 
 void SceneTree::addItem(const QString& list) {
     Edit edit = appendAt(*document_.scene(), list.toStdString());
-    if (!edit.done()) return;
     const std::string made = edit.made.empty() ? list.toStdString() : edit.made;
     const QString title = QString::fromStdString(titleAt(edit.scene, made));
-    document_.apply(tr("Add %1").arg(title), std::move(edit.scene));
-    refresh();
-    selection_.set({QString::fromStdString(made)});
+    if (document_.apply(tr("Add %1").arg(title), std::move(edit))) selection_.set({QString::fromStdString(made)});
 }
 
 TreeSource SceneTree::source() const { return {document_, display_, runs_, filter_}; }
 
 void SceneTree::setRuns(std::vector<RunRow> runs) {
     runs_ = std::move(runs);
-    later_->start();
+    later_->start(0);
 }
 
 void SceneTree::refresh() {
@@ -170,6 +172,7 @@ void SceneTree::refresh() {
     if (view_->isEditing()) return later_->start(200);
     const QScopedValueRollback<bool> following(follows_, true);
     const QSet<QString> open = open_;
+    const int scrolled = view_->verticalScrollBar()->value();
     if (model_->show(makeTree(source())))
         for (int row = 0; row < model_->rowCount(); ++row) {
             const QModelIndex heading = model_->index(row, 0);
@@ -185,6 +188,7 @@ void SceneTree::refresh() {
                 if (open.contains(model_->nodeAt(inner).id)) view_->expand(inner);
             }
         }
+    view_->verticalScrollBar()->setValue(scrolled);
     showSelection();
 }
 
@@ -200,19 +204,26 @@ QModelIndex SceneTree::openTo(const QString& pointer) {
     return model_->indexOf(pointer);
 }
 
+/// Thousands of rows that follow each other are one range. Only a new selection is scrolled to.
 void SceneTree::showSelection() {
     const QScopedValueRollback<bool> following(follows_, true);
     QItemSelection chosen;
-    QModelIndex last;
+    QModelIndex first, last;
     for (const QString& pointer : selection_.pointers()) {
         const QModelIndex index = openTo(pointer);
         if (!index.isValid()) continue;
         for (QModelIndex above = index.parent(); above.isValid(); above = above.parent()) view_->expand(above);
-        chosen.select(index, index);
+        const bool goesOn = last.isValid() && index.parent() == last.parent() && index.row() == last.row() + 1;
+        if (!goesOn) {
+            if (last.isValid()) chosen.select(first, last);
+            first = index;
+        }
         last = index;
     }
+    if (last.isValid()) chosen.select(first, last);
     view_->selectionModel()->select(chosen, QItemSelectionModel::ClearAndSelect);
-    if (!last.isValid()) return;
+    if (!last.isValid() || !sought_) return;
+    sought_ = false;
     if (!view_->hasFocus()) view_->selectionModel()->setCurrentIndex(last, QItemSelectionModel::NoUpdate);
     view_->scrollTo(last);
 }
@@ -231,30 +242,22 @@ void SceneTree::activate(const QModelIndex& index) {
     if (id.startsWith("#run/")) Q_EMIT runChosen(id.mid(5));
 }
 
-void SceneTree::applyEdit(const QString& step, Edit edit) {
-    if (!edit.done()) return;
-    QStringList left;
-    for (const QString& pointer : selection_.pointers())
-        if (const auto now = edit.pointers.now(pointer.toStdString())) left << QString::fromStdString(*now);
-    document_.apply(step, std::move(edit.scene));
-    selection_.set(left);
-}
-
 void SceneTree::rename(const QString& pointer, const QString& name) {
     const QString title = QString::fromStdString(titleAt(*document_.scene(), pointer.toStdString()));
-    applyEdit(tr("Rename %1").arg(title), renameAt(*document_.scene(), pointer.toStdString(), name.toStdString()));
+    document_.apply(tr("Rename %1").arg(title),
+                    renameAt(*document_.scene(), pointer.toStdString(), name.toStdString()));
 }
 
 void SceneTree::moveStage(const QString& pointer, int to) {
     const QString title = QString::fromStdString(titleAt(*document_.scene(), pointer.toStdString()));
-    applyEdit(tr("Move %1").arg(title),
-              moveAt(*document_.scene(), pointer.toStdString(), static_cast<std::size_t>(std::max(0, to))));
+    document_.apply(tr("Move %1").arg(title),
+                    moveAt(*document_.scene(), pointer.toStdString(), static_cast<std::size_t>(std::max(0, to))));
 }
 
 QString SceneTree::chosenTitle() const {
     const QStringList& chosen = selection_.pointers();
     if (chosen.size() == 1) return QString::fromStdString(titleAt(*document_.scene(), chosen.front().toStdString()));
-    return tr("%n things", nullptr, chosen.size()).replace("%n", QString::number(chosen.size()));
+    return tr("%n things", nullptr, chosen.size());
 }
 
 void SceneTree::duplicate() {
@@ -263,8 +266,7 @@ void SceneTree::duplicate() {
     const Scene& scene = *document_.scene();
     const QString step = tr("Duplicate %1").arg(chosenTitle());
     Edit edit = copyAll(scene, scene, textsOf(selection_.pointers()), Point(0.0, 0.0), made);
-    if (!edit.done() || made.empty()) return;
-    document_.apply(step, std::move(edit.scene));
+    if (!document_.apply(step, std::move(edit))) return;
     QStringList copies;
     for (const std::string& pointer : made) copies << QString::fromStdString(pointer);
     selection_.set(copies);
@@ -273,7 +275,7 @@ void SceneTree::duplicate() {
 void SceneTree::remove() {
     if (selection_.isEmpty()) return;
     const QString step = tr("Delete %1").arg(chosenTitle());
-    applyEdit(step, removeAll(*document_.scene(), textsOf(selection_.pointers())));
+    document_.apply(step, removeAll(*document_.scene(), textsOf(selection_.pointers())));
 }
 
 void SceneTree::openMenu(const QPoint& place) {
@@ -284,7 +286,10 @@ void SceneTree::openMenu(const QPoint& place) {
     QMenu menu(this);
     if (node.isObject) {
         if (node.hasPlace) menu.addAction(tr("Zoom to"), this, [this] { Q_EMIT zoomAsked(selection_.pointers()); });
-        if (node.canRename) menu.addAction(tr("Rename\tF2"), view_, [this, index] { view_->edit(index); });
+        if (node.canRename)
+            menu.addAction(tr("Rename\tF2"), this, [this, at = QPersistentModelIndex(index)] {
+                if (at.isValid()) view_->edit(at);  // the tree may have been made anew under the menu
+            });
         if (id != "/analysis") {
             if (id.count('/') > 1) menu.addAction(tr("Duplicate\tCtrl+D"), this, &SceneTree::duplicate);
             menu.addAction(tr("Delete\tDel"), this, &SceneTree::remove);

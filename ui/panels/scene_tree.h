@@ -26,7 +26,6 @@ class Themes;
 class TreeModel;
 class TreeView;
 class Visibility;
-struct Edit;
 
 class SceneTree : public QWidget {
     Q_OBJECT
@@ -65,7 +64,6 @@ private:
     void moveStage(const QString& pointer, int to);
     void duplicate();
     void remove();
-    void applyEdit(const QString& step, Edit edit);
     TreeSource source() const;
     QModelIndex openTo(const QString& pointer);
     QString chosenTitle() const;
@@ -80,6 +78,7 @@ private:
     QString filter_;
     QSet<QString> open_, seen_;  // headings
     bool follows_ = false;  // the tree is being brought in line with the selection
+    bool sought_ = false;  // the selection is new and not in sight yet
     QWidget* header_;
     FilterLine* line_;
     QToolButton *filterButton_, *addButton_;

@@ -133,7 +133,7 @@ QString toggledName(const Scene& scene, const PlanRow& row, std::size_t stage) {
     return text.arg(name, in);
 }
 
-QStringList stageDeeds(const Scene&, const Stage& stage, const Display& display) {
+QStringList stageDeeds(const Stage& stage, const Display& display) {
     QStringList deeds;
     if (!stage.excavate.empty()) deeds << words("excavates %1").arg(listed(stage.excavate));
     if (stage.relaxation)

@@ -45,7 +45,7 @@ Edit toggled(const Scene& scene, const PlanRow& row, std::size_t stage);
 QString toggledName(const Scene& scene, const PlanRow& row, std::size_t stage);
 
 /// What the stage does, a few words each: `excavates drift`, `2 loads`.
-QStringList stageDeeds(const Scene& scene, const Stage& stage, const Display& display);
+QStringList stageDeeds(const Stage& stage, const Display& display);
 
 /// When it ends: `in balance`, `10 increments`, `0.5 s`.
 QString stageEnd(const Stage& stage, const Display& display);

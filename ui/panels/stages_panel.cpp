@@ -7,9 +7,9 @@
 #include "ui/edit/edits.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
+#include "ui/panels/calm_box.h"
 #include "ui/panels/plan_view.h"
 
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QScopedValueRollback>
@@ -56,7 +56,9 @@ StagesPanel::StagesPanel(const FormContext& context, Selection& selection, QWidg
     row->addWidget(split, 1);
     later_->setSingleShot(true);
     later_->setInterval(0);
-    const auto schedule = [this] { later_->start(); };
+    const auto schedule = [this] {
+        if (!context_.document.isPreviewing()) later_->start();
+    };
     connect(later_, &QTimer::timeout, this, &StagesPanel::refresh);
     connect(&context.document, &Document::changed, this, schedule);
     connect(&context.display, &Display::changed, this, schedule);
@@ -102,7 +104,7 @@ QWidget* StagesPanel::makeButtons() {
 void StagesPanel::fillRow(QTreeWidgetItem& item, std::size_t stage) {
     const Scene& scene = *context_.document.scene();
     const Stage& held = scene.stages[stage];
-    const QString deeds = stageDeeds(scene, held, context_.display).join(QString::fromUtf8(" · "));
+    const QString deeds = stageDeeds(held, context_.display).join(QString::fromUtf8(" · "));
     item.setFlags(item.flags() | Qt::ItemIsEditable);
     item.setText(NameColumn, QString::fromStdString(held.name));
     item.setText(EndColumn, stageEnd(held, context_.display));
@@ -110,7 +112,7 @@ void StagesPanel::fillRow(QTreeWidgetItem& item, std::size_t stage) {
     item.setToolTip(DeedsColumn, item.text(DeedsColumn));
     auto* box = static_cast<QComboBox*>(list_->itemWidget(&item, KindColumn));
     if (!box) {
-        box = new QComboBox(list_);
+        box = new CalmBox(list_);
         box->addItems({"static", "dynamic"});
         box->setFrame(false);
         box->setFixedHeight(22);
@@ -160,16 +162,16 @@ void StagesPanel::takeSelection() {
 }
 
 void StagesPanel::apply(const QString& step, Edit edit, const QString& select) {
-    if (!edit.done()) return refresh();
-    context_.document.apply(step, std::move(edit.scene));
+    const bool done = context_.document.apply(step, std::move(edit));
     refresh();
-    if (!select.isEmpty()) selection_.set({select});
+    if (done && !select.isEmpty()) selection_.set({select});
 }
 
 void StagesPanel::rename(QTreeWidgetItem* item) {
     if (filling_) return;
     const int stage = list_->indexOfTopLevelItem(item);
     const Scene& scene = *context_.document.scene();
+    if (stage >= static_cast<int>(scene.stages.size())) return;  // just gone
     const QString before = QString::fromStdString(scene.stages[static_cast<std::size_t>(stage)].name);
     if (item->text(NameColumn) == before) return;
     apply(tr("Rename stage %1").arg(before),
@@ -187,6 +189,7 @@ void StagesPanel::togglePlan(int row, int stage) {
     const Scene& scene = *context_.document.scene();
     const PlanRow thing = plan_->plan().planRow(row);
     const auto at = static_cast<std::size_t>(stage);
+    if (at >= scene.stages.size()) return;  // just gone
     apply(toggledName(scene, thing, at), toggled(scene, thing, at), {});
 }
 
@@ -196,7 +199,6 @@ void StagesPanel::addDynamic() { add(StageKind::Dynamic); }
 
 void StagesPanel::add(StageKind kind) {
     Edit edit = appendAt(*context_.document.scene(), "/stages");
-    if (!edit.done()) return;
     const QString made = QString::fromStdString(edit.made);
     edit = withStageKind(edit.scene, edit.scene.stages.size() - 1, kind);
     const QString title = QString::fromStdString(titleAt(edit.scene, made.toStdString()));
@@ -209,7 +211,7 @@ void StagesPanel::duplicate() {
     const std::string pointer = pointerOf(chosen()).toStdString();
     std::vector<std::string> made;
     Edit edit = copyAll(scene, scene, {pointer}, Point(0.0, 0.0), made);
-    if (!edit.done() || made.empty()) return;
+    if (!edit.done()) return apply({}, std::move(edit), {});
     const int to = chosen() + 1;
     const QString step = tr("Duplicate %1").arg(QString::fromStdString(titleAt(scene, pointer)));
     apply(step, moveAt(edit.scene, made.front(), static_cast<std::size_t>(to)), pointerOf(to));

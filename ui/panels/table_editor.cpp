@@ -145,16 +145,30 @@ NamesEditor::NamesEditor(const FormContext& context, QWidget* parent)
     ticks_->setSpacing(2);
 }
 
+/// Boxes of the same names stay, and with them the cursor.
 void NamesEditor::present(const FormRow& row) {
     row_ = row;
-    qDeleteAll(findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
-    const auto names = choicesOf(*context_.document.scene(), *row.structure, *row.field);
     const auto* chosen = std::get_if<std::vector<std::string>>(&row.value);
-    for (const std::string& name : *names) addTick(QString::fromStdString(name), false);
-    if (chosen)
-        for (const std::string& name : *chosen)
-            if (!std::ranges::count(*names, name)) addTick(QString::fromStdString(name), true);
-    if (ticks_->count() > 0) return;
+    const auto choices = choicesOf(*context_.document.scene(), *row.structure, *row.field);
+    std::vector<std::string> names = choices.value_or(std::vector<std::string>{});
+    const std::size_t known = names.size();
+    for (const std::string& name : chosen ? *chosen : std::vector<std::string>{})
+        if (!std::ranges::count(names, name)) names.push_back(name);
+    if (names != names_ || known != known_) {
+        qDeleteAll(findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
+        names_ = names, known_ = known;
+        for (std::size_t i = 0; i < names_.size(); ++i) addTick(QString::fromStdString(names_[i]), i >= known_);
+        if (names_.empty()) addNothing();
+    }
+    const auto boxes = findChildren<QCheckBox*>(QString(), Qt::FindDirectChildrenOnly);
+    for (int i = 0; i < boxes.size(); ++i) {
+        const bool ticked = chosen && std::ranges::count(*chosen, names_[static_cast<std::size_t>(i)]);
+        boxes[i]->setTristate(row.mixed);
+        boxes[i]->setCheckState(row.mixed ? Qt::PartiallyChecked : ticked ? Qt::Checked : Qt::Unchecked);
+    }
+}
+
+void NamesEditor::addNothing() {
     auto* none = new QLabel(tr("Nothing to choose from yet"), this);
     none->setProperty("role", "hint");
     ticks_->addWidget(none);
@@ -163,10 +177,6 @@ void NamesEditor::present(const FormRow& row) {
 void NamesEditor::addTick(const QString& name, bool missing) {
     auto* tick = new QCheckBox(missing ? tr("%1 (missing)").arg(name) : name, this);
     tick->setAccessibleName(tr("%1: %2").arg(labelOf(*row_.field), name));
-    const auto* chosen = std::get_if<std::vector<std::string>>(&row_.value);
-    const bool ticked = chosen && std::ranges::count(*chosen, name.toStdString());
-    tick->setTristate(row_.mixed);
-    tick->setCheckState(row_.mixed ? Qt::PartiallyChecked : ticked ? Qt::Checked : Qt::Unchecked);
     connect(tick, &QCheckBox::clicked, this, [this, name, tick] {
         const bool on = tick->checkState() != Qt::Unchecked;
         Q_EMIT focused();

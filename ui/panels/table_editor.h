@@ -55,11 +55,14 @@ public:
 
 private:
     void addTick(const QString& name, bool missing);
+    void addNothing();
     void enter(const QString& name, bool ticked);
 
     FormContext context_;
     FormRow row_;
     QVBoxLayout* ticks_;
+    std::vector<std::string> names_;  // one a box, in order
+    std::size_t known_ = std::string::npos;  // so many of them there are to choose; npos: nothing is shown yet
 };
 
 }  // namespace keyblock

@@ -10,29 +10,26 @@ namespace {
 
 const QString draggedType = QStringLiteral("application/x-keyblock-row");
 
+/// A long list that was opened has the rows that still wait in a new one, if it has as many.
 bool sameRows(const TreeNode& a, const TreeNode& b) {
-    if (a.id != b.id || a.waiting != b.waiting || a.children.size() != b.children.size()) return false;
+    if (a.id != b.id) return false;
+    if (b.waiting > 0) return a.waiting == b.waiting || static_cast<int>(a.children.size()) == b.waiting;
+    if (a.waiting != 0 || a.children.size() != b.children.size()) return false;
     for (std::size_t i = 0; i < a.children.size(); ++i)
         if (!sameRows(*a.children[i], *b.children[i])) return false;
     return true;
 }
 
-void takeTexts(TreeNode& node, TreeNode& from) {
+void takeTexts(TreeNode& node, TreeNode& from, const TreeModel::Fetch& fetch) {
+    if (from.waiting > 0 && node.waiting == 0)
+        for (auto& child : fetch(from)) addChild(from, std::move(child));
     std::swap(node.name, from.name);
     std::swap(node.detail, from.detail);
     node.icon = from.icon;
     node.badge = from.badge;
     node.bold = from.bold;
     node.canHide = from.canHide;
-    for (std::size_t i = 0; i < node.children.size(); ++i) takeTexts(*node.children[i], *from.children[i]);
-}
-
-const TreeNode* findBelow(const TreeNode& node, const QString& id) {
-    for (const auto& child : node.children) {
-        if (child->id == id) return child.get();
-        if (const TreeNode* found = findBelow(*child, id)) return found;
-    }
-    return nullptr;
+    for (std::size_t i = 0; i < node.children.size(); ++i) takeTexts(*node.children[i], *from.children[i], fetch);
 }
 
 }  // namespace
@@ -41,14 +38,23 @@ TreeModel::TreeModel(QObject* parent) : QAbstractItemModel(parent), root_(std::m
 
 bool TreeModel::show(std::unique_ptr<TreeNode> root) {
     if (sameRows(*root_, *root)) {
-        takeTexts(*root_, *root);
+        takeTexts(*root_, *root, fetch_);
         Q_EMIT layoutChanged();
         return false;
     }
     beginResetModel();
     root_ = std::move(root);
+    nodes_.clear();
+    list(*root_);
     endResetModel();
     return true;
+}
+
+void TreeModel::list(const TreeNode& node) {
+    for (const auto& child : node.children) {
+        nodes_.insert(child->id, child.get());
+        list(*child);
+    }
 }
 
 TreeNode* TreeModel::nodeOf(const QModelIndex& index) const {
@@ -62,7 +68,7 @@ QModelIndex TreeModel::indexOfNode(const TreeNode& node) const {
 }
 
 QModelIndex TreeModel::indexOf(const QString& id) const {
-    const TreeNode* node = findBelow(*root_, id);
+    const TreeNode* node = nodes_.value(id);
     return node ? indexOfNode(*node) : QModelIndex();
 }
 
@@ -94,6 +100,7 @@ void TreeModel::fetchMore(const QModelIndex& parent) {
     if (made.empty()) return;
     beginInsertRows(parent, 0, static_cast<int>(made.size()) - 1);
     for (auto& child : made) addChild(*node, std::move(child));
+    list(*node);
     endInsertRows();
 }
 

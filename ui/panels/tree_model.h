@@ -8,6 +8,7 @@
 #include "ui/panels/tree_nodes.h"
 
 #include <QAbstractItemModel>
+#include <QHash>
 
 #include <functional>
 
@@ -57,8 +58,10 @@ public:
 private:
     TreeNode* nodeOf(const QModelIndex& index) const;
     QModelIndex indexOfNode(const TreeNode& node) const;
+    void list(const TreeNode& node);  // what stands below it
 
     std::unique_ptr<TreeNode> root_;
+    QHash<QString, const TreeNode*> nodes_;  // by id
     Fetch fetch_;
     Rename rename_;
     Move move_;

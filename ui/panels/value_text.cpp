@@ -4,7 +4,6 @@
 
 #include "ui/edit/typed_number.h"
 #include "ui/look/display.h"
-#include "ui/panels/field_words.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -8,6 +8,8 @@
 #include "ui/look/commands.h"
 #include "ui/tools/select_tool.h"
 
+#include <QAction>
+
 namespace keyblock {
 namespace {
 
@@ -17,41 +19,62 @@ constexpr double shift = 24.0;  // [px] that a copy lies off its original
 
 Clipboard::Clipboard(Workbench& bench, SelectTool& select, Commands& commands, QObject* parent)
     : QObject(parent), bench_(bench), select_(select) {
-    const QString group = "clipboard";
-    commands.add({"edit.cut", tr("Cut"), "Edit", {}, tr("Takes out what is selected, to be pasted."), {QKeySequence::Cut},
-                  false, group}, [this] { copy(), select_.removeSelected(); });
-    commands.add({"edit.copy", tr("Copy"), "Edit", "copy", tr("Keeps what is selected, to be pasted."),
-                  {QKeySequence::Copy}, false, group}, [this] { copy(); });
-    commands.add({"edit.paste", tr("Paste"), "Edit", {}, tr("Adds what was copied, under free names."),
-                  {QKeySequence::Paste}, false, group}, [this] { paste(); });
-    commands.add({"edit.duplicate", tr("Duplicate"), "Edit", {}, tr("Adds a copy beside what is selected."),
-                  {QKeySequence("Ctrl+D")}, false, group}, [this] { duplicate(); });
-    commands.add({"edit.delete", tr("Delete"), "Edit", "delete",
-                  tr("Takes out what is selected, and what means nothing without it."), {QKeySequence::Delete}, false,
-                  group}, [this] { select_.removeSelected(); });
-    commands.add({"edit.selectAll", tr("Select all"), "Edit", {}, tr("Selects everything on the section."),
-                  {QKeySequence::SelectAll}, false, "select"}, [this] {
-        QStringList all;
-        for (const SceneObject& object : bench_.objects()) all << QString::fromStdString(object.pointer);
-        bench_.selection().set(all);
-    });
+    const auto add = [&](const char* id, const QString& text, const char* icon, const QString& help,
+                         const QKeySequence& key, void (Clipboard::*run)()) {
+        const QString group = QString(id) == "edit.selectAll" ? "select" : "clipboard";
+        return commands.add({id, text, "Edit", icon, help, {key}, false, group}, [this, run] { (this->*run)(); });
+    };
+    ofSelected_ = {
+        add("edit.cut", tr("Cut"), "", tr("Takes out what is selected, to be pasted."), QKeySequence::Cut,
+            &Clipboard::cut),
+        add("edit.copy", tr("Copy"), "copy", tr("Keeps what is selected, to be pasted."), QKeySequence::Copy,
+            &Clipboard::copy)};
+    paste_ = add("edit.paste", tr("Paste"), "", tr("Adds what was copied, under free names."), QKeySequence::Paste,
+                 &Clipboard::paste);
+    ofSelected_ << add("edit.duplicate", tr("Duplicate"), "", tr("Adds a copy beside what is selected."),
+                       QKeySequence("Ctrl+D"), &Clipboard::duplicate)
+                << add("edit.delete", tr("Delete"), "delete",
+                       tr("Takes out what is selected, and what means nothing without it."), QKeySequence::Delete,
+                       &Clipboard::remove);
+    all_ = add("edit.selectAll", tr("Select all"), "", tr("Selects everything on the section that is not locked."),
+               QKeySequence::SelectAll, &Clipboard::selectAll);
+    connect(&bench.selection(), &Selection::changed, this, &Clipboard::showWhatCan);
+    connect(&bench, &Workbench::drawingChanged, this, &Clipboard::showWhatCan);
+    showWhatCan();
+}
+
+/// Among results nothing of the scene is taken out or added unseen.
+void Clipboard::showWhatCan() {
+    const bool drawing = bench_.isDrawing();
+    for (QAction* action : ofSelected_) action->setEnabled(drawing && !bench_.selection().isEmpty());
+    paste_->setEnabled(drawing && source_);
+    all_->setEnabled(drawing);
+}
+
+void Clipboard::cut() {
+    copy();
+    remove();
+}
+
+void Clipboard::remove() { select_.removeSelected(); }
+
+void Clipboard::selectAll() {
+    QStringList all;
+    for (const SceneObject& object : bench_.objects())
+        if (!bench_.isLocked(object.pointer)) all << QString::fromStdString(object.pointer);
+    bench_.selection().set(all);
 }
 
 void Clipboard::copy() {
-    if (bench_.selection().isEmpty()) return;
     source_ = bench_.document().committed();
     pointers_ = bench_.selection().pointers();
     pasted_ = 0;
+    showWhatCan();
 }
 
-void Clipboard::paste() {
-    if (!source_) return bench_.say(tr("Nothing was copied yet."));
-    put(*source_, pointers_, tr("Paste"), shift * ++pasted_);
-}
+void Clipboard::paste() { put(*source_, pointers_, tr("Paste"), shift * ++pasted_); }
 
-void Clipboard::duplicate() {
-    if (!bench_.selection().isEmpty()) put(bench_.scene(), bench_.selection().pointers(), tr("Duplicate"), shift);
-}
+void Clipboard::duplicate() { put(bench_.scene(), bench_.selection().pointers(), tr("Duplicate"), shift); }
 
 void Clipboard::put(const Scene& source, const QStringList& pointers, const QString& step, double pixels) {
     std::vector<std::string> from, made;

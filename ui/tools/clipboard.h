@@ -4,10 +4,13 @@
 // Cut, copy, paste, duplicate, delete and select all, on what is selected.
 #pragma once
 
+#include <QList>
 #include <QObject>
 #include <QStringList>
 
 #include <memory>
+
+class QAction;
 
 namespace keyblock {
 
@@ -24,13 +27,19 @@ public:
     Clipboard(Workbench& bench, SelectTool& select, Commands& commands, QObject* parent);
 
 private:
+    void cut();
     void copy();
     void paste();
     void duplicate();
+    void remove();
+    void selectAll();
+    void showWhatCan();
     void put(const Scene& source, const QStringList& pointers, const QString& step, double pixels);
 
     Workbench& bench_;
     SelectTool& select_;
+    QList<QAction*> ofSelected_;
+    QAction *paste_, *all_;
     std::shared_ptr<const Scene> source_;  // null: nothing was copied
     QStringList pointers_;
     int pasted_ = 0;  // times since the copy: each lies a little further

@@ -112,16 +112,15 @@ void SelectTool::move(const Pointed& at) {
 }
 
 void SelectTool::beginDrag() {
+    const std::vector<Handle> all = handles();
+    const bool gone = hot_ ? *hot_ >= all.size() : bench().selection().isEmpty();  // by a key since the press
+    doing_ = gone ? Doing::Nothing : hot_ ? Doing::Shapes : Doing::Moves;
+    if (gone) return;
     if (hot_) {
-        doing_ = Doing::Shapes;
-        grab_ = handles()[*hot_].place;
+        shaped_ = selected().front();
+        grab_ = all[*hot_].place;
         return;
     }
-    if (bench().selection().isEmpty()) {
-        doing_ = Doing::Nothing;
-        return;
-    }
-    doing_ = Doing::Moves;
     // The place of the thing itself that was taken hold of comes to lie where the mouse snaps.
     const Pointed held = bench().pointAt(pressed_.raw, pressed_.pixel, {}, std::nullopt, {});
     grab_ = held.snap && held.snap->kind != SnapKind::Grid ? held.place : pressed_.raw;
@@ -129,7 +128,7 @@ void SelectTool::beginDrag() {
 
 Edit SelectTool::dragged(const Point& place) const {
     if (doing_ == Doing::Shapes && hot_)
-        return dragHandle(scene(), selected().front(), *hot_, place, bench().metres(wallReach));
+        return dragHandle(scene(), shaped_, *hot_, place, bench().metres(wallReach));
     return moveAll(scene(), selected(), place - grab_);
 }
 
@@ -141,11 +140,13 @@ void SelectTool::drag(const Pointed& at) {
         bench().say(QString::fromStdString(edit.refusal), true);
 }
 
+QString SelectTool::titleOf(const std::vector<std::string>& pointers) const {
+    return pointers.size() == 1 ? QString::fromStdString(titleAt(scene(), pointers.front()))
+                                : tr("%n objects", nullptr, static_cast<int>(pointers.size()));
+}
+
 QString SelectTool::stepName() const {
-    const std::vector<std::string> pointers = selected();
-    const QString what = pointers.size() == 1 ? QString::fromStdString(titleAt(scene(), pointers.front()))
-                                              : tr("%n objects", nullptr, static_cast<int>(pointers.size()));
-    return (doing_ == Doing::Shapes ? tr("Change %1") : tr("Move %1")).arg(what);
+    return doing_ == Doing::Shapes ? tr("Change %1").arg(titleOf({shaped_})) : tr("Move %1").arg(titleOf(selected()));
 }
 
 void SelectTool::release(const Pointed& at) {
@@ -210,8 +211,7 @@ void SelectTool::removeSelected() {
     const bool corner = hot_ && *hot_ < all.size() && all[*hot_].isCorner;
     if (!corner && selected().empty()) return;
     const std::vector<std::string> gone = corner ? std::vector{all[*hot_].pointer} : selected();
-    const QString what = gone.size() == 1 ? QString::fromStdString(titleAt(scene(), gone.front()))
-                                          : tr("%n objects", nullptr, static_cast<int>(gone.size()));
+    const QString what = titleOf(gone);
     back();
     hot_.reset();
     hover_.clear();
@@ -242,8 +242,6 @@ void SelectTool::fillMenu(QMenu& menu, const Pointed& at) {
     if (!pointer.isEmpty() && !bench().selection().contains(pointer)) bench().selection().set({pointer});
     if (bench().selection().isEmpty()) return;
     const std::vector<std::string> pointers = selected();
-    const QString what = pointers.size() == 1 ? QString::fromStdString(titleAt(scene(), pointers.front()))
-                                              : tr("%n objects", nullptr, static_cast<int>(pointers.size()));
     hot_ = handleAt(at.pixel);
     const Point raw = at.raw;
     if (pointers.size() == 1 && !hot_ && withCorner(scene(), pointers.front(), raw).done())
@@ -255,7 +253,7 @@ void SelectTool::fillMenu(QMenu& menu, const Pointed& at) {
         menu.addAction(tr("Delete corner"), this, [this, corner = all[*hot_].pointer] {
             bench().commit(tr("Delete corner"), removeAt(scene(), corner));
         });
-    menu.addAction(tr("Delete %1").arg(what), this, [this] {
+    menu.addAction(tr("Delete %1").arg(titleOf(pointers)), this, [this] {
         hot_.reset();
         removeSelected();
     });

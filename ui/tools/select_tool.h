@@ -8,7 +8,6 @@
 #include "ui/edit/handles.h"
 #include "ui/tools/tool.h"
 
-#include <QStringList>
 
 namespace keyblock {
 
@@ -23,14 +22,13 @@ public:
     QString prompt() const override { return {}; }
 
     void end() override;
-    void refresh() override { hover_.clear(), hot_.reset(); }
+    void refresh() override { doing_ = Doing::Nothing, hover_.clear(), hot_.reset(); }
     void press(const Pointed& at) override;
     void move(const Pointed& at) override;
     void release(const Pointed& at) override;
     void doubleClick(const Pointed& at) override;
     void leave() override;
     bool back() override;
-    bool undoPoint() override { return false; }
     bool key(QKeyEvent& event) override;
     void fillMenu(QMenu& menu, const Pointed& at) override;
 
@@ -57,6 +55,7 @@ private:
     void beginDrag();
     void drag(const Pointed& at);
     Edit dragged(const Point& place) const;
+    QString titleOf(const std::vector<std::string>& pointers) const;
     QString stepName() const;
     void nudge(const Point& way);
 
@@ -66,6 +65,7 @@ private:
     QPointF boxEnd_;
     Point mouse_{0.0, 0.0};  // [m]
     std::optional<std::size_t> hot_;  // handle under the mouse, or dragged
+    std::string shaped_;  // pointer of what has the dragged handle
     QString hover_;  // pointer of the object under the mouse
     bool single_ = false;  // a click without a drag chooses this alone
 };

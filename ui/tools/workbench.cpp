@@ -6,7 +6,7 @@
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/document/visibility.h"
-#include "ui/edit/values.h"
+#include "ui/edit/names.h"
 #include "ui/look/theme.h"
 
 #include <QSettings>
@@ -33,13 +33,6 @@ Point straightened(const Point& place, const Point& previous) {
     return std::abs(way.x()) >= std::abs(way.y()) ? Point(place.x(), previous.y()) : Point(previous.x(), place.y());
 }
 
-QStringList mapped(const QStringList& pointers, const PointerChange& change) {
-    QStringList now;
-    for (const QString& pointer : pointers)
-        if (const auto at = change.now(pointer.toStdString())) now << QString::fromStdString(*at);
-    return now;
-}
-
 }  // namespace
 
 Workbench::Workbench(Canvas& canvas, Document& document, Selection& selection, const Visibility& visibility,
@@ -50,6 +43,7 @@ Workbench::Workbench(Canvas& canvas, Document& document, Selection& selection, c
         seen_.reset();
         canvas_.refresh();
     });
+    connect(&document, &Document::told, this, &Workbench::said);
     const QSettings settings;
     modes_.objectSnap = settings.value("draw/objectSnap", true).toBool();
     modes_.ortho = settings.value("draw/ortho", false).toBool();
@@ -88,6 +82,11 @@ const SceneObject* Workbench::object(const QString& pointer) const {
     const auto found = std::find_if(objects_.begin(), objects_.end(),
                                     [&](const SceneObject& object) { return object.pointer == wanted; });
     return found == objects_.end() ? nullptr : &*found;
+}
+
+void Workbench::setDrawing(bool drawing) {
+    drawing_ = drawing;
+    Q_EMIT drawingChanged();
 }
 
 double Workbench::metres(double pixels) const { return pixels / canvas_.map().pixelsPerMetre(); }
@@ -133,18 +132,12 @@ Pointed Workbench::freePointAt(const Point& raw, const QPointF& pixel, Qt::Keybo
     return pointed;
 }
 
-bool Workbench::commit(const QString& step, const Edit& edit) {
-    if (!edit.done()) {
-        document_.endPreview();
-        say(QString::fromStdString(edit.refusal), true);
-        return false;
-    }
-    const QStringList kept = mapped(selection_.pointers(), edit.pointers);
-    document_.apply(step, edit.scene);
-    selection_.set(kept);
-    QStringList told;
-    for (const std::string& sentence : edit.told) told << QString::fromStdString(sentence);
-    if (!told.isEmpty()) say(told.mid(0, 3).join(' '));
+bool Workbench::commit(const QString& step, const Edit& edit) { return document_.apply(step, edit); }
+
+bool Workbench::add(const Edit& edit, const QString& step) {
+    const QString made = QString::fromStdString(titleAt(edit.scene, edit.made));
+    if (!commit(step.isEmpty() ? tr("Add %1").arg(made) : step, edit)) return false;
+    selection_.set({QString::fromStdString(edit.made)});
     return true;
 }
 

@@ -71,7 +71,7 @@ public:
 
     /// False while the canvas shows results.
     bool isDrawing() const { return drawing_; }
-    void setDrawing(bool drawing) { drawing_ = drawing; }
+    void setDrawing(bool drawing);
 
     /// The place that is meant where the mouse is. `previous` is what ortho and feet go by; `except` are pointers that
     /// are not snapped to.
@@ -90,14 +90,17 @@ public:
     Pointed freePointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
                         const std::optional<Point>& previous) const;
 
-    /// Makes the edit a step of undo called `step`; the selection stays on its things. Says why where it was refused.
+    /// Makes the edit a step of undo called `step`. Says why where it was refused.
     bool commit(const QString& step, const Edit& edit);
+    /// Makes what a tool made a step, as `Add joint J3` where none is given, and selects it.
+    bool add(const Edit& edit, const QString& step = {});
     /// Tells a person something beside the prompt.
     void say(const QString& text, bool warns = false);
 
 Q_SIGNALS:
     void said(const QString& text, bool warns);
     void modesChanged();
+    void drawingChanged();
 
 private:
     void look() const;

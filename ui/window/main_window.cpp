@@ -52,6 +52,7 @@ MainWindow::MainWindow(Themes& themes)
       runs_(new RunArea({*this, themes, *commands_, *document_, *selection_, *canvas_, *drawing_, *workflow_})) {
     setObjectName("studio");
     resize(1600, 1000);
+    selection_->follow(*document_);
     addFileCommands(*commands_, *document_, *this);
     addImportCommands(*this, *commands_, *document_, themes_);
     addEditCommands(*commands_, *document_);
@@ -72,7 +73,6 @@ MainWindow::MainWindow(Themes& themes)
     connect(document_, &Document::fileChanged, this, &MainWindow::showTitle);
     connect(document_, &Document::checkedChanged, this, &MainWindow::showStates);
     connect(runs_, &RunArea::statesChanged, this, &MainWindow::showStates);
-    connect(document_, &Document::replaced, selection_, &Selection::clear);
     connect(journal_, &Journal::failed, this, [this](const QString& why) {
         statusBar()->showMessage(tr("Edits are no longer kept for recovery: %1").arg(why));
     });

@@ -114,6 +114,23 @@ TEST(Library, BondsPeakAtTheirStrengthAndKeepTheirResidual) {
     EXPECT_EQ(curve.back().second, bond.residual);
 }
 
+TEST(AnchorLine, NodesThatChangeUnderTheMouseAreLetGo) {
+    NEED_SCREEN();
+    Themes themes;
+    AnchorLine line(themes, nullptr);
+    line.resize(300, 56);
+    line.show();
+    line.present(evenNodes(2.0, 60), std::vector<bool>(61, true), true, true);
+    int painted = 0;
+    QObject::connect(&line, &AnchorLine::painted, [&] { ++painted; });
+    QTest::mousePress(&line, Qt::LeftButton, {}, line.placeOf(55).toPoint());
+    line.present(evenNodes(2.0, 10), std::vector<bool>(11, true), true, true);
+    line.repaint();
+    QTest::mouseMove(&line, {20, 26});
+    QTest::mouseRelease(&line, Qt::LeftButton, {}, {20, 26});
+    EXPECT_EQ(painted, 0);
+}
+
 TEST(Library, ACopyCanBeChangedAndAssigned) {
     NEED_SCREEN();
     Themes themes;

@@ -6,9 +6,15 @@
 #include "tests/ui/panels/form_bench.h"
 
 #include "solver/scene/pointer.h"
+#include "ui/document/selection.h"
 #include "ui/edit/edits.h"
+#include "ui/look/commands.h"
 #include "ui/panels/field_words.h"
 #include "ui/panels/value_text.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QWheelEvent>
 
 namespace keyblock {
 namespace {
@@ -58,6 +64,7 @@ TEST(FieldForm, NumbersAreShownAndTypedInTheUnitsOfTheDisplay) {
     bench.form.refresh();
     bench.type("youngs_modulus", "5.5e10");
     EXPECT_EQ(bench.document.scene()->materials[0].second.youngsModulus, 5.5e10);
+    EXPECT_EQ(Display::number(-0.0), "0");
 }
 
 TEST(FieldForm, WhatIsOutOfRangeIsRefusedAtTheFieldAndNotLost) {
@@ -76,6 +83,49 @@ TEST(FieldForm, WhatIsOutOfRangeIsRefusedAtTheFieldAndNotLost) {
     QTest::keyClick(bench.line("spacing"), Qt::Key_Escape);
     EXPECT_TRUE(problemOf(*bench.row("spacing")).isEmpty());
     EXPECT_EQ(bench.document.undo().count(), 0);
+}
+
+TEST(FieldForm, ACommandKnowsWhatIsBeingTyped) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    Commands commands(bench.themes);
+    double seen = 0.0;
+    QAction* save = commands.add({"save", "Save", {}, {}, {}},
+                                 [&] { seen = bench.document.scene()->jointSets[0].spacing; });
+    bench.choose({"/joint_sets/0"});
+    QLineEdit* spacing = bench.line("spacing");
+    spacing->setFocus();
+    spacing->selectAll();
+    QTest::keyClicks(spacing, "7");
+    save->trigger();
+    EXPECT_EQ(seen, 7.0);
+    EXPECT_TRUE(spacing->hasFocus());
+    EXPECT_EQ(bench.document.undo().count(), 1);
+}
+
+TEST(FieldForm, TheWheelScrollsPastAChoice) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    bench.choose({"/tunnels/0"});
+    auto* profile = bench.row("profile")->editor().findChild<QComboBox*>();
+    ASSERT_TRUE(profile);
+    EXPECT_EQ(profile->focusPolicy() & Qt::WheelFocus & ~Qt::StrongFocus, 0) << "a wheel would give it the focus";
+    QWheelEvent wheel({5, 5}, profile->mapToGlobal({5, 5}), {}, {0, -120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(profile, &wheel);
+    EXPECT_EQ(bench.document.undo().count(), 0);
+}
+
+TEST(FieldForm, TickingByKeysKeepsThePlace) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    bench.choose({"/stages/0"});
+    auto* tick = bench.row("install")->editor().findChild<QCheckBox*>();
+    ASSERT_TRUE(tick);
+    tick->setFocus();
+    QTest::keyClick(tick, Qt::Key_Space);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(bench.document.undo().count(), 1);
+    EXPECT_TRUE(qobject_cast<QCheckBox*>(QApplication::focusWidget()));
 }
 
 TEST(FieldForm, SeveralObjectsShowMixedAndAreSetTogether) {
@@ -119,11 +169,14 @@ TEST(FieldForm, ANameIsChangedWhereverItStands) {
     NEED_SCREEN();
     FormBench bench(sampleScene("drift-bolted"));
     const std::string old = bench.document.scene()->materials[0].first;
+    Selection selection;
+    selection.follow(bench.document);
+    selection.set({QString::fromStdString("/materials/" + old)});
     bench.choose({"/materials/" + old});
     bench.type("name", "gneiss");
     EXPECT_EQ(bench.document.scene()->materials[0].first, "gneiss");
     EXPECT_EQ(bench.document.scene()->domain->material, "gneiss");
-    EXPECT_EQ(bench.form.objects().front(), "/materials/gneiss");
+    EXPECT_EQ(selection.pointers(), QStringList{"/materials/gneiss"});
 }
 
 TEST(FieldForm, EmptyMeansAutomaticWhereThatIsAllowed) {

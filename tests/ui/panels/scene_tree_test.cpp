@@ -32,6 +32,7 @@ struct TreeBench {
     SceneTree tree{document, selection, visibility, display, commands, themes};
 
     explicit TreeBench(Scene scene) {
+        selection.follow(document);
         document.startNew(std::move(scene));
         tree.resize(236, 700);
         tree.show();
@@ -107,6 +108,58 @@ TEST(SceneTree, NamesAreChangedInPlaceWhereverTheyStand) {
     EXPECT_EQ(bench.document.scene()->domain->material, "gneiss");
     bench.tree.refresh();
     EXPECT_TRUE(bench.at("/materials/gneiss").isValid());
+}
+
+TEST(SceneTree, ARefusedNameIsTold) {
+    NEED_SCREEN();
+    TreeBench bench(sampleScene("drift-bolted"));
+    QString said;
+    QObject::connect(&bench.document, &Document::told, [&](const QString& text) { said = text; });
+    const QString taken = QString::fromStdString(bench.document.scene()->jointSets[0].name);
+    bench.model().setData(bench.at("/joint_sets/1"), taken, Qt::EditRole);
+    EXPECT_TRUE(said.contains("is taken")) << said.toStdString();
+    EXPECT_EQ(bench.document.undo().count(), 0);
+}
+
+TEST(SceneTree, TheSelectionStaysOnItsThingsThroughUndo) {
+    NEED_SCREEN();
+    TreeBench bench(sampleScene("drift-bolted"));
+    const std::string second = bench.document.scene()->jointSets[1].name;
+    bench.selection.set({"/joint_sets/1"});
+    bench.document.apply("remove", removeAt(*bench.document.scene(), "/joint_sets/0"));
+    EXPECT_EQ(bench.selection.pointers(), QStringList{"/joint_sets/0"});
+    EXPECT_EQ(bench.document.scene()->jointSets[0].name, second);
+    bench.document.undo().undo();
+    EXPECT_EQ(bench.selection.pointers(), QStringList{"/joint_sets/1"});
+    bench.document.undo().redo();
+    EXPECT_EQ(bench.selection.pointers(), QStringList{"/joint_sets/0"});
+    bench.document.apply("add", appendAt(*bench.document.scene(), "/joint_sets"));
+    const auto last = static_cast<int>(bench.document.scene()->jointSets.size()) - 1;
+    bench.selection.set({QString("/joint_sets/%1").arg(last)});
+    bench.document.undo().undo();
+    EXPECT_TRUE(bench.selection.isEmpty()) << "what is selected is not there any more";
+}
+
+TEST(SceneTree, AnOpenListOfThousandsIsKeptAndThousandsAreSelectedAtOnce) {
+    NEED_SCREEN();
+    TreeBench bench(wall(100, 50));
+    bench.selection.set({"/blocks/4321"});
+    bench.tree.refresh();
+    const QPersistentModelIndex row = bench.at("/blocks/4321");
+    bench.document.apply("title", [&] {
+        Scene scene = *bench.document.scene();
+        scene.blocks[4321].material = "other";
+        return scene;
+    }());
+    bench.tree.refresh();
+    EXPECT_TRUE(row.isValid()) << "rows that stay are not made anew";
+    QStringList all;
+    for (int i = 0; i < 5000; ++i) all << QString("/blocks/%1").arg(i);
+    QElapsedTimer timer;
+    timer.start();
+    bench.selection.set(all);
+    EXPECT_LT(timer.elapsed(), 2000);
+    EXPECT_EQ(bench.tree.view().selectionModel()->selectedIndexes().size(), 5000);
 }
 
 TEST(SceneTree, TheFilterLeavesWhatHoldsItsText) {
