@@ -24,8 +24,4 @@ Edit BlockTool::make(const std::vector<Point>& points) const {
     return withBlock(scene(), block);
 }
 
-QString BlockTool::step(const Edit& edit) const {
-    return tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made)));
-}
-
 }  // namespace keyblock

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/bolt_tool.h"
 
-#include "ui/document/selection.h"
 #include "ui/edit/edits.h"
 #include "ui/tools/choices.h"
 #include "ui/tools/tool_ink.h"
@@ -34,15 +33,8 @@ std::vector<ToolField> BoltTool::fields() {
     const auto row = [&](const char* key, const QString& label, const QStringList& choices = {}) {
         return rowField("bolts", key, &bolt_, label, tell, choices);
     };
-    ToolField length{"length", tr("Length"), tr("Length square to a wall."), "m", {}, false, {}, {}, {}};
-    length.get = [this] { return FieldValue(length_); };
-    length.set = [this](const FieldValue& value) {
-        const auto* number = std::get_if<double>(&value);
-        if (!number || !(*number > 0.0) || *number > 1e4) return tr("Give a length above 0.");
-        length_ = *number;
-        Q_EMIT changed();
-        return QString();
-    };
+    const ToolField length =
+        numberField("length", tr("Length"), tr("Length square to a wall."), "m", {0.0, 1e4, true}, length_, tell);
     std::vector<ToolField> fields{row("type", tr("Type"), types), length, row("plate", tr("Plate")),
                                   row("spacing_out_of_plane", tr("Out of plane")), row("pretension", tr("Pretension"))};
     fields[3].none = lengthText(scene().analysis.thickness).section(' ', 0, 0);
@@ -83,9 +75,7 @@ bool BoltTool::place(const Point& head, const Point& farEnd) {
     Bolt bolt = bolt_;
     bolt.head = head, bolt.farEnd = farEnd;
     bolt.name.clear();
-    const Edit edit = withBolt(scene(), bolt);
-    if (!bench().commit(tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))), edit)) return false;
-    bench().selection().set({QString::fromStdString(edit.made)});
+    if (!bench().add(withBolt(scene(), bolt))) return false;
     head_.reset();
     return true;
 }

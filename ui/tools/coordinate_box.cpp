@@ -19,9 +19,8 @@ constexpr int fieldWidth = 106, fieldHeight = 25;
 
 QString shown(double number) { return QString::number(number, 'f', 3).replace('-', QChar(0x2212)); }
 
-bool saysWholePlace(const QString& text) {
-    return text.contains('@') || text.contains('<') || text.contains(';') || text.contains(',');
-}
+/// A comma stands for a decimal point where x and y have fields of their own.
+bool saysWholePlace(const QString& text) { return text.contains('@') || text.contains('<') || text.contains(';'); }
 
 }  // namespace
 

@@ -107,8 +107,7 @@ bool JointSetTool::enter() {
     if (traces_.empty()) return false;
     SceneJointSet set = set_;
     set.name.clear();
-    const Edit edit = withJointSet(scene(), set);
-    if (!bench().commit(tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))), edit)) return false;
+    if (!bench().add(withJointSet(scene(), set))) return false;
     bench().selection().clear();  // its traces would hide the ghosts of the next set
     picked_.reset();
     next();

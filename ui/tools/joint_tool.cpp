@@ -19,8 +19,4 @@ Edit JointTool::make(const std::vector<Point>& points) const {
     return withJoint(scene(), joint);
 }
 
-QString JointTool::step(const Edit& edit) const {
-    return tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made)));
-}
-
 }  // namespace keyblock

@@ -21,7 +21,6 @@ public:
 protected:
     bool isOutline() const override { return false; }
     Edit make(const std::vector<Point>& points) const override;
-    QString step(const Edit& edit) const override;
 
 private:
     SceneJoint joint_;

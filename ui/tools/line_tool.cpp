@@ -5,7 +5,6 @@
 #include "geometry/angle.h"
 #include "geometry/polygon.h"
 #include "ui/canvas/canvas.h"
-#include "ui/document/selection.h"
 #include "ui/tools/tool_ink.h"
 
 namespace keyblock {
@@ -82,13 +81,8 @@ void LineTool::doubleClick(const Pointed& at) {
 }
 
 bool LineTool::finish(const std::vector<Point>& points) {
-    const Edit edit = make(points);
-    if (!bench().commit(step(edit), edit)) {
-        if (isRectangle()) points_.resize(1);
-        return false;
-    }
+    if (!bench().add(make(points), step())) return false;
     points_.clear();
-    bench().selection().set({QString::fromStdString(edit.made)});
     return true;
 }
 

@@ -33,7 +33,7 @@ public:
 protected:
     virtual bool isOutline() const = 0;  // the last point joins the first
     virtual Edit make(const std::vector<Point>& points) const = 0;
-    virtual QString step(const Edit& edit) const = 0;  // of undo, e.g. `Add joint J3`
+    virtual QString step() const { return {}; }  // of undo; empty: `Add joint J3`
     bool isRectangle() const { return isOutline() && shape_ == 0; }
     ToolField shapeField();
 

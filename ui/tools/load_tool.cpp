@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/load_tool.h"
 
-#include "ui/document/selection.h"
 #include "ui/edit/edits.h"
 #include "ui/look/theme.h"
 #include "ui/tools/choices.h"
@@ -10,7 +9,6 @@
 #include "ui/tools/tool_ink.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace keyblock {
 
@@ -19,19 +17,6 @@ QString LoadTool::prompt() const {
     if (what_ == AtPoint) return tr("pick the point that it acts at");
     if (what_ == OnBlock) return tr("pick a place in the block");
     return first_ ? tr("pick the other end of the loaded line") : tr("pick one end of the loaded line");
-}
-
-ToolField LoadTool::number(const QString& id, const QString& label, const char* unit, double& value) {
-    ToolField field{id, label, {}, unit, {}, false, {}, {}, {}};
-    field.get = [&value] { return FieldValue(value); };
-    field.set = [this, &value](const FieldValue& given) {
-        const auto* number = std::get_if<double>(&given);
-        if (!number || !std::isfinite(*number)) return tr("Give a number.");
-        value = *number;
-        Q_EMIT changed();
-        return QString();
-    };
-    return field;
 }
 
 std::vector<ToolField> LoadTool::fields() {
@@ -44,11 +29,14 @@ std::vector<ToolField> LoadTool::fields() {
     std::vector<ToolField> fields{choiceField(
         "what", tr("As"), {tr("force at a point"), tr("force on a block"), tr("pressure on a line")}, what_, tell)};
     if (!stages.isEmpty()) fields.push_back(choiceField("stage", tr("In stage"), stages, stage_, tell));
+    const auto add = [&](const char* id, const QString& label, const char* unit, double& value) {
+        fields.push_back(numberField(id, label, {}, unit, {}, value, [this] { Q_EMIT changed(); }));
+    };
     if (what_ == Pressure) {
-        fields.push_back(number("pressure", tr("Pressure"), "Pa", pressure_));
+        add("pressure", tr("Pressure"), "Pa", pressure_);
     } else {
-        fields.push_back(number("force_x", tr("Fx"), "N", force_.x()));
-        fields.push_back(number("force_y", tr("Fy"), "N", force_.y()));
+        add("force_x", tr("Fx"), "N", force_.x());
+        add("force_y", tr("Fy"), "N", force_.y());
     }
     return fields;
 }
@@ -77,9 +65,7 @@ void LoadTool::press(const Pointed& at) {
 
 void LoadTool::place(Load load) {
     first_.reset();
-    const Edit edit = withLoad(scene(), static_cast<std::size_t>(stage_), load);
-    if (bench().commit(tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))), edit))
-        bench().selection().set({QString::fromStdString(edit.made)});
+    bench().add(withLoad(scene(), static_cast<std::size_t>(stage_), load));
 }
 
 bool LoadTool::back() {

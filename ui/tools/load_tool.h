@@ -31,7 +31,6 @@ public:
 
 private:
     enum What { AtPoint, OnBlock, Pressure };
-    ToolField number(const QString& id, const QString& label, const char* unit, double& value);
     void place(Load load);
 
     int what_ = AtPoint, stage_ = 0;

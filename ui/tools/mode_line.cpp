@@ -24,11 +24,14 @@ public:
         setFocusPolicy(Qt::NoFocus);
         setObjectName("mode." + action->objectName());
         setAccessibleName(action->text());
-        setToolTip(action->toolTip());
         QFont small = font();
         small.setPixelSize(11);
         setFont(small);
-        const auto show = [this] { setChecked(action_->isChecked()); };
+        const auto show = [this] {
+            setChecked(action_->isChecked());
+            setToolTip(action_->toolTip());
+            updateGeometry();  // it may have another key
+        };
         QObject::connect(action, &QAction::changed, this, show);
         QObject::connect(this, &QAbstractButton::clicked, action, [this, action] {
             setChecked(action->isChecked());

@@ -4,7 +4,6 @@
 
 #include "geometry/segment.h"
 #include "solver/scene/words.h"
-#include "ui/document/selection.h"
 #include "ui/edit/edits.h"
 #include "ui/look/theme.h"
 #include "ui/tools/sign_ink.h"
@@ -92,9 +91,7 @@ void MonitorTool::press(const Pointed& at) {
 
 void MonitorTool::place(const Monitor& monitor) {
     first_.reset();
-    const Edit edit = withMonitor(scene(), monitor);
-    if (bench().commit(tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))), edit))
-        bench().selection().set({QString::fromStdString(edit.made)});
+    bench().add(withMonitor(scene(), monitor));
 }
 
 bool MonitorTool::back() {

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/motion_tool.h"
 
-#include "ui/document/selection.h"
 #include "ui/edit/edits.h"
 #include "ui/look/theme.h"
 #include "ui/tools/choices.h"
 #include "ui/tools/sign_ink.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace keyblock {
 
@@ -24,16 +22,8 @@ std::vector<ToolField> MotionTool::fields() {
     std::vector<ToolField> fields;
     if (!stages.isEmpty()) fields.push_back(choiceField("stage", tr("In stage"), stages, stage_, tell));
     fields.push_back(choiceField("axis", tr("Along"), {"x", "y"}, axis_, tell));
-    ToolField end{"displacement", tr("By"), tr("Displacement at the end of the stage."), "m", {}, false, {}, {}, {}};
-    end.get = [this] { return FieldValue(displacement_); };
-    end.set = [this](const FieldValue& value) {
-        const auto* number = std::get_if<double>(&value);
-        if (!number || !std::isfinite(*number)) return tr("Give a number.");
-        displacement_ = *number;
-        Q_EMIT changed();
-        return QString();
-    };
-    fields.push_back(std::move(end));
+    fields.push_back(numberField("displacement", tr("By"), tr("Displacement at the end of the stage."), "m", {},
+                                 displacement_, tell));
     return fields;
 }
 
@@ -41,16 +31,14 @@ void MotionTool::begin() { stage_ = std::max(static_cast<int>(scene().stages.siz
 
 void MotionTool::press(const Pointed& at) {
     cursor_ = at.place;
-    Motion motion = motion_;
+    Motion motion;
     motion.blockAt = at.place;
     motion.axis = axis_ == 0 ? Point(1.0, 0.0) : Point(0.0, 1.0);
     const auto stage = static_cast<std::size_t>(stage_);
     const bool dynamic = stage < scene().stages.size() && scene().stages[stage].kind == StageKind::Dynamic;
     const double end = dynamic ? std::max(scene().stages[stage].duration, 1e-3) : 1.0;
     motion.table = {{0.0, 0.0}, {end, displacement_}};
-    const Edit edit = withMotion(scene(), stage, motion);
-    if (bench().commit(tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))), edit))
-        bench().selection().set({QString::fromStdString(edit.made)});
+    bench().add(withMotion(scene(), stage, motion));
 }
 
 void MotionTool::paint(QPainter& painter, const CanvasMap& map) const {

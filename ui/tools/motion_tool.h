@@ -26,7 +26,6 @@ public:
     void paint(QPainter& painter, const CanvasMap& map) const override;
 
 private:
-    Motion motion_;
     int stage_ = 0, axis_ = 0;  // x, y
     double displacement_ = 0.004;  // at the end [m]
     std::optional<Point> cursor_;

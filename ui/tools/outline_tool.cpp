@@ -14,9 +14,8 @@ Edit OutlineTool::make(const std::vector<Point>& points) const {
     return what_ == 0 ? withDomain(scene(), points) : withRegion(scene(), {"", points});
 }
 
-QString OutlineTool::step(const Edit& edit) const {
-    if (what_ == 1) return tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made)));
-    return scene().domain ? tr("Change outline") : tr("Add outline");
+QString OutlineTool::step() const {
+    return what_ == 1 ? QString() : scene().domain ? tr("Change outline") : tr("Add outline");
 }
 
 }  // namespace keyblock

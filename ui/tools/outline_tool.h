@@ -21,7 +21,7 @@ public:
 protected:
     bool isOutline() const override { return true; }
     Edit make(const std::vector<Point>& points) const override;
-    QString step(const Edit& edit) const override;
+    QString step() const override;
 
 private:
     int what_ = 0;  // rock, region

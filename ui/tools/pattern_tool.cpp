@@ -5,7 +5,6 @@
 #include "geometry/bolt_pattern.h"
 #include "solver/scene/shapes.h"
 #include "ui/canvas/canvas.h"
-#include "ui/document/selection.h"
 #include "ui/edit/edits.h"
 #include "ui/tools/choices.h"
 #include "ui/tools/tool_ink.h"
@@ -131,10 +130,7 @@ bool PatternTool::enter() {
     if (bolts_.empty()) return false;
     ScenePattern pattern = pattern_;
     pattern.name.clear();
-    const Edit edit = withPattern(scene(), pattern);
-    const QString step = tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made)));
-    if (!bench().commit(step, edit)) return false;
-    bench().selection().set({QString::fromStdString(edit.made)});
+    if (!bench().add(withPattern(scene(), pattern))) return false;
     begin();
     return true;
 }

@@ -13,6 +13,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <set>
+
 namespace keyblock {
 namespace {
 
@@ -103,23 +105,24 @@ QPainterPath SceneOverlay::rock(const CanvasMap& map) const {
     return all - openings;
 }
 
+/// Where lines end at openings, they are clipped; the clip costs much, so those come last, together.
 void SceneOverlay::paintSelected(QPainter& painter, const CanvasMap& map) const {
-    const Selection& selection = bench_.selection();
-    if (selection.isEmpty()) return;
+    std::set<std::string> holders;
+    for (const QString& pointer : bench_.selection().pointers())
+        holders.insert(objectPointer(*bench_.document().scene(), pointer.toStdString()));
+    if (holders.empty()) return;
     ToolInk ink(painter, map, bench_.theme());
-    for (const QString& pointer : selection.pointers()) {
-        const std::string holder = objectPointer(*bench_.document().scene(), pointer.toStdString());
+    for (const bool clipped : {false, true})
         for (const SceneObject& object : objects()) {
             // The picture shows which of its bolts are selected.
             const bool isBolt = object.kind == ObjectKind::Bolt || object.kind == ObjectKind::Pattern;
-            if (object.pointer != holder || (isBolt && isShown())) continue;
-            painter.setClipping(false);
-            if (endsAtOpenings(object.kind)) painter.setClipPath(rock(map));
+            if (endsAtOpenings(object.kind) != clipped || !holders.contains(object.pointer) || (isBolt && isShown()))
+                continue;
+            if (clipped && !painter.hasClipping()) painter.setClipPath(rock(map));
             const double width = object.kind == ObjectKind::JointSet ? 1.3 : 2.0;  // its lines are everywhere
             for (const ObjectLine& line : object.lines) ink.chosen(line.points, line.closed, width);
             for (const Point& mark : object.marks) ink.handle(mark, false);
         }
-    }
     painter.setClipping(false);
 }
 

@@ -6,7 +6,6 @@
 #include "ui/edit/locate.h"
 #include "ui/look/theme.h"
 
-#include <QFontMetricsF>
 #include <QLineF>
 #include <QPainter>
 #include <QPainterPath>

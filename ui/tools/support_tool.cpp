@@ -6,7 +6,6 @@
 #include "geometry/segment.h"
 #include "solver/scene/shapes.h"
 #include "solver/scene/words.h"
-#include "ui/document/selection.h"
 #include "ui/edit/edits.h"
 #include "ui/look/theme.h"
 #include "ui/tools/sign_ink.h"
@@ -65,8 +64,7 @@ void SupportTool::press(const Pointed& at) {
     const Support support = supportAt(at.place);
     if (what_ == Side && !support.boundary) return bench().say(tr("There is no outline with sides yet."), true);
     const Edit edit = withSupport(scene(), support);
-    if (bench().commit(tr("Hold %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))), edit))
-        bench().selection().set({QString::fromStdString(edit.made)});
+    bench().add(edit, tr("Hold %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))));
 }
 
 void SupportTool::paint(QPainter& painter, const CanvasMap& map) const {

@@ -51,8 +51,8 @@ void ToolChip::makeChoice() {
     choice_->addItems(field_.choices);
     choice_->setFocusPolicy(Qt::ClickFocus);
     layout()->addWidget(choice_);
-    connect(choice_, qOverload<int>(&QComboBox::activated), this, [this] {
-        const bool none = !field_.none.isEmpty() && choice_->currentText() == field_.none;
+    connect(choice_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+        const bool none = !field_.none.isEmpty() && index == 0;  // a name may be the same word
         field_.set(none ? FieldValue{} : FieldValue(choice_->currentText().toStdString()));
         Q_EMIT done();
     });
@@ -110,7 +110,7 @@ void ToolChip::showValue() {
     const FieldValue value = field_.get();
     if (choice_) {
         const auto* text = std::get_if<std::string>(&value);
-        choice_->setCurrentIndex(choice_->findText(text ? QString::fromStdString(*text) : field_.none));
+        choice_->setCurrentIndex(text ? field_.choices.lastIndexOf(QString::fromStdString(*text)) : 0);
         // As wide as what is chosen; the list is as wide as it needs.
         choice_->setFixedWidth(choice_->fontMetrics().horizontalAdvance(choice_->currentText()) + 30);
         QFontMetrics metrics = choice_->fontMetrics();

@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
+
 namespace keyblock {
 namespace {
 
@@ -47,6 +49,22 @@ ToolField rowField(const char* list, const char* key, void* object, const QStrin
 bool rowApplies(const char* list, const char* key, const void* object) {
     const Structure& structure = entriesOf(list);
     return applies(structure, *findField(structure, key), object);
+}
+
+ToolField numberField(const QString& id, const QString& label, const QString& help, const QString& unit,
+                      const Range& range, double& value, std::function<void()> changed) {
+    ToolField field{id, label, help, unit, {}, false, {}, {}, {}};
+    field.get = [&value] { return FieldValue(value); };
+    field.set = [&value, range, changed = std::move(changed)](const FieldValue& given) {
+        const auto* number = std::get_if<double>(&given);
+        if (!number || !std::isfinite(*number)) return QCoreApplication::translate("tools", "Give a number.");
+        if (!contains(range, *number))
+            return QCoreApplication::translate("tools", "Give a number %1.").arg(textOf(rangeText(range)));
+        value = *number;
+        changed();
+        return QString();
+    };
+    return field;
 }
 
 ToolField choiceField(const QString& id, const QString& label, const QStringList& choices, int& chosen,

@@ -36,6 +36,10 @@ ToolField rowField(const char* list, const char* key, void* object, const QStrin
 /// True when the row applies to the object as it is (the width of a circle does not).
 bool rowApplies(const char* list, const char* key, const void* object);
 
+/// An option that is a number and no row; `set` refuses what is not in the range.
+ToolField numberField(const QString& id, const QString& label, const QString& help, const QString& unit,
+                      const Range& range, double& value, std::function<void()> changed);
+
 /// An option that is no row: one of `choices`, by index.
 ToolField choiceField(const QString& id, const QString& label, const QStringList& choices, int& chosen,
                       std::function<void()> changed);

@@ -202,12 +202,6 @@ void ToolInk::snap(const Snap& snap) {
     painter_.drawText(tag.adjusted(26.0, 0.0, 0.0, 0.0), Qt::AlignVCenter | Qt::AlignLeft, name);
 }
 
-void ToolInk::cross(const QPointF& at) {
-    painter_.setPen(QPen(theme_.text, 1.0));
-    for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-        painter_.drawLine(at + 10.0 * way, at + 25.0 * way);
-}
-
 void ToolInk::box(const QRectF& box, bool crosses) {
     painter_.setPen(crosses ? dashed(theme_.accent, 1.2) : QPen(theme_.accent, 1.2));
     painter_.setBrush(faint(theme_.accent, crosses ? 0.06 : 0.12));

@@ -50,7 +50,6 @@ public:
 
     /// The mark of a snap with its name on a dark tag.
     void snap(const Snap& snap);
-    void cross(const QPointF& at);
     void box(const QRectF& box, bool crosses);
     void grid(double spacing);
 

@@ -4,7 +4,6 @@
 
 #include "geometry/polygon.h"
 #include "solver/scene/shapes.h"
-#include "ui/document/selection.h"
 #include "ui/edit/edits.h"
 #include "ui/tools/tool_ink.h"
 
@@ -72,10 +71,8 @@ SceneTunnel TunnelTool::placed(const Point& center) const {
 }
 
 bool TunnelTool::place(const SceneTunnel& tunnel) {
-    const Edit edit = withTunnel(scene(), tunnel);
-    if (!bench().commit(tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))), edit)) return false;
+    if (!bench().add(withTunnel(scene(), tunnel))) return false;
     corners_.clear();
-    bench().selection().set({QString::fromStdString(edit.made)});
     Q_EMIT finished("select");  // where its handles are
     return true;
 }

@@ -21,6 +21,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QContextMenuEvent>
 #include <QFrame>
 #include <QLineEdit>
@@ -49,6 +50,7 @@ struct Place {
         canvas.QWidget::show();
         desk = std::make_unique<ToolDesk>(canvas, document, selection, visibility, display, themes, commands);
         desk->bar().resize(1000, 36);
+        selection.follow(document);
         document.startNew(newScene());
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&canvas));
         canvas.zoomTo({{-20, -16}, {20, 16}});
@@ -215,6 +217,82 @@ TEST(Tools, SelectDragsWithSnapAndIsOneStep) {
     EXPECT_EQ(place.scene().joints[0].points[1], Point(-15, 15));
     place.key(Qt::Key_Left);
     EXPECT_LT(place.scene().joints[0].points[1].x(), -15.0);
+}
+
+TEST(Tools, AHandleThatGoesWhileItIsHeldIsLetGo) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    const Point middle = place.scene().tunnels[0].center;
+    place.move(middle);
+    QTest::mousePress(&place.canvas, Qt::LeftButton, {}, place.pixel(middle));
+    place.document.undo().undo();
+    for (const double off : {1.0, 2.0}) place.move(middle + Point(off, 0.0));
+    QTest::mouseRelease(&place.canvas, Qt::LeftButton, {}, place.pixel(middle));
+    EXPECT_TRUE(place.scene().tunnels.empty());
+    place.document.undo().redo();
+    place.selection.set({"/tunnels/0"});
+    place.move(middle);
+    QTest::mousePress(&place.canvas, Qt::LeftButton, {}, place.pixel(middle));
+    place.commands.action("edit.selectAll")->trigger();
+    const Scene before = place.scene();
+    for (const double off : {1.0, 2.0}) place.move(middle + Point(off, 0.0));
+    QTest::mouseRelease(&place.canvas, Qt::LeftButton, {}, place.pixel(middle + Point(2.0, 0.0)));
+    EXPECT_EQ(place.scene(), before);
+}
+
+TEST(Tools, AmongResultsNothingIsAddedOrTakenOutUnseen) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    EXPECT_TRUE(place.commands.action("edit.duplicate")->isEnabled());
+    EXPECT_FALSE(place.commands.action("edit.paste")->isEnabled()) << "nothing was copied yet";
+    place.commands.action("edit.copy")->trigger();
+    EXPECT_TRUE(place.commands.action("edit.paste")->isEnabled());
+    place.desk->setDrawing(false);
+    for (const char* id : {"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete", "edit.selectAll"})
+        EXPECT_FALSE(place.commands.action(id)->isEnabled()) << id;
+    place.desk->setDrawing(true);
+    EXPECT_TRUE(place.commands.action("edit.paste")->isEnabled());
+    place.visibility.setLocked("/tunnels/0", true);
+    place.commands.action("edit.selectAll")->trigger();
+    EXPECT_FALSE(place.selection.isEmpty());
+    EXPECT_FALSE(place.selection.contains("/tunnels/0"));
+}
+
+TEST(Tools, AfterTabACommaIsADecimalPoint) {
+    NEED_SCREEN();
+    Place place;
+    place.choose("outline");
+    place.type("-15,-12");
+    place.key(Qt::Key_Tab);
+    auto* x = place.canvas.findChild<QLineEdit*>("coordinate.x");
+    auto* y = place.canvas.findChild<QLineEdit*>("coordinate.y");
+    QTest::keyClicks(x, "1,5");
+    QTest::keyClick(x, Qt::Key_Tab);
+    y->setText("2,25");
+    QTest::keyClick(y, Qt::Key_Return);
+    ASSERT_TRUE(place.scene().domain);
+    EXPECT_EQ(place.scene().domain->boundary[2], Point(1.5, 2.25));
+}
+
+TEST(Tools, ANameMayBeTheWordForNoChoice) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    Scene scene = place.scene();
+    scene.jointMaterials.emplace_back("default", JointMaterial{});
+    place.document.apply("add", scene);
+    place.choose("joint");
+    auto* box = place.desk->bar().findChild<QComboBox*>("option.joint_material");
+    ASSERT_TRUE(box);
+    box->setCurrentIndex(box->count() - 1);
+    Q_EMIT box->activated(box->count() - 1);
+    place.click({-8, -8});
+    place.click({-4, -6});
+    place.key(Qt::Key_Return);
+    ASSERT_EQ(place.scene().joints.size(), 1u);
+    EXPECT_EQ(place.scene().joints[0].jointMaterial, "default");
 }
 
 TEST(Tools, ABoxEnclosesOrCrossesAndDeleteTellsItsStep) {
