@@ -85,6 +85,7 @@ Runs::~Runs() = default;
 
 /// What is over was of the document before; a run that goes on is still shown.
 void Runs::leave() {
+    ++documents_;
     opened_.clear();
     if (!isRunning()) {
         session_.reset();
@@ -244,11 +245,12 @@ void Runs::stopForClosing() {
 void Runs::open(const QString& store) {
     if (isRunning() && session_->run() && store == QString::fromStdString(session_->order().store.string()))
         return showRun(session_->run(), true);
-    opening_.ask([this, store]() -> Background::Result {
+    opening_.ask([this, store, documents = documents_]() -> Background::Result {
         try {
             auto run = LiveRun::opened(store.toStdString());
             const RunSummary summary = runSummary(store.toStdString());
-            return [this, store, run = std::move(run), hash = summary.sceneHash] {
+            return [this, documents, run = std::move(run), hash = summary.sceneHash] {
+                if (documents != documents_) return;  // asked for beside another document
                 shownHash_ = QString::fromStdString(hash);
                 showRun(run, false);
                 keepShown();

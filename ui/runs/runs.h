@@ -96,6 +96,7 @@ private:
     std::unique_ptr<RunSession> session_;
     std::vector<RunEntry> entries_;
     QString opened_;  // a store that is none of the document's
+    int documents_ = 0;  // so far
     QString documentHash_, shownHash_;
     Background listing_, opening_;
 };
