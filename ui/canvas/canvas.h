@@ -64,13 +64,18 @@ public:
     /// The same camera as another canvas has.
     void lookAs(const CanvasMap& other);
 
+    /// The next box that is drawn with the left button is shown as large as there is room.
+    void startZoomBox();
+    /// Whether there was one to let go.
+    bool endZoomBox();
+
     /// What lies under a pixel of the canvas, as drawn.
     std::optional<Pick> pickAt(const QPointF& pixel) const;
 
     /// Paints tool and overlays again, not the section.
     void refresh();
 
-    QSize minimumSizeHint() const override { return {320, 240}; }
+    QSize minimumSizeHint() const override { return {220, 150}; }
 
 Q_SIGNALS:
     void hovered(const keyblock::Point& place, bool inside);
@@ -124,6 +129,8 @@ private:
     bool spaceDown_ = false, spacePanned_ = false;
     std::optional<QPointF> panFrom_;
     Qt::MouseButtons held_ = Qt::NoButton;  // whose release the tool is to hear of
+    bool boxWanted_ = false;
+    std::optional<QPointF> boxFrom_, boxTo_;
 };
 
 }  // namespace keyblock

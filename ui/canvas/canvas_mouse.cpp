@@ -10,12 +10,15 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace keyblock {
 
 namespace {
 
+constexpr double leastBox = 4.0;  // of a box that is meant [px]
 constexpr double zoomOfNotch = 1.2, degreesOfNotch = 15.0;
 
 }  // namespace
@@ -30,8 +33,23 @@ bool Canvas::startsPan(const QMouseEvent& event) const {
 
 void Canvas::showCursor() {
     if (panFrom_) setCursor(Qt::ClosedHandCursor);
+    else if (boxWanted_) setCursor(Qt::CrossCursor);
     else if (spaceDown_) setCursor(Qt::OpenHandCursor);
     else setCursor(tool_ ? tool_->cursor() : QCursor(Qt::ArrowCursor));
+}
+
+void Canvas::startZoomBox() {
+    boxWanted_ = true;
+    showCursor();
+}
+
+bool Canvas::endZoomBox() {
+    boxFrom_.reset();
+    boxTo_.reset();
+    if (!std::exchange(boxWanted_, false)) return false;
+    showCursor();
+    refresh();
+    return true;
 }
 
 void Canvas::mousePressEvent(QMouseEvent* event) {
@@ -39,6 +57,8 @@ void Canvas::mousePressEvent(QMouseEvent* event) {
         panFrom_ = event->localPos();
         spacePanned_ = spaceDown_;
         showCursor();
+    } else if (boxWanted_) {
+        if (event->button() == Qt::LeftButton) boxFrom_ = boxTo_ = event->localPos();
     } else if (tool_ && !panFrom_) {
         held_ |= event->button();
         tool_->press(eventOf(*event));
@@ -50,6 +70,9 @@ void Canvas::mouseMoveEvent(QMouseEvent* event) {
     if (panFrom_) {
         panBy(event->localPos() - *panFrom_);
         panFrom_ = event->localPos();
+    } else if (boxWanted_) {
+        if (boxFrom_) boxTo_ = event->localPos();
+        refresh();
     } else if (tool_) {
         tool_->move(eventOf(*event));
         showCursor();
@@ -66,6 +89,11 @@ void Canvas::mouseReleaseEvent(QMouseEvent* event) {
     } else if (panFrom_ && endsPan) {
         panFrom_.reset();
         showCursor();
+    } else if (boxFrom_ && event->button() == Qt::LeftButton) {
+        const QRectF box = QRectF(*boxFrom_, *boxTo_).normalized();
+        endZoomBox();
+        if (std::min(box.width(), box.height()) >= leastBox)
+            zoomTo({map_.toPlace(box.bottomLeft()), map_.toPlace(box.topRight())});
     }
 }
 
@@ -73,7 +101,7 @@ void Canvas::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() == Qt::MiddleButton) {
         panFrom_.reset();
         fit();
-    } else if (startsPan(*event)) {
+    } else if (startsPan(*event) || boxWanted_) {
         mousePressEvent(event);
     } else if (tool_) {
         held_ |= event->button();
@@ -97,6 +125,7 @@ void Canvas::leaveEvent(QEvent*) {
 
 void Canvas::contextMenuEvent(QContextMenuEvent* event) {
     const QPointF pixel = event->pos();
+    if (endZoomBox()) return;
     if (tool_) tool_->contextMenu({map_.toPlace(pixel), pixel, Qt::RightButton, Qt::NoButton, event->modifiers()},
                                   event->globalPos());
 }

@@ -23,6 +23,7 @@ CanvasSheet::CanvasSheet(Canvas& canvas) : QWidget(&canvas), canvas_(canvas) {
 
 void CanvasSheet::paintEvent(QPaintEvent*) {
     if (kept_.isNull()) {
+        panels_.clear();
         kept_ = QPixmap(size() * devicePixelRatioF());
         kept_.setDevicePixelRatio(devicePixelRatioF());
         kept_.fill(Qt::transparent);
@@ -31,6 +32,7 @@ void CanvasSheet::paintEvent(QPaintEvent*) {
         if (canvas_.picture()) paintPicture(painter);
         else if (!canvas_.hintAside_) paintHint(painter);
     }
+    const double ratio = devicePixelRatioF();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.drawPixmap(0, 0, kept_);
@@ -41,6 +43,17 @@ void CanvasSheet::paintEvent(QPaintEvent*) {
     }
     if (!canvas_.picture() && canvas_.hintAside_) paintHintAside(painter);
     if (canvas_.tool()) canvas_.tool()->paint(painter, canvas_.map());
+    for (const QRect& panel : panels_)
+        painter.drawPixmap(panel, kept_, QRectF(panel.topLeft() * ratio, panel.size() * ratio).toRect());
+    if (canvas_.boxFrom_) paintBox(painter, QRectF(*canvas_.boxFrom_, *canvas_.boxTo_).normalized());
+}
+
+void CanvasSheet::paintBox(QPainter& painter, const QRectF& box) const {
+    QColor fill = canvas_.themes_.current().accent;
+    painter.setPen(QPen(fill, 1.2));
+    fill.setAlphaF(0.1);
+    painter.setBrush(fill);
+    painter.drawRect(box);
 }
 
 void CanvasSheet::paintHint(QPainter& painter) const {
@@ -73,11 +86,12 @@ void CanvasSheet::paintHintAside(QPainter& painter) const {
     painter.drawText(panel.adjusted(0.0, 23.0, 0.0, -7.0), Qt::AlignCenter, canvas_.hintText_);
 }
 
-void CanvasSheet::paintPicture(QPainter& painter) const {
+void CanvasSheet::paintPicture(QPainter& painter) {
     const bool hasLegend = canvas_.hasLegend_ && !canvas_.style_.drawing;
-    SectionInk(*canvas_.picture(), canvas_.map(), canvas_.themes_.current(), hasLegend, canvas_.style_.selectedBolts,
-               canvas_.culprit_)
-        .paint(painter);
+    SectionInk ink(*canvas_.picture(), canvas_.map(), canvas_.themes_.current(), hasLegend,
+                   canvas_.style_.selectedBolts, canvas_.culprit_);
+    ink.paint(painter);
+    for (const QRectF& panel : ink.panels()) panels_.push_back(panel.toAlignedRect());
 }
 
 }  // namespace keyblock

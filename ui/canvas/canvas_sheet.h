@@ -26,12 +26,14 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void paintBox(QPainter& painter, const QRectF& box) const;
     void paintHint(QPainter& painter) const;
     void paintHintAside(QPainter& painter) const;
-    void paintPicture(QPainter& painter) const;
+    void paintPicture(QPainter& painter);
 
     Canvas& canvas_;
     QPixmap kept_;
+    std::vector<QRect> panels_;  // of it: what overlays and tools stay below
 };
 
 }  // namespace keyblock

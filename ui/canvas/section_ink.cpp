@@ -92,11 +92,15 @@ LegendContent SectionInk::legendContent() const {
 
 /// Panels take their room before anything else, and are painted over everything.
 void SectionInk::keepOffPanels() {
-    if (hasLegend_) {
-        const QRectF panel = legendRect(theme_, legendContent(), map_.size());
-        if (!panel.isEmpty()) placement_.keepOff(grown(boxOf(panel), 4.0));
-    }
-    placement_.keepOff(grown(boxOf(scaleBarRect(map_)), 4.0));
+    for (const QRectF& panel : panels()) placement_.keepOff(grown(boxOf(panel), 4.0));
+}
+
+std::vector<QRectF> SectionInk::panels() const {
+    std::vector<QRectF> panels;
+    if (hasLegend_) panels.push_back(legendRect(theme_, legendContent(), map_.size()));
+    panels.push_back(scaleBarRect(map_));
+    std::erase_if(panels, [](const QRectF& panel) { return panel.isEmpty(); });
+    return panels;
 }
 
 void SectionInk::paintPanels(QPainter& painter) const {

@@ -32,6 +32,9 @@ public:
 
     void paint(QPainter& painter);
 
+    /// Legend and scale bar [px], as far as they are shown.
+    std::vector<QRectF> panels() const;
+
 private:
     Point onSheet(const Point& place) const;
     QPolygonF onSheet(const std::vector<Point>& places) const;

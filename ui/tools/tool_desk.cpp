@@ -116,6 +116,7 @@ void ToolDesk::showRoomToDraw() {
 }
 
 void ToolDesk::stepBack() {
+    if (bench_->canvas().endZoomBox()) return;
     if (tool_->back()) return showTool();
     if (tool_->id() != "select") return choose("select");
     bench_->selection().clear();

@@ -102,6 +102,9 @@ void addCanvasCommands(Commands& commands, Canvas& canvas) {
     commands.add({"view.fit", QWidget::tr("Fit"), "View", "fit", QWidget::tr("Shows what the section is about; again: all of it."),
                   {QKeySequence("F")}, false, "zoom"},
                  [&canvas] { canvas.fit(); });
+    commands.add({"view.zoomBox", QWidget::tr("Zoom box"), "View", "zoom-box",
+                  QWidget::tr("Shows what lies in a box that is drawn."), {QKeySequence("Z")}, false, "zoom"},
+                 [&canvas] { canvas.startZoomBox(); });
     commands.add({"view.zoomIn", QWidget::tr("Zoom in"), "View", {}, {}, {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")},
                   false, "zoom"},
                  [&canvas, middle] { canvas.zoomBy(1.25, middle()); });

@@ -148,6 +148,31 @@ TEST_F(OnCanvas, ADragEndsWhereItsButtonIsLetGoEvenWhileTheViewIsPanned) {
     canvas->setTool(nullptr);
 }
 
+TEST_F(OnCanvas, ABoxIsZoomedToOnceAndNotToldTheTool) {
+    NEED_SCREEN();
+    open();
+    NotingTool tool;
+    canvas->show(pictureOf(bricks, {}));
+    canvas->setTool(&tool);
+    const Point from = canvas->map().toPlace({300, 300}), to = canvas->map().toPlace({340, 330});
+    const double scale = canvas->map().pixelsPerMetre();
+    canvas->startZoomBox();
+    QTest::mousePress(canvas.get(), Qt::LeftButton, {}, {300, 300});
+    QTest::mouseMove(canvas.get(), {340, 330});
+    QTest::mouseRelease(canvas.get(), Qt::LeftButton, {}, {340, 330});
+    EXPECT_FALSE(tool.pressed);
+    EXPECT_GT(canvas->map().pixelsPerMetre(), 3.0 * scale);
+    const Box shown = canvas->map().window();
+    for (const Point& corner : {from, to}) EXPECT_TRUE((corner.array() > shown.min.array()).all() &&
+                                                       (corner.array() < shown.max.array()).all());
+    EXPECT_FALSE(canvas->endZoomBox());
+    canvas->startZoomBox();
+    EXPECT_TRUE(canvas->endZoomBox());
+    QTest::mouseClick(canvas.get(), Qt::LeftButton, {}, {100, 100});
+    EXPECT_TRUE(tool.pressed);
+    canvas->setTool(nullptr);
+}
+
 TEST_F(OnCanvas, SpaceAndDragPansAndSpaceAloneIsTold) {
     NEED_SCREEN();
     open();
