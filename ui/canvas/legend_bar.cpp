@@ -29,7 +29,8 @@ double widthOf(const QString& word, int size) { return QFontMetricsF(screenFont(
 /// What the values are now, with the sign convention on the same line where both fit.
 QStringList notesOf(const LegendBar& bar, double width) {
     QStringList notes;
-    const int decimals = bar.ticks.decimals + 1;
+    const bool large = std::max(std::abs(bar.range.low), std::abs(bar.range.high)) >= 1e4;
+    const int decimals = large ? 0 : bar.ticks.decimals + 1;
     if (bar.now)
         notes << text("Now %1 – %2").arg(qt(numberText(bar.now->low, decimals)), qt(numberText(bar.now->high, decimals)));
     if (const QString convention = qt(bar.convention); !convention.isEmpty()) {
@@ -60,24 +61,60 @@ void fillBar(QPainter& painter, const Theme& theme, const LegendBar& bar, const 
     painter.drawPolygon(outlineOf(bar, at, from, to).translated(0.5, 0.5));
 }
 
-/// Names above the bar; one that would touch the name before it is left to its tick.
+struct LimitLabel {
+    QString text;
+    double place = 0.0, left = 0.0;  // of its tick, and where it begins [px]
+};
+
+/// Pushes labels apart, to the right and then back from the bar's end. Whether each still stands over its tick.
+bool spread(std::vector<LimitLabel>& labels, double width) {
+    double free = 0.0;
+    for (LimitLabel& label : labels) {
+        const double wide = widthOf(label.text, tickSize);
+        label.left = std::max(free, label.place - 0.5 * wide);
+        free = label.left + wide + 6.0;
+    }
+    double end = width;
+    for (auto label = labels.rbegin(); label != labels.rend(); ++label) {
+        const double wide = widthOf(label->text, tickSize);
+        label->left = std::min(label->left, end - wide);
+        end = label->left - 6.0;
+    }
+    return std::all_of(labels.begin(), labels.end(), [](const LimitLabel& label) {
+        return label.left >= 0.0 && label.left <= label.place + 2.0 &&
+               label.place <= label.left + widthOf(label.text, tickSize) + 2.0;
+    });
+}
+
+/// Limits with their names, else the last ones as numbers alone, else what has room from the left.
+std::vector<LimitLabel> limitLabels(const LegendBar& bar, double from, double to, double width) {
+    std::vector<std::pair<double, std::string>> limits = bar.limits;
+    std::sort(limits.begin(), limits.end(), [&](const auto& a, const auto& b) {
+        return bar.shareOf(a.first) < bar.shareOf(b.first);
+    });
+    for (std::size_t shown = limits.size(); shown > 0; --shown)
+        for (std::size_t named = shown + 1; named-- > 0;) {
+            std::vector<LimitLabel> labels;
+            for (std::size_t i = 0; i < shown; ++i) {
+                const QString number = qt(numberText(limits[i].first));
+                labels.push_back({i < named ? qt(limits[i].second) + ' ' + number : number,
+                                  from + (to - from) * bar.shareOf(limits[i].first), 0.0});
+            }
+            if (spread(labels, width)) return labels;
+        }
+    return {};
+}
+
 void paintLimits(QPainter& painter, const Theme& theme, const LegendBar& bar, const QPointF& at, double from, double to,
                  double width) {
-    double free = 0.0;
+    for (const auto& [value, name] : bar.limits)
+        painter.fillRect(QRectF(std::round(at.x() + from + (to - from) * bar.shareOf(value)) - 1.0, at.y() - 3.0, 2.0,
+                                barHeight + 3.0),
+                         theme.text);
     painter.setFont(screenFont(tickSize));
-    for (const auto& [value, name] : bar.limits) {
-        const double place = from + (to - from) * bar.shareOf(value);
-        painter.fillRect(QRectF(std::round(at.x() + place) - 1.0, at.y() - 3.0, 2.0, barHeight + 3.0), theme.text);
-        const QString label = qt(name) + ' ' + qt(numberText(value)), number = qt(numberText(value));
-        for (const QString& shown : {label, number}) {
-            const double half = 0.5 * widthOf(shown, tickSize), middle = std::clamp(place, half, width - half);
-            if (middle - half < free) continue;
-            painter.setPen(theme.text2);
-            painter.drawText(QPointF(at.x() + middle - half, at.y() - 6.0), shown);
-            free = middle + half + 6.0;
-            break;
-        }
-    }
+    painter.setPen(theme.text2);
+    for (const LimitLabel& label : limitLabels(bar, from, to, width))
+        painter.drawText(QPointF(at.x() + label.left, at.y() - 6.0), label.text);
 }
 
 }  // namespace

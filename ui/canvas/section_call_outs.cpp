@@ -27,10 +27,6 @@ constexpr double leastForce = 50.0;  // worth telling [N]
 QString text(const char* source) { return QCoreApplication::translate("SectionInk", source); }
 QString qt(const std::string& word) { return QString::fromStdString(word); }
 
-QString lengthText(double metres) {
-    return metres < 1.0 ? qt(numberText(metres * 1e3)) + " mm" : qt(numberText(metres)) + " m";
-}
-
 QPolygonF polygonOf(const std::vector<Point>& points) {
     QPolygonF polygon;
     for (const Point& point : points) polygon << QPointF(point.x(), point.y());
@@ -58,8 +54,9 @@ void SectionInk::paintRibbon(QPainter& painter) {
     const BoltShape& bolt = picture_.bolts[ribbon.shape];
     const double scale = map_.pixelsPerMetre();
     const double nearest = scale * middleSpacing(picture_, ribbon.shape, 0.5 * shankOnScreen / scale);
-    const bool isForce = ribbonUnit(*picture_.boltLegend) == "kN";
-    const double wished = isForce ? std::max(usualRoom, pixelsPerKn * ribbon.scale) : usualRoom;
+    const std::string unit = ribbonUnit(*picture_.boltLegend);
+    const double kilonewtons = unit == "kN" ? ribbon.scale : unit == "N" ? 1e-3 * ribbon.scale : 0.0;
+    const double wished = std::max(usualRoom, pixelsPerKn * kilonewtons);
     const double room = std::min({wished, 0.4 * nearest, 0.35 * map_.size().height()});
     if (room < leastRoom) return;
     const RibbonShape shape = ribbonShape(ribbon, bolt.values, sheetPoints(bolt.nodes), ribbonGap, room);
@@ -123,7 +120,7 @@ void SectionInk::callOutEvents() {
         CallOut callOut;
         callOut.head = qt(entry->subject) + ' ' + qt(entry->what);
         const bool bore = entry->bolt >= 0 && entry->force > leastForce;
-        callOut.detail = bore ? text("%1 kN at %2").arg(qt(numberText(entry->force * 1e-3)), qt(entry->when))
+        callOut.detail = bore ? text("%1 at %2").arg(qt(forceText(entry->force, picture_.numbers)), qt(entry->when))
                               : text("at %1").arg(qt(entry->when));
         callOut.edge = theme_.error;
         callOut.at = at;
@@ -145,7 +142,7 @@ void SectionInk::callOutMoved() {
             return entry.bolt < 0 && entry.block == block->block && isGrave(entry.kind);
         });
         if (isTold || !isSeen(foot) || told == mostMoved) continue;
-        callOuts_.push_back({qt(block->name), text("moved %1").arg(lengthText(block->displaced / picture_.factor)),
+        callOuts_.push_back({qt(block->name), text("moved %1").arg(qt(lengthText(block->displaced / picture_.factor, picture_.numbers))),
                              theme_.text2, foot, {0.0, 1.0}, true});
         ++told;
     }

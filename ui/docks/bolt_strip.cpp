@@ -6,7 +6,9 @@
 #include "ui/canvas/screen_marks.h"
 #include "ui/docks/chart_view.h"
 #include "ui/look/display.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
+#include "ui/picture/shown_numbers.h"
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/time_cursor.h"
@@ -68,8 +70,9 @@ struct BoltStrip::Past {
     }
 };
 
-BoltStrip::BoltStrip(const Themes& themes, TimeCursor& cursor, BoltChoice& choice, QWidget* parent)
-    : QWidget(parent), themes_(themes), cursor_(cursor), choice_(choice), view_(new ChartView(themes, this)),
+BoltStrip::BoltStrip(const Themes& themes, const Display& display, TimeCursor& cursor, BoltChoice& choice,
+                     QWidget* parent)
+    : QWidget(parent), themes_(themes), display_(display), cursor_(cursor), choice_(choice), view_(new ChartView(themes, this)),
       more_(new QToolButton(this)) {
     setObjectName("boltStrip");
     setAccessibleName(tr("Bolt strip"));
@@ -92,6 +95,7 @@ BoltStrip::BoltStrip(const Themes& themes, TimeCursor& cursor, BoltChoice& choic
     showIcon();
     connect(&themes, &Themes::changed, this, showIcon);
     connect(view_, &ChartView::redrawn, this, QOverload<>::of(&QWidget::update));
+    connect(&display, &Display::changed, this, &BoltStrip::make);
     connect(&cursor, &TimeCursor::runChanged, this, &BoltStrip::runChanged);
     connect(&cursor, &TimeCursor::moved, this, &BoltStrip::make);
     later_.setSingleShot(true);
@@ -143,7 +147,7 @@ void BoltStrip::fillMenu(QMenu& menu) {
     most->setChecked(wanted < 0);
     constexpr std::size_t mostListed = 40;
     for (std::size_t b = 0; b < std::min(scene.bolts.size(), mostListed); ++b) {
-        QAction* action = menu.addAction(QString::fromStdString(boltName(scene, static_cast<int>(b))), this,
+        QAction* action = menu.addAction(asMenuText(QString::fromStdString(boltName(scene, static_cast<int>(b)))), this,
                                          [this, b] { choice_.choose(static_cast<int>(b)); });
         action->setCheckable(true);
         action->setChecked(static_cast<int>(b) == wanted);
@@ -164,7 +168,7 @@ void BoltStrip::make() {
     const std::vector<const char*> wantedPanels = panelChoices()[panels_].columns;
     const std::size_t stored = cursor_.goesOn() ? 0 : cursor_.run()->frames().size();
     painting_.ask([this, moment = cursor_.moment(), run = cursor_.run(), past = past_, wanted = choice_.bolt(),
-                   wantedPanels, stored]() -> Background::Result {
+                   wantedPanels, stored, numbers = display_.numbers()]() -> Background::Result {
         try {
             const auto frame = moment->sharedFrame();
             const int bolt = wanted >= 0 ? wanted : mostLoadedBolt(*frame);
@@ -181,6 +185,7 @@ void BoltStrip::make() {
                 return std::none_of(wantedPanels.begin(), wantedPanels.end(),
                                     [&](const char* title) { return panel.title.starts_with(title); });
             });
+            showAs(shown->chart.chart, numbers);
             for (ChartPanel& panel : shown->chart.chart.panels) shorten(panel);
             shown->chart.chart.xTitle.clear();
             for (const BoltNodeFrame& node : frame->bolts[static_cast<std::size_t>(bolt)].nodes)

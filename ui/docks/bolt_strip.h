@@ -22,6 +22,7 @@ namespace keyblock {
 
 class BoltChoice;
 class ChartView;
+class Display;
 class LiveRun;
 class Themes;
 class TimeCursor;
@@ -30,7 +31,8 @@ class BoltStrip : public QWidget {
     Q_OBJECT
 
 public:
-    BoltStrip(const Themes& themes, TimeCursor& cursor, BoltChoice& choice, QWidget* parent = nullptr);
+    BoltStrip(const Themes& themes, const Display& display, TimeCursor& cursor, BoltChoice& choice,
+              QWidget* parent = nullptr);
     ~BoltStrip() override;
 
     QSize sizeHint() const override { return {740, 214}; }
@@ -64,6 +66,7 @@ private:
     void paintFronts(QPainter& painter) const;
 
     const Themes& themes_;
+    const Display& display_;
     TimeCursor& cursor_;
     BoltChoice& choice_;
     ChartView* view_;

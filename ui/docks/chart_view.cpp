@@ -5,6 +5,7 @@
 #include "ui/canvas/view_theme.h"
 #include "ui/figure/chart_pixmap.h"
 #include "ui/look/display.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 
 #include <QApplication>
@@ -186,7 +187,8 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
     if (!chart_ || drawn_.isNull() || place_.right <= place_.left) return;
     const double share = (event->localPos().x() / pixelsPerMm - place_.left) / (place_.right - place_.left);
     if (share < 0.0 || share > 1.0) return QToolTip::hideText();
-    QToolTip::showText(event->globalPos(), valuesAt(chart_->x.low + share * (chart_->x.high - chart_->x.low)), this);
+    QToolTip::showText(event->globalPos(), asTip(valuesAt(chart_->x.low + share * (chart_->x.high - chart_->x.low))),
+                       this);
 }
 
 /// What each curve has at the abscissa, by its point nearest to it.

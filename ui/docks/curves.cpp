@@ -5,6 +5,7 @@
 #include "ui/docks/axis_choice.h"
 #include "ui/docks/chart_view.h"
 #include "ui/docks/pin_legend.h"
+#include "ui/look/display.h"
 #include "ui/picture/run_time.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/pins.h"
@@ -23,6 +24,7 @@ namespace keyblock {
 
 namespace {
 
+constexpr int mostOfChoice = 320;  // [px]
 constexpr int shortestWait = 300, longestWait = 5000;  // [ms] between two readings of a run that grows
 constexpr int share = 12;  // of the time, one in so many, is spent on reading
 
@@ -50,8 +52,9 @@ std::optional<std::size_t> placeOf(const std::vector<Row>& rows, const FrameHead
 
 }  // namespace
 
-Curves::Curves(const Themes& themes, TimeCursor& cursor, CurveKind kind, Pins* pins, QWidget* parent)
-    : QWidget(parent), cursor_(cursor), kind_(kind), pins_(pins), choice_(new QComboBox(this)),
+Curves::Curves(const Themes& themes, const Display& display, TimeCursor& cursor, CurveKind kind, Pins* pins,
+               QWidget* parent)
+    : QWidget(parent), display_(display), cursor_(cursor), kind_(kind), pins_(pins), choice_(new QComboBox(this)),
       view_(new ChartView(themes, this)) {
     const bool all = kind == CurveKind::All;
     setObjectName(all ? "curves" : "energies");
@@ -68,6 +71,10 @@ Curves::Curves(const Themes& themes, TimeCursor& cursor, CurveKind kind, Pins* p
     connect(&cursor, &TimeCursor::runChanged, this, &Curves::runChanged);
     connect(&cursor, &TimeCursor::runGrew, this, &Curves::grow);
     connect(&cursor, &TimeCursor::moved, this, &Curves::showNow);
+    connect(&display, &Display::changed, this, [this] {
+        stale_ = true;
+        if (isVisible()) read();
+    });
     connect(view_, &ChartView::picked, this, &Curves::jump);
     if (pins_) {
         connect(pins_, &Pins::changed, this, &Curves::showPinned);
@@ -85,6 +92,8 @@ QWidget* Curves::makeChoices() {
     choice_->setObjectName(all ? "curveChoice" : "energyChoice");
     choice_->setAccessibleName(all ? tr("Curve shown") : tr("Energies shown"));
     choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    choice_->setMinimumWidth(60);
+    choice_->setMaximumWidth(mostOfChoice);
     row->addWidget(choice_);
     connect(choice_, QOverload<int>::of(&QComboBox::activated), this, [this] {
         wanted_ = choice_->currentText();
@@ -186,7 +195,9 @@ void Curves::choose() {
     const CurveEntry* entry = current();
     const QString why = byAxes ? free_.problem : problem_;
     if (!entry) return view_->clear(why.isEmpty() ? tr("Nothing of the history changes yet.") : why);
-    view_->show(withOther(*entry).chart);
+    Chart chart = withOther(*entry).chart;
+    showAs(chart, display_.numbers());
+    view_->show(std::move(chart));
     showNow();
 }
 
@@ -207,14 +218,16 @@ void Curves::showNow() {
     const FrameHead head = cursor_.head();
     if (entry->chart.overTime) {
         const double at = RunTime(*cursor_.run()).at(head.stage, head.time);
-        return view_->setNow(ChartNow{at, {valueAt(entry->x, entry->y, at)}});
+        return view_->setNow(ChartNow{at, {factorOf(entry->chart.panels.front().title, display_.numbers()) *
+                                           valueAt(entry->x, entry->y, at)}});
     }
     const auto place = entry->ofFrames ? placeOf(cursor_.run()->frames(), head)
                                        : placeOf(cursor_.run()->historyRows(), head);
     if (!place) return view_->setNow(std::nullopt);
     const std::size_t row = std::min(*place, entry->x.size() - 1);
     if (!std::isfinite(entry->x[row]) || !std::isfinite(entry->y[row])) return view_->setNow(std::nullopt);
-    view_->setNow(ChartNow{entry->x[row], {entry->y[row]}});
+    view_->setNow(ChartNow{factorOf(entry->chart.xTitle, display_.numbers()) * entry->x[row],
+                           {factorOf(entry->chart.panels.front().title, display_.numbers()) * entry->y[row]}});
 }
 
 /// To the moment of a place on the chart.
@@ -229,6 +242,7 @@ void Curves::jump(double x) {
                 return cursor_.goTo(StageTime{span.stage, std::max(0.0, x - span.from)});
         return;
     }
+    x /= factorOf(entry->chart.xTitle, display_.numbers());
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < entry->x.size(); ++i)
         if (!(std::abs(entry->x[i] - x) >= std::abs(entry->x[nearest] - x)) && std::isfinite(entry->x[i])) nearest = i;

@@ -17,6 +17,7 @@ namespace keyblock {
 
 class AxisChoice;
 class ChartView;
+class Display;
 class LiveRun;
 class Pins;
 class Themes;
@@ -27,7 +28,8 @@ class Curves : public QWidget {
 
 public:
     /// \param pins null: no pins and no choice of axes.
-    Curves(const Themes& themes, TimeCursor& cursor, CurveKind kind, Pins* pins, QWidget* parent = nullptr);
+    Curves(const Themes& themes, const Display& display, TimeCursor& cursor, CurveKind kind, Pins* pins,
+           QWidget* parent = nullptr);
 
     /// Another run whose curves stand beside, drawn broken; null: none.
     void setOther(std::shared_ptr<const LiveRun> other, const QString& name);
@@ -51,6 +53,7 @@ private:
     void jump(double x);
     const CurveEntry* current() const;
 
+    const Display& display_;
     TimeCursor& cursor_;
     CurveKind kind_;
     Pins* pins_;

@@ -5,6 +5,7 @@
 #include "solver/results/words.h"
 #include "ui/docks/event_marks.h"
 #include "ui/look/display.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/picture/captions.h"
 #include "ui/runs/bolt_choice.h"
@@ -42,8 +43,8 @@ QPixmap markOf(const Theme& theme, EventKind kind) {
 
 }  // namespace
 
-EventsModel::EventsModel(const Themes& themes, TimeCursor& cursor, QObject* parent)
-    : QAbstractTableModel(parent), themes_(themes), cursor_(cursor) {}
+EventsModel::EventsModel(const Themes& themes, const Display& display, TimeCursor& cursor, QObject* parent)
+    : QAbstractTableModel(parent), themes_(themes), display_(display), cursor_(cursor) {}
 
 void EventsModel::takeRun() {
     beginResetModel();
@@ -90,7 +91,7 @@ QVariant EventsModel::data(const QModelIndex& index, int role) const {
     const Event& event = events[number];
     if (role == Qt::DisplayRole) return text(event, number, index.column());
     if (role == Qt::DecorationRole && index.column() == What) return markOf(themes_.current(), event.kind);
-    if (role == Qt::ToolTipRole) return chainOf(number);
+    if (role == Qt::ToolTipRole) return asTip(chainOf(number));
     const bool isNumber = index.column() == Number || index.column() == Force || index.column() == Cause;
     if (role == Qt::TextAlignmentRole) return int(Qt::AlignVCenter | (isNumber ? Qt::AlignRight : Qt::AlignLeft));
     if (role == Qt::ForegroundRole && cursor_.hasMoment()) {
@@ -121,7 +122,8 @@ QVariant EventsModel::text(const Event& event, std::size_t number, int column) c
         case Force: {
             const bool shear = event.kind == EventKind::ShearRupture || event.kind == EventKind::JointSlip;
             const double force = shear ? event.shearForce : event.axialForce;
-            return force == 0.0 ? QString() : Display::number(1e-3 * force, 4) + QStringLiteral(" kN");
+            const ShownUnit unit = display_.shown("N");
+            return force == 0.0 ? QString() : Display::number(unit.factor * force, 4) + ' ' + unit.symbol;
         }
         case Cause: return event.cause >= 0 ? QString::number(event.cause + 1) : QString();
         default: return {};
@@ -145,8 +147,9 @@ QString EventsModel::chainOf(std::size_t number) const {
     return lines.join(QStringLiteral("\n→ "));
 }
 
-EventsList::EventsList(const Themes& themes, TimeCursor& cursor, BoltChoice& choice, QWidget* parent)
-    : QWidget(parent), cursor_(cursor), choice_(choice), model_(new EventsModel(themes, cursor, this)),
+EventsList::EventsList(const Themes& themes, const Display& display, TimeCursor& cursor, BoltChoice& choice,
+                       QWidget* parent)
+    : QWidget(parent), cursor_(cursor), choice_(choice), model_(new EventsModel(themes, display, cursor, this)),
       view_(new QTreeView(this)), empty_(new QLabel(tr("What lets go stands here, as it happens."), this)) {
     setObjectName("eventsList");
     setAttribute(Qt::WA_StyledBackground);
@@ -184,6 +187,7 @@ EventsList::EventsList(const Themes& themes, TimeCursor& cursor, BoltChoice& cho
         showMoment();
     });
     connect(&themes, &Themes::changed, view_->viewport(), QOverload<>::of(&QWidget::update));
+    connect(&display, &Display::changed, view_->viewport(), QOverload<>::of(&QWidget::update));
     connect(view_, &QTreeView::clicked, this, &EventsList::open);
     connect(view_, &QTreeView::activated, this, &EventsList::open);
     takeAll();

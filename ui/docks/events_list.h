@@ -18,6 +18,7 @@ class QTreeView;
 namespace keyblock {
 
 class BoltChoice;
+class Display;
 class Themes;
 class TimeCursor;
 
@@ -27,7 +28,7 @@ class EventsModel : public QAbstractTableModel {
 public:
     enum Column { Number, Time, What, Where, Force, Cause, columns };
 
-    EventsModel(const Themes& themes, TimeCursor& cursor, QObject* parent = nullptr);
+    EventsModel(const Themes& themes, const Display& display, TimeCursor& cursor, QObject* parent = nullptr);
 
     /// The event of a row, as its number in the run.
     std::size_t eventAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
@@ -45,6 +46,7 @@ private:
     QString chainOf(std::size_t number) const;
 
     const Themes& themes_;
+    const Display& display_;
     TimeCursor& cursor_;
     std::size_t seen_ = 0;  // events of the run
     std::vector<std::size_t> rows_;
@@ -54,7 +56,8 @@ class EventsList : public QWidget {
     Q_OBJECT
 
 public:
-    EventsList(const Themes& themes, TimeCursor& cursor, BoltChoice& choice, QWidget* parent = nullptr);
+    EventsList(const Themes& themes, const Display& display, TimeCursor& cursor, BoltChoice& choice,
+               QWidget* parent = nullptr);
 
     std::size_t count() const;
     QSize sizeHint() const override { return {415, 214}; }

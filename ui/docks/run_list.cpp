@@ -29,6 +29,7 @@ RunList::RunList(const Themes& themes, Runs& runs, Comparison& comparison, QWidg
     setAccessibleName(tr("Runs"));
     stale_->setObjectName("staleRun");
     stale_->setContentsMargins(12, 5, 12, 5);
+    stale_->setWordWrap(true);
     list_->setObjectName("runs");
     list_->setAccessibleName(tr("Runs of the scene"));
     list_->setRootIsDecorated(false);

@@ -23,8 +23,12 @@ public:
     Progress(const Themes& themes, const Runs& runs, QWidget* parent) : QWidget(parent), themes_(themes), runs_(runs) {
         setObjectName("runProgress");
         setAccessibleName(RunStatus::tr("Progress of the run"));
-        setFixedSize(330, 34);
+        setFixedHeight(34);
+        setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     }
+
+    QSize sizeHint() const override { return {330, 34}; }
+    QSize minimumSizeHint() const override { return {60, 34}; }
 
 protected:
     void paintEvent(QPaintEvent*) override {
@@ -148,7 +152,7 @@ void RunStatus::refresh() {
     step_->setToolButtonStyle(Qt::ToolButtonIconOnly);
     stop_->setText(tr("Stop") + QStringLiteral("  ") + key("run.stop"));
     const Theme& theme = themes_.current();
-    start_->setIcon(themes_.icon("play", theme.accent));
+    start_->setIcon(themes_.icon("play", theme.ok));
     pause_->setIcon(themes_.icon(paused ? "play" : "pause", theme.text));
     step_->setIcon(themes_.icon("step"));
     stop_->setIcon(themes_.icon("stop", theme.error));

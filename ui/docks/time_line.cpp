@@ -7,6 +7,7 @@
 #include "ui/docks/time_track.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
+#include "ui/look/elided_label.h"
 #include "ui/look/theme.h"
 #include "ui/picture/captions.h"
 #include "ui/runs/bolt_choice.h"
@@ -28,6 +29,8 @@ namespace keyblock {
 
 namespace {
 
+constexpr int mostOfLabel = 320;  // [px]
+constexpr int shortest = 3;  // level of `showAsShort`
 constexpr int fullHeight = 104, emptyHeight = 30, rowHeight = 28;  // [px]
 constexpr double speeds[]{0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0};
 
@@ -38,8 +41,9 @@ QFrame* separatorIn(QWidget* parent) {
     return line;
 }
 
-QLabel* labelIn(QWidget* parent, const char* name, const QString& accessible) {
-    auto* label = new QLabel(parent);
+ElidedLabel* labelIn(QWidget* parent, const char* name, const QString& accessible) {
+    auto* label = new ElidedLabel(parent);
+    label->setMost(mostOfLabel);
     label->setObjectName(name);
     label->setAccessibleName(accessible);
     label->setTextFormat(Qt::PlainText);
@@ -56,9 +60,9 @@ long rowAt(const std::vector<HistoryRow>& rows, const FrameHead& head) {
 
 }  // namespace
 
-TimeLine::TimeLine(const Themes& themes, Commands& commands, TimeCursor& cursor, const BoltChoice& choice,
-                   QWidget* parent)
-    : QWidget(parent), themes_(themes), commands_(commands), cursor_(cursor), choice_(choice),
+TimeLine::TimeLine(const Themes& themes, const Display& display, Commands& commands, TimeCursor& cursor,
+                   const BoltChoice& choice, QWidget* parent)
+    : QWidget(parent), themes_(themes), display_(display), commands_(commands), cursor_(cursor), choice_(choice),
       full_(new QWidget(this)), empty_(new QWidget(this)), track_(new TimeTrack(themes, cursor, full_)) {
     setObjectName("timeLine");
     setAttribute(Qt::WA_StyledBackground);
@@ -68,14 +72,15 @@ TimeLine::TimeLine(const Themes& themes, Commands& commands, TimeCursor& cursor,
     column->setSpacing(0);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(12, 2, 16, 0);
-    row->addWidget(makeTransport());
+    row->addWidget(transport_ = makeTransport());
     row->addStretch(1);
-    row->addWidget(makeCounts());
+    row->addWidget(countsBar_ = makeCounts());
     column->addLayout(row);
     column->addWidget(track_);
     auto* hint = new QHBoxLayout(empty_);
     hint->setContentsMargins(16, 0, 16, 0);
     auto* text = labelIn(empty_, "timeLineHint", tr("Time line"));
+    text->setMost(QWIDGETSIZE_MAX);
     text->setText(tr("No run yet. F5 runs all stages; the time line then tells what let go, and when."));
     hint->addWidget(text);
     auto* both = new QVBoxLayout(this);
@@ -92,6 +97,7 @@ TimeLine::TimeLine(const Themes& themes, Commands& commands, TimeCursor& cursor,
         showIcons();
     });
     connect(&choice, &BoltChoice::changed, this, &TimeLine::showMoment);
+    connect(&display, &Display::changed, this, &TimeLine::showMoment);
     showIcons();
     showRun();
 }
@@ -167,9 +173,10 @@ QWidget* TimeLine::makeCounts() {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(2);
-    auto* title = labelIn(bar, "timeEvents", tr("Events"));
-    title->setText(tr("Events"));
-    row->addWidget(title);
+    events_ = labelIn(bar, "timeEvents", tr("Events"));
+    events_->setText(tr("Events"));
+    events_->setMinimumWidth(events_->sizeHint().width());
+    row->addWidget(events_);
     for (std::size_t g = 0; g < eventGroups; ++g) {
         const auto group = static_cast<EventGroup>(g);
         auto* button = new QToolButton(bar);
@@ -190,7 +197,7 @@ QWidget* TimeLine::makeCounts() {
     row->addWidget(separatorIn(bar));
     bookmark_ = buttonOf("time.bookmark");
     row->addWidget(bookmark_);
-    auto* next = new QToolButton(bar);
+    auto* next = next_ = new QToolButton(bar);
     QAction* action = commands_.action("time.nextEvent");
     next->setObjectName("nextEvent");
     next->setAccessibleName(action->text());
@@ -247,12 +254,42 @@ void TimeLine::showCounts() {
             ++numbers_[static_cast<std::size_t>(groupOf(events[counted_].kind))];
     }
     if (!first && before == numbers_) return;
+    nameCounts();
+    fit();
+}
+
+void TimeLine::nameCounts() {
     for (std::size_t g = 0; g < eventGroups; ++g) {
         const auto group = static_cast<EventGroup>(g);
-        counts_[g]->setText(nameOf(group) + QStringLiteral(" ") + Display::number(static_cast<double>(numbers_[g]), 9));
+        const QString number = Display::number(static_cast<double>(numbers_[g]), 9);
+        counts_[g]->setText(short_ > 0 ? number : nameOf(group) + ' ' + number);
         counts_[g]->setEnabled(numbers_[g] > 0);
     }
     showIcons();
+}
+
+QSize TimeLine::minimumSizeHint() const { return {420, height()}; }
+
+void TimeLine::resizeEvent(QResizeEvent*) { fit(); }
+
+/// As much as there is room for: first the names of kinds go, then what is told elsewhere, too.
+void TimeLine::fit() {
+    for (int level = 0; level <= shortest; ++level) {
+        showAsShort(level);
+        if (transport_->minimumSizeHint().width() + countsBar_->sizeHint().width() + 40 <= width()) return;
+    }
+}
+
+void TimeLine::showAsShort(int level) {
+    if (level == short_) return;
+    short_ = level;
+    nameCounts();
+    events_->setVisible(level < 2);
+    frame_->setVisible(level < 2);
+    next_->setVisible(level < 2);
+    for (QWidget* widget : {static_cast<QWidget*>(loop_), static_cast<QWidget*>(speed_)}) widget->setVisible(level < 3);
+    bookmark_->setVisible(level < 3);
+    for (QWidget* bar : {transport_, countsBar_}) bar->layout()->invalidate();
 }
 
 void TimeLine::showMoment() {
@@ -303,11 +340,12 @@ QString TimeLine::compareText() const {
     if (bolt < 0 || a < 0 || from < 0) return text;
     const auto column = static_cast<std::size_t>(historyColumn(run.scene(), {-1, 0, bolt, BoltQuantity::AxialForce}));
     const auto valueAt = [&](long row) { return run.historyRows()[static_cast<std::size_t>(row)].values[column]; };
-    const double change = 1e-3 * (valueAt(a) - valueAt(from));
+    const ShownUnit unit = display_.shown("N");
+    const double change = unit.factor * (valueAt(a) - valueAt(from));
     if (!std::isfinite(change)) return text;
-    return text + tr("   ΔN %1 %2 kN")
+    return text + tr("   ΔN %1 %2 %3")
                       .arg(QString::fromStdString(boltName(run.scene(), bolt)),
-                           (change > 0.0 ? QStringLiteral("+") : QString()) + Display::number(change, 4));
+                           (change > 0.0 ? QStringLiteral("+") : QString()) + Display::number(change, 4), unit.symbol);
 }
 
 }  // namespace keyblock

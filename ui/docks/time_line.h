@@ -21,6 +21,7 @@ class BoltChoice;
 class Commands;
 class Themes;
 class TimeCursor;
+class Display;
 class TimeTrack;
 
 class TimeLine : public QWidget {
@@ -28,8 +29,13 @@ class TimeLine : public QWidget {
 
 public:
     /// \pre the commands of runs and of time are there.
-    TimeLine(const Themes& themes, Commands& commands, TimeCursor& cursor, const BoltChoice& choice,
-             QWidget* parent = nullptr);
+    TimeLine(const Themes& themes, const Display& display, Commands& commands, TimeCursor& cursor,
+             const BoltChoice& choice, QWidget* parent = nullptr);
+
+    QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QWidget* makeTransport();
@@ -40,19 +46,26 @@ private:
     void showCounts();
     void showIcons();
     void showBookmark();
+    void fit();
+    void showAsShort(int level);
+    void nameCounts();
     QString compareText() const;
 
     const Themes& themes_;
+    const Display& display_;
     Commands& commands_;
     TimeCursor& cursor_;
     const BoltChoice& choice_;
     QWidget *full_, *empty_;
+    QWidget *transport_ = nullptr, *countsBar_ = nullptr;
     TimeTrack* track_;
     QToolButton *play_ = nullptr, *loop_ = nullptr, *bookmark_ = nullptr;
     QComboBox* speed_ = nullptr;
     QLabel *stage_ = nullptr, *time_ = nullptr, *frame_ = nullptr, *compare_ = nullptr;
-    QToolButton* live_ = nullptr;
+    QToolButton *live_ = nullptr, *next_ = nullptr;
+    QLabel* events_ = nullptr;
     std::array<QToolButton*, eventGroups> counts_{};
+    int short_ = 0;  // 0: all is shown
     std::size_t counted_ = 0;
     std::array<long, eventGroups> numbers_{};
 };

@@ -3,6 +3,7 @@
 #include "ui/docks/time_track.h"
 
 #include "solver/results/words.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/picture/captions.h"
 #include "ui/runs/live_run.h"
@@ -130,7 +131,7 @@ bool TimeTrack::event(QEvent* event) {
     const auto* help = static_cast<QHelpEvent*>(event);
     const QString tip = tipAt(help->pos());
     if (tip.isEmpty()) QToolTip::hideText();
-    else QToolTip::showText(help->globalPos(), tip, this);
+    else QToolTip::showText(help->globalPos(), asTip(tip), this);
     return true;
 }
 

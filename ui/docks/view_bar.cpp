@@ -151,6 +151,7 @@ void ViewBar::addCommands() {
 /// Other rooms may add theirs after this bar is made.
 void ViewBar::showEvent(QShowEvent*) {
     if (!std::exchange(hasCommands_, true)) addCommands();
+    fit();
 }
 
 void ViewBar::take() {
@@ -197,6 +198,24 @@ void ViewBar::showIcons() {
     for (QToolButton* button : toggles_)
         button->setIcon(themes_.icon(button->property("iconName").toString()));
     update();
+}
+
+/// What has no room goes, the least asked for first; the menus have it still.
+void ViewBar::fit() {
+    std::vector<QWidget*> dispensable{factor_, contacts_, arrows_, callOuts_, ribbon_};
+    if (auto* exporting = findChild<QWidget*>("export.figureBar")) dispensable.insert(dispensable.begin(), exporting);
+    int wanted = row_->contentsMargins().left() + row_->contentsMargins().right();
+    for (int i = 0; i < row_->count(); ++i)
+        if (const QWidget* widget = row_->itemAt(i)->widget()) wanted += widget->minimumSizeHint().width() + row_->spacing();
+    for (QWidget* widget : dispensable) {
+        widget->setVisible(wanted <= width());
+        if (wanted > width()) wanted -= widget->minimumSizeHint().width() + row_->spacing();
+    }
+}
+
+bool ViewBar::event(QEvent* event) {
+    if (event->type() == QEvent::Resize) fit();
+    return QWidget::event(event);
 }
 
 void ViewBar::paintEvent(QPaintEvent*) {

@@ -25,7 +25,10 @@ class ViewBar : public QWidget {
 public:
     ViewBar(const Themes& themes, Commands& commands, ViewSettings& settings, QWidget* parent = nullptr);
 
+    QSize minimumSizeHint() const override { return {220, 36}; }
+
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
@@ -38,6 +41,7 @@ private:
     void takeArrows(std::size_t kind, bool on);
     void showChoice();
     void showIcons();
+    void fit();
 
     const Themes& themes_;
     Commands& commands_;

@@ -109,7 +109,7 @@ private:
         rect->addAxis(QCPAxis::atLeft);
         plot_.plotLayout()->addElement(static_cast<int>(index), 0, rect);
         rect->setMarginGroup(QCP::msLeft | QCP::msRight, group);
-        const double title = layout_.titlesBeside ? 0.0 : 1.4;
+        const double title = layout_.titlesBeside ? 0.8 : 1.4;
         const double above = (index == 0 ? 1.2 + title : 1.2) + keyRow * keyRowsOf(panel), below = last ? 2.0 : 0.6;
         rect->setMinimumMargins(
             QMargins(unitsOf(layout_.leftRoom), unitsOf(above), unitsOf(layout_.rightRoom), unitsOf(below)));

@@ -5,6 +5,8 @@
 // is SI and tension positive whatever stands here.
 #pragma once
 
+#include "ui/picture/shown_numbers.h"
+
 #include <QObject>
 #include <QString>
 
@@ -32,6 +34,9 @@ public:
 
     /// Unit in which a value of that SI unit (as the field table writes it) is shown; itself where no other is usual.
     ShownUnit shown(std::string_view siUnit) const;
+
+    /// The same for pictures and charts.
+    ShownNumbers numbers() const { return {system_ == UnitSystem::Si, !compressionPositive_}; }
 
     /// `mm · kN · MPa · compression +`, for the status bar.
     QString summary() const;

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/anchor_strip.h"
 
-#include "solver/files/bolt_library.h"
 #include "solver/scene/lookup.h"
 #include "ui/document/document.h"
+#include "ui/edit/anchor_edit.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
-#include "ui/panels/anchor_edit.h"
 #include "ui/panels/object_at.h"
 
 #include <QHBoxLayout>
@@ -36,11 +35,6 @@ QFont smallFont(const QFont& base) {
 }
 
 QString metres(double s) { return Display::number(std::round(1000.0 * s) / 1000.0, 4); }
-
-const BoltType* typeNamed(const Scene& scene, const std::string& name) {
-    const BoltType* own = findBoltType(scene, name);
-    return own ? own : findBuiltInBoltType(name);
-}
 
 }  // namespace
 
@@ -217,7 +211,7 @@ void AnchorStrip::refresh() {
     if (!isBolt && !isPattern) return;
     const auto* bolt = isBolt ? static_cast<const Bolt*>(at->object) : nullptr;
     const auto* pattern = isPattern ? static_cast<const ScenePattern*>(at->object) : nullptr;
-    const BoltType* type = typeNamed(scene, bolt ? bolt->type : pattern->type);
+    const BoltType* type = boltTypeNamed(scene, bolt ? bolt->type : pattern->type);
     const double length = bolt ? lengthOf(*bolt) : pattern->length;
     const bool sound = type && std::isfinite(length) && length > 0.0;
     line_->setVisible(sound);
@@ -244,7 +238,7 @@ void AnchorStrip::apply(std::size_t first, std::size_t last, bool real) {
     if (!at || at->structure->name != "bolt") return;
     const auto index = static_cast<std::size_t>(static_cast<const Bolt*>(at->object) - after.bolts.data());
     Bolt& bolt = after.bolts[index];
-    const BoltType* type = typeNamed(after, bolt.type);
+    const BoltType* type = boltTypeNamed(after, bolt.type);
     if (!type) return;
     const Anchor otherwise = type->anchors.empty() ? Anchor{} : type->anchors.front();
     bolt.anchors =

@@ -3,8 +3,8 @@
 #include "ui/panels/form_row_widget.h"
 
 #include "ui/look/display.h"
+#include "ui/look/elided_label.h"
 #include "ui/look/theme.h"
-#include "ui/panels/elided_label.h"
 #include "ui/panels/field_words.h"
 
 #include <QGridLayout>

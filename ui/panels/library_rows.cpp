@@ -7,6 +7,7 @@
 #include "ui/look/display.h"
 #include "ui/panels/field_words.h"
 #include "ui/panels/value_text.h"
+#include "ui/picture/shown_numbers.h"
 
 #include <QCoreApplication>
 
@@ -39,7 +40,7 @@ QString withUnit(double value, std::string_view unit, const Display& display) {
 
 /// `20 mm · 154 / 198 kN`.
 QString detailOf(const BoltType& type, const Display& display) {
-    QString text = words("%1 mm").arg(numberText(1000.0 * type.diameter, {}, display, 3));
+    QString text = QString::fromStdString(lengthText(type.diameter, display.numbers()));
     if (type.steel.size() < 2) return text;
     const double yield = type.steel[1].second * areaOf(type);
     const double most = std::ranges::max(type.steel, {}, [](const auto& p) { return p.second; }).second * areaOf(type);

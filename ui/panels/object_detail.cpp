@@ -8,6 +8,7 @@
 #include "ui/panels/field_words.h"
 #include "ui/panels/object_at.h"
 #include "ui/panels/value_text.h"
+#include "ui/picture/shown_numbers.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -48,7 +49,8 @@ struct Teller {
     }
 
     QString of(const Material& m) const {
-        return quantity(m.youngsModulus * 1e-9, "") .trimmed() + " GPa";
+        if (display.system() == UnitSystem::Si) return stress(m.youngsModulus);
+        return numberText(m.youngsModulus * 1e-9, {}, display, 3) + " GPa";
     }
     QString of(const JointMaterial& m) const {
         const QString phi = QString::fromUtf8("φ %1").arg(angle(m.frictionAngle));
@@ -106,7 +108,7 @@ struct Teller {
     }
     QString of(const BoltType& t) const {
         return fromUtf8(boltClassWords[static_cast<std::size_t>(t.boltClass)]) + QString::fromUtf8(" · ") +
-               QString("%1 mm").arg(numberText(1000.0 * t.diameter, {}, display, 3));
+               QString::fromStdString(lengthText(t.diameter, display.numbers()));
     }
 
     static QString words(const char* text) { return QCoreApplication::translate("ObjectDetail", text); }

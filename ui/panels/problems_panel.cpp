@@ -7,6 +7,7 @@
 #include "ui/edit/edits.h"
 #include "ui/edit/locate.h"
 #include "ui/look/display.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 
 #include <QKeyEvent>
@@ -59,7 +60,7 @@ QVariant ProblemList::data(const QModelIndex& index, int role) const {
     const ProblemRow& row = rowAt(index.row());
     if (role == Qt::DisplayRole || role == Qt::AccessibleTextRole) return row.title;
     if (role == Qt::AccessibleDescriptionRole) return row.detail;
-    if (role == Qt::ToolTipRole) return row.detail.isEmpty() ? row.title : row.title + "\n" + row.detail;
+    if (role == Qt::ToolTipRole) return asTip(row.detail.isEmpty() ? row.title : row.title + "\n" + row.detail);
     return {};
 }
 

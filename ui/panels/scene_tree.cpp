@@ -109,7 +109,7 @@ void SceneTree::makeHeader() {
     header_->setAttribute(Qt::WA_StyledBackground);
     header_->setFixedHeight(30);
     auto* row = new QHBoxLayout(header_);
-    row->setContentsMargins(12, 0, 6, 0);
+    row->setContentsMargins(12, 4, 6, 4);  // a dock asks what it holds, not how high it is
     row->setSpacing(4);
     auto* title = new QLabel(tr("Scene"), header_);
     title->setObjectName("dockTitle");

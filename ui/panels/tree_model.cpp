@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/tree_model.h"
 
+#include "ui/look/plain_text.h"
+
 #include <QMimeData>
 
 namespace keyblock {
@@ -109,7 +111,7 @@ QVariant TreeModel::data(const QModelIndex& index, int role) const {
     switch (role) {
         case Qt::DisplayRole:
         case Qt::EditRole: return node.name;
-        case Qt::ToolTipRole: return node.detail.isEmpty() ? node.name : node.name + "\n" + node.detail;
+        case Qt::ToolTipRole: return asTip(node.detail.isEmpty() ? node.name : node.name + "\n" + node.detail);
         case Qt::AccessibleTextRole: return node.name + ' ' + node.detail;
         default: return {};
     }

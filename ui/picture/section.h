@@ -13,6 +13,7 @@
 #include "ui/picture/event_list.h"
 #include "ui/picture/legend.h"
 #include "ui/picture/marks.h"
+#include "ui/picture/shown_numbers.h"
 
 #include <optional>
 #include <string>
@@ -81,6 +82,7 @@ struct SectionPicture {
     std::optional<Ribbon> ribbon;
     EventList events;
     double factor = 1.0;  // on displacements
+    ShownNumbers numbers;  // that its values are in
     std::string title, subtitle;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/section_feed.h"
 
+#include "ui/look/display.h"
 #include "ui/picture/section_ranges.h"
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
@@ -70,8 +71,10 @@ struct SectionFeed::Ranges {
     }
 };
 
-SectionFeed::SectionFeed(const BoltChoice& choice, TimeCursor& cursor, ViewSettings& settings, QObject* parent)
-    : QObject(parent), choice_(choice), cursor_(cursor), settings_(settings) {
+SectionFeed::SectionFeed(const BoltChoice& choice, TimeCursor& cursor, ViewSettings& settings, const Display& display,
+                         QObject* parent)
+    : QObject(parent), choice_(choice), cursor_(cursor), settings_(settings), display_(display) {
+    connect(&display, &Display::changed, this, &SectionFeed::make);
     connect(&cursor, &TimeCursor::runChanged, this, &SectionFeed::runChanged);
     connect(&cursor, &TimeCursor::moved, this, &SectionFeed::make);
     connect(&settings, &ViewSettings::changed, this, &SectionFeed::make);
@@ -137,7 +140,7 @@ void SectionFeed::make() {
         gatherRanges();
     }
     painting_.ask([this, wanted, moment = cursor_.moment(), ranges = ranges_,
-                   ribbon = settings_.choice().ribbon]() -> Background::Result {
+                   numbers = display_.numbers(), ribbon = settings_.choice().ribbon]() -> Background::Result {
         try {
             SectionRequest full = wanted;
             const std::shared_ptr<const Frame> frame = moment->sharedFrame();
@@ -147,6 +150,7 @@ void SectionFeed::make() {
             if (legends.bolts) full.ribbonScale = legends.bolts->range.high;
             auto picture = std::make_shared<SectionPicture>(sectionPicture(*moment, full));
             if (ribbon == RibbonOf::Nothing) picture->ribbon.reset();
+            showAs(*picture, numbers);
             return [this, picture, frame, run = ranges->run] {
                 if (showsResults() && cursor_.run() == run) put(picture, frame);
             };

@@ -17,6 +17,7 @@
 namespace keyblock {
 
 class BoltChoice;
+class Display;
 class LiveRun;
 class TimeCursor;
 class ViewSettings;
@@ -25,7 +26,8 @@ class SectionFeed : public QObject {
     Q_OBJECT
 
 public:
-    SectionFeed(const BoltChoice& choice, TimeCursor& cursor, ViewSettings& settings, QObject* parent = nullptr);
+    SectionFeed(const BoltChoice& choice, TimeCursor& cursor, ViewSettings& settings, const Display& display,
+                QObject* parent = nullptr);
     ~SectionFeed() override;
 
     /// Whether results are wanted, where there are any, or the scene as it is drawn.
@@ -61,6 +63,7 @@ private:
     const BoltChoice& choice_;
     TimeCursor& cursor_;
     ViewSettings& settings_;
+    const Display& display_;
     bool results_ = true, showed_ = false, goesOn_ = false;
     std::shared_ptr<Ranges> ranges_;  // of the run and the quantities shown
     std::shared_ptr<const LiveRun> other_;  // whose ranges are shared

@@ -3,6 +3,7 @@
 #include "ui/start/start_buttons.h"
 
 #include "ui/document/recent_files.h"
+#include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/start/samples.h"
 
@@ -118,7 +119,7 @@ RecentRow::RecentRow(const RecentFile& file, const Themes& themes, QWidget* pare
     setText(file.path);
     setAccessibleName(name_);
     setAccessibleDescription(file.path);
-    setToolTip(file.path);
+    setToolTip(asTip(file.path));
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_Hover);
     setFixedHeight(height);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/bolt_tool.h"
 
+#include "ui/edit/anchor_edit.h"
 #include "ui/edit/edits.h"
 #include "ui/tools/choices.h"
 #include "ui/tools/tool_ink.h"
@@ -94,13 +95,14 @@ bool BoltTool::accepts(const Snap& snap) const {
 void BoltTool::paint(QPainter& painter, const CanvasMap& map) const {
     ToolInk ink(painter, map, bench().theme());
     const bool plate = bolt_.plate != PlateKind::None;
+    const auto nodes = [&](double length) { return nodesAhead(scene(), bolt_.type, length, bolt_.divisions); };
     if (wall_) {
         const Point end = wall_->place + length_ * wall_->inward;
-        ink.bolt(wall_->place, end, plate);
+        ink.bolt(wall_->place, end, plate, nodes(length_));
         ink.dimension(wall_->place, end, lengthText(length_), 24.0);
     }
     if (head_ && cursor_) {
-        ink.bolt(*head_, *cursor_, plate);
+        ink.bolt(*head_, *cursor_, plate, nodes((*cursor_ - *head_).norm()));
         ink.dimension(*head_, *cursor_, lengthText((*cursor_ - *head_).norm()), 24.0);
     }
 }

@@ -5,6 +5,7 @@
 #include "geometry/bolt_pattern.h"
 #include "solver/scene/shapes.h"
 #include "ui/canvas/canvas.h"
+#include "ui/edit/anchor_edit.h"
 #include "ui/edit/edits.h"
 #include "ui/tools/choices.h"
 #include "ui/tools/tool_ink.h"
@@ -159,7 +160,8 @@ void PatternTool::paint(QPainter& painter, const CanvasMap& map) const {
     const auto to = runEnd();
     if (from_ && to) ink.wall(wallBetween(tunnel(), from_->along, to->along, pattern_.way));
     const bool plates = pattern_.plate != PlateKind::None;
-    for (const ObjectLine& bolt : bolts_) ink.bolt(bolt.points[0], bolt.points[1], plates);
+    const std::vector<NodeAhead> nodes = nodesAhead(scene(), pattern_.type, pattern_.length, pattern_.divisions);
+    for (const ObjectLine& bolt : bolts_) ink.bolt(bolt.points[0], bolt.points[1], plates, nodes);
     const double scale = map.pixelsPerMetre();
     const bool roomy = scale * pattern_.length > roomForNumbers;  // else numbers would lie on each other
     if (bolts_.size() > 1 && roomy && scale * pattern_.spacing > 0.5 * roomForNumbers) {

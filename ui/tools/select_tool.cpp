@@ -8,6 +8,7 @@
 #include "ui/document/selection.h"
 #include "ui/edit/edits.h"
 #include "ui/edit/hit.h"
+#include "ui/look/plain_text.h"
 #include "ui/tools/tool_ink.h"
 
 #include <QKeyEvent>
@@ -253,7 +254,7 @@ void SelectTool::fillMenu(QMenu& menu, const Pointed& at) {
         menu.addAction(tr("Delete corner"), this, [this, corner = all[*hot_].pointer] {
             bench().commit(tr("Delete corner"), removeAt(scene(), corner));
         });
-    menu.addAction(tr("Delete %1").arg(titleOf(pointers)), this, [this] {
+    menu.addAction(tr("Delete %1").arg(asMenuText(titleOf(pointers))), this, [this] {
         hot_.reset();
         removeSelected();
     });

@@ -16,7 +16,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double spacing = 22.0, tick = 7.0, arrowLength = 34.0;  // [px]
+constexpr double spacing = 22.0, tick = 7.0, arrowLength = 34.0, mostName = 150.0;  // [px]
 
 template <typename Item>
 const Item* itemAt(const Scene& scene, const std::string& pointer) {
@@ -178,7 +178,7 @@ void SignInk::monitor(const Point& place, const QString& name, const QColor& col
     font.setPixelSize(11);
     painter_.setFont(font);
     QPainterPath letters;
-    letters.addText(at + QPointF(11.0, 4.0), font, name);
+    letters.addText(at + QPointF(11.0, 4.0), font, QFontMetricsF(font).elidedText(name, Qt::ElideRight, mostName));
     painter_.setPen(QPen(theme_.canvas, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter_.drawPath(letters);
     painter_.fillPath(letters, colour);

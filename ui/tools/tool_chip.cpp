@@ -22,7 +22,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int chipHeight = 26, leastEdit = 22;
+constexpr int chipHeight = 26, leastEdit = 22, mostOfChoice = 180;  // [px]
 
 }  // namespace
 
@@ -112,11 +112,11 @@ void ToolChip::showValue() {
         const auto* text = std::get_if<std::string>(&value);
         choice_->setCurrentIndex(text ? field_.choices.lastIndexOf(QString::fromStdString(*text)) : 0);
         // As wide as what is chosen; the list is as wide as it needs.
-        choice_->setFixedWidth(choice_->fontMetrics().horizontalAdvance(choice_->currentText()) + 30);
+        choice_->setFixedWidth(std::min(choice_->fontMetrics().horizontalAdvance(choice_->currentText()) + 30, mostOfChoice));
         QFontMetrics metrics = choice_->fontMetrics();
         int widest = choice_->width();
         for (const QString& item : field_.choices) widest = std::max(widest, metrics.horizontalAdvance(item) + 32);
-        choice_->view()->setMinimumWidth(widest);
+        choice_->view()->setMinimumWidth(std::min(widest, 3 * mostOfChoice));
         return;
     }
     QString text;

@@ -17,6 +17,7 @@ namespace keyblock {
 namespace {
 
 constexpr double snapSize = 14.0, snapLine = 2.2, inset = 12.0;  // [px]
+constexpr double betweenReal = 9.0, betweenArtificial = 16.0;  // nodes of a ghost [px]
 
 QFont fontOf(const QPainter& painter, int pixels, bool bold = false) {
     QFont font = painter.font();
@@ -57,6 +58,20 @@ QPainterPath markOf(SnapKind kind, double r) {
         case SnapKind::Grid: path.addEllipse(QPointF(), 0.3 * r, 0.3 * r); break;
     }
     return path;
+}
+
+/// Real nodes with room between them, and artificial ones where more is left.
+std::vector<NodeAhead> apart(const std::vector<NodeAhead>& nodes, double length) {
+    std::vector<NodeAhead> kept;
+    for (const bool real : {true, false})
+        for (const NodeAhead& node : nodes) {
+            const double room = real ? betweenReal : betweenArtificial;
+            const bool isFree = std::none_of(kept.begin(), kept.end(), [&](const NodeAhead& other) {
+                return std::abs(other.share - node.share) * length < room;
+            });
+            if (node.real == real && isFree) kept.push_back(node);
+        }
+    return kept;
 }
 
 }  // namespace
@@ -107,19 +122,20 @@ void ToolInk::wall(const std::vector<Point>& points) {
     painter_.drawPolyline(pixels(points));
 }
 
-void ToolInk::bolt(const Point& head, const Point& farEnd, bool plate) {
+void ToolInk::bolt(const Point& head, const Point& farEnd, bool plate, const std::vector<NodeAhead>& nodes) {
     const QLineF shank(map_.toPixel(head), map_.toPixel(farEnd));
     painter_.setPen(dashed(theme_.accent, 2.0));
     painter_.drawLine(shank);
     if (!(shank.length() > 1.0)) return;
     const QPointF along = (shank.p2() - shank.p1()) / shank.length(), across(-along.y(), along.x());
     painter_.setPen(QPen(theme_.accent, 1.4));
-    painter_.setBrush(theme_.accent);
-    painter_.drawEllipse(shank.p2(), 3.3, 3.3);
-    painter_.drawEllipse(shank.pointAt(0.5), 3.3, 3.3);
-    painter_.setBrush(theme_.panel);
-    for (const double at : {0.25, 0.75}) painter_.drawEllipse(shank.pointAt(at), 2.7, 2.7);
+    for (const NodeAhead& node : apart(nodes, shank.length())) {
+        painter_.setBrush(node.real ? theme_.accent : theme_.panel);
+        const double r = node.real ? 3.3 : 2.7;
+        painter_.drawEllipse(shank.pointAt(1.0 - node.share), r, r);
+    }
     if (!plate) return;
+    painter_.setBrush(theme_.panel);
     painter_.drawPolygon(QPolygonF(QVector<QPointF>{shank.p1() - 7.0 * across, shank.p1() + 7.0 * across,
                                    shank.p1() + 7.0 * across - 5.0 * along, shank.p1() - 7.0 * across - 5.0 * along}));
 }

@@ -5,6 +5,7 @@
 // pixels, in the colours of the theme.
 #pragma once
 
+#include "ui/edit/anchor_edit.h"
 #include "ui/edit/scene_objects.h"
 #include "ui/edit/snap.h"
 
@@ -36,8 +37,8 @@ public:
     void near(const std::vector<Point>& points, bool closed);
     /// A wall that is picked.
     void wall(const std::vector<Point>& points);
-    /// A ghost bolt: shank dashed, anchored points, hollow plate at the head.
-    void bolt(const Point& head, const Point& farEnd, bool plate);
+    /// A ghost bolt: shank dashed, nodes as they would be, hollow plate at the head.
+    void bolt(const Point& head, const Point& farEnd, bool plate, const std::vector<NodeAhead>& nodes);
 
     void corner(const Point& place);  // 9 px square of a handle
     void handle(const Point& place, bool hot);

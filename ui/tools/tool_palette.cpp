@@ -7,12 +7,12 @@
 #include <QAction>
 #include <QPainter>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <QVariant>
 
 namespace keyblock {
 namespace {
 
+constexpr int lineHeight = 7, rim = 4, between = 2;  // [px]
 constexpr int paletteWidth = 44, buttonSize = 36, iconPixels = 18, letterPixels = 9;
 
 /// A button with the letter of its key in the corner.
@@ -46,13 +46,10 @@ private:
 }  // namespace
 
 ToolPalette::ToolPalette(const Themes& themes, QWidget* parent)
-    : QWidget(parent), themes_(themes), column_(new QVBoxLayout(this)) {
+    : QWidget(parent), themes_(themes) {
     setObjectName("toolPalette");
     setAccessibleName(tr("Tools"));
     setFixedWidth(paletteWidth);
-    column_->setContentsMargins(3, 4, 4, 4);
-    column_->setSpacing(2);
-    column_->addStretch();
     connect(&themes, &Themes::changed, this, qOverload<>(&QWidget::update));
 }
 
@@ -61,24 +58,53 @@ void ToolPalette::add(QAction* action, const QString& name) {
     button->setObjectName("palette." + action->objectName());
     button->setAccessibleName(name);
     button->setProperty("helpTopic", "studio#Tools/" + name);
-    column_->insertWidget(column_->count() - 1, button);
+    items_.push_back(button);
+    layOut();
 }
 
 void ToolPalette::addLine() {
     auto* line = new QWidget(this);
-    line->setFixedHeight(7);
+    line->setFixedSize(buttonSize, lineHeight);
     lines_.push_back(line);
-    column_->insertWidget(column_->count() - 1, line);
+    items_.push_back(line);
+    layOut();
 }
 
-QSize ToolPalette::sizeHint() const { return {paletteWidth, QWidget::sizeHint().height()}; }
+/// Down from the top, and again from the top where the height ends.
+void ToolPalette::layOut() {
+    int x = 3, y = rim;
+    for (QWidget* item : items_) {
+        const bool isLine = item->height() == lineHeight;
+        if (y + item->height() + rim > height() && y > rim) {
+            x += paletteWidth;
+            y = rim;
+        }
+        item->setVisible(!isLine || y > rim);
+        if (isLine && y == rim) continue;
+        item->move(x, y);
+        y += item->height() + between;
+    }
+    setFixedWidth(x - 3 + paletteWidth);
+}
+
+QSize ToolPalette::sizeHint() const {
+    int tall = 2 * rim - between;
+    for (const QWidget* item : items_) tall += item->height() + between;
+    return {paletteWidth, tall};
+}
+
+QSize ToolPalette::minimumSizeHint() const { return {paletteWidth, 4 * buttonSize}; }
+
+void ToolPalette::resizeEvent(QResizeEvent*) { layOut(); }
 
 void ToolPalette::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const Theme& theme = themes_.current();
     painter.fillRect(rect(), theme.panel);
     painter.fillRect(width() - 1, 0, 1, height(), theme.separator);
-    for (const QWidget* line : lines_) painter.fillRect(8, line->geometry().center().y(), width() - 17, 1, theme.separator);
+    for (const QWidget* line : lines_)
+        if (line->isVisible())
+            painter.fillRect(line->x() + 5, line->geometry().center().y(), line->width() - 10, 1, theme.separator);
 }
 
 }  // namespace keyblock

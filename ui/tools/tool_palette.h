@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The tools as a column of buttons at the left of the canvas, each with the letter
-// of its key.
+// of its key. On a low window they go on in a second column.
 #pragma once
 
 #include <QWidget>
@@ -10,7 +10,6 @@
 #include <vector>
 
 class QAction;
-class QVBoxLayout;
 
 namespace keyblock {
 
@@ -26,14 +25,17 @@ public:
     void addLine();
 
     QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void layOut();
+
     const Themes& themes_;
-    QVBoxLayout* column_;
-    std::vector<QWidget*> lines_;
+    std::vector<QWidget*> items_, lines_;  // the lines are among the items
 };
 
 }  // namespace keyblock

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/dock.h"
 
+#include "ui/look/elided_label.h"
 #include "ui/look/theme.h"
 
 #include <QDockWidget>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMainWindow>
+#include <QTabBar>
 #include <QTimer>
 #include <QToolButton>
 
@@ -15,7 +16,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int headerHeight = 30;
+constexpr int headerHeight = 30, leastWidth = 180, leastHeight = 60;  // [px]
 
 QToolButton* headerButton(QWidget* header, const Themes& themes, const char* icon, const QString& name) {
     auto* button = new QToolButton(header);
@@ -45,9 +46,10 @@ QWidget* makeHeader(QDockWidget& dock, const Themes& themes) {
     auto* row = new QHBoxLayout(header);
     row->setContentsMargins(12, 0, 6, 0);
     row->setSpacing(2);
-    auto* title = new QLabel(dock.windowTitle(), header);
+    auto* title = new ElidedLabel(header);
     title->setObjectName("dockTitle");
-    QObject::connect(&dock, &QDockWidget::windowTitleChanged, title, &QLabel::setText);
+    title->setText(dock.windowTitle());
+    QObject::connect(&dock, &QDockWidget::windowTitleChanged, title, &ElidedLabel::setText);
     row->addWidget(title, 1);
     QToolButton* floating = headerButton(header, themes, "float", QDockWidget::tr("Float %1").arg(dock.windowTitle()));
     QObject::connect(floating, &QToolButton::clicked, &dock, [&dock] { dock.setFloating(!dock.isFloating()); });
@@ -64,6 +66,7 @@ void hideSecondHeader(QMainWindow& window, QDockWidget& dock, QWidget& header) {
     header.setFixedHeight(tabbed ? 0 : headerHeight);
     header.setVisible(!tabbed);
     header.updateGeometry();
+    for (QTabBar* tabs : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) tabs->setDrawBase(false);
 }
 
 }  // namespace
@@ -72,6 +75,7 @@ QDockWidget* makeDock(QMainWindow& window, const Themes& themes, const QString& 
                       QWidget* widget) {
     auto* dock = new QDockWidget(title, &window);
     dock->setObjectName(id);
+    widget->setMinimumSize(leastWidth, leastHeight);  // what finds no room is cut, not the screen
     dock->setWidget(widget);
     QWidget* header = makeHeader(*dock, themes);
     dock->setTitleBarWidget(header);

@@ -13,6 +13,7 @@
 #include <QToolButton>
 #include <QWidgetAction>
 
+#include <algorithm>
 #include <vector>
 
 namespace keyblock {
@@ -21,7 +22,7 @@ namespace {
 
 constexpr int version = 1;  // of the states kept; another one is not read
 constexpr char folder[] = "layouts";
-constexpr int bottomHeight = 210;
+constexpr int bottomHeight = 240, leastBottom = 130, others = 760;  // [px]
 
 // Docks that share a place, side by side below the time line; the first of each is in front.
 using Groups = std::vector<std::vector<const char*>>;
@@ -97,7 +98,9 @@ void size(QMainWindow& window, Arrangement arrangement) {
     }
     if (firsts.isEmpty()) return;
     window.resizeDocks(firsts, widths, Qt::Horizontal);
-    window.resizeDocks({firsts.front()}, {bottomHeight}, Qt::Vertical);
+    // The canvas comes first on a low screen.
+    const int bottom = std::clamp(window.height() - others, leastBottom, bottomHeight);
+    window.resizeDocks({firsts.front()}, {bottom}, Qt::Vertical);
 }
 
 QString keyOf(Arrangement arrangement) {

@@ -36,6 +36,7 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenuBar>
+#include <QScreen>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QToolBar>
@@ -49,9 +50,10 @@ MainWindow::MainWindow(Themes& themes)
       selection_(new Selection(this)), visibility_(new Visibility(*document_, this)),
       workflow_(new WorkflowBar(themes, this)),
       canvas_(new Canvas(themes, this)), drawing_(new DrawingFeed(*document_, *visibility_, *canvas_, this)),
-      runs_(new RunArea({*this, themes, *commands_, *document_, *selection_, *canvas_, *drawing_, *workflow_})) {
+      runs_(new RunArea({*this, themes, *display_, *commands_, *document_, *selection_, *canvas_, *drawing_,
+                         *workflow_})) {
     setObjectName("studio");
-    resize(1600, 1000);
+    resize(QSize(1600, 1000).boundedTo(screen()->availableSize()));
     selection_->follow(*document_);
     addFileCommands(*commands_, *document_, *this);
     addImportCommands(*this, *commands_, *document_, themes_);
@@ -110,7 +112,7 @@ void MainWindow::placeFileRooms() {
     new FileDrops(*this, [this](const QString& path) { openPath(path); });
     auto* recent = new RecentFiles(*document_, this);
     start_ = addStartPage(*this, {themes_, *commands_, *document_, *journal_, *recent});
-    for (const char* id : {"help.contents", "help.scene", "help.theory"})
+    for (const char* id : {"help.contents", "help.scene", "help.theory", "help.verification", "panel.library"})
         connect(commands_->action(id), &QAction::triggered, start_, &QWidget::hide);  // it opens beside the canvas
     layouts_ = new Layouts(*this, *commands_);
     placeAtRight(*menuBar(), {layouts_->makeButton(menuBar()), search});

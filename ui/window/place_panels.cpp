@@ -71,6 +71,12 @@ void placeBelow(QMainWindow& window, const PanelNeeds& needs, Panels& panels) {
         makeDock(window, needs.themes, "libraryDock", QMainWindow::tr("Bolt library"), panels.library);
     for (QDockWidget* dock : {panels.problemsDock, panels.censusDock, panels.stagesDock, panels.libraryDock})
         window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // where, is for the layouts to say
+    needs.commands.add({"panel.library", QMainWindow::tr("Open bolt library"), "Tools", "bolt",
+                        QMainWindow::tr("Bolt types with their numbers and sources."), {}, false, "library"},
+                       [dock = panels.libraryDock] {
+                           dock->show();
+                           dock->raise();
+                       });
     const auto badge = [dock = panels.problemsDock](int urgent) {
         dock->setWindowTitle(urgent > 0 ? QMainWindow::tr("Problems  %1").arg(urgent) : QMainWindow::tr("Problems"));
     };
@@ -92,8 +98,8 @@ Panels placePanels(QMainWindow& window, const PanelNeeds& needs) {
     panels.tree = new SceneTree(needs.document, needs.selection, needs.visibility, needs.display, needs.commands,
                                 needs.themes, &window);
     panels.properties = new PropertyPanel(context, needs.selection, &window);
-    panels.tree->setMinimumWidth(180);
-    panels.properties->setMinimumWidth(280);
+    panels.tree->setMinimumWidth(140);
+    panels.properties->setMinimumWidth(240);
     QDockWidget* left =
         dockWithHeader(window, "sceneDock", QMainWindow::tr("Scene"), panels.tree, panels.tree->header());
     QDockWidget* right = dockWithHeader(window, "propertyDock", QMainWindow::tr("Properties"), panels.properties,

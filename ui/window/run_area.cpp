@@ -49,7 +49,7 @@ RunArea::RunArea(const RunAreaParts& parts)
     : QObject(&parts.window), parts_(parts), cursor_(new TimeCursor(this)),
       choice_(new BoltChoice(parts.document, parts.selection, *cursor_, this)),
       runs_(new Runs(parts.document, *cursor_, this)), settings_(new ViewSettings(this)),
-      feed_(new SectionFeed(*choice_, *cursor_, *settings_, this)), pins_(new Pins(*cursor_, this)),
+      feed_(new SectionFeed(*choice_, *cursor_, *settings_, parts.display, this)), pins_(new Pins(*cursor_, this)),
       comparison_(new Comparison(*cursor_, this)) {
     addRunCommands(parts.commands, *runs_);
     addTimeCommands(parts.commands, *cursor_);
@@ -94,19 +94,19 @@ void RunArea::tell(const QString& message, bool isError) {
 void RunArea::placeDocks(QBoxLayout& besideCanvas) {
     QMainWindow& window = parts_.window;
     const Themes& themes = parts_.themes;
-    auto* line = new TimeLine(themes, parts_.commands, *cursor_, *choice_, &window);
+    auto* line = new TimeLine(themes, parts_.display, parts_.commands, *cursor_, *choice_, &window);
     QDockWidget* time = makeBand(window, "timeDock", tr("Time line"), line);
     health_ = new HealthStrip(themes, *cursor_, &window);
-    events_ = new EventsList(themes, *cursor_, *choice_, &window);
+    events_ = new EventsList(themes, parts_.display, *cursor_, *choice_, &window);
     log_ = new RunLog(themes, &window);
-    auto* bolt = new BoltStrip(themes, *cursor_, *choice_, &window);
+    auto* bolt = new BoltStrip(themes, parts_.display, *cursor_, *choice_, &window);
     QDockWidget* strip = makeDock(window, themes, "stripDock", tr("Bolt strip"), bolt);
     connect(bolt, &BoltStrip::titleChanged, strip, [strip, bolt] {
         const QString shown = bolt->title();
         strip->setWindowTitle(shown.isEmpty() ? tr("Bolt strip") : tr("Bolt strip   %1").arg(shown));
     });
-    auto* allCurves = new Curves(themes, *cursor_, CurveKind::All, pins_, &window);
-    auto* energies = new Curves(themes, *cursor_, CurveKind::Energies, nullptr, &window);
+    auto* allCurves = new Curves(themes, parts_.display, *cursor_, CurveKind::All, pins_, &window);
+    auto* energies = new Curves(themes, parts_.display, *cursor_, CurveKind::Energies, nullptr, &window);
     QDockWidget* curves = makeDock(window, themes, "curvesDock", tr("Curves"), allCurves);
     QDockWidget* health = makeDock(window, themes, "healthDock", tr("Health"), health_);
     eventsDock_ = makeDock(window, themes, "eventsDock", tr("Events"), events_);

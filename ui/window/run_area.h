@@ -22,6 +22,7 @@ class Canvas;
 class Commands;
 class CompareArea;
 class Comparison;
+class Display;
 class Document;
 class DrawingFeed;
 class EventsList;
@@ -42,6 +43,7 @@ class WorkflowBar;
 struct RunAreaParts {
     QMainWindow& window;
     Themes& themes;
+    const Display& display;
     Commands& commands;
     Document& document;
     Selection& selection;

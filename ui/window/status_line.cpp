@@ -5,6 +5,7 @@
 #include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
 #include "ui/look/display.h"
+#include "ui/look/elided_label.h"
 
 #include <QLabel>
 #include <QStatusBar>
@@ -14,10 +15,12 @@ namespace keyblock {
 
 namespace {
 
+constexpr int mostOfLabel = 420;  // [px]
 const QString dot = QString::fromUtf8(" · ");
 
 QLabel* addLabel(QStatusBar& bar, const char* name, bool right) {
-    auto* label = new QLabel(&bar);
+    auto* label = new ElidedLabel(&bar);
+    label->setMost(mostOfLabel);
     label->setObjectName(QString("status.") + name);
     label->setTextFormat(Qt::PlainText);
     if (right) bar.addPermanentWidget(label);

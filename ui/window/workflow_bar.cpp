@@ -4,6 +4,7 @@
 
 #include "ui/look/theme.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QToolButton>
@@ -13,6 +14,7 @@ namespace keyblock {
 
 namespace {
 
+constexpr int rim = 12, besideText = 32;  // [px]
 constexpr int barHeight = 40;
 
 QIcon iconOf(const Themes& themes, WorkState state) {
@@ -46,7 +48,7 @@ WorkflowBar::WorkflowBar(const Themes& themes, QWidget* parent)
     : QWidget(parent), themes_(themes), row_(new QHBoxLayout(this)) {
     setObjectName("workflow");
     setFixedHeight(barHeight);
-    row_->setContentsMargins(12, 0, 12, 0);
+    row_->setContentsMargins(rim, 0, rim, 0);
     row_->setSpacing(0);
     const std::array names{tr("Geometry"), tr("Materials && joints"), tr("Support"), tr("Stages"), tr("Run"),
                            tr("Results")};
@@ -74,6 +76,7 @@ WorkflowBar::WorkflowBar(const Themes& themes, QWidget* parent)
 
 void WorkflowBar::choose(WorkStep step) {
     tabs_[static_cast<std::size_t>(step)]->setChecked(true);
+    fit();
     if (step == current_) return;
     current_ = step;
     Q_EMIT chosen(step);
@@ -85,7 +88,30 @@ void WorkflowBar::setStates(const WorkStates& states) {
     showIcons();
 }
 
-void WorkflowBar::addRight(QWidget* widget) { row_->addWidget(widget); }
+void WorkflowBar::addRight(QWidget* widget) {
+    right_ = widget;
+    row_->addWidget(widget);
+}
+
+QSize WorkflowBar::minimumSizeHint() const { return {300, barHeight}; }
+
+/// Where all names have no room, steps are told by their states alone, but for the one that is at hand.
+void WorkflowBar::fit() {
+    int wanted = 2 * rim + (right_ && right_->isVisible() ? right_->minimumSizeHint().width() : 0);
+    for (const QToolButton* tab : tabs_)
+        wanted += tab->fontMetrics().horizontalAdvance(tab->text()) + tab->iconSize().width() + besideText;
+    const bool isShort = wanted > width();
+    for (QToolButton* tab : tabs_) {
+        const bool alone = isShort && !tab->isChecked() && !tab->icon().isNull();
+        const auto style = alone ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
+        if (tab->toolButtonStyle() != style) tab->setToolButtonStyle(style);
+    }
+}
+
+bool WorkflowBar::event(QEvent* event) {
+    if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) fit();
+    return QWidget::event(event);
+}
 
 void WorkflowBar::showIcons() {
     for (std::size_t i = 0; i < workSteps; ++i) {
@@ -95,6 +121,7 @@ void WorkflowBar::showIcons() {
         tabs_[i]->setAccessibleDescription(wordOf(states_[i]));
         tabs_[i]->setToolTip(states_[i] == WorkState::Nothing ? name : name + ": " + wordOf(states_[i]));
     }
+    fit();
 }
 
 void WorkflowBar::paintEvent(QPaintEvent*) {

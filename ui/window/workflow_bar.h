@@ -31,18 +31,23 @@ public:
     /// Puts a widget at the right end, after those that are there.
     void addRight(QWidget* widget);
 
+    QSize minimumSizeHint() const override;
+
 Q_SIGNALS:
     void chosen(keyblock::WorkStep step);
     void asked(keyblock::WorkStep step);  // a person clicked on it, be it chosen or not
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
     void showIcons();
+    void fit();
 
     const Themes& themes_;
     QHBoxLayout* row_;
+    QWidget* right_ = nullptr;
     std::array<QToolButton*, workSteps> tabs_{};
     WorkStates states_{};
     WorkStep current_ = WorkStep::Geometry;

@@ -12,6 +12,7 @@
 #include "ui/docks/chart_view.h"
 #include "ui/docks/view_bar.h"
 #include "ui/look/commands.h"
+#include "ui/look/display.h"
 #include "ui/look/theme.h"
 #include "ui/runs/pins.h"
 #include "ui/runs/time_cursor.h"
@@ -54,7 +55,8 @@ TEST_F(CurvesTest, WhatIsPinnedIsShownUntilItsCrossIsClicked) {
     Themes themes;
     TimeCursor cursor;
     Pins pins(cursor);
-    Curves curves(themes, cursor, CurveKind::All, &pins);
+    Display display;
+    Curves curves(themes, display, cursor, CurveKind::All, &pins);
     auto* view = curves.findChild<ChartView*>("chart");
     auto* choice = curves.findChild<QComboBox*>("curveChoice");
     curves.resize(500, 240);
@@ -83,7 +85,8 @@ TEST_F(CurvesTest, AnyNumberStandsOverAnyOtherAndBesideThatOfAnotherRun) {
     Themes themes;
     TimeCursor cursor;
     Pins pins(cursor);
-    Curves curves(themes, cursor, CurveKind::All, &pins);
+    Display display;
+    Curves curves(themes, display, cursor, CurveKind::All, &pins);
     auto* view = curves.findChild<ChartView*>("chart");
     curves.resize(600, 240);
     curves.show();

@@ -11,6 +11,7 @@
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/look/commands.h"
+#include "ui/look/display.h"
 #include "ui/look/theme.h"
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
@@ -139,10 +140,11 @@ TEST_F(DocksTest, AClickOnAnEventGoesThereAndSelectsItsBolt) {
     Themes themes;
     TimeCursor cursor;
     Selection selection;
+    Display display;
     Document document;
     BoltChoice choice(document, selection, cursor);
     document.startNew(test::bricks());
-    EventsList list(themes, cursor, choice);
+    EventsList list(themes, display, cursor, choice);
     list.resize(500, 200);
     list.show();
     cursor.setRun(elevenFrames(), false);
@@ -172,9 +174,10 @@ TEST_F(DocksTest, TheTimeLineScrubsZoomsAndCounts) {
     TimeCursor cursor;
     addTimeCommands(commands, cursor);
     Selection selection;
+    Display display;
     Document document;
     BoltChoice choice(document, selection, cursor);
-    TimeLine line(themes, commands, cursor, choice);
+    TimeLine line(themes, display, commands, cursor, choice);
     line.resize(1200, 104);
     line.show();
     EXPECT_EQ(line.height(), 30);  // nothing to tell yet

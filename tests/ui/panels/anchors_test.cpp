@@ -7,8 +7,8 @@
 
 #include "solver/files/bolt_library.h"
 #include "ui/document/selection.h"
+#include "ui/edit/anchor_edit.h"
 #include "ui/edit/edits.h"
-#include "ui/panels/anchor_edit.h"
 #include "ui/panels/anchor_strip.h"
 #include "ui/panels/library_panel.h"
 

@@ -3,6 +3,7 @@
 //
 // Pins read the frames of their run once, in the background, and tell what a monitor
 // at the same place does.
+#include "ui/look/display.h"
 #include "ui/runs/pins.h"
 
 #include "tests/scratch_folder.h"
@@ -130,7 +131,8 @@ TEST_F(PinsTest, TwoRunsHaveOneRangeOfColours) {
     TimeCursor first, second;
     Document document;
     BoltChoice bolts(document, selection, first);
-    SectionFeed a(bolts, first, settings), b(bolts, second, settings);
+    Display display;
+    SectionFeed a(bolts, first, settings, display), b(bolts, second, settings, display);
     const auto slow = test::slidingRun(path("a.kbrun"), 0.2), fast = test::slidingRun(path("b.kbrun"), 0.6);
     first.setRun(slow, false);
     second.setRun(fast, false);

@@ -8,6 +8,8 @@
 
 #include "solver/scene/scene.h"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace keyblock {
@@ -24,5 +26,18 @@ std::vector<Anchor> withNodes(std::vector<Anchor> anchors, const std::vector<dou
 
 /// Nodes of a bolt that says its divisions; of one that leaves them to the program, sixty equal ones. [m]
 std::vector<double> evenNodes(double length, std::optional<int> divisions);
+
+/// The type of that name: the scene's own, else the built-in one; null where there is none.
+const BoltType* boltTypeNamed(const Scene& scene, const std::string& name);
+
+/// A node of a bolt that is not there yet.
+struct NodeAhead {
+    double share = 0.0;  // of the length, from the far end
+    bool real = false;
+};
+
+/// Nodes of a bolt of that type and length [m]; none of an unknown type.
+std::vector<NodeAhead> nodesAhead(const Scene& scene, const std::string& type, double length,
+                                  std::optional<int> divisions);
 
 }  // namespace keyblock

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/panels/elided_label.h"
+#include "ui/look/elided_label.h"
+
+#include "ui/look/plain_text.h"
 
 #include <QEvent>
 #include <QHelpEvent>
@@ -8,12 +10,27 @@
 #include <QStyle>
 #include <QToolTip>
 
+#include <algorithm>
+
 namespace keyblock {
 
 ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     setTextFormat(Qt::PlainText);
 }
+
+void ElidedLabel::setMost(int pixels) {
+    most_ = pixels;
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+    updateGeometry();
+}
+
+QSize ElidedLabel::sizeHint() const {
+    const QSize whole = QLabel::sizeHint();
+    return most_ < 0 ? whole : QSize(std::min(whole.width(), most_), whole.height());
+}
+
+QSize ElidedLabel::minimumSizeHint() const { return {0, QLabel::minimumSizeHint().height()}; }
 
 bool ElidedLabel::fits() const { return fontMetrics().horizontalAdvance(text()) <= contentsRect().width(); }
 
@@ -29,7 +46,7 @@ bool ElidedLabel::event(QEvent* event) {
     if (fits())
         QToolTip::hideText();
     else
-        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), text(), this);
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), asTip(text()), this);
     return true;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/panels/anchor_edit.h"
+#include "ui/edit/anchor_edit.h"
 
+#include "solver/files/bolt_library.h"
 #include "solver/scene/lookup.h"
 
 #include <algorithm>
@@ -145,6 +146,22 @@ std::vector<double> evenNodes(double length, std::optional<int> divisions) {
     std::vector<double> nodes;
     for (int i = 0; i <= count; ++i) nodes.push_back(length * i / count);
     return nodes;
+}
+
+const BoltType* boltTypeNamed(const Scene& scene, const std::string& name) {
+    const BoltType* own = findBoltType(scene, name);
+    return own ? own : findBuiltInBoltType(name);
+}
+
+std::vector<NodeAhead> nodesAhead(const Scene& scene, const std::string& type, double length,
+                                  std::optional<int> divisions) {
+    const BoltType* found = boltTypeNamed(scene, type);
+    if (!found || !(length > 0.0) || !std::isfinite(length)) return {};
+    const std::vector<double> nodes = evenNodes(length, divisions);
+    const std::vector<bool> real = realNodes(found->anchors, nodes);
+    std::vector<NodeAhead> ahead;
+    for (std::size_t i = 0; i < nodes.size(); ++i) ahead.push_back({nodes[i] / length, real[i]});
+    return ahead;
 }
 
 }  // namespace keyblock

@@ -15,12 +15,20 @@ class ElidedLabel : public QLabel {
 public:
     explicit ElidedLabel(QWidget* parent);
 
+    /// As wide as its text, up to so many pixels, instead of what neighbours leave.
+    void setMost(int pixels);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
 protected:
     void paintEvent(QPaintEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
     bool fits() const;
+
+    int most_ = -1;  // [px]; none: what there is
 };
 
 }  // namespace keyblock

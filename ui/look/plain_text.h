@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Names that people give may hold what Qt takes for marks: `<b>` in a tooltip, `&`
+// in a menu. Here they are told as they are written.
+#pragma once
+
+#include <QString>
+#include <QTextDocument>
+
+namespace keyblock {
+
+inline QString asTip(const QString& text) {
+    if (!Qt::mightBeRichText(text)) return text;
+    return QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped().replace('\n', QStringLiteral("<br>")));
+}
+
+inline QString asMenuText(QString text) { return text.replace('&', QStringLiteral("&&")); }
+
+}  // namespace keyblock
