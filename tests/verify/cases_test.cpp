@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <fstream>
+#include <iterator>
 
 namespace keyblock {
 namespace {
@@ -30,6 +32,13 @@ TEST_P(VerificationCase, MeetsItsNumbers) {
 
 INSTANTIATE_TEST_SUITE_P(All, VerificationCase, testing::Range(std::size_t{0}, cases().size()),
                          [](const auto& one) { return testName(cases()[one.param].name); });
+
+TEST(Help, NamesEveryCase) {
+    std::ifstream file(std::string(KEYBLOCK_SOURCE_DIR) + "/resources/help/verification.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    for (const Case& each : cases())
+        EXPECT_NE(page.find("`" + each.name + "` | " + each.description), std::string::npos) << each.name;
+}
 
 TEST(Paper, TablesMeetTheReference) {
     const std::vector<PaperTable> tables = paperTables();

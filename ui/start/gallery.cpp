@@ -22,7 +22,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int gap = 28, rim = 44, foot = 28;  // [px]
+constexpr int gap = 28, rim = 44, foot = 28, leastForTitle = 560;  // [px]
 constexpr QSize pictureSize(500, SampleCard::picture);  // wider than a card, which shows its middle
 
 struct Kind {
@@ -78,6 +78,8 @@ QWidget* Gallery::makeHeader() {
     hint->setObjectName("hint");
     hint->setMinimumWidth(0);
     hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    title_ = title;
+    hint_ = hint;
     row->addWidget(title);
     row->addSpacing(8);
     row->addWidget(hint, 1);
@@ -136,6 +138,7 @@ void Gallery::askForPictures() {
 }
 
 void Gallery::resizeEvent(QResizeEvent* event) {
+    for (QWidget* words : {title_, hint_}) words->setVisible(width() >= leastForTitle);
     QWidget::resizeEvent(event);
     QMetaObject::invokeMethod(this, [this] { place(); }, Qt::QueuedConnection);  // once the scroll area has its size
 }

@@ -48,6 +48,7 @@ private:
     QButtonGroup* kinds_;
     QScrollArea* scroll_;
     QWidget* sheet_;
+    QWidget *title_ = nullptr, *hint_ = nullptr;
     int columns_ = 1;
     double asked_ = 0.0;  // pixel ratio of the pictures; 0: none were asked for
 };

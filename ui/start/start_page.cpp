@@ -37,7 +37,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int sideWidth = 424, rim = 24;  // [px]
+constexpr int sideWidth = 424, narrowSide = 340, leastPage = 1000, rim = 24;  // [px]
 constexpr std::size_t mostBoxes = 3;
 constexpr char atStartKey[] = "start/showPage";
 
@@ -192,12 +192,15 @@ QWidget* StartPage::makeFoot() {
     column->setSpacing(8);
     auto* row = new QHBoxLayout;
     row->setSpacing(4);
-    for (const char* id : {"help.contents", "panel.library", "help.verification", "help.keys"}) {
+    const std::pair<const char*, QString> links[]{{"help.contents", tr("Manual")}, {"panel.library", tr("Bolt library")},
+                                                  {"help.verification", tr("Verification")}, {"help.keys", tr("Keys")}};
+    for (const auto& [id, words] : links) {
         if (!rooms_.commands.has(id)) continue;
         QAction* action = rooms_.commands.action(id);
-        auto* link = new QPushButton(action->icon(), " " + action->text(), foot);
+        auto* link = new QPushButton(action->icon(), " " + words, foot);
         link->setProperty("quiet", true);
-        link->setAccessibleName(action->text());
+        link->setAccessibleName(words);
+        link->setToolTip(action->toolTip());
         link->setObjectName("start." + action->objectName());
         connect(link, &QPushButton::clicked, action, &QAction::trigger);
         row->addWidget(link);
@@ -264,7 +267,17 @@ void StartPage::follow() {
         if (window->statusBar()->isVisible()) area.setBottom(window->statusBar()->geometry().top() - 1);
     }
     setGeometry(area);
+    fitSide(area.width() < leastPage);
     if (isVisible()) stackAboveDocks();
+}
+
+/// On a narrow screen the samples need what icons and keys take.
+void StartPage::fitSide(bool narrow) {
+    side_->setFixedWidth(narrow ? narrowSide : sideWidth);
+    for (QPushButton* button : side_->findChildren<QPushButton*>())
+        if (button->property("quiet").toBool()) button->setIconSize(narrow ? QSize(1, 1) : QSize(16, 16));
+    for (const char* name : {"keys", "keysOnAccent"})
+        for (QLabel* keys : side_->findChildren<QLabel*>(name)) keys->setVisible(!narrow);
 }
 
 /// Only above docks: the palette and what else lies over the window stays in front.

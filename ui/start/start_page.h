@@ -66,6 +66,7 @@ private:
     void showRecovery();
     void showRecent();
     void follow();
+    void fitSide(bool narrow);
     void stackAboveDocks();
 
     Rooms rooms_;

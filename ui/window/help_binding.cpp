@@ -69,6 +69,9 @@ QWidget* addHelp(QMainWindow& window, Commands& commands, const Themes& themes) 
                  [&window, dock, view] { showHelp(window, *dock, *view, "scene"); });
     commands.add({"help.theory", QMainWindow::tr("Theory"), "Help", {}, QMainWindow::tr("What is solved, and how."), {}, false, "pages"},
                  [&window, dock, view] { showHelp(window, *dock, *view, "theory"); });
+    commands.add({"help.verification", QMainWindow::tr("Verification"), "Help", "verify",
+                  QMainWindow::tr("What the program is held to, and how to check it."), {}, false, "pages"},
+                 [&window, dock, view] { showHelp(window, *dock, *view, "verification"); });
     commands.add({"help.keys", QMainWindow::tr("Keys"), "Help", "keyboard", QMainWindow::tr("All commands with their keys, to look up and change."),
                   {QKeySequence("?")}, false, "find"},
                  [&window, &commands, &themes, sheet = static_cast<KeySheet*>(nullptr)]() mutable {
