@@ -162,7 +162,7 @@ void ChartView::paintNow(QPainter& painter) const {
         painter.drawEllipse(QPointF(x, y), 4.0, 4.0);
         const QString value = Display::number(*now_->y[p], 4);
         const double wide = metrics.horizontalAdvance(value);
-        const bool left = x + 8.0 + wide > width() - 4.0;
+        const bool left = x + 8.0 + wide > pixelsPerMm * place_.right;  // beyond stand the names of curves
         const QRectF box(left ? x - 8.0 - wide : x + 8.0, std::max(y - 16.0, pixelsPerMm * place_.panels[p].top - 8.0),
                          wide, 14.0);
         QColor ground = theme.panel;

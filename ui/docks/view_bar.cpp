@@ -8,6 +8,7 @@
 #include "ui/runs/view_settings.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QPainter>

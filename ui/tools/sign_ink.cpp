@@ -17,6 +17,7 @@ namespace keyblock {
 namespace {
 
 constexpr double spacing = 22.0, tick = 7.0, arrowLength = 34.0, mostName = 150.0;  // [px]
+constexpr double leastForNames = 15.0;  // [px per m] below it they would lie on bolts
 
 template <typename Item>
 const Item* itemAt(const Scene& scene, const std::string& pointer) {
@@ -173,7 +174,7 @@ void SignInk::monitor(const Point& place, const QString& name, const QColor& col
     painter_.drawEllipse(at, 4.5, 4.5);
     for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
         painter_.drawLine(at + 3.0 * way, at + 8.0 * way);
-    if (name.isEmpty()) return;
+    if (name.isEmpty() || map_.pixelsPerMetre() < leastForNames) return;
     QFont font = painter_.font();
     font.setPixelSize(11);
     painter_.setFont(font);
