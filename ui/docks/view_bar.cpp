@@ -37,7 +37,7 @@ public:
         const int text = metrics.horizontalAdvance(title_) + 8 + metrics.horizontalAdvance(currentText());
         return {text + 34, 26};
     }
-    QSize minimumSizeHint() const override { return {60, 26}; }
+    QSize minimumSizeHint() const override { return {96, 26}; }
 
 protected:
     void paintEvent(QPaintEvent*) override {
