@@ -75,7 +75,7 @@ public:
     /// Paints tool and overlays again, not the section.
     void refresh();
 
-    QSize minimumSizeHint() const override { return {220, 150}; }
+    QSize minimumSizeHint() const override { return {220, 120}; }
 
 Q_SIGNALS:
     void hovered(const keyblock::Point& place, bool inside);

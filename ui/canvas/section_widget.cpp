@@ -53,6 +53,8 @@ void SectionWidget::render(const Point& centre, double pixelsPerMetre, const Sec
     if (size.isEmpty() || !context_.makeCurrent(&surface_)) return;
     window_->SetSize(size.width(), size.height());
     view_.look(centre, 1.0 / (pixelsPerMetre * ratio), Point(width(), height()) * ratio, picture);
+    // As VTK takes for granted: else pieces of one line cut each other.
+    context_.functions()->glDepthFunc(GL_LEQUAL);
     window_->Render();
     readPixels(size);
     image_.setDevicePixelRatio(ratio);
