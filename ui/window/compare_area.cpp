@@ -27,7 +27,7 @@ namespace keyblock {
 struct CompareArea::Second {
     Second(const CompareNeeds& needs)
         : choice(needs.document, needs.selection, needs.comparison.second()),
-          feed(choice, needs.comparison.second(), needs.settings), canvas(new Canvas(needs.themes)),
+          feed(choice, needs.comparison.second(), needs.settings, needs.display), canvas(new Canvas(needs.themes)),
           caption(new CanvasCaption(*canvas, needs.themes, true)),
           firstCaption(new CanvasCaption(needs.canvas, needs.themes, false)) {
         canvas->setObjectName("secondCanvas");

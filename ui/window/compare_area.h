@@ -18,6 +18,7 @@ class Canvas;
 class Commands;
 class Comparison;
 class Curves;
+class Display;
 class Document;
 class Runs;
 class SectionFeed;
@@ -28,6 +29,7 @@ class ViewSettings;
 struct CompareNeeds {
     QWidget& window;
     const Themes& themes;
+    const Display& display;
     Commands& commands;
     Document& document;
     Selection& selection;

@@ -56,8 +56,8 @@ RunArea::RunArea(const RunAreaParts& parts)
     probe_ = new ProbeBinding({parts.canvas, parts.commands, parts.document, parts.themes, *cursor_, *feed_, *settings_,
                                *pins_},
                               [this](const QString& message) { tell(message, false); }, this);
-    compare_ = new CompareArea({parts.window, parts.themes, parts.commands, parts.document, parts.selection, parts.canvas,
-                                *runs_, *comparison_, *feed_, *settings_},
+    compare_ = new CompareArea({parts.window, parts.themes, parts.display, parts.commands, parts.document, parts.selection,
+                                parts.canvas, *runs_, *comparison_, *feed_, *settings_},
                                this);
     connect(feed_, &SectionFeed::modeChanged, this, &RunArea::showMode);
     connect(feed_, &SectionFeed::pictureChanged, this, &RunArea::showPicture);
