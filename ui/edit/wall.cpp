@@ -46,7 +46,7 @@ std::optional<WallPlace> wallOfTunnel(const Scene& scene, int tunnel, const Poin
     if (!profile) return std::nullopt;
     const double along = lengthOfNearest(*profile, place);
     return WallPlace{outlinePointAtLength(*profile, along), normalAtLength(*profile, along), along, tunnel,
-                     "wall of tunnel " + drawn.name};
+                     "wall of " + titleAt(scene, under("/tunnels", static_cast<std::size_t>(tunnel)))};
 }
 
 std::optional<WallPlace> wallAt(const Scene& scene, const Point& place, double radius) {
