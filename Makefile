@@ -4,7 +4,7 @@
 # The commands a person types. Each does its own set-up: missing Debian packages
 # are installed first, and what is built already is not built again.
 .DEFAULT_GOAL := help
-.PHONY: help run show pictures test kills asan tsan bench fuzz clean packages
+.PHONY: help run show pictures test person kills asan tsan bench fuzz clean packages
 
 SHOWN := build/release/drift-bolted
 
@@ -13,6 +13,7 @@ help:
 	@echo "make show   excavate, bolt and load the drift on the command line, draw and film it, compare with the paper"
 	@echo "make pictures  make the pictures of the README anew"
 	@echo "make test   build and run all tests"
+	@echo "make person draw, bolt, run and export a drift in the window with real clicks and keys, on a screen of its own"
 	@echo "make kills  a hundred runs killed at random moments and fifty stopped; resumed, they end with the same bytes; and thirty windows killed while editing"
 	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
 	@echo "make tsan   the tests with several threads under the thread sanitizer"
@@ -61,6 +62,11 @@ pictures: packages
 test: packages
 	$(call build,dev)
 	@ctest --preset dev
+
+person: packages
+	@sh resources/install/debian.sh readers
+	$(call build,release)
+	/usr/bin/python3 tests/person/drift.py build/release/keyblock-studio build/release/person
 
 kills: packages
 	$(call build,dev)

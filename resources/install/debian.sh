@@ -10,7 +10,8 @@
 set -eu
 export LC_ALL=C
 
-readers="poppler-utils librsvg2-bin xvfb xauth xdotool openbox at-spi2-core imagemagick"
+readers="poppler-utils librsvg2-bin xvfb xauth xdotool wmctrl openbox dbus at-spi2-core python3-pyatspi
+         imagemagick"
 further=""
 for argument in "$@"; do
     [ "$argument" != readers ] || argument=$readers

@@ -13,6 +13,9 @@ import tempfile
 import time
 
 
+MOST_CHILDREN = 250  # of a widget; nobody reads on in a list of a thousand events
+
+
 class Gone(Exception):
     """What was looked for is not on the screen."""
 
@@ -117,7 +120,7 @@ class Screen:
         yield node
         if depth > 40:
             return
-        for i in range(node.childCount):
+        for i in range(min(node.childCount, MOST_CHILDREN)):
             try:
                 child = node.getChildAtIndex(i)
             except Exception:  # it went away meanwhile
@@ -153,11 +156,16 @@ class Screen:
     def there(self, name, role=None):
         return any(self._matches(node, name, role) for node in self._walk(self.root))
 
-    def names(self):
-        """Every accessible name on the screen with its role, for whoever writes a script."""
+    def showing(self):
+        """Every widget on the screen that has a name."""
         for node in self._walk(self.root):
             if node.name and node.getState().contains(self.spi.STATE_SHOWING):
-                yield node.getRoleName(), node.name
+                yield node
+
+    def names(self):
+        """Every accessible name on the screen with its role, for whoever writes a script."""
+        for node in self.showing():
+            yield node.getRoleName(), node.name
 
     def box(self, node):
         box = node.queryComponent().getExtents(self.spi.DESKTOP_COORDS)
@@ -202,7 +210,7 @@ class Screen:
             self.pause(0.12)
 
     def type(self, text):
-        self._run("xdotool", "type", "--delay", "25", text)
+        self._run("xdotool", "type", "--delay", "25", "--", text)
         self.pause(0.2)
 
     def shoot(self, name):
