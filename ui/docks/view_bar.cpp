@@ -16,6 +16,7 @@
 #include <QToolButton>
 
 #include <utility>
+#include <vector>
 
 namespace keyblock {
 
@@ -203,7 +204,9 @@ void ViewBar::showIcons() {
 
 /// What has no room goes, the least asked for first; the menus have it still.
 void ViewBar::fit() {
-    std::vector<QWidget*> dispensable{factor_, contacts_, arrows_, callOuts_, ribbon_};
+    std::vector<QWidget*> dispensable{factor_, contacts_};
+    dispensable.insert(dispensable.end(), arrows_.rbegin(), arrows_.rend());
+    dispensable.insert(dispensable.end(), {callOuts_, ribbon_});
     if (auto* exporting = findChild<QWidget*>("export.figureBar")) dispensable.insert(dispensable.begin(), exporting);
     int wanted = row_->contentsMargins().left() + row_->contentsMargins().right();
     for (int i = 0; i < row_->count(); ++i)
