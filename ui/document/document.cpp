@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/document.h"
 
-#include "solver/files/bolt_library.h"
 #include "solver/files/json_tree.h"
 #include "solver/files/scene_file.h"
 #include "solver/files/scene_rescue.h"
+#include "ui/document/background.h"
 #include "ui/edit/edit.h"
 #include "ui/edit/locate.h"
+#include "ui/edit/settle.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -78,7 +79,7 @@ bool Document::apply(const QString& step, Edit edit) {
 }
 
 void Document::apply(const QString& step, Scene after, PointerChange pointers) {
-    addUsedBuiltInBoltTypes(after);
+    settle(after);
     const bool previewed = preview_ != nullptr;
     preview_.reset();
     if (after == *scene_) {
@@ -89,7 +90,7 @@ void Document::apply(const QString& step, Scene after, PointerChange pointers) {
 }
 
 void Document::preview(Scene during) {
-    addUsedBuiltInBoltTypes(during);
+    settle(during);
     preview_ = std::make_shared<const Scene>(std::move(during));
     show();
 }
@@ -181,6 +182,7 @@ void Document::take(const Scene& from, const std::shared_ptr<const Scene>& to, c
 }
 
 void Document::start(Scene scene, const QString& path, const QString& name) {
+    settle(scene);
     undo_->clear();
     path_ = path;
     name_ = name;

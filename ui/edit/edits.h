@@ -9,5 +9,6 @@
 #include "ui/edit/names.h"
 #include "ui/edit/place.h"
 #include "ui/edit/remove.h"
+#include "ui/edit/settle.h"
 #include "ui/edit/usual.h"
 #include "ui/edit/values.h"

@@ -8,7 +8,7 @@
 #include "ui/edit/locate.h"
 #include "ui/edit/names.h"
 #include "ui/edit/references.h"
-#include "ui/edit/values.h"
+#include "ui/edit/settle.h"
 
 #include <algorithm>
 #include <map>
@@ -109,7 +109,7 @@ public:
         nameEachOther(ours);
         if (sameScene_) comeAndGoWithOriginals();
         bringAlong(ours);
-        settleBoltTypes(edit_.scene);
+        settle(edit_.scene);
         edit_.made = made.front();
         return std::move(edit_);
     }

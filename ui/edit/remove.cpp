@@ -8,7 +8,7 @@
 #include "ui/edit/locate.h"
 #include "ui/edit/names.h"
 #include "ui/edit/references.h"
-#include "ui/edit/values.h"
+#include "ui/edit/settle.h"
 
 #include <algorithm>
 #include <map>
@@ -182,7 +182,7 @@ Edit removeAll(const Scene& scene, const std::vector<std::string>& pointers) {
                   [&](const std::string& pointer) { return liesIn(departure.objects, parentOf(pointer)); });
     erase(edit, scene, departure.objects);
     edit.told = std::move(departure.told);
-    settleBoltTypes(edit.scene);
+    settle(edit.scene);
     return edit;
 }
 

@@ -6,6 +6,7 @@
 #include "solver/scene/lookup.h"
 #include "solver/scene/shapes.h"
 #include "ui/edit/appended.h"
+#include "ui/edit/settle.h"
 #include "ui/edit/values.h"
 
 #include <algorithm>
@@ -195,7 +196,7 @@ Edit withPattern(const Scene& scene, const ScenePattern& pattern) {
     Edit edit = appended(scene, &Scene::boltPatterns, "/bolt_patterns", pattern);
     const int stage = excavatingStage(scene, pattern.tunnel);
     if (stage >= 0) installAfter(edit, stage, edit.scene.boltPatterns.back().name);
-    settleBoltTypes(edit.scene);
+    settle(edit.scene);
     return edit;
 }
 
@@ -214,7 +215,7 @@ Edit withBolt(const Scene& scene, const Bolt& bolt) {
     const std::string tunnel = tunnelAt(scene, bolt.head);
     const int stage = tunnel.empty() ? -1 : excavatingStage(scene, tunnel);
     if (stage >= 0) installAfter(edit, stage, edit.scene.bolts.back().name);
-    settleBoltTypes(edit.scene);
+    settle(edit.scene);
     return edit;
 }
 

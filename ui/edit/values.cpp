@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/edit/values.h"
 
-#include "solver/files/bolt_library.h"
 #include "solver/scene/check_report.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/pointer.h"
@@ -10,6 +9,7 @@
 #include "ui/edit/locate.h"
 #include "ui/edit/names.h"
 #include "ui/edit/remove.h"
+#include "ui/edit/settle.h"
 #include "ui/edit/usual.h"
 
 #include <algorithm>
@@ -74,6 +74,16 @@ std::string shapeProblem(const Field& field, const FieldValue& value) {
     return {};
 }
 
+/// False where nobody is called so, or the types would be like one another in a circle.
+bool staysLike(Scene scene, const std::string& pointer, const FieldValue& value) {
+    const auto* name = std::get_if<std::string>(&value);
+    if (!name || name->empty()) return true;
+    const ScenePlace place = *locate(scene, pointer);
+    place.field->set(changeable(place.owner), value);
+    settle(scene);
+    return valueAt(scene, pointer) == value;
+}
+
 FieldValue withElement(FieldValue list, std::size_t index, const FieldValue& element, std::string& problem) {
     if (auto* points = std::get_if<std::vector<Point>>(&list); points && std::holds_alternative<Point>(element))
         (*points)[index] = std::get<Point>(element);
@@ -114,6 +124,11 @@ Edit setValueAt(Scene scene, const std::string& pointer, const FieldValue& value
     const std::string holder = parentOf(pointer);
     if (found->field->key == "name" && std::holds_alternative<std::string>(value) && locate(scene, holder)->entry)
         return renameAt(scene, holder, std::get<std::string>(value));
+    if (valueAt(scene, pointer) == value) return {std::move(scene)};
+    if (!applies(*found->structure, *found->field, found->owner) && value != defaultOf(*found->structure, *found->field))
+        return refused(std::move(scene), misplaced(*found->field) + ".");
+    if (found->field->key == "like" && !staysLike(scene, pointer, value))
+        return refused(std::move(scene), "There is no such bolt type, or it is itself like this one.");
     Edit edit{std::move(scene)};
     const ScenePlace place = *locate(edit.scene, pointer);
     FieldValue whole = value;
@@ -121,7 +136,7 @@ Edit setValueAt(Scene scene, const std::string& pointer, const FieldValue& value
     if (edit.done()) edit.refusal = valueProblem(*place.field, whole);
     if (!edit.done()) return edit;
     place.field->set(changeable(place.owner), whole);
-    settleBoltTypes(edit.scene);
+    settle(edit.scene);
     return edit;
 }
 
@@ -140,7 +155,7 @@ Edit setNullAt(Scene scene, const std::string& pointer) {
     } else {
         return resetAt(std::move(edit.scene), pointer);
     }
-    settleBoltTypes(edit.scene);
+    settle(edit.scene);
     return edit;
 }
 
@@ -171,7 +186,7 @@ Edit appendAt(const Scene& scene, const std::string& pointer, std::string_view n
     edit.made = place.field->kind == FieldKind::Object ? pointer
                 : isMap                                ? under(pointer, used)
                                                        : under(pointer, children.count(place.owner) - 1);
-    settleBoltTypes(edit.scene);
+    settle(edit.scene);
     return edit;
 }
 
@@ -189,16 +204,6 @@ Edit moveAt(const Scene& scene, const std::string& pointer, std::size_t to) {
         edit.made = under(parentOf(pointer), last);
     }
     return edit;
-}
-
-void settleBoltTypes(Scene& scene) {
-    const auto isUsed = [&](const BoltType& type) {
-        const auto names = [&](const auto& item) { return item.type == type.name; };
-        return std::any_of(scene.bolts.begin(), scene.bolts.end(), names) ||
-               std::any_of(scene.boltPatterns.begin(), scene.boltPatterns.end(), names);
-    };
-    std::erase_if(scene.boltTypes, [&](const BoltType& type) { return type.builtIn && !isUsed(type); });
-    addUsedBuiltInBoltTypes(scene);
 }
 
 }  // namespace keyblock

@@ -38,7 +38,4 @@ Edit appendAt(const Scene& scene, const std::string& pointer, std::string_view n
 /// Moves the entry that the pointer leads to, to the place `to` of its list; past the end is the end.
 Edit moveAt(const Scene& scene, const std::string& pointer, std::size_t to);
 
-/// Drops built-in types of bolts that nothing names any more and adds those that something does. Every edit ends so.
-void settleBoltTypes(Scene& scene);
-
 }  // namespace keyblock

@@ -142,6 +142,56 @@ TEST(Documents, ASceneThatMakesNoSenseYetOpensAsItIs) {
     EXPECT_EQ(document.scene()->bolts.size(), 1u);
 }
 
+TEST(Documents, ANameThatLeadsNowhereIsNoReasonToOpenInPart) {
+    NEED_SCREEN();
+    const test::ScratchFolder scratch;
+    const QString path = QString::fromStdString((scratch.path() / "type-gone.json").string());
+    Document document;
+    Scene scene;
+    scene.bolts.push_back({});
+    scene.bolts.back().type = "theirs";
+    document.apply("Add bolt", scene);
+    document.save(path);
+    Document again;
+    EXPECT_TRUE(again.open(path).empty());
+    EXPECT_EQ(again.path(), path);
+    EXPECT_EQ(again.scene()->bolts.at(0).type, "theirs");
+}
+
+TEST(Documents, WhatDoesNotApplyIsNeverHeldNorSaved) {
+    NEED_SCREEN();
+    const test::ScratchFolder scratch;
+    const QString path = QString::fromStdString((scratch.path() / "kind.json").string());
+    Document document;
+    Scene scene;
+    scene.stages.resize(1);
+    scene.stages[0].name = "shake";
+    scene.stages[0].kind = StageKind::Dynamic;
+    scene.stages[0].duration = 1.0;
+    scene.stages[0].increments = 5;
+    document.apply("Set kind", scene);
+    EXPECT_FALSE(document.scene()->stages[0].increments);
+    document.save(path);
+    EXPECT_TRUE(document.open(path).empty());
+}
+
+TEST(Documents, AFileThatIsTakenAwayCountsAsNotSaved) {
+    NEED_SCREEN();
+    const test::ScratchFolder scratch;
+    const QString path = QString::fromStdString((scratch.path() / "scene.json").string());
+    Document document;
+    FileWatch watch(document);
+    int gone = 0;
+    QObject::connect(&watch, &FileWatch::goneFromDisk, [&] { ++gone; });
+    document.save(path);
+    std::filesystem::remove(path.toStdString());
+    EXPECT_TRUE(waitFor([&] { return gone == 1; }, 5000));
+    EXPECT_TRUE(document.isModified());
+    document.save(path);
+    EXPECT_FALSE(document.isModified());
+    EXPECT_FALSE(waitFor([&] { return gone > 1; }, 700));
+}
+
 TEST(Documents, AnotherProgramsWritingIsNoticedAndOursIsNot) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;

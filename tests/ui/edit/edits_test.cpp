@@ -22,7 +22,7 @@ Scene drawn() {
     scene.stages[4].set.push_back({"joint", 25.0, {}, {}, {}});
     scene.monitors.push_back({"B1 force", {}, {}, {1, 0}, "B1", BoltQuantity::AxialForce, {}, {}, {}});
     scene.quantities = {"max B1.axial_force", "first debonding key", "last key.uy", "max roof.3.slip"};
-    settleBoltTypes(scene);
+    settle(scene);
     return scene;
 }
 
