@@ -39,7 +39,7 @@ std::string textOf(std::string_view text) {
 struct LinePrinter {
     std::string operator()(std::monostate) const { return "null"; }
     std::string operator()(bool flag) const { return flag ? "true" : "false"; }
-    std::string operator()(double number) const { return shortest(number); }
+    std::string operator()(double number) const { return shortest(number == 0.0 ? 0.0 : number); }  // -0 is read as 0
     std::string operator()(const std::string& text) const { return textOf(text); }
     std::string operator()(const JsonList& list) const {
         std::string text;

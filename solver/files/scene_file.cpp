@@ -57,12 +57,12 @@ void checkBoltTypeNames(const Scene& scene, const JsonNode& root, Problems& prob
         check(scene.boltPatterns[i].type, under(under("/bolt_patterns", i), "type"));
 }
 
-Scene readScene(const JsonNode& root, Problems& problems) {
+Scene readScene(const JsonNode& root, Problems& unread, Problems& lost) {
     Scene scene;
-    readObject(root, sceneStructure(), &scene, "", problems, {"bolt_types"});
+    readObject(root, sceneStructure(), &scene, "", unread, {"bolt_types"});
     if (const JsonNode* types = findMember(root, "bolt_types"))
-        scene.boltTypes = readBoltTypes(*types, builtInBoltTypes(), "/bolt_types", problems);
-    checkBoltTypeNames(scene, root, problems);
+        scene.boltTypes = readBoltTypes(*types, builtInBoltTypes(), "/bolt_types", unread);
+    checkBoltTypeNames(scene, root, lost);
     addUsedBuiltInBoltTypes(scene);
     return scene;
 }
@@ -164,9 +164,10 @@ SceneReading unreadable(const std::string& name, std::string message, std::strin
 
 }  // namespace
 
-Scene sceneOfTree(const JsonNode& root, const std::filesystem::path& folder, std::vector<Problem>& problems) {
-    Scene scene = readScene(root, problems);
-    readRecords(scene, root, folder, problems);
+Scene sceneOfTree(const JsonNode& root, const std::filesystem::path& folder, std::vector<Problem>& unread,
+                  std::vector<Problem>& lost) {
+    Scene scene = readScene(root, unread, lost);
+    readRecords(scene, root, folder, lost);
     return scene;
 }
 
@@ -195,8 +196,9 @@ SceneReading readSceneText(std::string_view text, const std::string& name, std::
     applyOverrides(*json.root, overrides, problems);
     if (!bringUpToDate(*json.root, problems))
         return finished({}, {}, std::move(problems), name, overrides);
-    Problems ofFields;
-    Scene scene = sceneOfTree(*json.root, folder, ofFields);
+    Problems ofFields, lost;
+    Scene scene = sceneOfTree(*json.root, folder, ofFields, lost);
+    ofFields.insert(ofFields.end(), lost.begin(), lost.end());
     std::optional<SceneCut> cut;
     for (const Problem& problem : ofFields)
         addProblem(problems, problem);

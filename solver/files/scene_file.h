@@ -44,7 +44,8 @@ std::string wholeSceneText(const Scene& scene);
 /// SHA-256 of `wholeSceneText`, in hexadecimal digits: two scenes with the same hash say the same, records included.
 std::string sceneHash(const Scene& scene);
 
-/// Writes `sceneText` whole or not at all. \throws CannotWrite
+/// Writes the scene whole or not at all; a record stays in its file where that says the same seen from there, and comes
+/// along where it does not. \throws CannotWrite
 void writeSceneFile(const std::filesystem::path& path, const Scene& scene);
 
 }  // namespace keyblock

@@ -77,10 +77,13 @@ SceneRescue rescueSceneText(std::string_view text, const std::string& name, cons
     rescue.brokeOff = !json.root && json.before;
     std::optional<JsonNode> root = json.root ? std::move(json.root) : std::move(json.before);
     for (bool isFirst = true; root && bringUpToDate(*root, rescue.problems); isFirst = false) {
-        std::vector<Problem> found;
-        Scene scene = sceneOfTree(*root, folder, found);
-        if (isFirst)
+        std::vector<Problem> found, lost;
+        Scene scene = sceneOfTree(*root, folder, found, lost);
+        if (isFirst) {
             for (const Problem& problem : found) addProblem(rescue.problems, problem);
+            rescue.isWhole = !hasErrors(rescue.problems);
+            for (const Problem& problem : lost) addProblem(rescue.problems, problem);
+        }
         const std::set<std::string> lacking = unusable(*root, found);
         if (lacking.empty()) {
             rescue.scene = std::move(scene);

@@ -20,6 +20,7 @@ struct SceneRescue {
     std::optional<Scene> scene;  // as far as it could be read; none when the text is no scene at all
     std::vector<std::string> leftOut;  // pointers to objects that lack something they need, and to what is no field
     bool brokeOff = false;  // the text is no JSON from some line on; the scene is what stands before it
+    bool isWhole = false;  // the scene says all that the text says, so that it may be written over it
     std::vector<Problem> problems;  // of single fields; whether the scene makes sense is not asked
 };
 

@@ -15,9 +15,11 @@
 
 namespace keyblock {
 
-/// The scene of a tree of the newest version. What cannot be read keeps its default and is a problem; records are looked
-/// for from `folder`.
-Scene sceneOfTree(const JsonNode& root, const std::filesystem::path& folder, std::vector<Problem>& problems);
+/// The scene of a tree of the newest version. What cannot be read keeps its default and is told in `unread`; what leads
+/// nowhere, a type of bolt or a record's file, stands in the scene as it is written and is told in `lost`. Records are
+/// looked for from `folder`.
+Scene sceneOfTree(const JsonNode& root, const std::filesystem::path& folder, std::vector<Problem>& unread,
+                  std::vector<Problem>& lost);
 
 /// The row of the place in the table of fields; null where it is not a field but an item of a list or map, or nothing.
 const Field* sceneFieldAt(const std::string& pointer);

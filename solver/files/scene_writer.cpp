@@ -7,6 +7,7 @@
 #include "solver/files/bolt_library.h"
 #include "solver/files/field_json.h"
 #include "solver/files/json_text.h"
+#include "solver/files/record_file.h"
 #include "solver/files/scene_file.h"
 #include "solver/files/sha256.h"
 #include "solver/files/whole_file.h"
@@ -99,24 +100,31 @@ JsonNode sceneNode(const Scene& scene) {
 }
 
 // Records that stand in a file are read from there again.
-Scene withoutFiledRecords(Scene scene) {
+template <typename StandsIn>
+Scene withoutRecords(Scene scene, StandsIn standsInFile) {
     for (Stage& stage : scene.stages)
         for (auto* acceleration : {&stage.baseAcceleration, &stage.bodyAcceleration})
-            if (*acceleration && !(*acceleration)->file.empty())
+            if (*acceleration && !(*acceleration)->file.empty() && standsInFile(**acceleration))
                 (*acceleration)->record.clear();
     return scene;
 }
 
 }  // namespace
 
-std::string sceneText(const Scene& scene) { return jsonText(sceneNode(withoutFiledRecords(scene))); }
+std::string sceneText(const Scene& scene) {
+    return jsonText(sceneNode(withoutRecords(scene, [](const Acceleration&) { return true; })));
+}
 
 std::string wholeSceneText(const Scene& scene) { return jsonText(sceneNode(scene)); }
 
 std::string sceneHash(const Scene& scene) { return sha256(wholeSceneText(scene)); }
 
 void writeSceneFile(const std::filesystem::path& path, const Scene& scene) {
-    writeWholeFile(path, [&](std::ostream& out) { out << sceneText(scene); });
+    const std::filesystem::path folder = path.parent_path();
+    const Scene written = withoutRecords(scene, [&](const Acceleration& acceleration) {
+        return readRecordFile(folder / acceleration.file).record == acceleration.record;
+    });
+    writeWholeFile(path, [&](std::ostream& out) { out << wholeSceneText(written); });
 }
 
 }  // namespace keyblock

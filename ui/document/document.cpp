@@ -139,8 +139,8 @@ std::vector<Problem> Document::open(const QString& path) {
         return {};
     }
     SceneRescue rescue = rescued(path, contentOf(path));
-    if (!rescue.scene || hasErrors(rescue.problems)) return reading.problems;
-    start(std::move(*rescue.scene), QFileInfo(path).absoluteFilePath(), {});  // all of it is read; the check tells the rest
+    if (!rescue.scene || !rescue.isWhole) return reading.problems;
+    start(std::move(*rescue.scene), QFileInfo(path).absoluteFilePath(), {});  // the check tells the rest
     return {};
 }
 

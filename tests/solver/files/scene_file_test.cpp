@@ -241,6 +241,13 @@ TEST(SceneFile, WritesToADisk) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}), 1);
 }
 
+TEST(SceneFile, TakesItsRecordsAlongToAnotherFolder) {
+    const test::ScratchFolder scratch;
+    const Scene scene = readGood(goodFolder / "every-field.json");
+    writeSceneFile(scratch.path() / "elsewhere.json", scene);
+    EXPECT_TRUE(readGood(scratch.path() / "elsewhere.json") == scene);
+}
+
 TEST(SceneFile, AnOwnTypeStandsBeforeABuiltInOfTheSameName) {
     const Scene scene = readGood(goodFolder / "every-field.json",
                                  {R"(bolt_types.split-set-47={"diameter": 0.05, "youngs_modulus": 2e11})"});

@@ -35,6 +35,19 @@ TEST(SceneRescue, ObjectsThatLackSomethingAreLeftOutAndNamed) {
     EXPECT_EQ(rescue.leftOut, (std::vector<std::string>{"/blocks/1", "/blocks/2", "/blocks/3/colour", "/materials/rock"}));
     EXPECT_TRUE(std::ranges::any_of(rescue.problems, [](const Problem& p) { return p.line == 7; }));
     EXPECT_FALSE(rescue.brokeOff);
+    EXPECT_FALSE(rescue.isWhole);
+}
+
+TEST(SceneRescue, NamesThatLeadNowhereAreKept) {
+    constexpr char text[] = R"({ "format": "keyblock-scene", "version": 1, "bolts": [{ "name": "B1", "type": "theirs", "head": [0, 0], "far_end": [0, 2] }],
+        "stages": [{ "name": "shake", "kind": "dynamic", "duration": 1, "time_step": 0.01,
+                     "body_acceleration": { "axis": "x", "file": "gone.csv" } }] })";
+    const SceneRescue rescue = rescueSceneText(text, "theirs.json", "no/such/folder");
+    ASSERT_TRUE(rescue.scene);
+    EXPECT_TRUE(rescue.isWhole) << "written, it says the same";
+    EXPECT_EQ(rescue.problems.size(), 2u);
+    EXPECT_EQ(rescue.scene->bolts.at(0).type, "theirs");
+    EXPECT_EQ(rescue.scene->stages.at(0).bodyAcceleration->file, "gone.csv");
 }
 
 TEST(SceneRescue, OfATextThatBreaksOffWhatStandsBeforeIsRead) {
