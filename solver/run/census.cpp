@@ -45,13 +45,16 @@ CensusCounts countParts(const Model& model, const State& start) {
     return counts;
 }
 
-Census takeCensus(const Scene& scene, const SceneCut* cut) {
+std::optional<Census> takeCensus(const Scene& scene, const SceneCut* cut, const std::atomic<bool>* stop) {
     const Model model = makeModel(scene);
+    if (stop && *stop) return std::nullopt;
     const State start = startWithAll(model);
     Census census;
     census.counts = countParts(model, start);
     census.leftOut = leftOutOf(scene, cut, model, census.counts);
-    census.estimate = estimateCost(scene, model, start, census.counts);
+    std::optional<CostEstimate> estimate = estimateCost(scene, model, start, census.counts, stop);
+    if (!estimate) return std::nullopt;
+    census.estimate = std::move(*estimate);
     return census;
 }
 

@@ -10,6 +10,8 @@
 #include "solver/engine/state.h"
 #include "solver/scene/scene_cut.h"
 
+#include <atomic>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,13 +67,15 @@ struct Census {
 /// Counts, lists and estimates; solves the scene's own system a few times to see how long that takes, so the estimate
 /// differs from call to call.
 /// \param scene as it is solved: what `cutScene` makes of it. \param cut of it, for what the cut left out; null: none.
+/// \param stop where it becomes true, the census ends soon and there is none; null: it goes to its end.
 /// \pre the scene was checked without errors and has blocks.
-Census takeCensus(const Scene& scene, const SceneCut* cut);
+std::optional<Census> takeCensus(const Scene& scene, const SceneCut* cut, const std::atomic<bool>* stop = nullptr);
 
 /// The parts of it.
 CensusCounts countParts(const Model& model, const State& start);
 std::vector<LeftOut> leftOutOf(const Scene& scene, const SceneCut* cut, const Model& model,
                                const CensusCounts& counts);
-CostEstimate estimateCost(const Scene& scene, const Model& model, const State& start, const CensusCounts& counts);
+std::optional<CostEstimate> estimateCost(const Scene& scene, const Model& model, const State& start,
+                                         const CensusCounts& counts, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace keyblock

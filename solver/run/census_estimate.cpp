@@ -43,14 +43,17 @@ double secondsSince(const Clock::time_point& start) {
 /// Times steps of the scene where it stands, all of it there.
 class Timing {
 public:
-    Timing(const Model& model, const State& start) : model_(model), state_(start) {}
+    Timing(const Model& model, const State& start, const std::atomic<bool>* stop)
+        : model_(model), state_(start), stop_(stop) {}
 
-    void measure(CostEstimate& estimate) {
+    /// False where it was stopped.
+    bool measure(CostEstimate& estimate) {
         round();
         pass_ = step_ = 0.0;
         int rounds = 0;
         const auto start = Clock::now();
         while (rounds < fewestRounds || secondsSince(start) < enoughTime) {
+            if (stop_ && *stop_) return false;
             round();
             ++rounds;
         }
@@ -58,6 +61,7 @@ public:
         estimate.stepSeconds = step_ / rounds;
         estimate.factorEntries = solver_.factorEntries();
         estimate.memory = programMemory + problemMemory_ + 12.0 * estimate.factorEntries;
+        return true;
     }
 
 private:
@@ -102,6 +106,7 @@ private:
 
     const Model& model_;
     const State& state_;
+    const std::atomic<bool>* stop_;
     StepSolver solver_;
     double pass_ = 0.0, step_ = 0.0;
     double problemMemory_ = 0.0;
@@ -202,10 +207,11 @@ void addAssumptions(const Nature& nature, CostEstimate& estimate) {
 
 }  // namespace
 
-CostEstimate estimateCost(const Scene& scene, const Model& model, const State& start, const CensusCounts& counts) {
+std::optional<CostEstimate> estimateCost(const Scene& scene, const Model& model, const State& start,
+                                         const CensusCounts& counts, const std::atomic<bool>* stop) {
     CostEstimate estimate;
     const Nature nature = natureOf(model, start, counts);
-    Timing(model, start).measure(estimate);
+    if ((stop && *stop) || !Timing(model, start, stop).measure(estimate)) return std::nullopt;
     addStages(scene, model, start, nature, estimate);
     addAssumptions(nature, estimate);
     const double each = estimate.passSeconds + estimate.stepSeconds;

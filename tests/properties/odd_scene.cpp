@@ -68,7 +68,7 @@ void expectNoRockLost(const OddRun& run, double expected) {
 }
 
 void expectCounted(const OddRun& run) {
-    const Census census = takeCensus(run.solved(), &*run.reading.cut);
+    const Census census = *takeCensus(run.solved(), &*run.reading.cut);
     EXPECT_EQ(census.counts.blocks, static_cast<int>(run.solved().blocks.size()));
     EXPECT_EQ(census.counts.bolts, static_cast<int>(run.solved().bolts.size()));
 }

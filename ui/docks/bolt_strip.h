@@ -5,8 +5,8 @@
 // with the moving front, and below it forces, bond and slip on one axis.
 #pragma once
 
+#include "ui/document/background.h"
 #include "ui/picture/bolt_chart.h"
-#include "ui/runs/background.h"
 
 #include <QElapsedTimer>
 #include <QTimer>

@@ -51,13 +51,9 @@ private:
 };
 
 Document::Document(QObject* parent)
-    : QObject(parent), undo_(new QUndoStack(this)), checker_(new Checker(this)),
+    : QObject(parent), undo_(new QUndoStack(this)), checking_(new Background(this)),
       scene_(std::make_shared<const Scene>()), checked_(std::make_shared<const Checked>(Checked{scene_, {}, {}, {}})) {
     connect(undo_, &QUndoStack::cleanChanged, this, &Document::fileChanged);
-    connect(checker_, &Checker::finished, this, [this](std::shared_ptr<const Checked> checked) {
-        checked_ = std::move(checked);
-        Q_EMIT checkedChanged();
-    });
 }
 
 Document::~Document() = default;
@@ -193,7 +189,12 @@ void Document::start(Scene scene, const QString& path, const QString& name) {
 
 void Document::show() {
     Q_EMIT changed();
-    checker_->check(scene());
+    checking_->ask([this, scene = scene()]() -> Background::Result {
+        return [this, checked = checkedOf(scene)] {
+            checked_ = checked;
+            Q_EMIT checkedChanged();
+        };
+    });
 }
 
 }  // namespace keyblock

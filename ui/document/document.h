@@ -6,7 +6,7 @@
 // is a function from scene to scene, and none needs a class of its own.
 #pragma once
 
-#include "ui/document/checker.h"
+#include "ui/document/checked.h"
 #include "ui/edit/pointer_change.h"
 
 #include <QByteArray>
@@ -21,6 +21,7 @@ class QUndoStack;
 
 namespace keyblock {
 
+class Background;
 struct Edit;
 
 /// A scene with the name of the step that led to it.
@@ -109,7 +110,7 @@ private:
     void show();
 
     QUndoStack* undo_;
-    Checker* checker_;
+    Background* checking_;
     std::shared_ptr<const Scene> scene_, preview_;
     std::shared_ptr<const Checked> checked_;
     QString path_, name_;

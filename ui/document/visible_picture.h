@@ -5,7 +5,7 @@
 // lines of joints and joint sets.
 #pragma once
 
-#include "ui/document/checker.h"
+#include "ui/document/checked.h"
 
 #include <memory>
 

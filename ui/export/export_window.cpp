@@ -4,11 +4,11 @@
 
 #include "solver/files/run_store.h"
 #include "solver/results/frame_quantities.h"
+#include "ui/document/background.h"
 #include "ui/look/ask_path.h"
 #include "ui/look/theme.h"
 #include "ui/picture/arrows.h"
 #include "ui/picture/contact_lines.h"
-#include "ui/runs/background.h"
 
 #include <QApplication>
 #include <QClipboard>

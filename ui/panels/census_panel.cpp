@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/census_panel.h"
 
+#include "ui/document/background.h"
 #include "ui/document/document.h"
 #include "ui/look/commands.h"
 #include "ui/look/theme.h"
 #include "ui/panels/census_rows.h"
-#include "ui/panels/census_worker.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -15,6 +15,9 @@
 #include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
+
+#include <exception>
+#include <optional>
 
 namespace keyblock {
 
@@ -29,10 +32,20 @@ QLabel* labelOf(QWidget* parent, const char* role, const QString& text = {}) {
     return label;
 }
 
+/// Null where it was stopped, or memory ran out.
+std::shared_ptr<const Census> censusOf(const Scene& solved, const SceneCut* cut, const std::atomic<bool>& stop) {
+    try {
+        std::optional<Census> census = takeCensus(solved, cut, &stop);
+        return census ? std::make_shared<const Census>(std::move(*census)) : nullptr;
+    } catch (const std::exception&) {
+        return nullptr;
+    }
+}
+
 }  // namespace
 
 CensusPanel::CensusPanel(Document& document, const Commands& commands, const Themes& themes, QWidget* parent)
-    : QWidget(parent), document_(document), commands_(commands), themes_(themes), worker_(new CensusWorker(this)),
+    : QWidget(parent), document_(document), commands_(commands), themes_(themes), counting_(new Background(this)),
       calm_(new QTimer(this)) {
     setObjectName("censusPanel");
     setAccessibleName(tr("Census"));
@@ -60,15 +73,10 @@ CensusPanel::CensusPanel(Document& document, const Commands& commands, const The
     connect(calm_, &QTimer::timeout, this, &CensusPanel::ask);
     connect(&document, &Document::changed, this, &CensusPanel::askLater);
     connect(&document, &Document::checkedChanged, this, &CensusPanel::askLater);
-    connect(worker_, &CensusWorker::answered, this, [this](std::shared_ptr<const Census> census) {
-        census_ = std::move(census);
-        census_ ? present() : tell(tr("The census could not be taken: make the scene smaller."));
-        Q_EMIT taken();
-    });
     askLater();
 }
 
-CensusPanel::~CensusPanel() = default;
+CensusPanel::~CensusPanel() { cancel(); }
 
 QWidget* CensusPanel::makeCosts() {
     auto* costs = new QWidget(this);
@@ -117,13 +125,19 @@ void CensusPanel::resizeEvent(QResizeEvent* event) {
 void CensusPanel::setBusy(bool busy) {
     busy_ = busy;
     if (!busy) return askLater();
-    worker_->cancel();
+    cancel();
     calm_->stop();
     run_->setEnabled(false);
 }
 
+/// What is counted is no longer wanted: it ends soon, and its answer is dropped.
+void CensusPanel::cancel() {
+    if (stop_) *stop_ = true;
+    stop_.reset();
+}
+
 void CensusPanel::askLater() {
-    worker_->cancel();
+    cancel();
     census_.reset();
     if (!busy_) calm_->start();
 }
@@ -133,10 +147,19 @@ void CensusPanel::ask() {
     if (!document_.checkIsCurrent() || document_.isPreviewing() || !isVisible()) return;  // asked again then
     if (hasErrors(checked.problems))
         return tell(tr("Mend the errors under Problems; then it is told what a run would model."));
-    const CensusQuestion question{checked.scene, checked.cut};
-    if (question.solved().blocks.empty()) return tell(tr("Nothing to model yet: draw an outline or a block."));
+    const Scene& solved = checked.cut ? checked.cut->scene : *checked.scene;
+    if (solved.blocks.empty()) return tell(tr("Nothing to model yet: draw an outline or a block."));
     tell(tr("Counting…"));
-    worker_->ask(question);
+    stop_ = std::make_shared<std::atomic<bool>>(false);
+    counting_->ask([this, stop = stop_, scene = checked.scene, cut = checked.cut]() -> Background::Result {
+        auto census = censusOf(cut ? cut->scene : *scene, cut.get(), *stop);
+        return [this, stop, census] {
+            if (*stop) return;
+            census_ = census;
+            census_ ? present() : tell(tr("The census could not be taken: make the scene smaller."));
+            Q_EMIT taken();
+        };
+    });
 }
 
 void CensusPanel::tell(const QString& why) {

@@ -8,6 +8,7 @@
 
 #include <QWidget>
 
+#include <atomic>
 #include <memory>
 
 class QGridLayout;
@@ -17,7 +18,7 @@ class QTimer;
 
 namespace keyblock {
 
-class CensusWorker;
+class Background;
 class Commands;
 class Document;
 class Themes;
@@ -45,6 +46,7 @@ protected:
 private:
     void askLater();
     void ask();
+    void cancel();
     void present();
     void tell(const QString& why);
     QWidget* makeCosts();
@@ -54,7 +56,8 @@ private:
     Document& document_;
     const Commands& commands_;
     const Themes& themes_;
-    CensusWorker* worker_;
+    Background* counting_;
+    std::shared_ptr<std::atomic<bool>> stop_;  // of the newest question; null: none is open
     QTimer* calm_;
     std::shared_ptr<const Census> census_;
     bool busy_ = false;

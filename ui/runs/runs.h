@@ -6,7 +6,7 @@
 #pragma once
 
 #include "solver/files/run_summary.h"
-#include "ui/runs/background.h"
+#include "ui/document/background.h"
 
 #include <QDateTime>
 #include <QObject>

@@ -6,8 +6,8 @@
 // run. Of a run that goes on the ranges grow with the frames that are shown.
 #pragma once
 
+#include "ui/document/background.h"
 #include "ui/picture/section.h"
-#include "ui/runs/background.h"
 
 #include <QObject>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/import_window.h"
 
+#include "ui/document/background.h"
 #include "ui/edit/typed_number.h"
 #include "ui/look/theme.h"
-#include "ui/runs/background.h"
 #include "ui/start/import_attempt.h"
 #include "ui/start/picture_pane.h"
 

@@ -3,7 +3,7 @@
 #include "ui/start/thumbnails.h"
 
 #include "solver/files/scene_rescue.h"
-#include "ui/document/checker.h"
+#include "ui/document/checked.h"
 #include "ui/look/theme.h"
 #include "ui/start/samples.h"
 #include "ui/start/thumbnail.h"

@@ -19,7 +19,7 @@ namespace {
 
 Census censusOf(const Scene& scene) {
     const SceneCut cut = cutScene(scene);
-    return takeCensus(cut.scene, &cut);
+    return *takeCensus(cut.scene, &cut);
 }
 
 Scene sample(const std::string& name) {

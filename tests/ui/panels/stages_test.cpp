@@ -117,7 +117,7 @@ TEST(CensusPanel, CountsWhatTheCensusCounts) {
     ASSERT_TRUE(waitFor([&] { return panel.census() != nullptr; }));
     const auto& checked = document.checked();
     const Scene& solved = checked.cut ? checked.cut->scene : *checked.scene;
-    const Census direct = takeCensus(solved, checked.cut.get());
+    const Census direct = *takeCensus(solved, checked.cut.get());
     EXPECT_EQ(panel.census()->counts.unknowns(), direct.counts.unknowns());
     const auto rows = censusRows(*panel.census());
     EXPECT_EQ(rows.front().count, Display::number(direct.counts.blocks, 12));

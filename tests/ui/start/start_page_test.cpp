@@ -7,7 +7,7 @@
 #include "tests/ui/screen/screen.h"
 
 #include "solver/files/scene_file.h"
-#include "ui/document/checker.h"
+#include "ui/document/checked.h"
 #include "ui/document/document.h"
 #include "ui/document/recent_files.h"
 #include "ui/look/commands.h"

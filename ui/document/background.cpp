@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/runs/background.h"
+#include "ui/document/background.h"
 
 #include <utility>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/document/checker.h"
+#include "ui/document/checked.h"
 
 #include <exception>
 #include <optional>
@@ -23,39 +23,6 @@ std::shared_ptr<const Checked> checkedOf(const std::shared_ptr<const Scene>& sce
                                      "undo the last edit, or make the scene smaller"});
     }
     return checked;
-}
-
-Checker::Checker(QObject* parent) : QObject(parent), thread_([this] { work(); }) {}
-
-Checker::~Checker() {
-    {
-        const std::lock_guard lock(mutex_);
-        ends_ = true;
-    }
-    wake_.notify_one();
-    thread_.join();
-}
-
-void Checker::check(std::shared_ptr<const Scene> scene) {
-    {
-        const std::lock_guard lock(mutex_);
-        next_ = std::move(scene);
-    }
-    wake_.notify_one();
-}
-
-void Checker::work() {
-    for (;;) {
-        std::shared_ptr<const Scene> scene;
-        {
-            std::unique_lock lock(mutex_);
-            wake_.wait(lock, [this] { return ends_ || next_; });
-            if (ends_) return;
-            scene.swap(next_);
-        }
-        const std::shared_ptr<const Checked> checked = checkedOf(scene);
-        QMetaObject::invokeMethod(this, [this, checked] { Q_EMIT finished(checked); }, Qt::QueuedConnection);
-    }
 }
 
 }  // namespace keyblock
