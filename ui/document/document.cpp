@@ -161,6 +161,8 @@ void Document::save(const QString& path) {
     Q_EMIT fileChanged();
 }
 
+void Document::fileIsGone() { undo_->resetClean(); }
+
 void Document::setScene(std::shared_ptr<const Scene> scene) {
     scene_ = std::move(scene);
     preview_.reset();

@@ -93,6 +93,9 @@ public:
     /// Writes the file whole or not at all. \throws CannotWrite
     void save(const QString& path);
 
+    /// What was saved is no longer there, so all of it counts as not saved.
+    void fileIsGone();
+
 Q_SIGNALS:
     void changed();  // the scene
     void moved(const keyblock::WhereNow& now);  // after a step, done or undone: what pointers of before mean

@@ -48,6 +48,11 @@ void FileWatch::follow() {
 void FileWatch::look() {
     if (path_.isEmpty() || path_ != document_.path()) return;
     if (!watcher_->files().contains(path_)) watcher_->addPath(path_);
+    if (!QFileInfo::exists(path_) && !known_.isEmpty()) {
+        known_.clear();
+        document_.fileIsGone();
+        Q_EMIT goneFromDisk(path_);
+    }
     const QByteArray now = hashOf(path_);
     if (now.isEmpty() || now == known_) return;
     known_ = now;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Notices when another program writes the document's file.
+// Notices when another program writes the document's file, or takes it away.
 #pragma once
 
 #include <QByteArray>
@@ -23,6 +23,7 @@ public:
 
 Q_SIGNALS:
     void changedOnDisk(const QString& path);  // the file says something else than what was opened or saved
+    void goneFromDisk(const QString& path);
 
 private:
     void follow();

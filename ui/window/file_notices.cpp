@@ -53,6 +53,10 @@ void addFileNotices(QMainWindow& window, Document& document, const Themes& theme
     auto* watch = new FileWatch(document, &window);
     QObject::connect(watch, &FileWatch::changedOnDisk, bar,
                      [bar, &document](const QString& path) { tellChanged(*bar, document, path); });
+    QObject::connect(watch, &FileWatch::goneFromDisk, bar, [bar](const QString& path) {
+        bar->say(QMainWindow::tr("%1 is no longer there: another program removed or moved it. Saving writes it again.")
+                     .arg(QFileInfo(path).fileName()), {});
+    });
     QObject::connect(&document, &Document::replaced, bar, &QWidget::hide);
 }
 
