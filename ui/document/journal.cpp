@@ -55,20 +55,30 @@ void Journal::flush() {
 
 QString Journal::path() const { return file_ ? QString::fromStdString(file_->path().string()) : QString(); }
 
+/// Where there can be no file yet, the next edit tries again, with those before it.
 void Journal::begin() {
-    if (file_ || broken_) return;
+    if (file_) return;
     try {
         QDir().mkpath(folder_);
         file_ = std::make_unique<JournalFile>(newJournalPath(folder_).toStdString(), [this](const std::string& why) {
-            QMetaObject::invokeMethod(this, [this, why] { Q_EMIT failed(QString::fromStdString(why)); },
-                                      Qt::QueuedConnection);
+            QMetaObject::invokeMethod(this, [this, why] { tell(QString::fromStdString(why)); }, Qt::QueuedConnection);
         });
     } catch (const CannotWrite& error) {
-        broken_ = true;
-        Q_EMIT failed(QString::fromUtf8(error.what()));
-        return;
+        return tell(QString::fromUtf8(error.what()));
     }
     file_->begin(savedAs_.toStdString(), document_.title().toStdString(), states_.front(), saved_ == 0);
+    for (std::size_t i = 1; i < states_.size(); ++i)
+        file_->step(i, document_.undo().text(static_cast<int>(i) - 1).toStdString(), states_[i - 1], states_[i]);
+    if (saved_ > 0) file_->saved(static_cast<std::size_t>(saved_), savedAs_.toStdString());
+    if (broken_) tell({});
+}
+
+/// \param why empty: nothing is wrong any more.
+void Journal::tell(const QString& why) {
+    if (broken_ == !why.isEmpty()) return;
+    broken_ = !why.isEmpty();
+    if (broken_) Q_EMIT failed(why);
+    else Q_EMIT mended();
 }
 
 void Journal::follow(int index) {

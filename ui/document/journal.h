@@ -38,9 +38,11 @@ public:
 
 Q_SIGNALS:
     void failed(const QString& why);  // edits are no longer kept
+    void mended();  // they are kept again, those in between too
 
 private:
     void begin();
+    void tell(const QString& why);
     void follow(int index);
     void followFile();
 

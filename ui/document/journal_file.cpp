@@ -12,9 +12,16 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <exception>
 
 namespace keyblock {
+
+namespace {
+
+constexpr std::chrono::seconds beforeRetry{2};  // where the disk took nothing
+
+}  // namespace
 
 JournalFile::JournalFile(const std::filesystem::path& path, std::function<void(std::string)> told)
     : path_(path), told_(std::move(told)),
@@ -93,7 +100,22 @@ void JournalFile::write(const std::string& line) {
     }
 }
 
-/// After a line that could not be written, later ones would be damage: nothing more is written, and that is told.
+/// A line that the disk does not take waits, with those after it, until the disk has room.
+void JournalFile::writeUnwritten() {
+    try {
+        for (; !unwritten_.empty(); unwritten_.pop_front()) {
+            write(unwritten_.front());
+            size_ += unwritten_.front().size();
+        }
+        if (failing_) told_({});
+        failing_ = false;
+    } catch (const CannotWrite& error) {
+        if (::ftruncate(file_, static_cast<off_t>(size_)) != 0) broken_ = true;  // a part of a line stays at its end
+        failing_ = true;
+        told_(error.what());
+    }
+}
+
 void JournalFile::work() {
     for (;;) {
         std::function<std::string()> line;
@@ -101,17 +123,23 @@ void JournalFile::work() {
             std::unique_lock lock(mutex_);
             works_ = false;
             if (waiting_.empty()) idle_.notify_all();
-            wake_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
-            if (waiting_.empty()) return;
-            line = std::move(waiting_.front());
-            waiting_.pop_front();
+            const auto isCalled = [this] { return ends_ || !waiting_.empty(); };
+            if (unwritten_.empty()) wake_.wait(lock, isCalled);
+            else wake_.wait_for(lock, beforeRetry, isCalled);
+            if (waiting_.empty() && ends_) return;
+            if (!waiting_.empty()) {
+                line = std::move(waiting_.front());
+                waiting_.pop_front();
+            }
             works_ = true;
         }
         if (broken_) continue;
         try {
-            write(line());
+            if (line) unwritten_.push_back(line());
+            writeUnwritten();
         } catch (const std::exception& error) {
             broken_ = true;
+            unwritten_.clear();
             told_(error.what());
         }
     }

@@ -26,7 +26,8 @@ class JournalFile {
 public:
     using ScenePtr = std::shared_ptr<const Scene>;
 
-    /// Makes the file. `told` is called from the writer's thread, once, with what keeps it from being written on.
+    /// Makes the file. `told` is called from the writer's thread with what keeps it from being written on, a full disk
+    /// say, and with nothing once all of it is written after that.
     /// \throws CannotWrite
     JournalFile(const std::filesystem::path& path, std::function<void(std::string)> told);
     /// Writes what waits, and lets go of the file.
@@ -50,12 +51,16 @@ private:
     void hand(std::function<std::string()> line);
     void work();
     void write(const std::string& line);
+    void writeUnwritten();
     const std::string& textOf(const ScenePtr& scene);
 
     std::filesystem::path path_;
     std::function<void(std::string)> told_;
     int file_ = -1;
-    bool broken_ = false;  // of the writer's thread
+    bool broken_ = false;  // of the writer's thread: a line could not be made, later ones would be damage
+    std::deque<std::string> unwritten_;  // of the writer's thread: lines that the disk did not take
+    bool failing_ = false;  // of the writer's thread: the last try wrote nothing
+    std::size_t size_ = 0;  // of whole lines in the file [bytes]
     ScenePtr written_;  // of the writer's thread: the scene that `text_` is of
     std::string text_;
     std::mutex mutex_;

@@ -78,6 +78,7 @@ MainWindow::MainWindow(Themes& themes)
     connect(journal_, &Journal::failed, this, [this](const QString& why) {
         statusBar()->showMessage(tr("Edits are no longer kept for recovery: %1").arg(why));
     });
+    connect(journal_, &Journal::mended, this, [this] { statusBar()->showMessage(tr("Edits are kept for recovery again.")); });
     showTitle();
     showStates();
 }

@@ -17,6 +17,10 @@
 #include <QUndoStack>
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
+#include <csignal>
+
 namespace keyblock {
 namespace {
 
@@ -200,6 +204,42 @@ TEST_F(Journals, AFolderThatTakesNothingIsTold) {
     window.document.apply("Name", titled("second"));
     EXPECT_FALSE(why.isEmpty());
     EXPECT_EQ(window.document.scene()->title, "second");
+    bool mended = false;
+    QObject::connect(&window.journal, &Journal::mended, [&] { mended = true; });
+    QFile::remove(file("blocked"));
+    window.document.apply("Name", titled("third"));
+    EXPECT_TRUE(mended);
+    window.journal.flush();
+    const Journalled read = readJournal(test::contentOf(window.journal.path().toStdString()));
+    ASSERT_EQ(read.steps.size(), 3u) << "the one in between too";
+    EXPECT_NE(read.steps[1].text.find("second"), std::string::npos);
+    EXPECT_NE(read.steps[2].text.find("third"), std::string::npos);
+}
+
+/// A limit on the size of files stands for a disk that is full.
+TEST_F(Journals, WhatAFullDiskDoesNotTakeIsWrittenOnceItHasRoom) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit usual{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &usual), 0);
+    Window window(folder());
+    int failures = 0, mended = 0;
+    QObject::connect(&window.journal, &Journal::failed, [&] { ++failures; });
+    QObject::connect(&window.journal, &Journal::mended, [&] { ++mended; });
+    window.document.apply("Name", titled("before"));
+    window.journal.flush();
+    const rlimit full{static_cast<rlim_t>(QFile(window.journal.path()).size() + 20), usual.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &full);
+    for (const char* title : {"a", "b", "c"}) window.document.apply("Name", titled(title));
+    EXPECT_TRUE(waitFor([&] { return failures > 0; }));
+    const Journalled meanwhile = readJournal(test::contentOf(window.journal.path().toStdString()));
+    setrlimit(RLIMIT_FSIZE, &usual);
+    EXPECT_EQ(meanwhile.damage, "");
+    EXPECT_EQ(meanwhile.changes, 1u);
+    EXPECT_TRUE(waitFor([&] { return mended > 0; }));
+    EXPECT_EQ(failures, 1);
+    const Journalled after = readJournal(test::contentOf(window.journal.path().toStdString()));
+    EXPECT_EQ(after.damage, "");
+    EXPECT_EQ(after.changes, 4u);
 }
 
 }  // namespace
