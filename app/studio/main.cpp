@@ -29,7 +29,6 @@ int main(int argc, char** argv) {
     keyblock::Themes themes;
     keyblock::MainWindow window(themes);
     window.show();
-    if (parser.positionalArguments().isEmpty()) window.begin();
-    else window.openPath(parser.positionalArguments().first());
+    window.begin(parser.positionalArguments().value(0));
     return QApplication::exec();
 }

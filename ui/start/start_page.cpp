@@ -219,12 +219,17 @@ QWidget* StartPage::makeFoot() {
     return foot;
 }
 
-void StartPage::showRecovery() {
-    clear(*recovery_);
+std::vector<Abandoned> StartPage::lookForAbandoned() {
     QStringList unusable;
-    const std::vector<Abandoned> found = abandonedJournals(journalFolder(), &unusable);
+    std::vector<Abandoned> found = abandonedJournals(journalFolder(), &unusable);
     if (!unusable.isEmpty())
         Q_EMIT told(tr("A journal could not be read and was put aside: %1").arg(unusable.join(", ")));
+    return found;
+}
+
+void StartPage::showRecovery() {
+    clear(*recovery_);
+    const std::vector<Abandoned> found = lookForAbandoned();
     for (std::size_t i = 0; i < std::min(found.size(), mostBoxes); ++i) {
         auto* box = new RecoveryBox(found[i], rooms_.themes, this);
         // Later, because the box goes when its wish is done.

@@ -44,6 +44,9 @@ public:
     /// Looks for what can be recovered and shows the page.
     void open();
 
+    /// What can be recovered; tells of journals that cannot be read.
+    std::vector<Abandoned> lookForAbandoned();
+
 Q_SIGNALS:
     void openWanted(const QString& path);
     void sampleWanted(const keyblock::Sample& sample);

@@ -96,7 +96,11 @@ void MainWindow::openPath(const QString& path) {
     }
 }
 
-void MainWindow::begin() { beginWithStartPage(*start_); }
+void MainWindow::begin(const QString& path) {
+    if (path.isEmpty()) return beginWithStartPage(*start_);
+    openPath(path);
+    tellAbandoned(*start_, themes_, centralWidget());
+}
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(mayDiscard(*document_, *this));

@@ -35,8 +35,8 @@ public:
     /// Opens a scene or a run; tells what keeps it from being opened.
     void openPath(const QString& path);
 
-    /// What a window that was given nothing to open begins with.
-    void begin();
+    /// What a program begins with that was given this to open; empty: nothing.
+    void begin(const QString& path);
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -3,6 +3,7 @@
 #include "ui/window/start_binding.h"
 
 #include "ui/document/document.h"
+#include "ui/look/notice_bar.h"
 #include "ui/start/samples.h"
 #include "ui/window/file_commands.h"
 
@@ -44,7 +45,17 @@ StartPage* addStartPage(QMainWindow& window, const StartPage::Rooms& rooms) {
 }
 
 void beginWithStartPage(StartPage& page) {
-    if (StartPage::isWantedAtStart() || !abandonedJournals().empty()) page.open();
+    if (StartPage::isWantedAtStart() || !page.lookForAbandoned().empty()) page.open();
+}
+
+void tellAbandoned(StartPage& page, const Themes& themes, QWidget* canvas) {
+    const std::vector<Abandoned> found = page.lookForAbandoned();
+    if (found.empty()) return;
+    const QString text = found.size() == 1
+                             ? StartPage::tr("%1 was not closed. Its edits can be recovered.").arg(found[0].title)
+                             : StartPage::tr("%1 scenes were not closed. Their edits can be recovered.").arg(found.size());
+    auto* bar = new NoticeBar(themes, canvas);
+    bar->say(text, {{StartPage::tr("Recover…"), [&page] { page.open(); }}});
 }
 
 }  // namespace keyblock
