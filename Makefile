@@ -14,7 +14,7 @@ help:
 	@echo "make pictures  make the pictures of the README anew"
 	@echo "make test   build and run all tests"
 	@echo "make person draw, bolt, run and export a drift in the window with real clicks and keys, on a screen of its own"
-	@echo "make kills  a hundred runs killed at random moments and fifty stopped; resumed, they end with the same bytes; and thirty windows killed while editing"
+	@echo "make kills  a hundred runs killed at random moments and fifty stopped; resumed, they end with the same bytes; and thirty windows killed while editing, thirty of the program while it edits and runs, with real keys"
 	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
 	@echo "make tsan   the tests with several threads under the thread sanitizer"
 	@echo "make bench  time and memory of typical work"
@@ -73,6 +73,9 @@ kills: packages
 	KEYBLOCK_KILLS=100 KEYBLOCK_STOPS=50 build/dev/tests/cli_tests --gtest_filter='Kills.*'
 	@if [ -x build/dev/tests/ui_document_tests ]; then \
 	    KEYBLOCK_KILLS=30 build/dev/tests/ui_document_tests --gtest_filter='JournalKills.*'; fi
+	@if [ -x build/dev/keyblock-studio ]; then \
+	    sh resources/install/debian.sh readers python3-pyatspi dbus wmctrl; \
+	    /usr/bin/python3 tests/person/kills.py build/dev/keyblock-studio build/dev/keyblock samples 30; fi
 
 asan tsan: packages
 	$(call build,$@)

@@ -61,21 +61,35 @@ class Screen:
         self._run("dbus-send", "--session", "--print-reply", "--dest=org.a11y.Bus", "/org/a11y/bus",
                   "org.a11y.Bus.GetAddress")
         # Qt misses the bus at times when it starts; then it never tells its names, and is started again.
+        before = tempfile.mkdtemp(prefix="keyblock-before-")
+        self.copy_home(self.home, before)
         for _ in range(20):
             self.program = subprocess.Popen([program, *arguments], stdout=self.log, stderr=self.log)
             self.window = wait(self._window, 30) or self._fail("the window is not on the screen")
             if wait(self._is_told, 4, 0.5):
                 break
-            self.program.kill()
-            self.program.wait()
-            for folder in (".local", ".config", ".cache/keyblock"):  # nobody has been here yet
-                shutil.rmtree(os.path.join(self.home, folder), ignore_errors=True)
+            self.kill()
+            self.copy_home(before, self.home)
+        shutil.rmtree(before)
         import pyatspi
         self.spi = pyatspi
         self.root = wait(self._application) or self._fail("the program is not on the screen")
         self.root.set_cache_mask(self.spi.Atspi.Cache.NONE if hasattr(self.spi, "Atspi") else 0)
         self.pause(1)
         self.raise_window()
+
+    @staticmethod
+    def copy_home(source, target):
+        """Settings and data of the program, as they stand."""
+        for folder in (".local", ".config"):
+            shutil.rmtree(os.path.join(target, folder), ignore_errors=True)
+            if os.path.isdir(os.path.join(source, folder)):
+                shutil.copytree(os.path.join(source, folder), os.path.join(target, folder))
+
+    def kill(self):
+        """Ends the program as nobody asked it to."""
+        self.program.kill()
+        self.program.wait()
 
     def _fail(self, text):
         self.close()

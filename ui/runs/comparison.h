@@ -6,7 +6,7 @@
 // it is there but this.
 #pragma once
 
-#include "ui/runs/background.h"
+#include "ui/document/background.h"
 
 #include <QObject>
 #include <QString>

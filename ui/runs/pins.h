@@ -6,8 +6,8 @@
 // without pins nothing is read.
 #pragma once
 
+#include "ui/document/background.h"
 #include "ui/picture/pins.h"
-#include "ui/runs/background.h"
 
 #include <QObject>
 
