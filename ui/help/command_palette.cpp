@@ -8,6 +8,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCursor>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
@@ -114,12 +115,14 @@ CommandPalette::CommandPalette(const Commands& commands, const Themes& themes, Q
     column->addWidget(found_);
     typed_->installEventFilter(this);
     connect(typed_, &QLineEdit::textChanged, this, &CommandPalette::list);
-    connect(found_, &QListWidget::itemEntered, found_, qOverload<QListWidgetItem*>(&QListWidget::setCurrentItem));
+    // Later: a list that scrolls to what is chosen says so too, and must not choose something else in the midst of it.
+    connect(found_, &QListWidget::itemEntered, this, [this] { QTimer::singleShot(0, this, &CommandPalette::chooseUnderMouse); });
     connect(found_, &QListWidget::itemClicked, this, &CommandPalette::run);
     hide();
 }
 
 void CommandPalette::open() {
+    mouse_ = QCursor::pos();
     typed_->clear();
     list();
     raise();
@@ -144,6 +147,14 @@ void CommandPalette::place() {
     found_->setFixedHeight(rows * rowHeight + 2);
     resize(std::min(widest, room), layout()->sizeHint().height());
     move((parentWidget()->width() - this->width()) / 2, top);
+}
+
+/// Only where the mouse was moved, not the list under it.
+void CommandPalette::chooseUnderMouse() {
+    const QPoint mouse = QCursor::pos();
+    if (mouse == mouse_) return;
+    mouse_ = mouse;
+    if (QListWidgetItem* item = found_->itemAt(found_->viewport()->mapFromGlobal(mouse))) found_->setCurrentItem(item);
 }
 
 /// The command runs once the palette is gone, so that it finds the focus where it was.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QPoint>
 #include <QStringList>
 
 class QAction;
@@ -30,6 +31,7 @@ protected:
 
 private:
     void list();
+    void chooseUnderMouse();
     void run();
     void place();
 
@@ -38,6 +40,7 @@ private:
     QLineEdit* typed_;
     QListWidget* found_;
     QStringList recent_;  // ids, newest first, kept in the settings
+    QPoint mouse_;  // where it was when something was last chosen by it [px of the screen]
 };
 
 /// Commands that fit what is typed, best first; of equals those that were used last.
