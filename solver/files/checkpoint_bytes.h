@@ -18,7 +18,7 @@ std::string bytesOf(const Checkpoint& checkpoint);
 /// Null when the bytes are too few or too many for a checkpoint.
 std::optional<Checkpoint> checkpointOf(std::string_view bytes);
 
-/// Names this build of the program: the linker's build id in hexadecimal digits, after the version.
+/// Names this build of the mechanics: its id after the version.
 std::string buildName();
 
 }  // namespace keyblock
