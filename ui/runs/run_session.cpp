@@ -102,7 +102,7 @@ void RunSession::runIt(Ending& ending) {
     }
     RunStoreWriter store(order_.store, order_.resume);
     LiveSink sink(store, feed_, solved);
-    ending.stages = keyblock::run(scene, sink, control_, {0, cut},
+    ending.stages = keyblock::run(scene, sink, control_, {order_.threads, cut},
                                  from.checkpoint ? &*from.checkpoint : nullptr);
     store.close();
 }

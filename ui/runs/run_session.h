@@ -30,6 +30,7 @@ struct RunOrder {
     std::shared_ptr<const SceneCut> cut;  // what it was cut to, where that is known
     std::filesystem::path store;
     bool resume = false;  // go on with what the store holds
+    int threads = 0;  // 0: as many as the machine has
 };
 
 class RunSession : public QObject {

@@ -199,6 +199,7 @@ void Runs::begin(const QString& store, bool resume) {
     if (checked.scene == order.scene && !hasErrors(checked.problems)) order.cut = checked.cut;
     order.store = store.toStdString();
     order.resume = resume;
+    order.threads = threads_;
     session_ = std::make_unique<RunSession>(std::move(order));
     connect(session_.get(), &RunSession::began, this, [this] {
         shownHash_ = QString::fromStdString(sceneHash(*session_->order().scene));

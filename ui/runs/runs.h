@@ -48,6 +48,9 @@ public:
     /// Looks for stores again.
     void refresh();
 
+    /// Threads of the runs that are started from now on; 0: as many as the machine has.
+    void setThreads(int threads) { threads_ = threads; }
+
     /// Starts a run of the document, unless one goes on.
     void start();
     /// Goes on with a run that was cut short. \pre it is resumable.
@@ -93,6 +96,7 @@ private:
 
     Document& document_;
     TimeCursor& cursor_;
+    int threads_ = 0;
     std::unique_ptr<RunSession> session_;
     std::vector<RunEntry> entries_;
     QString opened_;  // a store that is none of the document's
