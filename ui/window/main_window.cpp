@@ -44,6 +44,12 @@
 
 namespace keyblock {
 
+namespace {
+
+constexpr QSize roomOfFrame(8, 40);  // [px] that a window manager puts round the window; nobody tells before it is shown
+
+}  // namespace
+
 MainWindow::MainWindow(Themes& themes)
     : themes_(themes), display_(new Display(this)), commands_(new Commands(themes, this)),
       document_(new Document(this)), journal_(new Journal(*document_, journalFolder(), this)),
@@ -53,7 +59,7 @@ MainWindow::MainWindow(Themes& themes)
       runs_(new RunArea({*this, themes, *display_, *commands_, *document_, *selection_, *canvas_, *drawing_,
                          *workflow_})) {
     setObjectName("studio");
-    resize(QSize(1600, 1000).boundedTo(screen()->availableSize()));
+    resize(QSize(1600, 1000).boundedTo(screen()->availableSize() - roomOfFrame));
     selection_->follow(*document_);
     addFileCommands(*commands_, *document_, *this);
     addImportCommands(*this, *commands_, *document_, themes_);
