@@ -27,6 +27,8 @@
 namespace keyblock {
 namespace {
 
+constexpr int mostTimes = 10;
+
 int numberFrom(const char* name, int otherwise) {
     const char* text = std::getenv(name);
     return text ? std::atoi(text) : otherwise;
@@ -70,7 +72,15 @@ TEST(RandomActions, NeitherCrashNorHangAndUndoLeadsBack) {
     const int actions = numberFrom("KEYBLOCK_ACTIONS", 500);
     {
         Somebody somebody(window, static_cast<unsigned>(numberFrom("KEYBLOCK_SEED", 1)), files);
-        for (int i = 0; i < actions; ++i) {
+        // By chance, and by what fits on the screen, some kinds come late: then there are more actions.
+        const auto missing = [&]() -> std::string {
+            if (runs == 0) return "run";
+            for (const char* what : {"tool ", "dock ", "edit.undo", "drop", "menu action", "dialog ", "draw", "popup"})
+                if (somebody.countOf(what) == 0) return what;
+            return {};
+        };
+        const bool reachesAll = actions >= 500;
+        for (int i = 0; i < actions || (reachesAll && i < mostTimes * actions && !missing().empty()); ++i) {
             QElapsedTimer timer;
             timer.start();
             somebody.act();
@@ -79,10 +89,8 @@ TEST(RandomActions, NeitherCrashNorHangAndUndoLeadsBack) {
             EXPECT_TRUE(window.isVisible()) << "gone at action " << i << ": " << somebody.last();
         }
         if (std::getenv("KEYBLOCK_TELL")) tellCounts(somebody);
-        if (actions >= 500) {
-            EXPECT_GT(runs, 0);
-            for (const char* what : {"tool ", "dock ", "edit.undo", "drop", "menu action", "dialog ", "draw", "popup"})
-                EXPECT_GT(somebody.countOf(what), 0) << what;
+        if (reachesAll) {
+            EXPECT_EQ(missing(), "");
         }
     }
     document.endPreview();
