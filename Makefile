@@ -74,7 +74,7 @@ kills: packages
 	@if [ -x build/dev/tests/ui_document_tests ]; then \
 	    KEYBLOCK_KILLS=30 build/dev/tests/ui_document_tests --gtest_filter='JournalKills.*'; fi
 	@if [ -x build/dev/keyblock-studio ]; then \
-	    sh resources/install/debian.sh readers python3-pyatspi dbus wmctrl; \
+	    sh resources/install/debian.sh readers; \
 	    /usr/bin/python3 tests/person/kills.py build/dev/keyblock-studio build/dev/keyblock samples 30; fi
 
 asan tsan: packages

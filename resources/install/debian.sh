@@ -10,7 +10,7 @@
 set -eu
 export LC_ALL=C
 
-readers="poppler-utils librsvg2-bin xvfb xauth xdotool wmctrl openbox dbus at-spi2-core python3-pyatspi
+readers="poppler-utils librsvg2-bin xvfb xauth x11-utils xdotool wmctrl openbox dbus at-spi2-core python3-pyatspi
          imagemagick"
 further=""
 for argument in "$@"; do

@@ -4,7 +4,7 @@
 # A person at a screen of her own: a server without a display shows the program
 # under a window manager, widgets are found by the names that screen readers say,
 # and mouse and keys are real events. Debian: xvfb openbox xdotool at-spi2-core
-# python3-pyatspi imagemagick dbus wmctrl; the Python is Debian's, /usr/bin/python3.
+# python3-pyatspi imagemagick dbus wmctrl x11-utils; the Python is Debian's, /usr/bin/python3.
 import os
 import shutil
 import subprocess
@@ -48,35 +48,45 @@ class Screen:
         self.home = os.environ["KEYBLOCK_PERSON"]
         self.pictures = pictures
         self.clicks = self.shots = 0
+        self.program = None
         os.makedirs(pictures, exist_ok=True)
+        self.log = open(os.path.join(self.home, "log"), "w")
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", "1", "-screen", "0", size + "x24", "-nolisten", "tcp"],
             stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         display = ":" + self.server.stdout.readline().decode().strip()
         os.environ.update(DISPLAY=display, QT_SCALE_FACTOR=scale, QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1",
                           QT_ACCESSIBILITY="1")
-        self.manager = subprocess.Popen(["openbox"], stderr=subprocess.DEVNULL)
-        self.log = open(os.path.join(self.home, "log"), "w")
-        # The bus of screen readers has to be there before the program looks for it.
-        self._run("dbus-send", "--session", "--print-reply", "--dest=org.a11y.Bus", "/org/a11y/bus",
-                  "org.a11y.Bus.GetAddress")
-        # Qt misses the bus at times when it starts; then it never tells its names, and is started again.
-        before = tempfile.mkdtemp(prefix="keyblock-before-")
-        self.copy_home(self.home, before)
-        for _ in range(20):
-            self.program = subprocess.Popen([program, *arguments], stdout=self.log, stderr=self.log)
-            self.window = wait(self._window, 30) or self._fail("the window is not on the screen")
-            if wait(self._is_told, 4, 0.5):
-                break
-            self.kill()
-            self.copy_home(before, self.home)
-        shutil.rmtree(before)
+        self._manage()
+        self._tell_bus()
+        self.program = subprocess.Popen([program, *arguments], stdout=self.log, stderr=self.log)
+        self.window = wait(self._window, 30) or self._fail("the window is not on the screen")
+        wait(self._is_told, 20, 0.2) or self._fail("the program tells no names")
         import pyatspi
         self.spi = pyatspi
         self.root = wait(self._application) or self._fail("the program is not on the screen")
         self.root.set_cache_mask(self.spi.Atspi.Cache.NONE if hasattr(self.spi, "Atspi") else 0)
         self.pause(1)
         self.raise_window()
+
+    def _manage(self):
+        """Starts the window manager, again where it found no screen yet."""
+        for _ in range(5):
+            self.manager = subprocess.Popen(["openbox"], stderr=subprocess.DEVNULL)
+            if wait(lambda: self._run("wmctrl", "-m") or self.manager.poll() is not None) and self.manager.poll() is None:
+                return
+        self._fail("no window manager comes up")
+
+    def _tell_bus(self):
+        """
+        Writes the address of the bus of screen readers where a desktop writes it: on the root window. Qt 5.15 that is
+        told by its environment to speak to screen readers asks for the address in passing and does not wait for the
+        answer, but reads the root window first.
+        """
+        answer = self._run("dbus-send", "--session", "--print-reply", "--dest=org.a11y.Bus", "/org/a11y/bus",
+                           "org.a11y.Bus.GetAddress")
+        address = answer.split('"')[1] if '"' in answer else self._fail("there is no bus of screen readers")
+        self._run("xprop", "-root", "-f", "AT_SPI_BUS", "8s", "-set", "AT_SPI_BUS", address)
 
     @staticmethod
     def copy_home(source, target):
@@ -236,7 +246,7 @@ class Screen:
 
     def close(self):
         for process in (self.program, self.manager, self.server):
-            if process.poll() is None:
+            if process and process.poll() is None:
                 process.terminate()
                 try:
                     process.wait(10)
@@ -247,7 +257,8 @@ class Screen:
 
 def needs():
     """Names of programs that are missing."""
-    return [name for name in ("Xvfb", "openbox", "xdotool", "import", "dbus-run-session", "wmctrl") if not shutil.which(name)]
+    programs = ("Xvfb", "openbox", "xdotool", "xprop", "import", "dbus-run-session", "wmctrl")
+    return [name for name in programs if not shutil.which(name)]
 
 
 if __name__ == "__main__":
