@@ -243,6 +243,12 @@ void Runs::stopForClosing() {
     Q_EMIT sessionChanged();
 }
 
+void Runs::openNewest() {
+    if (isRunning()) return;  // that is shown as soon as it has a frame
+    const auto newest = std::ranges::find_if(entries_, [](const RunEntry& entry) { return entry.summary.has_value(); });
+    if (newest != entries_.end()) open(QString(newest->path));
+}
+
 void Runs::open(const QString& store) {
     if (isRunning() && session_->run() && store == QString::fromStdString(session_->order().store.string()))
         return showRun(session_->run(), true);

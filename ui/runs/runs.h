@@ -64,6 +64,8 @@ public:
 
     /// Shows a stored run; reads it in the background.
     void open(const QString& store);
+    /// Shows the newest run of the document that can be read, where there is one and none goes on.
+    void openNewest();
     /// Takes a store away for good. Tells where it cannot.
     void remove(const QString& store);
     /// Path of the store that is shown; empty: none.

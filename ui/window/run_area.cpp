@@ -63,6 +63,9 @@ RunArea::RunArea(const RunAreaParts& parts)
     connect(feed_, &SectionFeed::pictureChanged, this, &RunArea::showPicture);
     connect(choice_, &BoltChoice::changed, this, &RunArea::showSelection);
     connect(&parts.workflow, &WorkflowBar::chosen, this, &RunArea::followTabs);
+    connect(&parts.workflow, &WorkflowBar::asked, this, [this](WorkStep step) {
+        if (step == WorkStep::Results && !cursor_->run()) runs_->openNewest();
+    });
     connect(runs_, &Runs::sessionChanged, this, &RunArea::statesChanged);
     connect(cursor_, &TimeCursor::runChanged, this, [this] {
         askBlock(-1, {});

@@ -81,6 +81,20 @@ TEST_F(Documents, AnotherSceneIsFittedAndHasNoRunWhereResultsWereShown) {
     EXPECT_FALSE(window_->findChild<Runs*>()->session());
 }
 
+TEST_F(Documents, ResultsShowTheNewestRunWhereNoneWasChosen) {
+    open("incline");
+    run();
+    open("drift-bolted");
+    open("incline");
+    const TimeCursor& cursor = *window_->findChild<TimeCursor*>();
+    const Runs& runs = *window_->findChild<Runs*>();
+    ASSERT_TRUE(waitFor([&] { return !runs.entries().empty() && runs.entries().front().summary; }));
+    EXPECT_FALSE(cursor.hasMoment());
+    window_->findChild<QToolButton*>("workflow.5")->click();
+    EXPECT_TRUE(waitFor([&] { return cursor.hasMoment(); }));
+    EXPECT_EQ(runs.shown(), runs.entries().front().path);
+}
+
 TEST_F(Documents, WhatIsUnderTheMouseIsToldOnTheSectionAlone) {
     open("drift-bolted");
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
