@@ -135,6 +135,7 @@ void MainWindow::placeBars() {
     bar->setMovable(false);
     bar->toggleViewAction()->setEnabled(false);
     bar->addWidget(workflow_);
+    bar->layout()->setContentsMargins({});  // the style sheet's word comes before it knows the name
     addToolBar(Qt::TopToolBarArea, bar);
     for (const auto corner : {Qt::BottomLeftCorner, Qt::BottomRightCorner}) setCorner(corner, Qt::BottomDockWidgetArea);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
