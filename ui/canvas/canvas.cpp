@@ -51,7 +51,7 @@ void Canvas::show(std::shared_ptr<const SectionPicture> picture) {
     picture_ = std::move(picture);
     index_.reset();
     if (isFirst) {
-        fits_ = false;
+        kept_ = picture_->window;
         layOut();
     }
     sceneChanged();
@@ -122,22 +122,25 @@ void Canvas::fit() {
 }
 
 void Canvas::zoomTo(const Box& box) {
+    kept_ = box;
     map_.show(box, room());
     mapChanged();
 }
 
 void Canvas::zoomBy(double factor, const QPointF& pixel) {
+    kept_.reset();
     map_.zoomBy(factor, pixel);
     mapChanged();
 }
 
 void Canvas::panBy(const QPointF& pixels) {
+    kept_.reset();
     map_.panBy(pixels);
     mapChanged();
 }
 
 void Canvas::lookAs(const CanvasMap& other) {
-    fits_ = true;
+    kept_.reset();
     if (map_.centre() == other.centre() && map_.pixelsPerMetre() == other.pixelsPerMetre()) return;
     map_.lookAs(other);
     mapChanged();
@@ -156,10 +159,7 @@ void Canvas::layOut() {
     if (withoutGl_) withoutGl_->setGeometry(rect());
     sheet_->setGeometry(rect());
     map_.resize(size());
-    if (!fits_ && picture_ && width() > 2 * rimOfRoom && height() > 2 * rimOfRoom) {
-        map_.show(picture_->window, room());
-        fits_ = true;
-    }
+    if (kept_ && width() > 2 * rimOfRoom && height() > 2 * rimOfRoom) map_.show(*kept_, room());
 }
 
 void Canvas::sceneChanged() {

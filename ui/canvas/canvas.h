@@ -58,6 +58,7 @@ public:
     const CanvasMap& map() const { return map_; }
     /// What the picture is about (round tunnels and bolts); all of the model where that is seen already.
     void fit();
+    /// Stays so when the canvas gets another size, until somebody pans or zooms; so does what was fitted.
     void zoomTo(const Box& box);
     void zoomBy(double factor, const QPointF& pixel);
     void panBy(const QPointF& pixels);
@@ -125,7 +126,8 @@ private:
     std::vector<const CanvasOverlay*> overlays_;
     QString hintTitle_, hintText_;
     bool hintAside_ = false, hasLegend_ = true;
-    bool shapesChanged_ = true, fits_ = false;
+    bool shapesChanged_ = true;
+    std::optional<Box> kept_;  // what was fitted and stays in sight when the size changes, until somebody pans or zooms
     bool spaceDown_ = false, spacePanned_ = false;
     std::optional<QPointF> panFrom_;
     Qt::MouseButtons held_ = Qt::NoButton;  // whose release the tool is to hear of

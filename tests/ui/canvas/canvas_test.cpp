@@ -210,6 +210,27 @@ TEST_F(OnCanvas, FitShowsWhatThePictureIsAboutThenAllOfIt) {
     EXPECT_FALSE(shows(picture->model));
 }
 
+TEST_F(OnCanvas, WhatIsFittedStaysInSightInASmallerCanvasUntilSomebodyPans) {
+    NEED_SCREEN();
+    open();
+    auto picture = pictureOf(bricks, {});
+    canvas->show(picture);
+    const auto isWhole = [&] {
+        const Box window = canvas->map().window();
+        return (window.min.array() < picture->window.min.array()).all() &&
+               (window.max.array() > picture->window.max.array()).all();
+    };
+    ASSERT_TRUE(isWhole());
+    canvas->resize(400, 300);
+    ASSERT_TRUE(waitFor([&] { return canvas->map().size() == QSizeF(400, 300); }));
+    EXPECT_TRUE(isWhole());
+    canvas->panBy({1.0, 0.0});
+    const double scale = canvas->map().pixelsPerMetre();
+    canvas->resize(200, 150);
+    ASSERT_TRUE(waitFor([&] { return canvas->map().size() == QSizeF(200, 150); }));
+    EXPECT_DOUBLE_EQ(canvas->map().pixelsPerMetre(), scale);
+}
+
 TEST_F(OnCanvas, NothingIsNoCrash) {
     NEED_SCREEN();
     open();
