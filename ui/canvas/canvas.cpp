@@ -113,6 +113,7 @@ QRectF Canvas::room() const {
 }
 
 void Canvas::fit() {
+    if (!picture_ && extent_) zoomTo(*extent_);
     if (!picture_) return;
     CanvasMap about = map_;
     about.show(picture_->window, room());

@@ -55,6 +55,9 @@ public:
     /// Where nothing is shown: in the middle, or aside at the foot where a drawing is to be seen behind it.
     void setHint(const QString& title, const QString& text, bool aside = false);
 
+    /// What `fit` shows while there is no picture.
+    void setExtent(const std::optional<Box>& extent) { extent_ = extent; }
+
     const CanvasMap& map() const { return map_; }
     /// What the picture is about (round tunnels and bolts); all of the model where that is seen already.
     void fit();
@@ -127,6 +130,7 @@ private:
     QString hintTitle_, hintText_;
     bool hintAside_ = false, hasLegend_ = true;
     bool shapesChanged_ = true;
+    std::optional<Box> extent_;
     std::optional<Box> kept_;  // what was fitted and stays in sight when the size changes, until somebody pans or zooms
     bool spaceDown_ = false, spacePanned_ = false;
     std::optional<QPointF> panFrom_;

@@ -174,6 +174,14 @@ bool endsAtOpenings(ObjectKind kind) {
     return kind == ObjectKind::Joint || kind == ObjectKind::JointSet || kind == ObjectKind::Voronoi;
 }
 
+std::optional<Box> boxOf(const SceneObject& object) {
+    std::vector<Point> points = object.marks;
+    for (const ObjectLine& line : object.lines) points.insert(points.end(), line.points.begin(), line.points.end());
+    points.insert(points.end(), object.area.begin(), object.area.end());
+    std::erase_if(points, [](const Point& p) { return !p.allFinite(); });
+    return points.empty() ? std::nullopt : std::optional(boxOf(points));
+}
+
 bool isInOpening(std::span<const SceneObject> objects, const Point& place) {
     return std::any_of(objects.begin(), objects.end(), [&](const SceneObject& object) {
         if (object.kind != ObjectKind::Tunnel || object.area.empty()) return false;

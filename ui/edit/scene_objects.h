@@ -7,8 +7,10 @@
 // its place stands for it.
 #pragma once
 
+#include "geometry/polygon.h"
 #include "solver/scene/scene.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,6 +40,9 @@ struct SceneObject {
 
 /// True for what lies in rock and is not seen where an opening has taken the rock away.
 bool endsAtOpenings(ObjectKind kind);
+
+/// Round all that has a place; none: nothing has [m].
+std::optional<Box> boxOf(const SceneObject& object);
 
 /// True when the place lies in one of the tunnels among the objects, and not on its wall.
 bool isInOpening(std::span<const SceneObject> objects, const Point& place);

@@ -44,14 +44,6 @@ QString roomOf(const std::string& pointer) {
     return found == rooms.end() ? words("whole scene") : words(found->second);
 }
 
-std::optional<Box> boxOfObject(const SceneObject& object) {
-    std::vector<Point> points = object.marks;
-    for (const ObjectLine& line : object.lines) points.insert(points.end(), line.points.begin(), line.points.end());
-    points.insert(points.end(), object.area.begin(), object.area.end());
-    std::erase_if(points, [](const Point& p) { return !p.allFinite(); });
-    return points.empty() ? std::nullopt : std::optional(boxOf(points));
-}
-
 class Rows {
 public:
     Rows(const Document& document, const Display& display, bool reportIsOpen)
@@ -84,7 +76,7 @@ private:
                 return Box{*point, *point};
         if (pointer.empty()) return std::nullopt;
         if (objects_.empty())
-            for (const SceneObject& object : objectsOf(scene_)) objects_.emplace(object.pointer, boxOfObject(object));
+            for (const SceneObject& object : objectsOf(scene_)) objects_.emplace(object.pointer, boxOf(object));
         const auto found = objects_.find(objectPointer(scene_, pointer));
         return found == objects_.end() ? std::nullopt : found->second;
     }

@@ -130,6 +130,7 @@ void RecentRow::setPicture(const QImage& image, const SceneFacts& facts) {
     image_ = image;
     facts_ = facts;
     known_ = true;
+    setAccessibleDescription(factsText());
     update();
 }
 

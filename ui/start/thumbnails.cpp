@@ -64,6 +64,17 @@ int count(const std::vector<Problem>& problems, Severity severity) {
     return static_cast<int>(std::ranges::count(problems, severity, &Problem::severity));
 }
 
+/// Of reading and of checking; a value that neither takes counts once.
+int errorsOf(const std::vector<Problem>& reading, const std::vector<Problem>& checking) {
+    return count(checking, Severity::Error) +
+           static_cast<int>(std::ranges::count_if(reading, [&](const Problem& problem) {
+               const auto isSame = [&](const Problem& other) {
+                   return other.severity == Severity::Error && other.pointer == problem.pointer;
+               };
+               return problem.severity == Severity::Error && std::ranges::none_of(checking, isSame);
+           }));
+}
+
 Painted paint(const QString& path, const QByteArray& content, QSize size, double ratio, const Theme& theme) {
     Painted painted;
     const std::string name = path.toStdString();
@@ -77,8 +88,7 @@ Painted paint(const QString& path, const QByteArray& content, QSize size, double
         if (checked->picture) picture = *checked->picture;
         const Scene& solved = checked->cut ? checked->cut->scene : *checked->scene;
         painted.facts = {static_cast<int>(solved.blocks.size()), static_cast<int>(solved.bolts.size()),
-                         count(rescue.problems, Severity::Error) + count(checked->problems, Severity::Error),
-                         count(checked->problems, Severity::Warning), true};
+                         errorsOf(rescue.problems, checked->problems), count(checked->problems, Severity::Warning), true};
     }
     painted.image = paintThumbnail(picture, QSize(int(size.width() * ratio), int(size.height() * ratio)), ratio, theme);
     return painted;

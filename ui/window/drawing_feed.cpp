@@ -6,10 +6,27 @@
 #include "ui/document/document.h"
 #include "ui/document/visibility.h"
 #include "ui/document/visible_picture.h"
+#include "ui/edit/scene_objects.h"
 
 #include <utility>
 
 namespace keyblock {
+
+namespace {
+
+/// Round what is drawn of the rock, where no cut tells its extent.
+std::optional<Box> extentOf(const Scene& scene) {
+    using enum ObjectKind;
+    std::vector<Point> corners;
+    for (const SceneObject& object : objectsOf(scene)) {
+        const bool isOfRock = object.kind == Domain || object.kind == Block || object.kind == Tunnel ||
+                              object.kind == Joint || object.kind == Bolt;
+        if (const auto box = boxOf(object); isOfRock && box) corners.insert(corners.end(), {box->min, box->max});
+    }
+    return corners.empty() ? std::nullopt : std::optional(boxOf(corners));
+}
+
+}  // namespace
 
 DrawingFeed::DrawingFeed(Document& document, const Visibility& visibility, Canvas& canvas, QObject* parent)
     : QObject(parent), document_(document), visibility_(visibility), canvas_(canvas) {
@@ -36,10 +53,14 @@ void DrawingFeed::setOn(bool on) {
 void DrawingFeed::show() {
     if (!on_) return;
     if (isOther_ && !document_.checkIsCurrent()) return;  // what is known is of the document before
-    if (std::exchange(isOther_, false)) canvas_.show(nullptr);
-    showHint();
     const Checked& checked = document_.checked();
     const bool broken = hasErrors(checked.problems);
+    canvas_.setExtent(broken ? extentOf(*checked.scene) : std::nullopt);
+    if (std::exchange(isOther_, false)) {
+        canvas_.show(nullptr);
+        if (!checked.picture) canvas_.fit();
+    }
+    showHint();
     // While something is wrong the last good picture stays: the problems say what to do.
     if (checked.picture || !broken) canvas_.show(visiblePicture(checked, visibility_));
 }

@@ -42,15 +42,14 @@ QDockWidget* dockWithHeader(QMainWindow& window, const QString& id, const QStrin
     return dock;
 }
 
-/// Round the shapes of objects, with room to see where they are; nothing for what has no place.
+/// Round the shapes of objects; nothing for what has no place.
 std::optional<Box> boxRound(const Scene& scene, const QStringList& pointers) {
-    std::vector<Point> points;
+    std::vector<Point> corners;
     for (const SceneObject& object : objectsOf(scene)) {
         if (!pointers.contains(QString::fromStdString(object.pointer))) continue;
-        points.insert(points.end(), object.marks.begin(), object.marks.end());
-        for (const ObjectLine& line : object.lines) points.insert(points.end(), line.points.begin(), line.points.end());
+        if (const auto box = boxOf(object)) corners.insert(corners.end(), {box->min, box->max});
     }
-    return points.empty() ? std::nullopt : std::optional(boxOf(points));
+    return corners.empty() ? std::nullopt : std::optional(boxOf(corners));
 }
 
 void zoomTo(Canvas& canvas, const Box& box) {

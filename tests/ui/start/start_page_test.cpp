@@ -113,6 +113,26 @@ TEST(StartPages, RecentFilesAndWhatWasNotClosedStandThere) {
     EXPECT_TRUE(waitFor([] { return abandonedJournals().empty(); }));
 }
 
+TEST(StartPages, AnErrorOfReadingAndCheckingIsCountedOnce) {
+    NEED_SCREEN();
+    const test::ScratchFolder scratch;
+    const QString file = QString::fromStdString((scratch.path() / "faulty.json").string());
+    QFile text(file);
+    ASSERT_TRUE(text.open(QIODevice::WriteOnly));
+    text.write(R"({"format": "keyblock-scene", "version": 1, "materials": {"rock": {"density": -5, "youngs_modulus": 6e10, "poissons_ratio": 0.7}},
+        "blocks": [{"points": [[0, 0], [1, 0], [1, 1]], "material": "rock"}],
+        "monitors": [{"name": "far", "point": [9, 9]}]})");
+    text.close();
+    Page page;
+    page.recent.add(file);
+    page.covered.show();
+    page.page->open();
+    const auto* row = page.page->findChild<RecentRow*>("recent.faulty.json");
+    ASSERT_TRUE(row);
+    EXPECT_TRUE(waitFor([&] { return row->accessibleDescription().contains("errors"); }));
+    EXPECT_TRUE(row->accessibleDescription().contains("3 errors")) << row->accessibleDescription().toStdString();
+}
+
 TEST(StartPages, TimesAreToldShortly) {
     const QDateTime now(QDate(2026, 11, 22), QTime(15, 0));
     EXPECT_EQ(whenText(now.addSecs(-2400), now), "today 14:20");

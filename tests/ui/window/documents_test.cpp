@@ -23,8 +23,10 @@
 #include <QTimer>
 #include <QToolButton>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <fstream>
 
 namespace keyblock {
 namespace {
@@ -79,6 +81,23 @@ TEST_F(Documents, AnotherSceneIsFittedAndHasNoRunWhereResultsWereShown) {
     EXPECT_LT((seen.max - seen.min).minCoeff(), 2.0 * (about.max - about.min).maxCoeff());
     EXPECT_EQ(stateOf("workflow.4"), "not yet");
     EXPECT_FALSE(window_->findChild<Runs*>()->session());
+}
+
+TEST_F(Documents, AFaultySceneIsFittedByWhatIsDrawnOfIt) {
+    std::ifstream in(fs::path(KEYBLOCK_SAMPLES_DIR) / "incline.json");
+    nlohmann::json scene = nlohmann::json::parse(in);
+    for (auto& material : scene["materials"]) material["density"] = -1.0;
+    for (auto& block : scene["blocks"])
+        for (auto& point : block["points"]) point[0] = point[0].get<double>() + 500.0;
+    const fs::path path = folder_.path() / "faulty.json";
+    std::ofstream(path) << scene;
+    window_->openPath(QString::fromStdString(path.string()));
+    ASSERT_TRUE(waitFor([&] { return document_->checkIsCurrent() && hasErrors(document_->checked().problems); }));
+    for (const auto& block : scene["blocks"])
+        for (const auto& point : block["points"]) {
+            const Point corner(point[0].get<double>(), point[1].get<double>());
+            EXPECT_TRUE(meets(canvas_->map().window(), {corner, corner})) << point;
+        }
 }
 
 TEST_F(Documents, ResultsShowTheNewestRunWhereNoneWasChosen) {
