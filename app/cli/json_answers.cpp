@@ -7,6 +7,7 @@
 
 #include "app/cli/run_summary.h"
 #include "solver/results/chains.h"
+#include "solver/results/event_groups.h"
 #include "solver/results/words.h"
 #include "solver/scene/solved_blocks.h"
 #include "solver/scene/words.h"
@@ -187,8 +188,10 @@ std::string infoJson(const RunStore& store) {
         stages.push_back(stageJson(store.scene(), record));
     const std::vector<Event> happened = store.events();
     Json events = Json::object();
-    for (const auto& [kind, count] : countByKind(happened))
-        events[std::string(wordOf(kind))] = count;
+    const EventCounts counts(happened);
+    for (std::size_t k = 0; k < eventKindWords.size(); ++k)
+        if (const long count = counts.of(static_cast<EventKind>(k)); count > 0)
+            events[std::string(eventKindWords[k])] = count;
     return dumped({{"title", store.scene().title},
                    {"program_version", store.programVersion()},
                    {"scene_hash", store.sceneHash()},

@@ -7,6 +7,7 @@
 
 #include "app/cli/bolt_summary.h"
 #include "app/cli/text_table.h"
+#include "solver/results/event_groups.h"
 #include "solver/results/quantity.h"
 #include "solver/results/words.h"
 
@@ -45,9 +46,7 @@ std::string messages(const Scene& scene, const std::vector<StageRecord>& records
 }
 
 std::string eventLine(const std::vector<Event>& events) {
-    std::string text;
-    for (const auto& [kind, count] : countByKind(events))
-        text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(wordOf(kind));
+    const std::string text = EventCounts(events).text();
     return "events  " + (text.empty() ? "none" : text) + "\n";
 }
 
@@ -145,13 +144,6 @@ std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records) {
         return std::nullopt;
     total.passesMean = steps > 0 ? static_cast<double>(passes) / static_cast<double>(steps) : 0.0;
     return total;
-}
-
-std::map<EventKind, long> countByKind(const std::vector<Event>& events) {
-    std::map<EventKind, long> counts;
-    for (const Event& event : events)
-        ++counts[event.kind];
-    return counts;
 }
 
 std::string summaryOf(const RunSource& run, const std::map<int, double>& stageSeconds) {

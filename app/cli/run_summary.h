@@ -27,8 +27,6 @@ struct RunHealth {
 /// Null when no stage has ended.
 std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records);
 
-std::map<EventKind, long> countByKind(const std::vector<Event>& events);
-
 /// The whole summary. `stageSeconds` [s of wall clock, by stage] adds a column; empty leaves it out.
 std::string summaryOf(const RunSource& run, const std::map<int, double>& stageSeconds);
 

@@ -8,9 +8,18 @@
 #include <QPainter>
 #include <QPolygonF>
 
+#include <array>
+
 namespace keyblock {
 
 namespace {
+
+/// The words of `wordOf`, for translation.
+constexpr std::array<const char*, eventGroups> groupNames{
+    QT_TRANSLATE_NOOP("EventGroup", "slip"),       QT_TRANSLATE_NOOP("EventGroup", "debonding"),
+    QT_TRANSLATE_NOOP("EventGroup", "restick"),    QT_TRANSLATE_NOOP("EventGroup", "yield"),
+    QT_TRANSLATE_NOOP("EventGroup", "rupture"),    QT_TRANSLATE_NOOP("EventGroup", "plate"),
+    QT_TRANSLATE_NOOP("EventGroup", "pulled out"), QT_TRANSLATE_NOOP("EventGroup", "block falls")};
 
 class MarkPainter {
 public:
@@ -31,6 +40,10 @@ public:
     void debonding() {
         fill(theme_.slipping, theme_.markInk);
         painter_.drawPolygon(moved({{0.0, -4.8}, {4.8, 0.0}, {0.0, 4.8}, {-4.8, 0.0}}));
+    }
+    void restick() {
+        stroke(theme_.text2, 1.4);
+        painter_.drawPolygon(moved({{0.0, -4.4}, {4.4, 0.0}, {0.0, 4.4}, {-4.4, 0.0}}));
     }
     void yield() {
         fill(theme_.yielded, theme_.panel);
@@ -76,51 +89,8 @@ private:
 
 }  // namespace
 
-EventGroup groupOf(EventKind kind) {
-    switch (kind) {
-        case EventKind::JointSlip:
-        case EventKind::JointOpen: return EventGroup::Slip;
-        case EventKind::Debonding:
-        case EventKind::Restick: return EventGroup::Debonding;
-        case EventKind::Yield:
-        case EventKind::Hinge: return EventGroup::Yield;
-        case EventKind::TensileRupture:
-        case EventKind::ShearRupture:
-        case EventKind::BoltLoss: return EventGroup::Rupture;
-        case EventKind::PlateLoss: return EventGroup::Plate;
-        case EventKind::PulledOut: return EventGroup::PulledOut;
-        case EventKind::BlockFalls:
-        case EventKind::Collapse: break;
-    }
-    return EventGroup::Falls;
-}
-
-std::array<EventKind, 3> kindsOf(EventGroup group) {
-    using enum EventKind;
-    switch (group) {
-        case EventGroup::Slip: return {JointSlip, JointOpen, JointOpen};
-        case EventGroup::Debonding: return {Debonding, Restick, Restick};
-        case EventGroup::Yield: return {Yield, Hinge, Hinge};
-        case EventGroup::Rupture: return {TensileRupture, ShearRupture, BoltLoss};
-        case EventGroup::Plate: return {PlateLoss, PlateLoss, PlateLoss};
-        case EventGroup::PulledOut: return {PulledOut, PulledOut, PulledOut};
-        case EventGroup::Falls: break;
-    }
-    return {BlockFalls, Collapse, Collapse};
-}
-
 QString nameOf(EventGroup group) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("EventGroup", text); };
-    switch (group) {
-        case EventGroup::Slip: return tr("slip");
-        case EventGroup::Debonding: return tr("debonding");
-        case EventGroup::Yield: return tr("yield");
-        case EventGroup::Rupture: return tr("rupture");
-        case EventGroup::Plate: return tr("plate");
-        case EventGroup::PulledOut: return tr("pulled out");
-        case EventGroup::Falls: break;
-    }
-    return tr("block falls");
+    return QCoreApplication::translate("EventGroup", groupNames[static_cast<std::size_t>(group)]);
 }
 
 void drawEventMark(QPainter& painter, const Theme& theme, EventGroup group, const QPointF& at) {
@@ -128,6 +98,7 @@ void drawEventMark(QPainter& painter, const Theme& theme, EventGroup group, cons
     switch (group) {
         case EventGroup::Slip: return mark.slip();
         case EventGroup::Debonding: return mark.debonding();
+        case EventGroup::Restick: return mark.restick();
         case EventGroup::Yield: return mark.yield();
         case EventGroup::Rupture: return mark.rupture();
         case EventGroup::Plate: return mark.plate();

@@ -33,6 +33,7 @@ int gravityOf(EventGroup group) {
         case EventGroup::Plate: return 3;
         case EventGroup::Yield: return 2;
         case EventGroup::Debonding: return 1;
+        case EventGroup::Restick:
         case EventGroup::Slip: break;
     }
     return 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/picture/event_list.h"
 
+#include "solver/results/event_groups.h"
 #include "solver/results/words.h"
 #include "ui/picture/captions.h"
 
@@ -77,7 +78,7 @@ EventEntry entryOf(const RunSource& run, const Event& event) {
 std::vector<EventEntry> grouped(const RunSource& run, std::span<const Event> events) {
     std::vector<EventEntry> entries;
     for (const Event& event : events) {
-        if (gravity(event.kind) == 0) continue;
+        if (isMinor(event.kind)) continue;
         const auto alike = std::find_if(entries.begin(), entries.end(), [&](const EventEntry& entry) {
             return event.bolt >= 0 && entry.bolt == event.bolt && entry.kind == event.kind &&
                    entry.stage == event.stage;
@@ -94,12 +95,10 @@ std::vector<EventEntry> grouped(const RunSource& run, std::span<const Event> eve
 }
 
 std::string countedText(std::span<const Event> events) {
-    const auto count = [&](EventKind kind) {
-        return std::count_if(events.begin(), events.end(), [&](const Event& e) { return e.kind == kind; });
-    };
+    const EventCounts counts(events);
     std::string text;
     const auto add = [&](EventKind kind, const std::string& one, const std::string& more) {
-        if (const auto n = count(kind); n > 0)
+        if (const long n = counts.of(kind); n > 0)
             text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + (n == 1 ? one : more);
     };
     add(EventKind::JointSlip, "joint slip", "joint slips");
