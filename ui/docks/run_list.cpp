@@ -3,6 +3,7 @@
 #include "ui/docks/run_list.h"
 
 #include "solver/results/run_source.h"
+#include "ui/look/commands.h"
 #include "ui/look/theme.h"
 #include "ui/runs/comparison.h"
 #include "ui/runs/runs.h"
@@ -21,9 +22,9 @@
 
 namespace keyblock {
 
-RunList::RunList(const Themes& themes, Runs& runs, Comparison& comparison, QWidget* parent)
-    : QWidget(parent), themes_(themes), runs_(runs), comparison_(comparison), stale_(new QLabel(this)),
-      compare_(new QToolButton(this)), list_(new QTreeWidget(this)) {
+RunList::RunList(const Themes& themes, const Commands& commands, Runs& runs, Comparison& comparison, QWidget* parent)
+    : QWidget(parent), themes_(themes), commands_(commands), runs_(runs), comparison_(comparison),
+      stale_(new QLabel(this)), compare_(new QToolButton(this)), list_(new QTreeWidget(this)) {
     setObjectName("runList");
     setAttribute(Qt::WA_StyledBackground);
     setAccessibleName(tr("Runs"));
@@ -60,6 +61,7 @@ RunList::RunList(const Themes& themes, Runs& runs, Comparison& comparison, QWidg
     connect(&runs, &Runs::shownChanged, this, &RunList::fill);
     connect(&runs, &Runs::stalenessChanged, this, &RunList::fill);
     connect(&themes, &Themes::changed, this, &RunList::fill);
+    connect(&commands, &Commands::keysChanged, this, &RunList::fill);
     connect(list_, &QTreeWidget::itemActivated, this,
             [this](QTreeWidgetItem* item) { runs_.open(item->data(0, Qt::UserRole).toString()); });
     connect(list_, &QWidget::customContextMenuRequested, this, &RunList::showMenu);
@@ -70,7 +72,7 @@ void RunList::fill() {
     const Theme& theme = themes_.current();
     const QString stale = runs_.staleness();
     stale_->setVisible(!stale.isEmpty());
-    stale_->setText(stale + tr(". F5 runs the scene as it is."));
+    stale_->setText(stale + tr(". %1 runs the scene as it is.").arg(commands_.callOf("run.start")));
     stale_->setStyleSheet(QStringLiteral("background: %1; color: %2;").arg(theme.warningSoft.name(), theme.text.name()));
     compare_->setIcon(themes_.icon("compare"));
     compare_->setEnabled(!runs_.shown().isEmpty());

@@ -13,6 +13,7 @@ class QTreeWidget;
 
 namespace keyblock {
 
+class Commands;
 class Comparison;
 class Runs;
 class Themes;
@@ -21,7 +22,7 @@ class RunList : public QWidget {
     Q_OBJECT
 
 public:
-    RunList(const Themes& themes, Runs& runs, Comparison& comparison, QWidget* parent = nullptr);
+    RunList(const Themes& themes, const Commands& commands, Runs& runs, Comparison& comparison, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {415, 214}; }
 
@@ -31,6 +32,7 @@ private:
     void fillCompareMenu(QMenu& menu);
 
     const Themes& themes_;
+    const Commands& commands_;
     Runs& runs_;
     Comparison& comparison_;
     QLabel* stale_;

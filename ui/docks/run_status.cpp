@@ -3,6 +3,7 @@
 #include "ui/docks/run_status.h"
 
 #include "solver/results/run_source.h"
+#include "ui/look/action_button.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
@@ -102,8 +103,10 @@ private:
 
 RunStatus::RunStatus(const Themes& themes, Commands& commands, Runs& runs, QWidget* parent)
     : QWidget(parent), themes_(themes), commands_(commands), runs_(runs), progress_(new Progress(themes, runs, this)),
-      start_(buttonOf("run.start")), pause_(buttonOf("run.pause")), step_(buttonOf("run.step")),
-      stop_(buttonOf("run.stop")) {
+      start_(framedButton("run.start", [this] { return withKeys(tr("Run"), "run.start"); })),
+      pause_(framedButton("run.pause", [this] { return isPaused() ? tr("Continue") : tr("Pause"); })),
+      step_(framedButton("run.step", {})),
+      stop_(framedButton("run.stop", [this] { return withKeys(tr("Stop"), "run.stop"); })) {
     setObjectName("runStatus");
     setAccessibleName(tr("Run"));
     auto* row = new QHBoxLayout(this);
@@ -111,6 +114,7 @@ RunStatus::RunStatus(const Themes& themes, Commands& commands, Runs& runs, QWidg
     row->setSpacing(6);
     row->addWidget(progress_);
     row->addSpacing(6);
+    step_->setToolButtonStyle(Qt::ToolButtonIconOnly);
     for (QToolButton* button : {start_, pause_, step_, stop_}) row->addWidget(button);
     connect(&runs, &Runs::sessionChanged, this, &RunStatus::refresh);
     connect(&runs, &Runs::advanced, progress_, QOverload<>::of(&QWidget::update));
@@ -118,42 +122,31 @@ RunStatus::RunStatus(const Themes& themes, Commands& commands, Runs& runs, QWidg
     refresh();
 }
 
-QToolButton* RunStatus::buttonOf(const char* command) {
-    QAction* action = commands_.action(command);
-    auto* button = new QToolButton(this);
+QToolButton* RunStatus::framedButton(const char* command, std::function<QString()> text) {
+    QToolButton* button = buttonOf(*commands_.action(command), this, std::move(text));
     button->setObjectName(QString::fromUtf8(command) + "Button");
     button->setFixedHeight(26);
-    button->setIconSize({16, 16});
     button->setProperty("framed", true);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    const auto show = [button, action] {
-        button->setEnabled(action->isEnabled());
-        button->setAccessibleName(action->text());
-        button->setToolTip(action->toolTip());
-    };
-    show();
-    connect(action, &QAction::changed, button, show);
-    connect(button, &QToolButton::clicked, action, &QAction::trigger);
     return button;
 }
 
+QString RunStatus::withKeys(const QString& text, const char* command) const {
+    const QString keys = keysOf(*commands_.action(command));
+    return keys.isEmpty() ? text : text + QStringLiteral("  ") + keys;
+}
+
+bool RunStatus::isPaused() const { return runs_.isRunning() && runs_.session()->state() == RunSession::State::Paused; }
+
 void RunStatus::refresh() {
     const bool running = runs_.isRunning();
-    const bool paused = running && runs_.session()->state() == RunSession::State::Paused;
     progress_->setVisible(runs_.session() != nullptr);
     progress_->setToolTip(runs_.session() && runs_.session()->isOver() ? runs_.session()->message() : QString());
     start_->setVisible(!running);
     for (QToolButton* button : {pause_, step_, stop_}) button->setVisible(running);
-    const auto key = [&](const char* id) {
-        return commands_.action(id)->shortcut().toString(QKeySequence::NativeText);
-    };
-    start_->setText(tr("Run") + QStringLiteral("  ") + key("run.start"));
-    pause_->setText(paused ? tr("Continue") : tr("Pause"));
-    step_->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    stop_->setText(tr("Stop") + QStringLiteral("  ") + key("run.stop"));
     const Theme& theme = themes_.current();
     start_->setIcon(themes_.icon("play", theme.ok));
-    pause_->setIcon(themes_.icon(paused ? "play" : "pause", theme.text));
+    pause_->setIcon(themes_.icon(isPaused() ? "play" : "pause", theme.text));
     step_->setIcon(themes_.icon("step"));
     stop_->setIcon(themes_.icon("stop", theme.error));
     progress_->update();

@@ -7,6 +7,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QToolButton;
 
 namespace keyblock {
@@ -25,7 +27,9 @@ public:
 private:
     class Progress;
 
-    QToolButton* buttonOf(const char* command);
+    QToolButton* framedButton(const char* command, std::function<QString()> text);
+    QString withKeys(const QString& text, const char* command) const;
+    bool isPaused() const;
     void refresh();
 
     const Themes& themes_;

@@ -5,6 +5,7 @@
 #include "solver/results/history.h"
 #include "solver/results/words.h"
 #include "ui/docks/time_track.h"
+#include "ui/look/action_button.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/elided_label.h"
@@ -81,7 +82,12 @@ TimeLine::TimeLine(const Themes& themes, const Display& display, Commands& comma
     hint->setContentsMargins(16, 0, 16, 0);
     auto* text = labelIn(empty_, "timeLineHint", tr("Time line"));
     text->setMost(QWIDGETSIZE_MAX);
-    text->setText(tr("No run yet. F5 runs all stages; the time line then tells what let go, and when."));
+    const auto tell = [this, text] {
+        text->setText(tr("No run yet. %1 runs all stages; the time line then tells what let go, and when.")
+                          .arg(commands_.callOf("run.start")));
+    };
+    tell();
+    connect(&commands, &Commands::keysChanged, text, tell);
     hint->addWidget(text);
     auto* both = new QVBoxLayout(this);
     both->setContentsMargins(0, 0, 0, 0);
@@ -102,21 +108,10 @@ TimeLine::TimeLine(const Themes& themes, const Display& display, Commands& comma
     showRun();
 }
 
-QToolButton* TimeLine::buttonOf(const char* command) {
-    QAction* action = commands_.action(command);
-    auto* button = new QToolButton(full_);
-    button->setObjectName(command);
-    button->setAccessibleName(action->text());
-    button->setToolTip(action->toolTip());
+QToolButton* TimeLine::iconButton(const char* command) {
+    QToolButton* button = buttonOf(*commands_.action(command), full_);
     button->setFixedSize(28, rowHeight);
-    button->setIconSize({16, 16});
     button->setAutoRaise(true);
-    button->setEnabled(action->isEnabled());
-    connect(button, &QToolButton::clicked, action, &QAction::trigger);
-    connect(action, &QAction::changed, button, [button, action] {
-        button->setEnabled(action->isEnabled());
-        button->setToolTip(action->toolTip());
-    });
     return button;
 }
 
@@ -125,11 +120,11 @@ QWidget* TimeLine::makeTransport() {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
-    row->addWidget(buttonOf("time.home"));
-    play_ = buttonOf("time.play");
+    row->addWidget(iconButton("time.home"));
+    play_ = iconButton("time.play");
     play_->setProperty("framed", "icon");
     row->addWidget(play_);
-    row->addWidget(buttonOf("time.end"));
+    row->addWidget(iconButton("time.end"));
     loop_ = new QToolButton(bar);
     loop_->setObjectName("timeLoop");
     loop_->setAccessibleName(tr("Loop"));
@@ -182,7 +177,6 @@ QWidget* TimeLine::makeCounts() {
         auto* button = new QToolButton(bar);
         button->setObjectName("count" + QString::number(g));
         button->setAccessibleName(tr("Show events: %1").arg(nameOf(group)));
-        button->setToolTip(tr("Show or hide %1 on the time line; hidden ones are passed over").arg(nameOf(group)));
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         button->setCheckable(true);
         button->setChecked(true);
@@ -195,22 +189,13 @@ QWidget* TimeLine::makeCounts() {
         row->addWidget(button);
     }
     row->addWidget(separatorIn(bar));
-    bookmark_ = buttonOf("time.bookmark");
+    bookmark_ = iconButton("time.bookmark");
     row->addWidget(bookmark_);
-    auto* next = next_ = new QToolButton(bar);
-    QAction* action = commands_.action("time.nextEvent");
-    next->setObjectName("nextEvent");
-    next->setAccessibleName(action->text());
-    next->setFixedHeight(24);
-    const auto show = [next, action] {
-        next->setText(action->text() + QStringLiteral("  ") + action->shortcut().toString(QKeySequence::NativeText));
-        next->setToolTip(action->toolTip());
-        next->setEnabled(action->isEnabled());
-    };
-    show();
-    connect(action, &QAction::changed, next, show);
-    connect(next, &QToolButton::clicked, action, &QAction::trigger);
-    row->addWidget(next);
+    QAction* next = commands_.action("time.nextEvent");
+    next_ = buttonOf(*next, bar, [next] { return next->text() + QStringLiteral("  ") + keysOf(*next); });
+    next_->setObjectName("nextEvent");
+    next_->setFixedHeight(24);
+    row->addWidget(next_);
     return bar;
 }
 
@@ -226,7 +211,7 @@ void TimeLine::showIcons() {
         pixmap.setDevicePixelRatio(sharp);
         pixmap.fill(Qt::transparent);
         QPainter painter(&pixmap);
-        const bool off = numbers_[g] == 0 || !counts_[g]->isChecked();
+        const bool off = numbers_.of(static_cast<EventGroup>(g)) == 0 || !counts_[g]->isChecked();
         if (off) painter.setOpacity(0.55);
         drawEventMark(painter, themes_.current(), static_cast<EventGroup>(g), {0.5 * side, 0.5 * side});
         painter.end();
@@ -246,12 +231,11 @@ void TimeLine::showRun() {
 }
 
 void TimeLine::showCounts() {
-    const std::array<long, eventGroups> before = numbers_;
+    const EventCounts before = numbers_;
     const bool first = counted_ == 0;
     if (cursor_.run()) {
         const std::vector<Event>& events = cursor_.run()->eventList();
-        for (; counted_ < events.size(); ++counted_)
-            ++numbers_[static_cast<std::size_t>(groupOf(events[counted_].kind))];
+        for (; counted_ < events.size(); ++counted_) numbers_.add(events[counted_]);
     }
     if (!first && before == numbers_) return;
     nameCounts();
@@ -261,9 +245,12 @@ void TimeLine::showCounts() {
 void TimeLine::nameCounts() {
     for (std::size_t g = 0; g < eventGroups; ++g) {
         const auto group = static_cast<EventGroup>(g);
-        const QString number = Display::number(static_cast<double>(numbers_[g]), 9);
+        const QString number = Display::number(static_cast<double>(numbers_.of(group)), 9);
+        const QString kinds = QString::fromStdString(numbers_.kindsText(group));
         counts_[g]->setText(short_ > 0 ? number : nameOf(group) + ' ' + number);
-        counts_[g]->setEnabled(numbers_[g] > 0);
+        counts_[g]->setToolTip(tr("Show or hide %1 on the time line; hidden ones are passed over").arg(nameOf(group)) +
+                               (kinds.isEmpty() ? QString() : '\n' + kinds));
+        counts_[g]->setEnabled(!kinds.isEmpty());
     }
     showIcons();
 }

@@ -40,7 +40,7 @@ protected:
 private:
     QWidget* makeTransport();
     QWidget* makeCounts();
-    QToolButton* buttonOf(const char* command);
+    QToolButton* iconButton(const char* command);
     void showRun();
     void showMoment();
     void showCounts();
@@ -67,7 +67,7 @@ private:
     std::array<QToolButton*, eventGroups> counts_{};
     int short_ = 0;  // 0: all is shown
     std::size_t counted_ = 0;
-    std::array<long, eventGroups> numbers_{};
+    EventCounts numbers_;
 };
 
 }  // namespace keyblock

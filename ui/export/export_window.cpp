@@ -265,7 +265,7 @@ FigureRequest ExportWindow::request() const {
 
 void ExportWindow::preview() {
     const Kind what = kind();
-    if (!now_.run) return showPreview({}, tr("There is no run yet. Run (F5) makes one."));
+    if (!now_.run) return showPreview({}, tr("There is no run yet; run the scene first."));
     if (what == Kind::Numbers) return showPreview({}, tr("The table as CSV: one row for each moment and thing, SI units."));
     if (what == Kind::Everything)
         return showPreview({}, tr("Section, curves, events and every bolt as figures, and all tables."));

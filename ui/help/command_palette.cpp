@@ -46,7 +46,7 @@ public:
         if (isChosen) painter->fillRect(QRect(option.rect.topLeft(), QSize(2, rowHeight)), t.accent);
         const QRect inner = option.rect.adjusted(36, 0, -12, 0);
         action->icon().paint(painter, QRect(option.rect.left() + 12, option.rect.top() + 7, 16, 16));
-        const int keys = side(*painter, inner, action->shortcut().toString(QKeySequence::NativeText), t.text2);
+        const int keys = side(*painter, inner, keysOf(*action), t.text2);
         painter->setPen(action->isEnabled() ? t.text : t.text3);
         const QRect room = inner.adjusted(0, 0, -keys - 12, 0);
         const QString name = painter->fontMetrics().elidedText(nameOf(action), Qt::ElideRight, room.width());
@@ -54,7 +54,8 @@ public:
         const int used = painter->fontMetrics().horizontalAdvance(name) + 10;
         painter->setPen(t.text3);
         const QRect rest = room.adjusted(used, 0, 0, 0);
-        const QString more = action->isEnabled() ? commands_.menuOf(action) : CommandPalette::tr("not now");
+        const QString why = commands_.whyNot(action);
+        const QString more = action->isEnabled() ? commands_.menuOf(action) : why.isEmpty() ? CommandPalette::tr("not now") : why;
         if (rest.width() > 40)
             painter->drawText(rest, Qt::AlignVCenter | Qt::AlignLeft,
                               painter->fontMetrics().elidedText(more, Qt::ElideRight, rest.width()));

@@ -16,7 +16,8 @@ namespace keyblock {
 namespace {
 
 // `icon` is a property that QAction has itself.
-constexpr char menuKey[] = "menu", groupKey[] = "group", iconKey[] = "iconName", helpKey[] = "help", keysKey[] = "keys";
+constexpr char menuKey[] = "menu", groupKey[] = "group", iconKey[] = "iconName", helpKey[] = "help", keysKey[] = "keys",
+               whyNotKey[] = "whyNot";
 
 QString settingOf(const QString& id) { return "keys/" + id; }
 
@@ -27,6 +28,8 @@ QList<QKeySequence> chosenKeys(const QString& id, const QList<QKeySequence>& ori
 }
 
 }  // namespace
+
+QString keysOf(const QAction& action) { return action.shortcut().toString(QKeySequence::NativeText); }
 
 void finishTyping() {
     const QPointer<QLineEdit> line = qobject_cast<QLineEdit*>(QApplication::focusWidget());
@@ -75,6 +78,21 @@ bool Commands::has(const QString& id) const {
 QString Commands::menuOf(const QAction* action) const { return action->property(menuKey).toString(); }
 QString Commands::groupOf(const QAction* action) const { return action->property(groupKey).toString(); }
 
+void Commands::setWhyNot(const QString& id, const QString& why) {
+    QAction* changed = action(id);
+    changed->setEnabled(why.isEmpty());
+    if (why == whyNot(changed)) return;
+    changed->setProperty(whyNotKey, why);
+    describe(changed);
+}
+
+QString Commands::whyNot(const QAction* action) const { return action->property(whyNotKey).toString(); }
+
+QString Commands::callOf(const QString& id) const {
+    const QString keys = keysOf(*action(id));
+    return keys.isEmpty() ? tr("“%1”").arg(action(id)->text().remove(QStringLiteral("…"))) : keys;
+}
+
 void Commands::setKeys(const QString& id, const QList<QKeySequence>& keys) {
     QAction* changed = action(id);
     if (keys.isEmpty()) {
@@ -92,10 +110,12 @@ void Commands::describe(QAction* action) const {
     const QString icon = action->property(iconKey).toString();
     if (!icon.isEmpty()) action->setIcon(themes_.icon(icon));
     const QString keys = QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText);
-    const QString help = action->property(helpKey).toString();
-    QString text = action->text();
-    text.remove(QStringLiteral("…"));
-    action->setToolTip(text + (keys.isEmpty() ? QString() : " (" + keys + ")") + (help.isEmpty() ? QString() : "\n" + help));
+    const QString help = action->property(helpKey).toString(), why = whyNot(action);
+    QString tip = action->text().remove(QStringLiteral("…"));
+    if (!keys.isEmpty()) tip += " (" + keys + ")";
+    for (const QString& line : {help, why})
+        if (!line.isEmpty()) tip += '\n' + line;
+    action->setToolTip(tip);
     action->setStatusTip(help);
 }
 

@@ -18,6 +18,9 @@ namespace keyblock {
 
 class Themes;
 
+/// The first keys of a command as they are written; empty: none.
+QString keysOf(const QAction& action);
+
 struct CommandText {
     QString id;  // room.verb, as kept in settings: run.start
     QString text;  // Run
@@ -51,6 +54,13 @@ public:
     const std::vector<QAction*>& all() const { return actions_; }
     QString menuOf(const QAction* action) const;
     QString groupOf(const QAction* action) const;
+
+    /// Switches a command off and tells why it would do nothing, in its tooltip and in the palette; empty: it is on.
+    void setWhyNot(const QString& id, const QString& why);
+    QString whyNot(const QAction* action) const;
+
+    /// How texts call the command: its keys, else its name: `F5`, `“Run”`.
+    QString callOf(const QString& id) const;
 
     /// Gives the command other keys, kept for the next start; empty: the original ones.
     void setKeys(const QString& id, const QList<QKeySequence>& keys);

@@ -95,9 +95,15 @@ QWidget* CensusPanel::makeCosts() {
     column->addSpacing(10);
     time_->setObjectName("estimatedTime");
     memory_->setObjectName("estimatedMemory");
-    run_ = new QPushButton(tr("Run  F5"), costs);
+    run_ = new QPushButton(costs);
     run_->setAccessibleName(tr("Run from the census"));
     run_->setEnabled(false);
+    const auto name = [this] {
+        const QString keys = commands_.has("run.start") ? keysOf(*commands_.action("run.start")) : QString();
+        run_->setText(keys.isEmpty() ? tr("Run") : tr("Run  %1").arg(keys));
+    };
+    name();
+    connect(&commands_, &Commands::keysChanged, run_, name);
     const auto icon = [this] { run_->setIcon(themes_.icon("play", themes_.current().ok)); };
     icon();
     connect(&themes_, &Themes::changed, run_, icon);

@@ -278,6 +278,15 @@ void SceneTree::remove() {
     document_.apply(step, removeAll(*document_.scene(), textsOf(selection_.pointers())));
 }
 
+bool SceneTree::isKeyOf(const char* command, const QKeyEvent& key) const {
+    const QKeySequence pressed(static_cast<int>(key.modifiers() & ~Qt::KeypadModifier) | key.key());
+    return commands_.has(command) && commands_.action(command)->shortcuts().contains(pressed);
+}
+
+QString SceneTree::withKeys(const QString& text, const char* command) const {
+    return commands_.has(command) ? text + '\t' + keysOf(*commands_.action(command)) : text;
+}
+
 void SceneTree::openMenu(const QPoint& place) {
     const QModelIndex index = view_->indexAt(place);
     if (!index.isValid()) return;
@@ -291,8 +300,8 @@ void SceneTree::openMenu(const QPoint& place) {
                 if (at.isValid()) view_->edit(at);  // the tree may have been made anew under the menu
             });
         if (id != "/analysis") {
-            if (id.count('/') > 1) menu.addAction(tr("Duplicate\tCtrl+D"), this, &SceneTree::duplicate);
-            menu.addAction(tr("Delete\tDel"), this, &SceneTree::remove);
+            if (id.count('/') > 1) menu.addAction(withKeys(tr("Duplicate"), "edit.duplicate"), this, &SceneTree::duplicate);
+            menu.addAction(withKeys(tr("Delete"), "edit.delete"), this, &SceneTree::remove);
         }
         menu.addSeparator();
     } else if (id.startsWith('/') && id.count('/') == 1 && id != "/blocks") {
@@ -319,11 +328,11 @@ bool SceneTree::eventFilter(QObject* object, QEvent* event) {
         filterButton_->setChecked(false);
         return true;
     }
-    if (object == view_ && key->key() == Qt::Key_Delete) {
+    if (object == view_ && isKeyOf("edit.delete", *key)) {
         remove();
         return true;
     }
-    if (object == view_ && key->key() == Qt::Key_D && key->modifiers() == Qt::ControlModifier) {
+    if (object == view_ && isKeyOf("edit.duplicate", *key)) {
         duplicate();
         return true;
     }

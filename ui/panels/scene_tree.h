@@ -64,6 +64,8 @@ private:
     void moveStage(const QString& pointer, int to);
     void duplicate();
     void remove();
+    bool isKeyOf(const char* command, const QKeyEvent& key) const;
+    QString withKeys(const QString& text, const char* command) const;
     TreeSource source() const;
     QModelIndex openTo(const QString& pointer);
     QString chosenTitle() const;

@@ -153,7 +153,6 @@ QWidget* StartPage::makeTitle() {
 
 QWidget* StartPage::makeCommandButton(const QString& id, bool primary) {
     QAction* action = rooms_.commands.action(id);
-    const QString keys = action->shortcut().toString(QKeySequence::NativeText);
     QString words = id == "file.open" ? tr("Open scene") : action->text();
     words.remove(QStringLiteral("…"));
     auto* button = new QPushButton(action->icon(), "  " + words, this);
@@ -165,7 +164,9 @@ QWidget* StartPage::makeCommandButton(const QString& id, bool primary) {
     button->setToolTip(action->toolTip());
     auto* row = new QHBoxLayout(button);
     row->setContentsMargins(0, 0, 12, 0);
-    row->addWidget(label(keys, primary ? "keysOnAccent" : "keys", button), 0, Qt::AlignRight);
+    QLabel* keys = label(keysOf(*action), primary ? "keysOnAccent" : "keys", button);
+    row->addWidget(keys, 0, Qt::AlignRight);
+    connect(&rooms_.commands, &Commands::keysChanged, keys, [keys, action] { keys->setText(keysOf(*action)); });
     connect(button, &QPushButton::clicked, action, &QAction::trigger);
     return button;
 }

@@ -66,7 +66,7 @@ protected:
     }
 
 private:
-    QString key() const { return action_->shortcut().toString(QKeySequence::NativeText); }
+    QString key() const { return keysOf(*action_); }
     int keyWidth() const { return fontMetrics().horizontalAdvance(key()) + 8; }
 
     QAction* action_;

@@ -115,8 +115,8 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
     eventsDock_ = makeDock(window, themes, "eventsDock", tr("Events"), events_);
     QDockWidget* energy = makeDock(window, themes, "energyDock", tr("Energy"), energies);
     compare_->place(besideCanvas, *allCurves, *energies);
-    QDockWidget* list =
-        makeDock(window, themes, "runsDock", tr("Runs"), new RunList(themes, *runs_, *comparison_, &window));
+    QDockWidget* list = makeDock(window, themes, "runsDock", tr("Runs"),
+                                 new RunList(themes, parts_.commands, *runs_, *comparison_, &window));
     QDockWidget* log = makeDock(window, themes, "logDock", tr("Log"), log_);
     for (QDockWidget* dock : {time, strip, curves, health, eventsDock_, energy, list, log})
         window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // where, is for the layouts to say

@@ -16,6 +16,7 @@
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/run_commands.h"
+#include "ui/runs/runs.h"
 #include "ui/runs/time_cursor.h"
 
 #include <gtest/gtest.h>
@@ -168,19 +169,33 @@ TEST_F(DocksTest, AClickOnAnEventGoesThereAndSelectsItsBolt) {
     EXPECT_EQ(view->model()->rowCount(), 2);
 }
 
+TEST_F(DocksTest, EventsAreCalledAsTheyAreEverywhere) {
+    for (std::size_t g = 0; g < eventGroups; ++g) {
+        const auto group = static_cast<EventGroup>(g);
+        EXPECT_EQ(nameOf(group).toStdString(), wordOf(group));
+    }
+}
+
 TEST_F(DocksTest, TheTimeLineScrubsZoomsAndCounts) {
     Themes themes;
     Commands commands(themes);
     TimeCursor cursor;
-    addTimeCommands(commands, cursor);
     Selection selection;
     Display display;
     Document document;
+    Runs runs(document, cursor);
+    addRunCommands(commands, runs);
+    addTimeCommands(commands, cursor);
     BoltChoice choice(document, selection, cursor);
     TimeLine line(themes, display, commands, cursor, choice);
     line.resize(1200, 104);
     line.show();
     EXPECT_EQ(line.height(), 30);  // nothing to tell yet
+    const auto* hint = line.findChild<QLabel*>("timeLineHint");
+    EXPECT_TRUE(hint->text().contains("F5 runs")) << hint->text().toStdString();
+    commands.setKeys("run.start", {QKeySequence("F4")});
+    EXPECT_TRUE(hint->text().contains("F4 runs")) << hint->text().toStdString();
+    commands.setKeys("run.start", {});
     cursor.setRun(elevenFrames(), false);
     EXPECT_EQ(line.height(), 104);
     line.resize(1200, 104);
@@ -196,7 +211,12 @@ TEST_F(DocksTest, TheTimeLineScrubsZoomsAndCounts) {
     EXPECT_TRUE(slip->text().endsWith("1")) << slip->text().toStdString();
     QTest::mouseClick(slip, Qt::LeftButton);
     EXPECT_TRUE(cursor.hiddenKinds().contains(EventKind::JointSlip));
-    EXPECT_FALSE(line.findChild<QToolButton*>("count2")->isEnabled());  // nothing yielded
+    EXPECT_FALSE(line.findChild<QToolButton*>("count3")->isEnabled());  // nothing yielded
+    auto* next = line.findChild<QToolButton*>("nextEvent");
+    EXPECT_EQ(next->isEnabled(), commands.action("time.nextEvent")->isEnabled());
+    EXPECT_TRUE(next->text().endsWith("N")) << next->text().toStdString();
+    cursor.end();
+    EXPECT_FALSE(next->isEnabled());
     cursor.setRun(nullptr, false);
     EXPECT_EQ(line.height(), 30);
     QTest::mouseClick(track, Qt::LeftButton, {}, {300, 50});

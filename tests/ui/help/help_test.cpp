@@ -66,6 +66,24 @@ TEST(Palettes, TypeAndEnterRunsTheCommand) {
     EXPECT_FALSE(palette.isVisible());
 }
 
+TEST(CommandTexts, SayTheKeysOfNowAndWhyACommandIsOff) {
+    NEED_SCREEN();
+    Room room;
+    QAction* run = room.commands.action("run.start");
+    EXPECT_EQ(room.commands.callOf("run.start"), "F5");
+    room.commands.setKeys("run.start", {QKeySequence("F4")});
+    EXPECT_EQ(room.commands.callOf("run.start"), "F4");
+    room.commands.setKeys("run.start", {QKeySequence()});
+    EXPECT_EQ(room.commands.callOf("run.start"), QString::fromUtf8("“Run”"));
+    room.commands.setKeys("run.start", {});
+    room.commands.setWhyNot("run.start", "Nothing to run.");
+    EXPECT_FALSE(run->isEnabled());
+    EXPECT_TRUE(run->toolTip().endsWith("Nothing to run.")) << run->toolTip().toStdString();
+    room.commands.setWhyNot("run.start", {});
+    EXPECT_TRUE(run->isEnabled());
+    EXPECT_FALSE(run->toolTip().contains("Nothing to run."));
+}
+
 TEST(KeySheets, KeysAreChangedAndTheOtherCommandLosesThem) {
     NEED_SCREEN();
     Room room;
