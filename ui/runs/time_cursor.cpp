@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/time_cursor.h"
 
+#include "solver/results/event_groups.h"
 #include "ui/runs/live_run.h"
 
 #include <algorithm>
@@ -122,15 +123,31 @@ void TimeCursor::goLive() {
     Q_EMIT moved();
 }
 
+/// Where a step leads. Between stored frames one step back is the last of them.
+long TimeCursor::stepFrom(int by) const {
+    const bool between = live_ && !frame();
+    return static_cast<long>(frame_) + by + (between && by < 0 ? 1 : 0);
+}
+
 void TimeCursor::step(int by) {
     if (!run_ || run_->frames().empty()) return;
     pause();
     const auto last = static_cast<long>(run_->frames().size()) - 1;
-    // Between stored frames one step back is the last of them.
-    const bool between = live_ && !frame();
-    const long from = static_cast<long>(frame_) + (between && by < 0 ? 1 : 0);
-    if (live_ && from + by > last) return;
-    show(static_cast<std::size_t>(std::clamp(from + by, 0L, last)));
+    if (live_ && stepFrom(by) > last) return;
+    show(static_cast<std::size_t>(std::clamp(stepFrom(by), 0L, last)));
+}
+
+bool TimeCursor::canStep(int by) const {
+    if (!run_ || run_->frames().empty()) return false;
+    const long to = stepFrom(by);
+    return to < static_cast<long>(run_->frames().size()) && (to >= 0 || live_);
+}
+
+bool TimeCursor::canGoHome() const { return run_ && !run_->frames().empty() && (live_ || frame_ > 0); }
+
+bool TimeCursor::canGoToEnd() const {
+    if (goesOn_) return !live_;
+    return run_ && frame_ + 1 < run_->frames().size();
 }
 
 void TimeCursor::home() {
@@ -163,33 +180,48 @@ std::optional<std::size_t> TimeCursor::firstFrameFrom(const StageTime& time) con
     return static_cast<std::size_t>(from - frames.begin());
 }
 
-bool TimeCursor::nextEvent() {
-    if (!hasMoment()) return false;
-    pause();
+/// True where there is more to stop at than joints that slip, which they do by the thousand.
+bool TimeCursor::passesMinor() const {
+    const auto& events = run_->eventList();
+    return std::any_of(events.begin(), events.end(), [this](const Event& event) { return stopsAt(event, true); });
+}
+
+bool TimeCursor::stopsAt(const Event& event, bool passesMinor) const {
+    return !hidden_.contains(event.kind) && !(passesMinor && isMinor(event.kind));
+}
+
+std::optional<std::size_t> TimeCursor::nextEventFrame() const {
+    if (!hasMoment()) return std::nullopt;
     const StageTime now = timeOf(head());
-    for (const Event& event : run_->eventList()) {
-        if (hidden_.contains(event.kind) || timeOf(event) <= now) continue;
-        const auto frame = firstFrameFrom(timeOf(event));
-        if (!frame) return false;
-        show(*frame);
-        return true;
-    }
-    return false;
+    const bool passes = passesMinor();
+    for (const Event& event : run_->eventList())
+        if (timeOf(event) > now && stopsAt(event, passes)) return firstFrameFrom(timeOf(event));
+    return std::nullopt;
+}
+
+std::optional<std::size_t> TimeCursor::previousEventFrame() const {
+    const std::size_t shown = hasMoment() ? frame().value_or(run_->frames().size()) : 0;
+    if (shown == 0) return std::nullopt;
+    const StageTime before = timeOf(run_->frames()[shown - 1]);
+    const bool passes = passesMinor();
+    const auto& events = run_->eventList();
+    for (auto event = events.rbegin(); event != events.rend(); ++event)
+        if (timeOf(*event) <= before && stopsAt(*event, passes)) return firstFrameFrom(timeOf(*event));
+    return std::nullopt;
+}
+
+bool TimeCursor::nextEvent() {
+    const auto frame = nextEventFrame();
+    if (hasMoment()) pause();
+    if (frame) show(*frame);
+    return frame.has_value();
 }
 
 bool TimeCursor::previousEvent() {
-    if (!hasMoment()) return false;
-    pause();
-    const std::size_t shown = frame().value_or(run_->frames().size());
-    const auto& events = run_->eventList();
-    for (auto event = events.rbegin(); event != events.rend(); ++event) {
-        if (hidden_.contains(event->kind)) continue;
-        const auto frame = firstFrameFrom(timeOf(*event));
-        if (!frame || *frame >= shown) continue;
-        show(*frame);
-        return true;
-    }
-    return false;
+    const auto frame = previousEventFrame();
+    if (hasMoment()) pause();
+    if (frame) show(*frame);
+    return frame.has_value();
 }
 
 void TimeCursor::playOrPause() {

@@ -65,8 +65,14 @@ public:
     void home();
     void end();  // of a run that goes on: follows it
     /// To the first frame that shows an event after the moment, of the kinds that are shown; false when there is none.
+    /// Minor ones are passed over where others are shown.
     bool nextEvent();
     bool previousEvent();  // to the frame that shows the last event before those of this frame
+    bool hasNextEvent() const { return nextEventFrame().has_value(); }
+    bool hasPreviousEvent() const { return previousEventFrame().has_value(); }
+    bool canStep(int by) const;  // to a frame that is there
+    bool canGoHome() const;
+    bool canGoToEnd() const;
 
     void playOrPause();  // of a run that is followed: stays at its last stored frame
     void play();
@@ -108,6 +114,11 @@ private:
 
     void show(std::size_t frame);
     void advance();
+    long stepFrom(int by) const;
+    bool passesMinor() const;
+    bool stopsAt(const Event& event, bool passesMinor) const;
+    std::optional<std::size_t> nextEventFrame() const;
+    std::optional<std::size_t> previousEventFrame() const;
     std::optional<std::size_t> frameAt(const StageTime& time) const;
     std::optional<std::size_t> firstFrameFrom(const StageTime& time) const;
 

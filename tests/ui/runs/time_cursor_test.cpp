@@ -50,16 +50,41 @@ TEST_F(TimeCursorTest, JumpsFromEventToEvent) {
     EXPECT_EQ(cursor.frame(), 0u);
     std::vector<std::size_t> forward;
     while (cursor.nextEvent()) forward.push_back(*cursor.frame());
-    EXPECT_EQ(forward, (std::vector<std::size_t>{2, 3, 8, 9}));  // two events between two frames are one jump
+    EXPECT_EQ(forward, (std::vector<std::size_t>{2, 3, 9}));  // not at slips, and two events between frames are one jump
     std::vector<std::size_t> back;
     while (cursor.previousEvent()) back.push_back(*cursor.frame());
-    EXPECT_EQ(back, (std::vector<std::size_t>{8, 3, 2}));
-    cursor.home();
-    cursor.setHidden(EventKind::JointSlip, true);
+    EXPECT_EQ(back, (std::vector<std::size_t>{3, 2}));
+    const auto ahead = [&] {
+        cursor.home();
+        std::vector<std::size_t> frames;
+        while (cursor.nextEvent()) frames.push_back(*cursor.frame());
+        return frames;
+    };
     cursor.setHidden(EventKind::Yield, true);
-    forward.clear();
-    while (cursor.nextEvent()) forward.push_back(*cursor.frame());
-    EXPECT_EQ(forward, (std::vector<std::size_t>{2, 9}));
+    EXPECT_EQ(ahead(), (std::vector<std::size_t>{2, 9}));
+    cursor.setHidden(EventKind::Debonding, true);
+    cursor.setHidden(EventKind::PlateLoss, true);
+    EXPECT_EQ(ahead(), (std::vector<std::size_t>{2, 8}));  // nothing but slips is shown
+    cursor.setHidden(EventKind::JointSlip, true);
+    EXPECT_FALSE(cursor.hasNextEvent());
+}
+
+TEST_F(TimeCursorTest, TellsWhetherThereIsMoreOnEitherSide) {
+    TimeCursor cursor;
+    EXPECT_FALSE(cursor.canStep(1) || cursor.canStep(-1) || cursor.canGoHome() || cursor.canGoToEnd());
+    EXPECT_FALSE(cursor.hasNextEvent() || cursor.hasPreviousEvent());
+    const auto run = tenFrames();
+    cursor.setRun(run, false);
+    EXPECT_TRUE(cursor.canStep(-1) && cursor.canGoHome() && cursor.hasPreviousEvent());
+    EXPECT_FALSE(cursor.canStep(1) || cursor.canGoToEnd() || cursor.hasNextEvent());
+    cursor.home();
+    EXPECT_TRUE(cursor.canStep(1) && cursor.canGoToEnd() && cursor.hasNextEvent());
+    EXPECT_FALSE(cursor.canStep(-1) || cursor.canGoHome() || cursor.hasPreviousEvent());
+    cursor.setRun(run, true);  // followed: the end is here until somebody looks back
+    EXPECT_FALSE(cursor.canStep(1) || cursor.canGoToEnd());
+    EXPECT_TRUE(cursor.canStep(-1) && cursor.canGoHome());
+    cursor.step(-1);
+    EXPECT_TRUE(cursor.canGoToEnd());
 }
 
 TEST_F(TimeCursorTest, StepsAndJumpsStayWithinTheRun) {
