@@ -17,7 +17,7 @@ void enableRunCommands(Commands& commands, const Runs& runs) {
     using State = RunSession::State;
     const State state = runs.isRunning() ? runs.session()->state() : State::Ended;
     const bool goesOn = state == State::Running || state == State::Paused;
-    commands.action("run.start")->setEnabled(state == State::Ended);
+    commands.setWhyNot("run.start", state == State::Ended ? runs.nothingToRun() : Runs::tr("A run goes on already."));
     commands.action("run.pause")->setEnabled(goesOn);
     commands.action("run.pause")->setText(state == State::Paused ? Runs::tr("Continue run") : Runs::tr("Pause run"));
     commands.action("run.step")->setEnabled(goesOn);
@@ -26,12 +26,15 @@ void enableRunCommands(Commands& commands, const Runs& runs) {
 
 void enableTimeCommands(Commands& commands, const TimeCursor& cursor) {
     const std::size_t frames = cursor.run() ? cursor.run()->frames().size() : 0;
-    const bool isEvent = frames > 0 && !cursor.run()->eventList().empty();
-    for (const char* id : {"time.home", "time.end", "time.bookmark", "time.compare"})
-        commands.action(id)->setEnabled(frames > 0);
-    for (const char* id : {"time.play", "time.next", "time.previous"})
-        commands.action(id)->setEnabled(frames > 1 || (frames == 1 && cursor.isLive()));
-    for (const char* id : {"time.nextEvent", "time.previousEvent"}) commands.action(id)->setEnabled(isEvent);
+    const auto enable = [&](const char* id, bool on) { commands.action(id)->setEnabled(on); };
+    for (const char* id : {"time.bookmark", "time.compare"}) enable(id, frames > 0);
+    enable("time.play", frames > 1 || (frames == 1 && cursor.isLive()));
+    enable("time.next", cursor.canStep(1));
+    enable("time.previous", cursor.canStep(-1));
+    enable("time.home", cursor.canGoHome());
+    enable("time.end", cursor.canGoToEnd());
+    enable("time.nextEvent", cursor.hasNextEvent());
+    enable("time.previousEvent", cursor.hasPreviousEvent());
 }
 
 }  // namespace
@@ -49,7 +52,8 @@ void addRunCommands(Commands& commands, Runs& runs) {
     commands.add({"run.stop", Runs::tr("Stop run"), "Run", "stop", Runs::tr("Stop the run; what is done is kept"),
                   {QKeySequence("Shift+F5")}},
                  [&runs] { runs.stop(); });
-    QObject::connect(&runs, &Runs::sessionChanged, &commands, [&] { enableRunCommands(commands, runs); });
+    for (const auto signal : {&Runs::sessionChanged, &Runs::sceneChanged})
+        QObject::connect(&runs, signal, &commands, [&] { enableRunCommands(commands, runs); });
     enableRunCommands(commands, runs);
 }
 
@@ -69,9 +73,11 @@ void addTimeCommands(Commands& commands, TimeCursor& cursor) {
     add("time.end", TimeCursor::tr("Last frame"), "end",
         TimeCursor::tr("Show the last frame; follow a run that goes on"), QKeySequence(Qt::Key_End),
         [&cursor] { cursor.end(); });
-    add("time.nextEvent", TimeCursor::tr("Next event"), "", TimeCursor::tr("Show the next thing that lets go"),
+    add("time.nextEvent", TimeCursor::tr("Next event"), "",
+        TimeCursor::tr("Show the next thing that lets go; slips of joints and resticks are passed over where there is else"),
         QKeySequence(Qt::Key_N), [&cursor] { cursor.nextEvent(); });
-    add("time.previousEvent", TimeCursor::tr("Previous event"), "", TimeCursor::tr("Show what let go before"),
+    add("time.previousEvent", TimeCursor::tr("Previous event"), "",
+        TimeCursor::tr("Show what let go before; slips of joints and resticks are passed over where there is else"),
         QKeySequence("Shift+N"), [&cursor] { cursor.previousEvent(); });
     add("time.bookmark", TimeCursor::tr("Bookmark frame"), "bookmark",
         TimeCursor::tr("Mark the frame on the time line, or take its mark away"), QKeySequence("Ctrl+B"),
@@ -80,9 +86,8 @@ void addTimeCommands(Commands& commands, TimeCursor& cursor) {
         TimeCursor::tr("Set cursor B at the frame shown, to read differences from; once more takes it away"),
         QKeySequence("Shift+B"), [&cursor] { cursor.toggleCursorB(); });
     const auto enable = [&] { enableTimeCommands(commands, cursor); };
-    QObject::connect(&cursor, &TimeCursor::runChanged, &commands, enable);
-    QObject::connect(&cursor, &TimeCursor::moved, &commands, enable);
-    QObject::connect(&cursor, &TimeCursor::runGrew, &commands, enable);
+    for (const auto signal : {&TimeCursor::runChanged, &TimeCursor::moved, &TimeCursor::runGrew, &TimeCursor::changed})
+        QObject::connect(&cursor, signal, &commands, enable);
     enable();
 }
 

@@ -78,6 +78,7 @@ Runs::Runs(Document& document, TimeCursor& cursor, QObject* parent)
         refresh();
     });
     connect(&document, &Document::checkedChanged, this, &Runs::refresh);
+    connect(&document, &Document::changed, this, &Runs::sceneChanged);
     refresh();
 }
 
@@ -169,6 +170,12 @@ QString Runs::newStore() const {
 }
 
 bool Runs::isRunning() const { return session_ && !session_->isOver(); }
+
+QString Runs::nothingToRun() const {
+    const Scene& scene = *document_.committed();
+    if (!scene.domain && scene.blocks.empty()) return tr("Nothing to run: draw an outline or a block.");
+    return scene.stages.empty() ? tr("Nothing to run: add a stage.") : QString();
+}
 
 void Runs::start() {
     if (isRunning()) {

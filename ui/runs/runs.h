@@ -51,6 +51,8 @@ public:
     /// Threads of the runs that are started from now on; 0: as many as the machine has.
     void setThreads(int threads) { threads_ = threads; }
 
+    /// Why a run of the document as it is would do nothing; empty: there is something to run.
+    QString nothingToRun() const;
     /// Starts a run of the document, unless one goes on.
     void start();
     /// Goes on with a run that was cut short. \pre it is resumable.
@@ -81,6 +83,7 @@ Q_SIGNALS:
     void listChanged();
     void sessionChanged();  // another session, or its state
     void advanced();  // of the session
+    void sceneChanged();  // of the document: there may be something to run now, or nothing more
     void shownChanged();
     void stalenessChanged();
     void told(const QString& message, bool isError);

@@ -10,10 +10,18 @@
 
 #include <QAction>
 
+#include <algorithm>
+
 namespace keyblock {
 namespace {
 
 constexpr double shift = 24.0;  // [px] that a copy lies off its original
+
+/// One of several of its kind; of others there can be no copy.
+bool isOfList(const QString& pointer) { return pointer.count('/') > 1; }
+
+/// The scene and its settings stay.
+bool mayGo(const QString& pointer) { return !pointer.isEmpty() && pointer != "/analysis"; }
 
 }  // namespace
 
@@ -24,21 +32,22 @@ Clipboard::Clipboard(Workbench& bench, SelectTool& select, Commands& commands, Q
         const QString group = QString(id) == "edit.selectAll" ? "select" : "clipboard";
         return commands.add({id, text, "Edit", icon, help, {key}, false, group}, [this, run] { (this->*run)(); });
     };
-    ofSelected_ = {
+    copying_ = {
         add("edit.cut", tr("Cut"), "", tr("Takes out what is selected, to be pasted."), QKeySequence::Cut,
             &Clipboard::cut),
         add("edit.copy", tr("Copy"), "copy", tr("Keeps what is selected, to be pasted."), QKeySequence::Copy,
             &Clipboard::copy)};
     paste_ = add("edit.paste", tr("Paste"), "", tr("Adds what was copied, under free names."), QKeySequence::Paste,
                  &Clipboard::paste);
-    ofSelected_ << add("edit.duplicate", tr("Duplicate"), "", tr("Adds a copy beside what is selected."),
-                       QKeySequence("Ctrl+D"), &Clipboard::duplicate)
-                << add("edit.delete", tr("Delete"), "delete",
-                       tr("Takes out what is selected, and what means nothing without it."), QKeySequence::Delete,
-                       &Clipboard::remove);
+    copying_ << add("edit.duplicate", tr("Duplicate"), "", tr("Adds a copy beside what is selected."),
+                    QKeySequence("Ctrl+D"), &Clipboard::duplicate);
+    delete_ = add("edit.delete", tr("Delete"), "delete",
+                  tr("Takes out what is selected, and what means nothing without it."), QKeySequence::Delete,
+                  &Clipboard::remove);
     all_ = add("edit.selectAll", tr("Select all"), "", tr("Selects everything on the section that is not locked."),
                QKeySequence::SelectAll, &Clipboard::selectAll);
     connect(&bench.selection(), &Selection::changed, this, &Clipboard::showWhatCan);
+    connect(&bench.document(), &Document::changed, this, &Clipboard::showWhatCan);
     connect(&bench, &Workbench::drawingChanged, this, &Clipboard::showWhatCan);
     showWhatCan();
 }
@@ -46,9 +55,13 @@ Clipboard::Clipboard(Workbench& bench, SelectTool& select, Commands& commands, Q
 /// Among results nothing of the scene is taken out or added unseen.
 void Clipboard::showWhatCan() {
     const bool drawing = bench_.isDrawing();
-    for (QAction* action : ofSelected_) action->setEnabled(drawing && !bench_.selection().isEmpty());
+    const QStringList& chosen = bench_.selection().pointers();
+    const bool copies = std::any_of(chosen.begin(), chosen.end(), isOfList);
+    const bool deletes = std::any_of(chosen.begin(), chosen.end(), mayGo);
+    for (QAction* action : copying_) action->setEnabled(drawing && copies);
+    delete_->setEnabled(drawing && deletes);
     paste_->setEnabled(drawing && source_);
-    all_->setEnabled(drawing);
+    all_->setEnabled(drawing && !bench_.objects().empty());
 }
 
 void Clipboard::cut() {

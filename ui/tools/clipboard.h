@@ -38,8 +38,8 @@ private:
 
     Workbench& bench_;
     SelectTool& select_;
-    QList<QAction*> ofSelected_;
-    QAction *paste_, *all_;
+    QList<QAction*> copying_;
+    QAction *delete_, *paste_, *all_;
     std::shared_ptr<const Scene> source_;  // null: nothing was copied
     QStringList pointers_;
     int pasted_ = 0;  // times since the copy: each lies a little further

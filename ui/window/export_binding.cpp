@@ -49,6 +49,12 @@ void addExportCommands(QMainWindow& window, Commands& commands, const Themes& th
     add("export.table", QMainWindow::tr("Export table…"), QMainWindow::tr("Numbers of the run as CSV."), ExportWhat::Numbers);
     add("export.film", QMainWindow::tr("Export film…"), QMainWindow::tr("All frames as MP4 or WebM."), ExportWhat::Film);
     add("export.all", QMainWindow::tr("Export everything…"), QMainWindow::tr("All figures and tables into a folder."), ExportWhat::Everything);
+    const auto enable = [&commands, &cursor] {
+        const QString why = cursor.run() ? QString() : QMainWindow::tr("There is no run yet; run the scene first.");
+        for (const char* id : {"export.figure", "export.table", "export.film", "export.all"}) commands.setWhyNot(id, why);
+    };
+    QObject::connect(&cursor, &TimeCursor::runChanged, exporting, enable);
+    enable();
 }
 
 }  // namespace keyblock

@@ -241,6 +241,31 @@ TEST(Tools, AHandleThatGoesWhileItIsHeldIsLetGo) {
     EXPECT_EQ(place.scene(), before);
 }
 
+TEST(Tools, CommandsAreOffWhereTheyWouldDoNothing) {
+    NEED_SCREEN();
+    Place place;
+    const auto isOn = [&](const char* id) { return place.commands.action(id)->isEnabled(); };
+    const auto areOn = [&](std::initializer_list<const char*> ids, bool on) {
+        for (const char* id : ids) EXPECT_EQ(isOn(id), on) << id;
+    };
+    areOn({"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete", "edit.selectAll"}, false);
+    place.drawDrift();
+    place.selection.clear();
+    EXPECT_TRUE(isOn("edit.selectAll"));
+    areOn({"edit.cut", "edit.copy", "edit.duplicate", "edit.delete"}, false);
+    place.selection.set({"/tunnels/0"});
+    areOn({"edit.cut", "edit.copy", "edit.duplicate", "edit.delete"}, true);
+    place.selection.set({"/domain"});  // there is one only
+    areOn({"edit.cut", "edit.copy", "edit.duplicate"}, false);
+    EXPECT_TRUE(isOn("edit.delete"));
+    place.selection.set({"/analysis"});
+    areOn({"edit.cut", "edit.copy", "edit.duplicate", "edit.delete"}, false);
+    place.selection.set({"/tunnels/0"});
+    place.commands.action("edit.cut")->trigger();
+    areOn({"edit.cut", "edit.copy", "edit.duplicate", "edit.delete"}, false);
+    EXPECT_TRUE(isOn("edit.paste"));
+}
+
 TEST(Tools, AmongResultsNothingIsAddedOrTakenOutUnseen) {
     NEED_SCREEN();
     Place place;
