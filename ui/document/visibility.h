@@ -3,16 +3,22 @@
 //
 // What a person has hidden in the section or locked against the mouse. It belongs
 // to looking, not to the scene: no file says it, no undo changes it. Things are
-// remembered by name, so that they stay hidden when others come or go.
+// remembered by name, so that they stay hidden when others come or go, and follow a
+// new name.
 #pragma once
+
+#include "ui/edit/pointer_change.h"
 
 #include <QObject>
 #include <QSet>
 #include <QString>
 
+#include <memory>
+
 namespace keyblock {
 
 class Document;
+struct Scene;
 
 class Visibility : public QObject {
     Q_OBJECT
@@ -37,9 +43,12 @@ private:
     bool has(const QSet<QString>& keys, const QString& pointer) const;
     QString keyOf(const QString& pointer) const;
     void put(QSet<QString>& keys, const QString& pointer, bool in);
+    void follow(const WhereNow& now);
+    QSet<QString> followed(const QSet<QString>& keys, const WhereNow& now) const;
 
     const Document& document_;
     QSet<QString> hidden_, locked_;
+    std::shared_ptr<const Scene> seen_;  // whose names they are
 };
 
 }  // namespace keyblock

@@ -176,6 +176,7 @@ TEST(SceneTree, DeletingTakesTheSelectionAway) {
     TreeBench bench(sampleScene("drift-bolted"));
     const Scene before = *bench.document.scene();
     bench.selection.set({"/joint_sets/0"});
+    bench.commands.add({"edit.delete", "Delete", "Edit", {}, {}, {QKeySequence::Delete}}, [] {});
     QTest::keyClick(&bench.tree.view(), Qt::Key_Delete);
     EXPECT_EQ(bench.document.scene()->jointSets.size(), before.jointSets.size() - 1);
     EXPECT_TRUE(bench.selection.isEmpty());
@@ -190,6 +191,25 @@ TEST(Visibility, HiddenThingsAreKnownByNameWhenOthersGo) {
     bench.document.apply("remove", removeAt(*bench.document.scene(), "/joint_sets/0").scene);
     EXPECT_TRUE(bench.visibility.isHidden("/joint_sets/0"));
     EXPECT_FALSE(bench.visibility.isHidden("/joint_sets/1"));
+}
+
+TEST(Visibility, WhatIsHiddenStaysSoUnderAnotherNameAndThroughUndo) {
+    NEED_SCREEN();
+    TreeBench bench(sampleScene("drift-bolted"));
+    bench.visibility.setHidden("/joint_sets/1", true);
+    bench.visibility.setLocked("/joint_sets/0", true);
+    bench.document.apply("rename", renameAt(*bench.document.scene(), "/joint_sets/1", "steep"));
+    EXPECT_TRUE(bench.visibility.isHidden("/joint_sets/1"));
+    EXPECT_FALSE(bench.visibility.isHidden("/joint_sets/0"));
+    EXPECT_TRUE(bench.visibility.isLocked("/joint_sets/0"));
+    bench.document.undo().undo();
+    EXPECT_TRUE(bench.visibility.isHidden("/joint_sets/1"));
+    bench.document.undo().redo();
+    bench.document.apply("remove", removeAt(*bench.document.scene(), "/joint_sets/0"));
+    EXPECT_TRUE(bench.visibility.isHidden("/joint_sets/0"));
+    bench.document.undo().undo();
+    EXPECT_TRUE(bench.visibility.isHidden("/joint_sets/1"));
+    EXPECT_TRUE(bench.visibility.isLocked("/joint_sets/0"));  // it came back under its name
 }
 
 TEST(Visibility, WhatIsHiddenGoesFromTheDrawing) {
