@@ -55,4 +55,10 @@ std::string stageName(const Scene& scene, int stage) {
     return holds(scene.stages, stage) ? scene.stages[stage].name : "";
 }
 
+std::string stageTitle(const Scene& scene, int stage) {
+    const std::string name = stageName(scene, stage);
+    const bool says = name.starts_with("stage") || name.starts_with("Stage");
+    return name.empty() || says ? name : "stage " + name;
+}
+
 }  // namespace keyblock

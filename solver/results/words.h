@@ -36,4 +36,7 @@ std::string boltName(const Scene& scene, int bolt);
 /// The stage's name; empty for an index that is no stage's.
 std::string stageName(const Scene& scene, int stage);
 
+/// The name with the word before it, said once: "stage release", "stage 4"; empty for an index that is no stage's.
+std::string stageTitle(const Scene& scene, int stage);
+
 }  // namespace keyblock

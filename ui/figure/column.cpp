@@ -5,10 +5,13 @@
 #include "solver/results/words.h"
 #include "ui/figure/mark_ink.h"
 #include "ui/figure/paper.h"
+#include "ui/picture/captions.h"
 #include "ui/picture/tick_labels.h"
 
 #include <QLinearGradient>
 #include <QPainter>
+
+#include <algorithm>
 
 namespace keyblock {
 
@@ -88,20 +91,27 @@ std::vector<EventRow> rowsOf(const Scene& scene, const EventList& events) {
     int stage = -1;
     for (const EventEntry& entry : events.entries) {
         if (entry.stage != stage && scene.stages.size() > 1)
-            rows.push_back({nullptr, "stage " + stageName(scene, entry.stage)});
+            rows.push_back({nullptr, stageTitle(scene, entry.stage)});
         stage = entry.stage;
         rows.push_back({&entry, {}});
     }
     return rows;
 }
 
-void drawEntry(Ink& ink, const Scene& scene, const EventEntry& entry, const Point& at, double width) {
+/// So wide that what let go begins at one place in all rows [mm].
+double timeRoom(const Scene& scene, const EventList& events) {
+    double room = 6.5;
+    for (const EventEntry& entry : events.entries)
+        room = std::max(room, textWidth(shortTimeText(scene, entry.stage, entry.time), text_style::body));
+    return room + 1.0;
+}
+
+void drawEntry(Ink& ink, const Scene& scene, const EventEntry& entry, const Point& at, double width, double timeRoom) {
     drawNumber(ink, at + Point(1.35, -0.72), entry.number, 1.35, {1.8, true});
     const std::string force = entry.bolt < 0 ? "" : numberText(entry.force * 1e-3) + " kN";
     ink.text(at + Point(width, 0.0), force, text_style::body, Align::Right);
-    const std::string time = timeText(scene, entry.stage, entry.time);
-    ink.text(at + Point(3.6, 0.0), time, text_style::body);
-    const double from = 3.6 + std::max(7.5, textWidth(time, text_style::body) + 1.0);
+    ink.text(at + Point(3.6, 0.0), shortTimeText(scene, entry.stage, entry.time), text_style::body);
+    const double from = 3.6 + timeRoom;
     const double room = width - from - textWidth(force, text_style::body) - 1.0;
     const double forName = std::max(8.0, room - textWidth(" " + entry.what, text_style::body));
     const std::string name = elided(entry.subject, text_style::body, forName, true);
@@ -185,13 +195,14 @@ ColumnItem eventsItem(const Scene& scene, const EventList& events, double width)
     const std::vector<std::string> notes = notesOf(events, width);
     const double listed = rows.empty() ? 0.0 : 1.2 + row * static_cast<double>(rows.size()) + 1.2;
     const double height = 2.0 + listed + noteRow * static_cast<double>(notes.size());
-    return {height, [&scene, rows, notes, width, listed](Ink& ink, const Point& at) {
+    const double room = timeRoom(scene, events);
+    return {height, [&scene, rows, notes, width, listed, room](Ink& ink, const Point& at) {
                 ink.text(at + Point(0.0, 2.0), "Events", text_style::heading);
                 double y = 3.2;
                 if (!rows.empty()) ink.line(at + Point(0.0, y), at + Point(width, y), {0.13, black});
                 for (const EventRow& item : rows) {
                     y += row;
-                    if (item.entry) drawEntry(ink, scene, *item.entry, at + Point(0.0, y - 0.4), width);
+                    if (item.entry) drawEntry(ink, scene, *item.entry, at + Point(0.0, y - 0.4), width, room);
                     else ink.text(at + Point(0.0, y - 0.4), item.heading, text_style::note);
                 }
                 if (!rows.empty()) ink.line(at + Point(0.0, y + 0.6), at + Point(width, y + 0.6), {0.13, black});

@@ -174,7 +174,7 @@ void StagesPanel::rename(QTreeWidgetItem* item) {
     if (stage >= static_cast<int>(scene.stages.size())) return;  // just gone
     const QString before = QString::fromStdString(scene.stages[static_cast<std::size_t>(stage)].name);
     if (item->text(NameColumn) == before) return;
-    apply(tr("Rename stage %1").arg(before),
+    apply(tr("Rename %1").arg(QString::fromStdString(titleAt(scene, pointerOf(stage).toStdString()))),
           renameAt(scene, pointerOf(stage).toStdString(), item->text(NameColumn).trimmed().toStdString()), {});
 }
 

@@ -13,7 +13,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostOfTitle = 90, mostOfStage = 40;  // letters
+constexpr std::size_t mostOfTitle = 90, mostOfStage = 46;  // letters
 constexpr std::size_t mostNamed = 3;  // of materials, joints and kinds of bolts
 
 void join(std::string& text, const std::string& part, const char* between) {
@@ -66,16 +66,21 @@ std::string timeText(const Scene& scene, int stage, double time) {
     return dynamic ? numberText(time) + " s" : numberText(time);
 }
 
+std::string shortTimeText(const Scene& scene, int stage, double time) {
+    const bool dynamic = scene.stages[static_cast<std::size_t>(stage)].kind == StageKind::Dynamic;
+    return dynamic && time > 0.0 && time < 0.1 ? numberText(1e3 * time) + " ms" : timeText(scene, stage, time);
+}
+
 std::string titleOf(const RunSource& run, std::optional<std::size_t> frame) {
     const Scene& scene = run.scene();
     const std::string title = shortened(scene.title.empty() ? "Section" : scene.title, mostOfTitle);
     if (!frame) return title + ", before the run";
     const FrameHead& head = run.frames()[*frame];
-    const std::string stage = shortened(stageName(scene, head.stage), mostOfStage);
+    const std::string stage = shortened(stageTitle(scene, head.stage), mostOfStage);
     const std::string time = timeText(scene, head.stage, head.time);
     if (scene.stages[static_cast<std::size_t>(head.stage)].kind == StageKind::Dynamic)
-        return title + ", stage " + stage + " at " + time;
-    return title + (head.time == 1.0 ? ", end of stage " + stage : ", stage " + stage + " at pseudo-time " + time);
+        return title + ", " + stage + " at " + time;
+    return title + (head.time == 1.0 ? ", end of " + stage : ", " + stage + " at pseudo-time " + time);
 }
 
 std::string subtitleOf(const Scene& scene, double factor) {

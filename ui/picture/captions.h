@@ -16,6 +16,9 @@ std::string titleOf(const RunSource& run, std::optional<std::size_t> frame);
 /// A moment of a stage: "0.212 s", or the pseudo-time "0.21" of a static one.
 std::string timeText(const Scene& scene, int stage, double time);
 
+/// The same where there is little room: "3.95 ms" of what takes less than a tenth of a second.
+std::string shortTimeText(const Scene& scene, int stage, double time);
+
 /// Rock, joints and bolts on one line, and how displacements are drawn.
 std::string subtitleOf(const Scene& scene, double factor);
 

@@ -190,16 +190,16 @@ void RunSession::tellEnding() {
     }
     if (ending_.stages.empty()) return;
     const StageResult& last = ending_.stages.back();
-    const QString name = QString::fromStdString(stageName(*order_.scene, last.stage));
+    const QString name = QString::fromStdString(stageTitle(*order_.scene, last.stage));
     const QString why = QString::fromStdString(last.message);
     switch (last.outcome) {
         case Outcome::Failed:
             failed_ = true;
-            message_ = tr("Stage %1 failed: %2. %3").arg(name, why, kept);
+            message_ = tr("Failed in %1: %2. %3").arg(name, why, kept);
             break;
-        case Outcome::Stopped: message_ = tr("Stopped in stage %1. %2").arg(name, kept); break;
-        case Outcome::Limit: message_ = tr("A limit was reached in stage %1: %2. %3").arg(name, why, kept); break;
-        case Outcome::Collapse: message_ = tr("Collapse in stage %1: %2.").arg(name, why); break;
+        case Outcome::Stopped: message_ = tr("Stopped in %1. %2").arg(name, kept); break;
+        case Outcome::Limit: message_ = tr("A limit was reached in %1: %2. %3").arg(name, why, kept); break;
+        case Outcome::Collapse: message_ = tr("Collapse in %1: %2.").arg(name, why); break;
         default: message_ = tr("The run is finished."); break;
     }
 }
@@ -220,10 +220,10 @@ std::optional<double> RunSession::secondsLeft() const {
 QString RunSession::stageText() const {
     if (!run_) return tr("Preparing");
     const int stage = run_->progress() ? run_->progress()->stage : 0;
-    return tr("Stage %1 of %2 · %3")
-        .arg(stage + 1)
-        .arg(order_.scene->stages.size())
-        .arg(QString::fromStdString(stageName(*order_.scene, stage)));
+    const QString at = tr("Stage %1 of %2").arg(stage + 1).arg(order_.scene->stages.size());
+    const std::string name = stageName(*order_.scene, stage);
+    const bool says = name == "stage " + std::to_string(stage + 1);  // as new ones are called
+    return says ? at : tr("%1 · %2").arg(at, QString::fromStdString(name));
 }
 
 long RunSession::steps() const { return run_ && run_->progress() ? run_->progress()->steps : 0; }
