@@ -193,7 +193,13 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
 
 /// What each curve has at the abscissa, by its point nearest to it.
 QString ChartView::valuesAt(double x) const {
-    QString text = QString::fromStdString(chart_->xTitle) + QStringLiteral(": ") + Display::number(x, 4);
+    QString text;
+    if (chart_->stages.empty()) {
+        text = QString::fromStdString(chart_->xTitle) + QStringLiteral(": ") + Display::number(x, 4);
+    } else {
+        const StageMoment moment = momentAt(chart_->stages, x);
+        text = QString::fromStdString(moment.span->name) + QStringLiteral(": ") + Display::number(moment.time, 4);
+    }
     for (const ChartPanel& panel : chart_->panels)
         for (const ChartCurve& curve : panel.curves) {
             if (curve.x.empty() || (curve.name.empty() && panel.curves.size() > 1)) continue;
@@ -220,9 +226,18 @@ QString ChartView::table() const {
     for (const ChartPanel& panel : chart_->panels)
         for (const ChartCurve& curve : panel.curves) {
             const std::string name = panel.title + (curve.name.empty() ? "" : " " + curve.name);
+            const bool staged = !chart_->stages.empty();
+            if (staged) text += tr("stage") + '\t';
             text += QString::fromStdString(chart_->xTitle) + '\t' + QString::fromStdString(name) + '\n';
-            for (std::size_t i = 0; i < curve.x.size(); ++i)
-                text += QString::number(curve.x[i], 'g', 12) + '\t' + QString::number(curve.y[i], 'g', 12) + '\n';
+            for (std::size_t i = 0; i < curve.x.size(); ++i) {
+                double x = curve.x[i];
+                if (staged) {
+                    const StageMoment moment = momentAt(chart_->stages, x);
+                    text += QString::fromStdString(moment.span->name) + '\t';
+                    x = moment.time;
+                }
+                text += QString::number(x, 'g', 12) + '\t' + QString::number(curve.y[i], 'g', 12) + '\n';
+            }
         }
     return text;
 }

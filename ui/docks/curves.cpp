@@ -237,10 +237,9 @@ void Curves::jump(double x) {
     cursor_.pause();
     if (entry->chart.overTime) {
         const RunTime time(*cursor_.run());
-        for (const StageSpan& span : time.stages())
-            if (x <= span.to || span.stage == time.stages().back().stage)
-                return cursor_.goTo(StageTime{span.stage, std::max(0.0, x - span.from)});
-        return;
+        if (time.stages().empty()) return;
+        const StageMoment moment = momentAt(time.stages(), x);
+        return cursor_.goTo(StageTime{moment.span->stage, moment.time});
     }
     x /= factorOf(entry->chart.xTitle, display_.numbers());
     std::size_t nearest = 0;

@@ -5,6 +5,7 @@
 #include "solver/results/reference_table.h"
 #include "ui/figure/application.h"
 #include "ui/figure/chart_pens.h"
+#include "ui/figure/chart_tickers.h"
 #include "ui/figure/paper.h"
 
 #include <qcustomplot.h>
@@ -17,26 +18,9 @@ namespace keyblock {
 namespace {
 
 constexpr double keySample = 6.0, keyGap = 3.0, keyRow = 2.8;  // [mm]
+constexpr double numbersFrom = 2.3, mostOfTitle = 14.0;  // [mm] numbers and their ticks from a panel and from a title
+constexpr double leastTickRow = 1.9, titleRim = 0.8;  // [mm]
 constexpr std::size_t mostMarks = 60;  // of a reference: more points are a line alone
-
-/// Our round numbers in place of QCustomPlot's, with a true minus.
-class RoundTicker : public QCPAxisTicker {
-public:
-    explicit RoundTicker(int most) : most_(most) {}
-    void generate(const QCPRange& range, const QLocale&, QChar, int, QVector<double>& ticks, QVector<double>* subTicks,
-                  QVector<QString>* labels) override {
-        const Ticks round = roundTicks({range.lower, range.upper}, most_);
-        ticks = QVector<double>(round.values.begin(), round.values.end());
-        if (subTicks) subTicks->clear();
-        if (!labels) return;
-        labels->clear();
-        for (const double value : round.values)
-            labels->append(QString::fromStdString(numberText(value, round.decimals)));
-    }
-
-private:
-    int most_;
-};
 
 /// SVG cannot clip, and all formats are to be alike; a dot on the axis stays whole.
 template <class Plottable>
@@ -55,11 +39,12 @@ TextStyle inked(TextStyle style, const Colour& colour) {
 
 class ChartPainter {
 public:
-    ChartPainter(const Chart& chart, double width, const ChartTheme& theme, const ChartLayout& layout)
-        : chart_(chart), theme_(theme), layout_(layout), keyRoom_(width - 16.0) {
+    ChartPainter(const Chart& chart, const Point& size, const ChartTheme& theme, const ChartLayout& layout)
+        : chart_(chart), theme_(theme), layout_(layout), size_(size), keyRoom_(size.x() - 16.0) {
         plot_.plotLayout()->clear();
         plot_.setBackground(Qt::NoBrush);
         plot_.plotLayout()->setRowSpacing(unitsOf(layout.panelGap));
+        makeRoomForTitles();
         auto* group = new QCPMarginGroup(&plot_);
         for (std::size_t i = 0; i < chart.panels.size(); ++i) addPanel(i, group);
     }
@@ -67,6 +52,7 @@ public:
     ChartPlace draw(QCPPainter& painter, const Box& box) {
         const Point size = box.max - box.min;
         plot_.setViewport(QRect(0, 0, unitsOf(size.x()), unitsOf(size.y())));
+        keepNumbersApart();
         plot_.replot(QCustomPlot::rpImmediateRefresh);
         painter.save();
         painter.translate(box.min.x() * unitsPerMm, box.min.y() * unitsPerMm);
@@ -83,6 +69,27 @@ public:
     }
 
 private:
+    /// Titles beside the panels stand left of the widest number of all.
+    void makeRoomForTitles() {
+        for (const ChartPanel& panel : chart_.panels) {
+            const Ticks ticks = roundTicks(panel.range, layout_.mostTicks);
+            for (const double value : ticks.values)
+                titlesFrom_ = std::max(titlesFrom_, numbersFrom + textWidth(numberText(value, ticks.decimals), text_style::tick));
+            const Title parted = partedTitle(panel.title);
+            for (const auto& [text, style] : {std::pair(parted.name, text_style::number), std::pair(parted.unit, text_style::note)})
+                titlesWidth_ = std::min(mostOfTitle, std::max(titlesWidth_, textWidth(text, style)));
+        }
+    }
+
+    /// Numbers of a low panel must not touch; how low it is, is known once all is laid out.
+    void keepNumbersApart() {
+        using Element = QCPLayoutElement;
+        for (const auto phase : {Element::upPreparation, Element::upMargins, Element::upLayout})
+            plot_.plotLayout()->update(phase);
+        for (std::size_t i = 0; i < rects_.size(); ++i)
+            tickers_[i]->setLeast(unitsOf(leastTickRow) / std::max(1.0, double(rects_[i]->height())));
+    }
+
     void styleAxis(QCPAxis* axis, bool labels) const {
         axis->setBasePen(chartPen(0.15, theme_.axis));
         axis->setTickPen(chartPen(0.15, theme_.axis));
@@ -110,17 +117,21 @@ private:
         plot_.plotLayout()->addElement(static_cast<int>(index), 0, rect);
         rect->setMarginGroup(QCP::msLeft | QCP::msRight, group);
         const double title = layout_.titlesBeside ? 0.8 : 1.4;
+        const double left = std::max(layout_.leftRoom, layout_.titlesBeside ? titlesFrom_ + titlesWidth_ + titleRim : 0.0);
         const double above = (index == 0 ? 1.2 + title : 1.2) + keyRow * keyRowsOf(panel), below = last ? 2.0 : 0.6;
         rect->setMinimumMargins(
-            QMargins(unitsOf(layout_.leftRoom), unitsOf(above), unitsOf(layout_.rightRoom), unitsOf(below)));
+            QMargins(unitsOf(left), unitsOf(above), unitsOf(layout_.rightRoom), unitsOf(below)));
         rects_.push_back(rect);
         QCPAxis* x = rect->axis(QCPAxis::atBottom);
         QCPAxis* y = rect->axis(QCPAxis::atLeft);
         styleAxis(x, last);
         styleAxis(y, true);
         x->grid()->setVisible(false);
-        x->setTicker(QSharedPointer<QCPAxisTicker>(new RoundTicker(8)));
-        y->setTicker(QSharedPointer<QCPAxisTicker>(new RoundTicker(layout_.mostTicks)));
+        const double length = size_.x() - left - layout_.rightRoom;
+        x->setTicker(chart_.stages.empty() ? QSharedPointer<QCPAxisTicker>(new RoundTicker(8))
+                                           : QSharedPointer<QCPAxisTicker>(new StageTicker(chart_, length)));
+        tickers_.push_back(QSharedPointer<RoundTicker>(new RoundTicker(layout_.mostTicks)));
+        y->setTicker(tickers_.back());
         x->setRange(chart_.x.low, chart_.x.high);
         y->setRange(panel.range.low, panel.range.high);
         if (last) x->setLabel(QString::fromStdString(elided(chart_.xTitle, text_style::body, keyRoom_ - 10.0, true)));
@@ -239,10 +250,10 @@ private:
     }
 
     void nameBeside(Ink& ink, const ChartPanel& panel, const QCPAxisRect& rect) const {
-        const Point at(rect.left() / unitsPerMm - 7.5, (rect.top() + 0.5 * rect.height()) / unitsPerMm);
+        const Point at(rect.left() / unitsPerMm - titlesFrom_, (rect.top() + 0.5 * rect.height()) / unitsPerMm);
         const Title parted = partedTitle(panel.title);
-        ink.text(at, elided(parted.name, text_style::number, layout_.leftRoom - 8.0),
-                 inked(text_style::number, theme_.text), Align::Right);
+        ink.text(at, elided(parted.name, text_style::number, titlesWidth_ + 0.01), inked(text_style::number, theme_.text),
+                 Align::Right);
         ink.text(at + Point(0.0, 2.6), parted.unit, inked(text_style::note, theme_.softText), Align::Right);
     }
 
@@ -297,9 +308,12 @@ private:
     const Chart& chart_;
     const ChartTheme& theme_;
     const ChartLayout& layout_;
+    Point size_;  // [mm]
     double keyRoom_;  // [mm]
+    double titlesFrom_ = 6.5, titlesWidth_ = 0.0;  // of titles beside: their right ends from the panels, and how wide [mm]
     QCustomPlot plot_;
     std::vector<QCPAxisRect*> rects_;
+    std::vector<QSharedPointer<RoundTicker>> tickers_;  // of the ordinates
 };
 
 }  // namespace
@@ -307,7 +321,7 @@ private:
 ChartPlace drawChart(QCPPainter& painter, const Chart& chart, const Box& box, const ChartTheme& theme,
                      const ChartLayout& layout) {
     needApplication();
-    return ChartPainter(chart, box.max.x() - box.min.x(), theme, layout).draw(painter, box);
+    return ChartPainter(chart, box.max - box.min, theme, layout).draw(painter, box);
 }
 
 }  // namespace keyblock

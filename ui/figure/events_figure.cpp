@@ -121,10 +121,10 @@ private:
 
     void drawAxis(Ink& ink, double y) const {
         ink.line({left_, y}, {right_, y}, {0.15, axis});
-        const Ticks ticks = roundTicks({0.0, time_.end()}, 8);
-        for (const double value : ticks.values) {
-            ink.line({at(value), y}, {at(value), y + 0.7}, {0.15, axis});
-            ink.text({at(value), y + 3.1}, numberText(value, ticks.decimals), text_style::note, Align::Centre);
+        const auto widthOf = [](const std::string& text) { return textWidth(text, text_style::note) + 1.2; };
+        for (const AxisTick& tick : stageTicks(time_.stages(), (right_ - left_) / time_.end(), widthOf)) {
+            ink.line({at(tick.at), y}, {at(tick.at), y + 0.7}, {0.15, axis});
+            ink.text({at(tick.at), y + 3.1}, tick.text, text_style::note, Align::Centre);
         }
         ink.text({0.5 * (left_ + right_), y + 6.2}, time_.title(), text_style::body, Align::Centre);
     }

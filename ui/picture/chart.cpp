@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace keyblock {
 
@@ -22,7 +23,50 @@ void nameOnce(std::vector<ChartLimit>& limits) {
             limit->name.clear();
 }
 
+constexpr int mostStageTicks = 8;
+
+using WidthOf = std::function<double(const std::string&)>;
+
+/// Ticks of one stage with at most `most` numbers, none beyond `end`, where the next stage has its first; none at all
+/// where they would touch.
+std::vector<AxisTick> ticksWithin(const StageSpan& span, int most, double end, double perUnit, const WidthOf& widthOf) {
+    const Ticks round = roundTicks({0.0, span.reached}, most);
+    std::vector<AxisTick> ticks;
+    double free = 0.0;
+    for (const double value : round.values) {
+        const AxisTick tick{span.from + (span.to - span.from) * value / span.reached, numberText(value, round.decimals)};
+        const double place = tick.at * perUnit, half = 0.5 * widthOf(tick.text);
+        if (place + half > end) break;
+        if (!ticks.empty() && place - half < free) return {};
+        free = place + half;
+        ticks.push_back(tick);
+    }
+    return ticks;
+}
+
 }  // namespace
+
+std::vector<AxisTick> stageTicks(const std::vector<StageSpan>& stages, double perUnit, const WidthOf& widthOf) {
+    std::vector<AxisTick> all;
+    double end = std::numeric_limits<double>::infinity();
+    for (auto span = stages.rbegin(); span != stages.rend(); ++span) {
+        if (!(span->reached > 0.0)) continue;
+        std::vector<AxisTick> ticks;
+        for (int most = mostStageTicks; most > 1 && ticks.empty(); --most)
+            ticks = ticksWithin(*span, most, end, perUnit, widthOf);
+        if (ticks.empty() && span->from * perUnit + 0.5 * widthOf("0") <= end) ticks.push_back({span->from, "0"});
+        all.insert(all.begin(), ticks.begin(), ticks.end());
+        if (!ticks.empty()) end = ticks.front().at * perUnit - 0.5 * widthOf(ticks.front().text);
+    }
+    return all;
+}
+
+StageMoment momentAt(const std::vector<StageSpan>& stages, double place) {
+    const auto found = std::find_if(stages.begin(), stages.end(), [&](const StageSpan& s) { return place <= s.to; });
+    const StageSpan& span = found == stages.end() ? stages.back() : *found;
+    const double room = span.to - span.from;
+    return {&span, room > 0.0 ? span.reached * std::clamp((place - span.from) / room, 0.0, 1.0) : 0.0};
+}
 
 void fitRange(ChartPanel& panel) {
     ValueRange range = panel.reached;

@@ -7,6 +7,7 @@
 
 #include "ui/picture/ticks.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -60,15 +61,44 @@ struct ChartZone {
     double from = 0.0, to = 0.0;
 };
 
+/// A stage on an axis of time.
+struct StageSpan {
+    int stage = 0;
+    std::string name;
+    double from = 0.0, to = 0.0;  // on the axis
+    double reached = 0.0;  // its own time at `to`: [s], or pseudo-time
+};
+
 struct Chart {
     std::string xTitle;  // with its unit
     ValueRange x;
     bool overTime = false;
+    std::vector<StageSpan> stages{};  // of an axis that holds several; empty: abscissas are what they say
     std::vector<ChartPanel> panels;
     std::vector<ChartZone> zones;  // tinted through all panels
     std::vector<double> dividers;  // dotted through all panels
     std::vector<double> events;  // faint lines through all panels, a tick on the axis
 };
+
+/// A number on an axis.
+struct AxisTick {
+    double at = 0.0;  // on the axis
+    std::string text;
+};
+
+/// Round times of each stage, as many as have room: `perUnit` is the length of one on the axis, `widthOf` that of a text
+/// with the gap beside it.
+std::vector<AxisTick> stageTicks(const std::vector<StageSpan>& stages, double perUnit,
+                                 const std::function<double(const std::string&)>& widthOf);
+
+/// A moment in a stage's own time.
+struct StageMoment {
+    const StageSpan* span;
+    double time = 0.0;
+};
+
+/// The moment at a place of the axis, the nearest end beyond it. \pre there are stages.
+StageMoment momentAt(const std::vector<StageSpan>& stages, double place);
 
 /// Sets the panel's range from its curves and what was reached, with zero, and with limits that lie within 1.5 times of what is reached;
 /// limits beyond go. A panel of nothing but zeros has the range 0 … 1.

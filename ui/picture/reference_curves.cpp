@@ -98,6 +98,8 @@ std::vector<double> ReferencePlacer::abscissas(std::size_t t, const Chart& chart
     std::vector<double> x = table.columns[static_cast<std::size_t>(found)].values;
     if (!chart.overTime)
         for (double& value : x) value = unitOfTitle(chart.xTitle).fromSi(value);
+    if (chart.overTime && table.stages.empty())
+        for (double& value : x) value = time_.atTotal(value);
     for (std::size_t row = 0; chart.overTime && row < table.stages.size(); ++row) {
         const auto stage = std::find(stages_.begin(), stages_.end(), table.stages[row]);
         const bool known = stage != stages_.end();

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/picture/run_time.h"
 
+#include "solver/results/words.h"
+
 #include <algorithm>
 
 namespace keyblock {
 
 namespace {
+
+constexpr double roomOfDynamic = 3.0;  // pseudo-time 1 of a static stage has 1
 
 /// The latest time that anything of each stage bears; −1 for one that was not begun.
 std::vector<double> reached(const RunSource& run) {
@@ -25,19 +29,32 @@ std::vector<double> reached(const RunSource& run) {
 
 RunTime::RunTime(const RunSource& run) {
     const std::vector<double> times = reached(run);
+    const bool several = std::count_if(times.begin(), times.end(), [](double time) { return time >= 0.0; }) > 1;
     bool anyStatic = false, anyDynamic = false;
     for (std::size_t stage = 0; stage < times.size(); ++stage) {
         if (times[stage] < 0.0) continue;
-        const double from = end();
-        stages_.push_back({static_cast<int>(stage), from, from + times[stage]});
-        (run.scene().stages[stage].kind == StageKind::Dynamic ? anyDynamic : anyStatic) = true;
+        const bool dynamic = run.scene().stages[stage].kind == StageKind::Dynamic;
+        const double from = end(), room = several && dynamic && times[stage] > 0.0 ? roomOfDynamic : times[stage];
+        const int index = static_cast<int>(stage);
+        stages_.push_back({index, stageName(run.scene(), index), from, from + room, times[stage]});
+        (dynamic ? anyDynamic : anyStatic) = true;
     }
-    title_ = !anyStatic ? "time (s)" : !anyDynamic ? "pseudo-time" : "time (s), a static stage as 1";
+    const std::string each = several ? " of each stage" : "";
+    title_ = anyDynamic ? "time" + each + (anyStatic ? " (s; static: pseudo-time)" : " (s)") : "pseudo-time" + each;
 }
 
 double RunTime::at(int stage, double time) const {
     for (const StageSpan& span : stages_)
-        if (span.stage == stage) return span.from + time;
+        if (span.stage == stage)
+            return span.from + (span.reached > 0.0 ? (span.to - span.from) * time / span.reached : 0.0);
+    return end();
+}
+
+double RunTime::atTotal(double time) const {
+    for (const StageSpan& span : stages_) {
+        if (time <= span.reached || span.stage == stages_.back().stage) return at(span.stage, time);
+        time -= span.reached;
+    }
     return end();
 }
 

@@ -173,8 +173,44 @@ TEST(RunTime, StagesStandOneAfterTheOther) {
     const RunTime time(MemoryRun(bricks.scene, bricks.results));
     ASSERT_EQ(time.stages().size(), 2u);
     EXPECT_DOUBLE_EQ(time.stages()[1].from, 1.0);
-    EXPECT_DOUBLE_EQ(time.at(1, 0.2), 1.2);
-    EXPECT_DOUBLE_EQ(time.end(), 1.5);  // the last event is at 0.5 s
+    EXPECT_DOUBLE_EQ(time.at(1, 0.2), 2.2);
+    EXPECT_DOUBLE_EQ(time.end(), 4.0);  // three times the room of a static one
+    EXPECT_DOUBLE_EQ(time.stages()[1].reached, 0.5);  // by the last event
+    EXPECT_DOUBLE_EQ(time.atTotal(1.25), 2.5);
+    EXPECT_EQ(momentAt(time.stages(), 2.2).span->stage, 1);
+    EXPECT_DOUBLE_EQ(momentAt(time.stages(), 2.2).time, 0.2);
+    EXPECT_EQ(momentAt(time.stages(), 0.25).span->stage, 0);
+    EXPECT_DOUBLE_EQ(momentAt(time.stages(), 99.0).time, 0.5);
+}
+
+TEST(RunTime, OneStageHasItsOwnTime) {
+    HistoryRun bricks;
+    std::erase_if(bricks.results.history, [](const HistoryRow& row) { return row.stage == 0; });
+    std::erase_if(bricks.results.frames, [](const Frame& frame) { return frame.stage == 0; });
+    std::erase_if(bricks.results.events, [](const Event& event) { return event.stage == 0; });
+    const RunTime time(MemoryRun(bricks.scene, bricks.results));
+    ASSERT_EQ(time.stages().size(), 1u);
+    EXPECT_DOUBLE_EQ(time.at(1, 0.2), 0.2);
+    EXPECT_EQ(time.title(), "time (s)");
+}
+
+TEST(RunTime, EachStageHasNumbersOfItsOwnThatDoNotTouch) {
+    const std::vector<StageSpan> stages{{0, "settle", 0.0, 1.0, 1.0}, {1, "burst", 1.0, 4.0, 0.008}};
+    const auto widthOf = [](const std::string& text) { return 1.2 * static_cast<double>(text.size()) + 1.0; };
+    for (const double length : {20.0, 60.0, 120.0}) {
+        const std::vector<AxisTick> ticks = stageTicks(stages, length / 4.0, widthOf);
+        double free = -100.0;
+        for (const AxisTick& tick : ticks) {
+            const double half = 0.5 * widthOf(tick.text), place = tick.at * length / 4.0;
+            EXPECT_GE(place - half, free - 1e-9) << tick.text << " at " << length;
+            free = place + half;
+        }
+        EXPECT_EQ(ticks.front().at, 0.0);
+        EXPECT_GT(ticks.size(), length < 30.0 ? 1u : 3u);
+    }
+    const std::vector<AxisTick> wide = stageTicks(stages, 30.0, widthOf);
+    EXPECT_EQ(wide.back().text, "0.008");
+    EXPECT_DOUBLE_EQ(wide.back().at, 4.0);
 }
 
 TEST(HistoryCharts, LoadOverDisplacementComesFirst) {
@@ -276,7 +312,7 @@ TEST(References, NamesDecideBetweenPanelsOfOneMeasure) {
     ASSERT_EQ(loose.references.size(), 1U);
     EXPECT_EQ(loose.references[0].severity, Severity::Error);
     EXPECT_NE(loose.references[0].message.find("'sag_mm' (length)"), std::string::npos);
-    EXPECT_NE(loose.references[0].remedy.find("Displacement along y (mm) over time (s)"), std::string::npos)
+    EXPECT_NE(loose.references[0].remedy.find("Displacement along y (mm) over time of each stage"), std::string::npos)
         << loose.references[0].remedy;
     EXPECT_TRUE(historyCharts(source, "crown.uy", {overTime("sag")}).references.empty());  // one panel: no doubt
 }
@@ -287,10 +323,10 @@ TEST(References, TimesOfAStageStandWhereTheStageDoes) {
     ReferenceTable table{"lab.csv", "lab", {"settle", run.scene.stages[1].name},
                          {{"time_s", "time", Measure::Time, {0.5, 0.25}}, {"pull_N", "pull", Measure::Force, {1e3, 2e3}}}};
     const HistoryCharts charts = historyCharts(source, "pull", {table});
-    EXPECT_EQ(referenceIn(charts.charts[0].panels[0])->x, (std::vector<double>{0.5, 1.25}));
+    EXPECT_EQ(referenceIn(charts.charts[0].panels[0])->x, (std::vector<double>{0.5, 2.5}));
     table.stages[0] = "setle";
     const HistoryCharts wrong = historyCharts(source, "pull", {table});
-    EXPECT_EQ(referenceIn(wrong.charts[0].panels[0])->x, (std::vector<double>{1.25}));
+    EXPECT_EQ(referenceIn(wrong.charts[0].panels[0])->x, (std::vector<double>{2.5}));
 }
 
 TEST(References, WhatIsLeftOverIsTold) {

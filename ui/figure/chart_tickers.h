@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where the numbers of a chart's axes stand: our round ones in place of QCustomPlot's.
+#pragma once
+
+#include "ui/figure/ink.h"
+#include "ui/picture/chart.h"
+
+#include <qcustomplot.h>
+
+#include <vector>
+
+namespace keyblock {
+
+/// Round numbers, with a true minus.
+class RoundTicker : public QCPAxisTicker {
+public:
+    explicit RoundTicker(int most) : most_(most) {}
+    /// Keeps them at least this share of the axis apart. Where there is room for one, it is the largest.
+    void setLeast(double share) { least_ = share; }
+    void generate(const QCPRange& range, const QLocale& locale, QChar format, int precision, QVector<double>& ticks,
+                  QVector<double>* subTicks, QVector<QString>* labels) override;
+
+private:
+    int most_;
+    double least_ = 0.0;
+};
+
+/// Round times of each stage on an axis of that length [mm].
+class StageTicker : public QCPAxisTicker {
+public:
+    StageTicker(const Chart& chart, double length);
+    void generate(const QCPRange& range, const QLocale& locale, QChar format, int precision, QVector<double>& ticks,
+                  QVector<double>* subTicks, QVector<QString>* labels) override;
+
+private:
+    std::vector<AxisTick> ticks_;
+};
+
+}  // namespace keyblock
