@@ -10,19 +10,32 @@ namespace keyblock {
 namespace {
 
 constexpr double gap = 1.2;  // between two times [mm]
+constexpr int mostTried = 9;
 
 }  // namespace
 
+/// A number alone tells no scale: the farthest from zero does, beside zero where both have room.
+Ticks RoundTicker::ticksIn(const ValueRange& range) const {
+    const double least = least_ * (range.high - range.low);
+    const auto touch = [&](const Ticks& t) { return t.values.size() > 1 && t.values[1] - t.values[0] < least; };
+    Ticks round = roundTicks(range, most_);
+    for (int most = most_ - 1; most > 1 && touch(round); --most) round = roundTicks(range, most);
+    if (round.values.size() > 1 && !touch(round)) return round;
+    for (int more = most_; more <= mostTried; ++more) {
+        Ticks ticks = roundTicks(range, more);
+        if (ticks.values.size() < 2) continue;
+        const auto& values = ticks.values;
+        const double far = std::abs(values.front()) > std::abs(values.back()) ? values.front() : values.back();
+        const bool zero = std::find(values.begin(), values.end(), 0.0) != values.end() && std::abs(far) >= least;
+        ticks.values = !zero ? std::vector{far} : far < 0.0 ? std::vector{far, 0.0} : std::vector{0.0, far};
+        return ticks;
+    }
+    return round;
+}
+
 void RoundTicker::generate(const QCPRange& range, const QLocale&, QChar, int, QVector<double>& ticks,
                            QVector<double>* subTicks, QVector<QString>* labels) {
-    Ticks round = roundTicks({range.lower, range.upper}, most_);
-    const auto touch = [&] {
-        return round.values.size() > 1 && round.values[1] - round.values[0] < least_ * (range.upper - range.lower);
-    };
-    for (int most = most_ - 1; most > 1 && touch(); --most) round = roundTicks({range.lower, range.upper}, most);
-    if (touch())
-        round.values = {*std::max_element(round.values.begin(), round.values.end(),
-                                          [](double a, double b) { return std::abs(a) < std::abs(b); })};
+    const Ticks round = ticksIn({range.lower, range.upper});
     ticks = QVector<double>(round.values.begin(), round.values.end());
     if (subTicks) subTicks->clear();
     if (!labels) return;

@@ -17,12 +17,14 @@ namespace keyblock {
 class RoundTicker : public QCPAxisTicker {
 public:
     explicit RoundTicker(int most) : most_(most) {}
-    /// Keeps them at least this share of the axis apart. Where there is room for one, it is the largest.
+    /// Keeps them at least this share of the axis apart.
     void setLeast(double share) { least_ = share; }
     void generate(const QCPRange& range, const QLocale& locale, QChar format, int precision, QVector<double>& ticks,
                   QVector<double>* subTicks, QVector<QString>* labels) override;
 
 private:
+    Ticks ticksIn(const ValueRange& range) const;
+
     int most_;
     double least_ = 0.0;
 };
