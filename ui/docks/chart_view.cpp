@@ -194,7 +194,7 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
 /// What each curve has at the abscissa, by its point nearest to it.
 QString ChartView::valuesAt(double x) const {
     QString text;
-    if (chart_->stages.empty()) {
+    if (!chart_->isStaged()) {
         text = QString::fromStdString(chart_->xTitle) + QStringLiteral(": ") + Display::number(x, 4);
     } else {
         const StageMoment moment = momentAt(chart_->stages, x);
@@ -226,7 +226,7 @@ QString ChartView::table() const {
     for (const ChartPanel& panel : chart_->panels)
         for (const ChartCurve& curve : panel.curves) {
             const std::string name = panel.title + (curve.name.empty() ? "" : " " + curve.name);
-            const bool staged = !chart_->stages.empty();
+            const bool staged = chart_->isStaged();
             if (staged) text += tr("stage") + '\t';
             text += QString::fromStdString(chart_->xTitle) + '\t' + QString::fromStdString(name) + '\n';
             for (std::size_t i = 0; i < curve.x.size(); ++i) {

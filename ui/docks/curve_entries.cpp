@@ -16,6 +16,8 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Curves", text); }
 
+constexpr double roundOff = 1e-9;
+
 /// The first curve whole: where there was no number it lies in pieces.
 void addPieces(CurveEntry& entry, const ChartPanel& panel) {
     for (const ChartCurve& piece : panel.curves) {
@@ -90,15 +92,60 @@ std::vector<CurveEntry> pinEntries(const RunSource& run, const std::vector<std::
     return entries;
 }
 
+namespace {
+
+/// The axis of one run, longer where another went on.
+std::vector<StageSpan> lengthened(std::vector<StageSpan> axis, const std::vector<StageSpan>& other) {
+    for (const StageSpan& span : other) {
+        StageSpan& last = axis.back();
+        if (span.stage == last.stage && span.reached > last.reached && last.reached > 0.0) {
+            last.to = last.from + (last.to - last.from) * span.reached / last.reached;
+            last.reached = span.reached;
+        } else if (span.stage > last.stage) {
+            const double from = last.to;
+            axis.push_back({span.stage, span.name, from, from + (span.to - span.from), span.reached});
+        }
+    }
+    return axis;
+}
+
+/// A curve on the axis of another run: each moment where the same time of the same stage stands there.
+ChartCurve onAxis(ChartCurve curve, const std::vector<StageSpan>& own, const std::vector<StageSpan>& axis) {
+    ChartCurve placed = curve;
+    placed.x.clear();
+    placed.y.clear();
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        const StageMoment moment = momentAt(own, curve.x[i]);
+        const auto span = std::find_if(axis.begin(), axis.end(),
+                                       [&](const StageSpan& s) { return s.stage == moment.span->stage; });
+        if (span == axis.end() || !(span->reached > 0.0) || moment.time > (1.0 + roundOff) * span->reached) continue;
+        placed.x.push_back(span->from + (span->to - span->from) * moment.time / span->reached);
+        placed.y.push_back(curve.y[i]);
+    }
+    return placed;
+}
+
+}  // namespace
+
 void addOther(CurveEntry& shown, const CurveEntry& other, const QString& name) {
     ChartPanel& panel = shown.chart.panels.front();
+    const std::vector<StageSpan>& others = other.chart.stages;
+    const bool overTime = !shown.chart.stages.empty() && !others.empty();
+    if (overTime) {
+        shown.chart.stages = lengthened(shown.chart.stages, others);
+        shown.chart.dividers.clear();
+        for (const StageSpan& span : shown.chart.stages)
+            if (span.from > 0.0) shown.chart.dividers.push_back(span.from);
+    }
     for (ChartCurve curve : other.chart.panels.front().curves) {
+        if (overTime) curve = onAxis(std::move(curve), others, shown.chart.stages);
         curve.ofOther = true;
         if (!curve.name.empty()) curve.name += " (" + name.toStdString() + ")";
         panel.curves.push_back(std::move(curve));
     }
     ValueRange& x = shown.chart.x;
-    x = {std::min(x.low, other.chart.x.low), std::max(x.high, other.chart.x.high)};
+    x = overTime ? ValueRange{x.low, shown.chart.stages.back().to}
+                 : ValueRange{std::min(x.low, other.chart.x.low), std::max(x.high, other.chart.x.high)};
     panel.range = {0.0, 0.0};
     for (const ChartLimit& limit : other.chart.panels.front().limits)
         if (panel.limits.empty()) panel.limits.push_back(limit);

@@ -128,8 +128,8 @@ private:
         styleAxis(y, true);
         x->grid()->setVisible(false);
         const double length = size_.x() - left - layout_.rightRoom;
-        x->setTicker(chart_.stages.empty() ? QSharedPointer<QCPAxisTicker>(new RoundTicker(8))
-                                           : QSharedPointer<QCPAxisTicker>(new StageTicker(chart_, length)));
+        x->setTicker(chart_.isStaged() ? QSharedPointer<QCPAxisTicker>(new StageTicker(chart_, length))
+                                       : QSharedPointer<QCPAxisTicker>(new RoundTicker(8)));
         tickers_.push_back(QSharedPointer<RoundTicker>(new RoundTicker(layout_.mostTicks)));
         y->setTicker(tickers_.back());
         x->setRange(chart_.x.low, chart_.x.high);

@@ -73,11 +73,14 @@ struct Chart {
     std::string xTitle;  // with its unit
     ValueRange x;
     bool overTime = false;
-    std::vector<StageSpan> stages{};  // of an axis that holds several; empty: abscissas are what they say
+    std::vector<StageSpan> stages{};  // of an axis of time
     std::vector<ChartPanel> panels;
     std::vector<ChartZone> zones;  // tinted through all panels
     std::vector<double> dividers;  // dotted through all panels
     std::vector<double> events;  // faint lines through all panels, a tick on the axis
+
+    /// Abscissas are places on an axis on which each stage has its own time; else they are what the title says.
+    bool isStaged() const { return stages.size() > 1; }
 };
 
 /// A number on an axis.

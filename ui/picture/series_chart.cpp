@@ -31,7 +31,7 @@ Chart chartOverTime(const RunTime& time, const std::vector<Event>& events) {
     chart.xTitle = time.title();
     chart.x = {0.0, time.end()};
     chart.overTime = true;
-    if (time.stages().size() > 1) chart.stages = time.stages();
+    chart.stages = time.stages();
     for (const StageSpan& span : time.stages())
         if (span.from > 0.0) chart.dividers.push_back(span.from);
     for (const Event& event : events)

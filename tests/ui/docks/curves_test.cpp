@@ -4,6 +4,7 @@
 // The dock of curves: what was pinned is shown and goes by its cross, any number
 // stands over any other, and a second run's curves stand beside, drawn broken. The bar
 // of the view shows one kind of arrows at a time.
+#include "ui/docks/curve_entries.h"
 #include "ui/docks/curves.h"
 
 #include "tests/scratch_folder.h"
@@ -115,6 +116,32 @@ TEST_F(CurvesTest, AnyNumberStandsOverAnyOtherAndBesideThatOfAnotherRun) {
     cursor.setRun(nullptr, false);
     curves.setOther(other, "Run 2");  // without a first run nothing is drawn
     EXPECT_FALSE(view->chart());
+}
+
+TEST(CurveEntries, AnotherRunStandsAtTheSameTimesOfTheSameStages) {
+    const auto entryOf = [](std::vector<StageSpan> stages, std::vector<double> x) {
+        CurveEntry entry;
+        entry.chart.overTime = true;
+        entry.chart.stages = std::move(stages);
+        entry.chart.x = {0.0, entry.chart.stages.back().to};
+        ChartPanel panel;
+        panel.curves.push_back({"", CurveStyle::Main, x, std::vector<double>(x.size(), 1.0)});
+        entry.chart.panels = {panel};
+        return entry;
+    };
+    const std::vector<StageSpan> own{{0, "settle", 0.0, 1.0, 1.0}, {1, "burst", 1.0, 4.0, 0.008}};
+    CurveEntry shown = entryOf(own, {0.5, 2.5});
+    addOther(shown, entryOf({{0, "settle", 0.0, 1.0, 1.0}, {1, "burst", 1.0, 4.0, 0.004}}, {0.5, 2.5, 4.0}), "Run 2");
+    EXPECT_EQ(shown.chart.panels[0].curves[0].x, (std::vector<double>{0.5, 2.5}));
+    EXPECT_EQ(shown.chart.panels[0].curves[1].x, (std::vector<double>{0.5, 1.75, 2.5}));  // it came half as far
+    EXPECT_EQ(shown.chart.x.high, 4.0);
+    shown = entryOf(own, {0.5, 2.5});  // one that went on
+    addOther(shown, entryOf({{0, "settle", 0.0, 1.0, 1.0}, {1, "burst", 1.0, 4.0, 0.016}, {2, "rest", 4.0, 5.0, 1.0}},
+                            {4.0, 4.5}),
+             "Run 2");
+    EXPECT_EQ(shown.chart.panels[0].curves[1].x, (std::vector<double>{7.0, 7.5}));
+    EXPECT_EQ(shown.chart.x.high, 8.0);
+    EXPECT_EQ(shown.chart.dividers, (std::vector<double>{1.0, 7.0}));
 }
 
 TEST_F(CurvesTest, ArrowsAreOfOneKindAtATime) {
