@@ -43,7 +43,7 @@ void collect(const Structure& structure, const void* object, const std::string& 
             out.objects.push_back(field.kind == FieldKind::Object ? place
                                   : field.kind == FieldKind::List ? under(place, i)
                                                                   : under(place, children.name(object, i)));
-            collect(children.structure(), children.item(object, i), out.objects.back(), out);
+            collect(children.structure(), children.item(object, i), std::string(out.objects.back()), out);
         }
     }
 }
