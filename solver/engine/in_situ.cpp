@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/in_situ.h"
 
+#include "geometry/grid.h"
 #include "solver/engine/contact_candidates.h"
 #include "solver/engine/contacts.h"
 #include "solver/engine/glue.h"
@@ -107,10 +108,21 @@ void preloadGlue(const Model& model, State& state, const Tractions& tractions) {
     }
 }
 
+/// Boxes of the rock, by which its blocks are found near an edge.
+BoxGrid rockGrid(const Model& model) {
+    std::vector<Box> boxes;
+    for (int block = 0; block < model.firstOf.back(); ++block)
+        boxes.push_back(boxOf(startCorners(model.blocks[block])));
+    return BoxGrid(std::move(boxes));
+}
+
 /// Stretches of an edge that no edge of another block lies along, as shares of its length.
-std::vector<std::pair<double, double>> freeStretches(const Model& model, int block, const Edge& edge) {
+std::vector<std::pair<double, double>> freeStretches(const Model& model, const BoxGrid& rock, int block,
+                                                     const Edge& edge) {
     std::vector<std::pair<double, double>> free{{0.0, edge.length}};
-    for (int other = 0; other < model.firstOf.back(); ++other) {
+    const Point end = edge.start + edge.length * edge.along;
+    const Box near = grown({edge.start.cwiseMin(end), edge.start.cwiseMax(end)}, 2.0 * touching * model.tolerance);
+    for (int other : rock.meeting(near)) {
         if (other == block) continue;
         const std::vector<Point> corners = startCorners(model.blocks[other]);
         for (int e = 0; e < static_cast<int>(corners.size()); ++e) {
@@ -130,12 +142,12 @@ std::vector<std::pair<double, double>> freeStretches(const Model& model, int blo
 }
 
 /// What the free faces that end at a point of a block give to it [N].
-Point freeForce(const Model& model, const Tractions& tractions, int block, const Point& place) {
+Point freeForce(const Model& model, const Tractions& tractions, const BoxGrid& rock, int block, const Point& place) {
     const std::vector<Point> corners = startCorners(model.blocks[block]);
     Point force{0.0, 0.0};
     for (int e = 0; e < static_cast<int>(corners.size()); ++e) {
         const Edge edge = edgeOf(corners, e);
-        for (const auto& [from, to] : freeStretches(model, block, edge)) {
+        for (const auto& [from, to] : freeStretches(model, rock, block, edge)) {
             const Point a = edge.start + from * edge.along, b = edge.start + to * edge.along;
             if ((a - place).norm() <= touching * model.tolerance) force += tractions.endForce(a, b, edge.outward);
             if ((b - place).norm() <= touching * model.tolerance) force += tractions.endForce(b, a, edge.outward);
@@ -147,11 +159,12 @@ Point freeForce(const Model& model, const Tractions& tractions, int block, const
 }  // namespace
 
 void preloadHeldPoints(const Scene& scene, Model& model) {
-    if (!scene.inSituStress) return;
+    if (!scene.inSituStress || model.held.empty()) return;
     const Tractions tractions(scene, model);
+    const BoxGrid rock = rockGrid(model);
     for (HeldPoint& held : model.held) {
         const Point place = model.blocks[held.block].centroid + held.place;
-        const Point force = freeForce(model, tractions, held.block, place);
+        const Point force = freeForce(model, tractions, rock, held.block, place);
         for (int axis : {0, 1}) {
             const auto holds = [&](const HeldPoint& other) {
                 const bool same = other.block == held.block && (other.place - held.place).norm() <= model.tolerance;
