@@ -157,7 +157,10 @@ bool Document::openPart(const QString& path) {
 void Document::save(const QString& path) {
     writeSceneFile(path.toStdString(), *scene_);
     path_ = QFileInfo(path).absoluteFilePath();
-    undo_->setClean();
+    {
+        const QSignalBlocker quiet(this);  // that nothing is modified any more is told with the path
+        undo_->setClean();
+    }
     Q_EMIT fileChanged();
 }
 

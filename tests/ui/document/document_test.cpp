@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <vector>
 
 namespace keyblock {
 namespace {
@@ -173,6 +174,18 @@ TEST(Documents, WhatDoesNotApplyIsNeverHeldNorSaved) {
     EXPECT_FALSE(document.scene()->stages[0].increments);
     document.save(path);
     EXPECT_TRUE(document.open(path).empty());
+}
+
+TEST(Documents, SavingIsToldOnce) {
+    NEED_SCREEN();
+    const test::ScratchFolder scratch;
+    const QString path = QString::fromStdString((scratch.path() / "scene.json").string());
+    Document document;
+    document.apply("Set title", titled("saved"));
+    std::vector<bool> modified;
+    QObject::connect(&document, &Document::fileChanged, [&] { modified.push_back(document.isModified()); });
+    document.save(path);
+    EXPECT_EQ(modified, std::vector{false});
 }
 
 TEST(Documents, AFileThatIsTakenAwayCountsAsNotSaved) {
