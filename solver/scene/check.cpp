@@ -40,7 +40,7 @@ bool hasSection(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Problem> checkScene(const Scene& document, std::optional<SceneCut>* made) {
+std::vector<Problem> checkScene(const Scene& document, std::optional<SceneCut>* made, const std::atomic<bool>* stop) {
     CheckReport report;
     checkFields(sceneStructure(), &document, "", report);
     std::optional<SceneCut> cut;
@@ -48,17 +48,13 @@ std::vector<Problem> checkScene(const Scene& document, std::optional<SceneCut>* 
     if (hasSection(document)) {
         CheckContext context{document, geometricTolerance(document), {}, {}, document, false, report};
         checkSection(context);
-        if (!isCut && mayCut(report)) cut = cutScene(document);
+        if (!isCut && mayCut(report)) cut = cutScene(document, stop);
         isCut = isCut || cut;
     }
     const Scene& scene = cut ? cut->scene : document;
     CheckContext context{scene, geometricTolerance(scene), {}, {}, document, isCut, report};
-    checkRock(context);
-    checkBoltTypes(context);
-    checkBolts(context);
-    checkBodies(context);
-    checkStages(context);
-    checkWatch(context);
+    for (const auto part : {checkRock, checkBoltTypes, checkBolts, checkBodies, checkStages, checkWatch})
+        if (!stop || !*stop) part(context);
     if (made) *made = std::move(cut);
     return std::move(report.problems);
 }

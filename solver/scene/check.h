@@ -10,6 +10,7 @@
 #include "solver/scene/scene.h"
 #include "solver/scene/scene_cut.h"
 
+#include <atomic>
 #include <optional>
 #include <vector>
 
@@ -18,7 +19,9 @@ namespace keyblock {
 /// Everything that is wrong with `scene`, in the order of its parts, with pointers but without file and line.
 /// Bears any scene, however broken; a scene without errors can be run.
 /// \param cut takes what the scene was cut to; none where it needs no cut, or something keeps it from being cut.
-std::vector<Problem> checkScene(const Scene& scene, std::optional<SceneCut>* cut = nullptr);
+/// \param stop where it becomes true, the check ends soon and says nothing that counts; null: it goes to its end.
+std::vector<Problem> checkScene(const Scene& scene, std::optional<SceneCut>* cut = nullptr,
+                                const std::atomic<bool>* stop = nullptr);
 
 /// Only what is wrong with single values: ranges, empty names, fields where they do not belong.
 std::vector<Problem> checkValues(const Scene& scene);

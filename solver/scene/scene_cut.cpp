@@ -159,14 +159,14 @@ private:
 };
 
 /// Cuts until no block has an opening; one round of splits parts them all but where the cut's rounding closes one.
-Cut cutWithoutOpenings(const Scene& scene, SceneTraces& traces, int& splits) {
+Cut cutWithoutOpenings(const Scene& scene, SceneTraces& traces, int& splits, const std::atomic<bool>* stop) {
     constexpr int mostRounds = 8;
     const std::vector<CutDomain> domains{{0, scene.domain->boundary}};
     const int source = static_cast<int>(traces.sources.size());
     Cut cut = cutIntoBlocks(domains, traces.traces, cutSettings(scene));
     traces.sources.push_back({"intact rock", intactJoint});
     const std::vector<CutNote> notes = cut.notes;  // of what the scene draws, not of the splits
-    for (int round = 0; round < mostRounds; ++round) {
+    for (int round = 0; round < mostRounds && !(stop && *stop); ++round) {
         const std::size_t before = traces.traces.size();
         for (const CutBlock& block : cut.blocks) addSplits(cut, block, source, traces.traces);
         if (traces.traces.size() == before) break;
@@ -183,9 +183,10 @@ void findDilated(const Scene& scene, std::vector<Stage>& stages) {
         for (Dilation& dilation : stage.dilations) dilation.source = traceSource(scene, dilation.joint);
 }
 
-void cutDomain(const Scene& scene, SceneCut& result) {
+void cutDomain(const Scene& scene, SceneCut& result, const std::atomic<bool>* stop) {
     SceneTraces traces = tracesOf(scene);
-    const Cut cut = cutWithoutOpenings(scene, traces, result.split);
+    const Cut cut = cutWithoutOpenings(scene, traces, result.split, stop);
+    if (stop && *stop) return;
     Builder builder(scene, cut, traces, result);
     for (const CutBlock& block : cut.blocks) builder.add(block);
     result.notes = cut.notes;
@@ -226,10 +227,10 @@ bool needsCut(const Scene& scene) {
     return scene.domain.has_value() || (!scene.boltPatterns.empty() && !isLaidOut(scene));
 }
 
-SceneCut cutScene(const Scene& scene) {
+SceneCut cutScene(const Scene& scene, const std::atomic<bool>* stop) {
     SceneCut result;
     result.scene = scene;
-    if (scene.domain) cutDomain(scene, result);
+    if (scene.domain) cutDomain(scene, result, stop);
     for (std::size_t i = 0; i < scene.boltPatterns.size() && !isLaidOut(scene); ++i)
         layOutPattern(scene, static_cast<int>(i), result.scene.bolts);
     return result;

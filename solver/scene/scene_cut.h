@@ -10,6 +10,7 @@
 #include "geometry/cut.h"
 #include "solver/scene/scene.h"
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -37,8 +38,9 @@ bool needsCut(const Scene& scene);
 
 /// Cuts the domain and lays out the patterns; a scene that needs neither comes back as it is. The result does not
 /// depend on the order of joints, sets and tunnels but where their traces coincide: the first has the face.
+/// \param stop where it becomes true, the cut ends soon and is not to be used; null: it goes to its end.
 /// \pre the scene was checked without errors.
-SceneCut cutScene(const Scene& scene);
+SceneCut cutScene(const Scene& scene, const std::atomic<bool>* stop = nullptr);
 
 /// The word for a kind of note, e.g. `trimmed end`.
 std::string_view wordOf(CutNoteKind kind);

@@ -33,14 +33,16 @@ public:
     /// From within a job: another one waits in its place, or nobody does any more.
     bool isOvertaken() const { return overtaken_; }
 
+    /// From within a job whose result is wanted even where it is overtaken: true once nobody waits any more.
+    const std::atomic<bool>& ends() const { return ends_; }
+
 private:
     void work();
 
     std::mutex mutex_;
     std::condition_variable wake_;
     std::function<Result()> next_;
-    bool ends_ = false;
-    std::atomic<bool> overtaken_{false};
+    std::atomic<bool> ends_{false}, overtaken_{false};
     std::thread thread_;
 };
 

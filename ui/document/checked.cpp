@@ -8,12 +8,14 @@
 namespace keyblock {
 
 // Whatever a check throws (memory that ran out, say) is a problem to be told, never the end of the program.
-std::shared_ptr<const Checked> checkedOf(const std::shared_ptr<const Scene>& scene) {
+std::shared_ptr<const Checked> checkedOf(const std::shared_ptr<const Scene>& scene,
+                                         const std::atomic<bool>* stop) {
     auto checked = std::make_shared<Checked>();
     checked->scene = scene;
     try {
         std::optional<SceneCut> cut;
-        checked->problems = checkScene(*scene, &cut);
+        checked->problems = checkScene(*scene, &cut, stop);
+        if (stop && *stop) return checked;
         if (cut) checked->cut = std::make_shared<const SceneCut>(std::move(*cut));
         const Scene& solved = checked->cut ? checked->cut->scene : *scene;
         if (!hasErrors(checked->problems) && !solved.blocks.empty())

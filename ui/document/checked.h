@@ -8,6 +8,7 @@
 #include "solver/scene/check.h"
 #include "ui/document/drawing.h"
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct Checked {
 };
 
 /// Checks, cuts and draws a scene here and now; whatever goes wrong is a problem.
-std::shared_ptr<const Checked> checkedOf(const std::shared_ptr<const Scene>& scene);
+/// \param stop where it becomes true, it ends soon with what it has; null: it goes to its end.
+std::shared_ptr<const Checked> checkedOf(const std::shared_ptr<const Scene>& scene,
+                                         const std::atomic<bool>* stop = nullptr);
 
 }  // namespace keyblock

@@ -195,7 +195,7 @@ void Document::start(Scene scene, const QString& path, const QString& name) {
 void Document::show() {
     Q_EMIT changed();
     checking_->ask([this, scene = scene()]() -> Background::Result {
-        return [this, checked = checkedOf(scene)] {
+        return [this, checked = checkedOf(scene, &checking_->ends())] {
             checked_ = checked;
             Q_EMIT checkedChanged();
         };

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <vector>
 
@@ -186,6 +187,14 @@ TEST(Documents, SavingIsToldOnce) {
     QObject::connect(&document, &Document::fileChanged, [&] { modified.push_back(document.isModified()); });
     document.save(path);
     EXPECT_EQ(modified, std::vector{false});
+}
+
+TEST(Documents, ACheckThatNobodyWaitsForIsNotGoneOnWith) {
+    const SceneReading reading = readSceneFile(KEYBLOCK_SAMPLES_DIR "/drift-bolted.json");
+    ASSERT_TRUE(reading.scene);
+    const std::atomic<bool> stop{true};
+    const auto checked = checkedOf(std::make_shared<const Scene>(*reading.scene), &stop);
+    EXPECT_FALSE(checked->picture);
 }
 
 TEST(Documents, AFileThatIsTakenAwayCountsAsNotSaved) {
