@@ -6,6 +6,7 @@
 #include "solver/files/scene_file.h"
 #include "solver/files/scene_rescue.h"
 #include "ui/document/background.h"
+#include "ui/document/late_scene.h"
 #include "ui/edit/edit.h"
 #include "ui/edit/locate.h"
 #include "ui/edit/settle.h"
@@ -38,15 +39,21 @@ SceneRescue rescued(const QString& path, const QByteArray& content) {
 /// The one kind of step: the scene before and the scene after.
 class SceneStep : public QUndoCommand {
 public:
-    SceneStep(Document& document, const QString& text, std::shared_ptr<const Scene> after, PointerChange pointers = {})
-        : QUndoCommand(text), document_(document), before_(document.committed()), after_(std::move(after)),
+    using Late = std::shared_ptr<const LateScene>;
+
+    SceneStep(Document& document, const QString& text, Late before, Late after, PointerChange pointers = {})
+        : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)),
           pointers_(std::move(pointers)) {}
-    void undo() override { document_.take(*after_, before_, pointers_.reversed()); }
-    void redo() override { document_.take(*before_, after_, pointers_); }
+    void undo() override {
+        if (!document_.isRestoring_) document_.take(*after_->get(), before_->get(), pointers_.reversed());
+    }
+    void redo() override {
+        if (!document_.isRestoring_) document_.take(*before_->get(), after_->get(), pointers_);
+    }
 
 private:
     Document& document_;
-    std::shared_ptr<const Scene> before_, after_;
+    Late before_, after_;
     PointerChange pointers_;
 };
 
@@ -82,7 +89,11 @@ void Document::apply(const QString& step, Scene after, PointerChange pointers) {
         if (previewed) show();
         return;
     }
-    undo_->push(new SceneStep(*this, step, std::make_shared<const Scene>(std::move(after)), std::move(pointers)));
+    const auto late = [](std::shared_ptr<const Scene> scene) {
+        return std::make_shared<const LateScene>(std::move(scene));
+    };
+    undo_->push(new SceneStep(*this, step, late(scene_), late(std::make_shared<const Scene>(std::move(after))),
+                              std::move(pointers)));
 }
 
 void Document::preview(Scene during) {
@@ -113,18 +124,24 @@ void Document::startNew(Scene scene, const QString& name, bool isWork) {
     Q_EMIT fileChanged();
 }
 
-void Document::restore(std::vector<RestoredStep> steps, std::size_t index, std::optional<std::size_t> saved,
+void Document::restore(const std::vector<RestoredStep>& steps, std::size_t index, std::optional<std::size_t> saved,
                        const QString& path, const QString& name) {
-    start(*steps.front().scene, path, name);
+    undo_->clear();
+    path_ = path;
+    name_ = name;
+    setScene(steps[index].scene->get());
+    Q_EMIT replaced();
     {
         const QSignalBlocker quiet(this);  // one change is told, not one for each step
-        for (std::size_t i = 1; i < steps.size(); ++i) undo_->push(new SceneStep(*this, steps[i].name, steps[i].scene));
+        isRestoring_ = true;
+        for (std::size_t i = 1; i < steps.size(); ++i)
+            undo_->push(new SceneStep(*this, steps[i].name, steps[i - 1].scene, steps[i].scene));
         if (saved) undo_->setIndex(static_cast<int>(*saved));
         if (saved) undo_->setClean();
         else undo_->resetClean();
         undo_->setIndex(static_cast<int>(index));
+        isRestoring_ = false;
     }
-    show();
     Q_EMIT fileChanged();
 }
 

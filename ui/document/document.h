@@ -22,12 +22,13 @@ class QUndoStack;
 namespace keyblock {
 
 class Background;
+class LateScene;
 struct Edit;
 
 /// A scene with the name of the step that led to it.
 struct RestoredStep {
     QString name;  // of the first empty
-    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const LateScene> scene;
 };
 
 /// What was found in a file that does not open cleanly.
@@ -77,9 +78,10 @@ public:
     /// Replaces everything by a scene that no file holds yet. `isWork`: it counts as edited, as an import does.
     void startNew(Scene scene, const QString& name = {}, bool isWork = false);
 
-    /// Replaces everything by a document with its steps of undo, of which `index` stands and the file holds `saved`.
-    /// \pre `steps` is not empty, both count within it.
-    void restore(std::vector<RestoredStep> steps, std::size_t index, std::optional<std::size_t> saved,
+    /// Replaces everything by a document with its steps of undo, of which `index` stands and the file holds `saved`. The
+    /// other scenes are read when undo or redo comes to them.
+    /// \pre `steps` is not empty, both count within it; every scene can be read.
+    void restore(const std::vector<RestoredStep>& steps, std::size_t index, std::optional<std::size_t> saved,
                  const QString& path, const QString& name);
 
     /// Opens a file. What keeps it from being opened comes back, and the document stays as it was; warnings of a scene
@@ -117,6 +119,7 @@ private:
     std::shared_ptr<const Scene> scene_, preview_;
     std::shared_ptr<const Checked> checked_;
     QString path_, name_;
+    bool isRestoring_ = false;
 };
 
 }  // namespace keyblock

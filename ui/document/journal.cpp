@@ -5,12 +5,15 @@
 #include "solver/run/errors.h"
 #include "ui/document/document.h"
 #include "ui/document/journal_file.h"
+#include "ui/document/late_scene.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QStandardPaths>
 #include <QUndoStack>
+
+#include <algorithm>
 
 namespace keyblock {
 
@@ -43,32 +46,51 @@ void Journal::close() {
     if (file_) file_->remove();
     file_.reset();
     broken_ = false;
-    states_ = {document_.committed()};
+    states_ = {std::make_shared<const LateScene>(document_.committed())};
+    taken_ = 0;
     index_ = 0;
     saved_ = document_.undo().cleanIndex();
     savedAs_ = document_.path();
 }
 
-void Journal::flush() {
-    if (file_) file_->flush();
+bool Journal::flush() { return file_ && file_->flush(); }
+
+void Journal::goOn(std::string lines, std::vector<std::shared_ptr<const LateScene>> states,
+                   const std::function<void()>& restore) {
+    isTaking_ = true;
+    restore();
+    isTaking_ = false;
+    states_ = std::move(states);
+    index_ = document_.undo().index();
+    saved_ = document_.undo().cleanIndex();
+    savedAs_ = document_.path();
+    if (!open()) return;
+    taken_ = states_.size();
+    file_->begin(std::move(lines));
+    if (broken_) tell({});
 }
 
 QString Journal::path() const { return file_ ? QString::fromStdString(file_->path().string()) : QString(); }
 
-/// Where there can be no file yet, the next edit tries again, with those before it.
-void Journal::begin() {
-    if (file_) return;
+bool Journal::open() {
     try {
         QDir().mkpath(folder_);
         file_ = std::make_unique<JournalFile>(newJournalPath(folder_).toStdString(), [this](const std::string& why) {
             QMetaObject::invokeMethod(this, [this, why] { tell(QString::fromStdString(why)); }, Qt::QueuedConnection);
         });
     } catch (const CannotWrite& error) {
-        return tell(QString::fromUtf8(error.what()));
+        tell(QString::fromUtf8(error.what()));
     }
-    file_->begin(savedAs_.toStdString(), document_.title().toStdString(), states_.front(), saved_ == 0);
+    return file_ != nullptr;
+}
+
+/// Where there can be no file yet, the next edit tries again, with those before it.
+void Journal::begin() {
+    if (file_ || !open()) return;
+    file_->begin(savedAs_.toStdString(), document_.title().toStdString(), states_.front()->get(), saved_ == 0);
     for (std::size_t i = 1; i < states_.size(); ++i)
-        file_->step(i, document_.undo().text(static_cast<int>(i) - 1).toStdString(), states_[i - 1], states_[i]);
+        file_->step(i, document_.undo().text(static_cast<int>(i) - 1).toStdString(), states_[i - 1]->get(),
+                    states_[i]->get());
     if (saved_ > 0) file_->saved(static_cast<std::size_t>(saved_), savedAs_.toStdString());
     if (broken_) tell({});
 }
@@ -82,9 +104,10 @@ void Journal::tell(const QString& why) {
 }
 
 void Journal::follow(int index) {
+    if (isTaking_) return;
     const std::shared_ptr<const Scene>& now = document_.committed();
     const auto at = static_cast<std::size_t>(index);
-    const bool isKnown = at < states_.size() && states_[at] == now;
+    const bool isKnown = at < states_.size() && states_[at]->known() == now;
     if (isKnown && index == index_) return;
     if (!isKnown && (at == 0 || at > states_.size())) return;  // another document; it says so itself
     begin();
@@ -94,9 +117,10 @@ void Journal::follow(int index) {
         return;
     }
     states_.resize(at);
-    states_.push_back(now);
+    states_.push_back(std::make_shared<const LateScene>(now));
     const QString name = document_.undo().text(index - 1);
-    if (file_) file_->step(at, name.toStdString(), states_[at - 1], now);
+    if (file_) file_->step(at, name.toStdString(), at <= taken_ ? nullptr : states_[at - 1]->get(), now);
+    taken_ = std::min(taken_, at);
 }
 
 void Journal::followFile() {

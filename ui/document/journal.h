@@ -9,14 +9,17 @@
 #include <QObject>
 #include <QString>
 
+#include <cstddef>
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace keyblock {
 
 class Document;
 class JournalFile;
-struct Scene;
+class LateScene;
 
 /// Where journals lie: in the program's data folder of this person.
 QString journalFolder();
@@ -31,8 +34,12 @@ public:
 
     /// Removes the journal, because the document is saved or given up.
     void close();
-    /// Waits until all edits are written.
-    void flush();
+    /// Waits until all edits are written; false where the disk did not take all of them yet.
+    bool flush();
+
+    /// Keeps on with the lines of a journal that nobody closed, whose steps `restore` makes the document's.
+    void goOn(std::string lines, std::vector<std::shared_ptr<const LateScene>> states,
+              const std::function<void()>& restore);
     /// The file; empty while there is none.
     QString path() const;
 
@@ -41,6 +48,7 @@ Q_SIGNALS:
     void mended();  // they are kept again, those in between too
 
 private:
+    bool open();
     void begin();
     void tell(const QString& why);
     void follow(int index);
@@ -49,7 +57,9 @@ private:
     Document& document_;
     QString folder_;
     std::unique_ptr<JournalFile> file_;
-    std::vector<std::shared_ptr<const Scene>> states_;  // by index of the undo stack
+    std::vector<std::shared_ptr<const LateScene>> states_;  // by index of the undo stack
+    std::size_t taken_ = 0;  // of these, those that the file has from another's lines
+    bool isTaking_ = false;
     int index_ = 0, saved_ = 0;
     QString savedAs_;
     bool broken_ = false;

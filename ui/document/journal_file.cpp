@@ -45,8 +45,13 @@ void JournalFile::begin(const std::string& path, const std::string& name, SceneP
     hand([=, this] { return journalBegin(path, name, textOf(first), isSaved); });
 }
 
+void JournalFile::begin(std::string lines) {
+    hand([lines = std::move(lines)]() mutable { return std::move(lines); });
+}
+
 void JournalFile::step(std::size_t index, const std::string& name, ScenePtr before, ScenePtr after) {
     hand([=, this] {
+        if (!before) return journalWholeStep(index, name, textOf(after));
         const std::string from = textOf(before);
         return journalStep(index, name, from, textOf(after));
     });
@@ -60,9 +65,10 @@ void JournalFile::saved(std::optional<std::size_t> index, const std::string& pat
     hand([=] { return journalSaved(index, path); });
 }
 
-void JournalFile::flush() {
+bool JournalFile::flush() {
     std::unique_lock lock(mutex_);
     idle_.wait(lock, [this] { return waiting_.empty() && !works_; });
+    return !failing_ && !broken_;
 }
 
 void JournalFile::remove() {

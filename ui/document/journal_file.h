@@ -10,6 +10,7 @@
 
 #include "solver/scene/scene.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
@@ -36,12 +37,15 @@ public:
     JournalFile& operator=(const JournalFile&) = delete;
 
     void begin(const std::string& path, const std::string& name, ScenePtr first, bool isSaved);
+    /// Goes on from the lines of another.
+    void begin(std::string lines);
+    /// \param before null: the file holds it, but not from this program.
     void step(std::size_t index, const std::string& name, ScenePtr before, ScenePtr after);
     void move(std::size_t index);
     void saved(std::optional<std::size_t> index, const std::string& path);
 
-    /// Waits until all that was handed over is written.
-    void flush();
+    /// Waits until all that was handed over is written; false where the disk did not take all of it yet.
+    bool flush();
     /// Removes the file; what waits is not written.
     void remove();
 
@@ -57,9 +61,9 @@ private:
     std::filesystem::path path_;
     std::function<void(std::string)> told_;
     int file_ = -1;
-    bool broken_ = false;  // of the writer's thread: a line could not be made, later ones would be damage
+    std::atomic<bool> broken_{false};  // a line could not be made, later ones would be damage
     std::deque<std::string> unwritten_;  // of the writer's thread: lines that the disk did not take
-    bool failing_ = false;  // of the writer's thread: the last try wrote nothing
+    std::atomic<bool> failing_{false};  // the last try wrote nothing
     std::size_t size_ = 0;  // of whole lines in the file [bytes]
     ScenePtr written_;  // of the writer's thread: the scene that `text_` is of
     std::string text_;

@@ -6,7 +6,7 @@
 #include "solver/files/json_tree.h"
 #include "solver/files/sha256.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace keyblock {
 
@@ -22,24 +22,6 @@ std::string lineOf(JsonObject members) {
 
 JsonNode numberNode(std::size_t number) { return {static_cast<double>(number)}; }
 
-bool isWithinLetter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
-
-/// Bytes at the beginning of both that are the same, whole letters of UTF-8 only.
-std::size_t commonBegin(std::string_view a, std::string_view b) {
-    const auto differ = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
-    auto same = static_cast<std::size_t>(differ.first - a.begin());
-    while (same > 0 && ((same < a.size() && isWithinLetter(a[same])) || (same < b.size() && isWithinLetter(b[same]))))
-        --same;
-    return same;
-}
-
-std::size_t commonEnd(std::string_view a, std::string_view b) {
-    const auto differ = std::mismatch(a.rbegin(), a.rend(), b.rbegin(), b.rend());
-    auto same = static_cast<std::size_t>(differ.first - a.rbegin());
-    while (same > 0 && isWithinLetter(a[a.size() - same])) --same;
-    return same;
-}
-
 std::optional<JsonNode> bodyOf(std::string_view line) {
     if (line.size() <= hashDigits + 1 || line[hashDigits] != ' ') return {};
     const std::string_view body = line.substr(hashDigits + 1);
@@ -53,11 +35,20 @@ std::string textAt(const JsonNode& node, std::string_view key) {
     return text ? *text : std::string();
 }
 
-std::optional<std::size_t> countAt(const JsonNode& node, std::string_view key) {
-    const JsonNode* member = findMember(node, key);
-    const auto* number = member ? std::get_if<double>(&member->value) : nullptr;
+std::optional<std::size_t> countOf(const JsonNode& node) {
+    const auto* number = std::get_if<double>(&node.value);
     if (!number || *number < 0.0 || *number > 1e15) return {};
     return static_cast<std::size_t>(*number);
+}
+
+std::optional<std::size_t> countAt(const JsonNode& node, std::string_view key) {
+    const JsonNode* member = findMember(node, key);
+    return member ? countOf(*member) : std::nullopt;
+}
+
+JournalStep wholeStep(std::string name, std::string text) {
+    const std::size_t size = text.size();
+    return {std::move(name), true, {{0, 0, std::move(text)}}, size};
 }
 
 bool begin(Journalled& journal, const JsonNode& body) {
@@ -65,20 +56,55 @@ bool begin(Journalled& journal, const JsonNode& body) {
     journal.path = textAt(body, "path");
     journal.name = textAt(body, "name");
     if (countAt(body, "saved")) journal.saved = 0;
-    journal.steps.push_back({{}, textAt(body, "scene")});
+    journal.steps.push_back(wholeStep({}, textAt(body, "scene")));
     return true;
 }
 
+std::optional<TextChange> changeOf(const JsonNode& node) {
+    const auto* parts = std::get_if<JsonList>(&node.value);
+    if (!parts || parts->size() != 3) return {};
+    const std::optional<std::size_t> begin = countOf((*parts)[0]), removed = countOf((*parts)[1]);
+    const auto* text = std::get_if<std::string>(&(*parts)[2].value);
+    if (!begin || !removed || !text) return {};
+    return TextChange{*begin, *removed, *text};
+}
+
+/// Journals of before had one stretch in each line, told by what it leaves alone at both ends.
+std::optional<std::vector<TextChange>> changesAt(const JsonNode& body, std::size_t before) {
+    const JsonNode* member = findMember(body, "changes");
+    if (!member) {
+        const auto begin = countAt(body, "begin"), end = countAt(body, "end");
+        if (!begin || !end || *begin + *end > before) return {};
+        return std::vector{TextChange{*begin, before - *begin - *end, textAt(body, "text")}};
+    }
+    const auto* list = std::get_if<JsonList>(&member->value);
+    if (!list) return {};
+    std::vector<TextChange> changes;
+    for (const JsonNode& node : *list) {
+        std::optional<TextChange> change = changeOf(node);
+        if (!change) return {};
+        changes.push_back(std::move(*change));
+    }
+    if (!areWithin(changes, before)) return {};
+    return changes;
+}
+
 bool applyStep(Journalled& journal, const JsonNode& body, std::size_t index) {
-    const auto begin = countAt(body, "begin");
-    const auto end = countAt(body, "end");
-    if (index == 0 || index > journal.steps.size() || !begin || !end) return false;
-    const std::string& before = journal.steps[index - 1].text;
-    if (*begin + *end > before.size()) return false;
-    std::string after = before.substr(0, *begin) + textAt(body, "text") + before.substr(before.size() - *end);
+    if (index == 0 || index > journal.steps.size()) return false;
+    JournalStep step;
+    if (findMember(body, "scene")) {
+        step = wholeStep(textAt(body, "step"), textAt(body, "scene"));
+    } else {
+        const std::size_t before = journal.steps[index - 1].size;
+        std::optional<std::vector<TextChange>> changes = changesAt(body, before);
+        if (!changes) return false;
+        step = {textAt(body, "step"), false, std::move(*changes), before};
+        for (const TextChange& change : step.changes) step.size += change.text.size();
+        for (const TextChange& change : step.changes) step.size -= change.removed;
+    }
     journal.steps.resize(index);
     if (journal.saved && *journal.saved >= index) journal.saved.reset();
-    journal.steps.push_back({textAt(body, "step"), std::move(after)});
+    journal.steps.push_back(std::move(step));
     journal.index = index;
     return true;
 }
@@ -113,13 +139,14 @@ std::string journalBegin(const std::string& path, const std::string& name, const
 }
 
 std::string journalStep(std::size_t index, const std::string& name, std::string_view before, std::string_view after) {
-    const std::size_t begin = commonBegin(before, after);
-    const std::size_t end = commonEnd(before.substr(begin), after.substr(begin));
-    return lineOf({{"at", numberNode(index)},
-                   {"step", {name}},
-                   {"begin", numberNode(begin)},
-                   {"end", numberNode(end)},
-                   {"text", {std::string(after.substr(begin, after.size() - begin - end))}}});
+    JsonList changes;
+    for (TextChange& change : textChanges(before, after))
+        changes.push_back({JsonList{numberNode(change.begin), numberNode(change.removed), {std::move(change.text)}}});
+    return lineOf({{"at", numberNode(index)}, {"step", {name}}, {"changes", {std::move(changes)}}});
+}
+
+std::string journalWholeStep(std::size_t index, const std::string& name, const std::string& after) {
+    return lineOf({{"at", numberNode(index)}, {"step", {name}}, {"scene", {after}}});
 }
 
 std::string journalMove(std::size_t index) { return lineOf({{"at", numberNode(index)}}); }
@@ -141,8 +168,13 @@ Journalled readJournal(std::string_view text, std::optional<std::size_t> mostCha
             break;
         }
         text.remove_prefix(end + 1);
+        journal.size += end + 1;
     }
     return journal;
+}
+
+std::string textAfter(const JournalStep& step, std::string_view before) {
+    return changed(step.isWhole ? std::string_view() : before, step.changes);
 }
 
 }  // namespace keyblock

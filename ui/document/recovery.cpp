@@ -5,6 +5,8 @@
 #include "solver/files/scene_rescue.h"
 #include "ui/document/document.h"
 #include "ui/document/journal_text.h"
+#include "ui/document/late_scene.h"
+#include "ui/edit/settle.h"
 
 #include <QDir>
 #include <QFile>
@@ -16,6 +18,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <map>
 #include <optional>
 
 namespace keyblock {
@@ -23,6 +26,7 @@ namespace keyblock {
 namespace {
 
 constexpr qint64 secondsToBegin = 10;  // an empty journal younger than this is about to be written
+constexpr std::size_t fewSteps = 32;  // between two texts that are kept
 
 /// A journal that is nobody's, held while it is looked at.
 class Held {
@@ -48,8 +52,7 @@ QByteArray contentOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-Journalled read(const QString& path, std::optional<std::size_t> mostChanges = {}) {
-    const QByteArray content = contentOf(path);
+Journalled read(const QByteArray& content, std::optional<std::size_t> mostChanges = {}) {
     return readJournal({content.constData(), static_cast<std::size_t>(content.size())}, mostChanges);
 }
 
@@ -74,14 +77,51 @@ Abandoned abandonedOf(const QFileInfo& file, const Journalled& journal) {
     return abandoned;
 }
 
-std::vector<RestoredStep> stepsOf(const Journalled& journal) {
-    std::vector<RestoredStep> steps;
-    const std::filesystem::path folder = std::filesystem::path(journal.path).parent_path();
-    for (const JournalStep& step : journal.steps) {
-        SceneRescue rescue = rescueSceneText(step.text, journal.path, folder);
-        if (!rescue.scene) return {};
-        steps.push_back({QString::fromStdString(step.name), std::make_shared<const Scene>(std::move(*rescue.scene))});
+/// The scenes of a journal, each made of the text of one before it.
+class JournalledScenes {
+public:
+    explicit JournalledScenes(const Journalled& journal) : steps_(journal.steps), path_(journal.path) {}
+
+    /// Null where this program cannot read it.
+    std::shared_ptr<const Scene> scene(std::size_t step) {
+        SceneRescue rescue = rescueSceneText(text(step), path_, std::filesystem::path(path_).parent_path());
+        if (!rescue.scene) return nullptr;
+        settle(*rescue.scene);
+        return std::make_shared<const Scene>(std::move(*rescue.scene));
     }
+
+private:
+    std::string text(std::size_t step) {
+        auto from = kept_.upper_bound(step);
+        const bool isFirst = from == kept_.begin();
+        if (!isFirst) --from;
+        std::size_t at = isFirst ? 0 : from->first;
+        std::string text = isFirst ? textAfter(steps_.front(), {}) : from->second;
+        while (at < step) {
+            text = textAfter(steps_[++at], text);
+            if (at % fewSteps == 0) kept_.emplace(at, text);
+        }
+        return text;
+    }
+
+    std::vector<JournalStep> steps_;
+    std::string path_;
+    std::map<std::size_t, std::string> kept_;  // texts after some of the steps
+};
+
+/// Empty where the scene that stood at the end cannot be read. With it all can: one program wrote them.
+std::vector<RestoredStep> stepsOf(const Journalled& journal) {
+    if (journal.steps.empty()) return {};
+    const auto scenes = std::make_shared<JournalledScenes>(journal);
+    std::shared_ptr<const Scene> stood = scenes->scene(journal.index);
+    if (!stood) return {};
+    std::vector<RestoredStep> steps;
+    for (std::size_t i = 0; i < journal.steps.size(); ++i)
+        steps.push_back({QString::fromStdString(journal.steps[i].name), std::make_shared<const LateScene>([scenes, i] {
+                             auto scene = scenes->scene(i);
+                             return scene ? scene : std::make_shared<const Scene>();
+                         })});
+    steps[journal.index].scene = std::make_shared<const LateScene>(std::move(stood));
     return steps;
 }
 
@@ -94,7 +134,7 @@ std::vector<Abandoned> abandonedJournals(const QString& folder, QStringList* unu
         const bool isAboutToBegin =
             file.size() == 0 && file.lastModified().secsTo(QDateTime::currentDateTime()) < secondsToBegin;
         if (!held.isFree() || isAboutToBegin) continue;
-        const Journalled journal = read(file.filePath());
+        const Journalled journal = read(contentOf(file.filePath()));
         if (journal.steps.empty() && !journal.damage.empty()) {
             putAside(file.filePath());
             if (unusable) *unusable << file.filePath() + ".damaged";
@@ -111,12 +151,17 @@ QString recover(const Abandoned& abandoned, Recover what, Document& document, Jo
     const Held held(abandoned.journal);
     if (!held.isFree()) return Document::tr("Another window recovers %1, or its journal is gone.").arg(abandoned.title);
     const bool withoutLast = what == Recover::WithoutLastCommand && abandoned.changes > 0;
-    const Journalled told = read(abandoned.journal, withoutLast ? std::optional(abandoned.changes - 1) : std::nullopt);
-    std::vector<RestoredStep> steps = stepsOf(told);
+    QByteArray content = contentOf(abandoned.journal);
+    const Journalled told = read(content, withoutLast ? std::optional(abandoned.changes - 1) : std::nullopt);
+    const std::vector<RestoredStep> steps = stepsOf(told);
     if (steps.empty()) return Document::tr("The journal of %1 cannot be read.").arg(abandoned.title);
-    document.restore(std::move(steps), told.index, told.saved, QString::fromStdString(told.path),
-                     QString::fromStdString(told.name));
-    journal.flush();
+    std::vector<std::shared_ptr<const LateScene>> states;
+    for (const RestoredStep& step : steps) states.push_back(step.scene);
+    journal.goOn(content.left(static_cast<int>(told.size)).toStdString(), std::move(states), [&] {
+        document.restore(steps, told.index, told.saved, QString::fromStdString(told.path),
+                         QString::fromStdString(told.name));
+    });
+    if (!journal.flush()) return {};  // a full disk: it stays until the new one can hold it
     if (told.damage.empty()) QFile::remove(abandoned.journal);
     else putAside(abandoned.journal);
     return {};

@@ -30,6 +30,13 @@ Scene titled(const std::string& title) {
     return scene;
 }
 
+/// Of the scene after a step.
+std::string textOf(const Journalled& journal, std::size_t step) {
+    std::string text;
+    for (std::size_t i = 0; i <= step; ++i) text = textAfter(journal.steps[i], text);
+    return text;
+}
+
 /// A document with its journal, as of a program that ended without closing it.
 struct Window {
     explicit Window(const QString& folder) : journal(document, folder) {}
@@ -212,8 +219,133 @@ TEST_F(Journals, AFolderThatTakesNothingIsTold) {
     window.journal.flush();
     const Journalled read = readJournal(test::contentOf(window.journal.path().toStdString()));
     ASSERT_EQ(read.steps.size(), 3u) << "the one in between too";
-    EXPECT_NE(read.steps[1].text.find("second"), std::string::npos);
-    EXPECT_NE(read.steps[2].text.find("third"), std::string::npos);
+    EXPECT_NE(textOf(read, 1).find("second"), std::string::npos);
+    EXPECT_NE(textOf(read, 2).find("third"), std::string::npos);
+}
+
+/// Columns of blocks, more than a screen full of text.
+Scene manyBlocks() {
+    Scene scene;
+    for (int i = 0; i < 400; ++i) {
+        Block& block = scene.blocks.emplace_back();
+        block.name = "B" + std::to_string(i);
+        block.points = {Point(i, 0.0), Point(i + 0.5, 0.0), Point(i + 0.5, 1.0)};
+    }
+    return scene;
+}
+
+TEST_F(Journals, AnEditInTwoFarCornersIsAsSmallAsItIs) {
+    Window window(folder());
+    window.document.startNew(manyBlocks());
+    std::vector<std::string> texts{wholeSceneText(*window.document.scene())};
+    const auto edit = [&](const auto& change) {
+        Scene scene = *window.document.scene();
+        change(scene);
+        window.document.apply("Edit", std::move(scene));
+        texts.push_back(wholeSceneText(*window.document.scene()));
+    };
+    edit([](Scene& scene) { scene.title = "begun"; });
+    window.journal.flush();
+    const qint64 before = QFile(window.journal.path()).size();
+    for (int i = 0; i < 20; ++i)
+        edit([&](Scene& scene) {
+            scene.blocks.front().points[0].x() -= 0.01;
+            scene.blocks[200 + i].name += "x";
+            scene.blocks.back().points[1].x() += 0.01;
+        });
+    edit([](Scene& scene) { std::swap(scene.blocks[3], scene.blocks[390]); });
+    edit([](Scene& scene) { scene.blocks.erase(scene.blocks.begin() + 100, scene.blocks.begin() + 300); });
+    edit([](Scene& scene) { scene.blocks.front().name = "Ä", scene.blocks.back().name = "Ö"; });
+    edit([](Scene& scene) { scene.blocks.front().name = "Ö", scene.blocks.back().name = "Ä"; });
+    window.journal.flush();
+    EXPECT_LT(QFile(window.journal.path()).size() - before, 12000);
+    const Journalled read = readJournal(test::contentOf(window.journal.path().toStdString()));
+    ASSERT_EQ(read.steps.size(), texts.size());
+    for (std::size_t i = 0; i < texts.size(); ++i) EXPECT_EQ(textOf(read, i), texts[i]) << i;
+}
+
+TEST_F(Journals, WhatIsRecoveredGoesOnWhereverItIsUndoneTo) {
+    std::vector<std::string> texts;
+    {
+        Window window(folder());
+        window.document.startNew(manyBlocks());
+        for (int i = 0; i < 100; ++i) {
+            Scene scene = *window.document.scene();
+            scene.blocks[static_cast<std::size_t>(3 * i)].name = "Edited " + std::to_string(i);
+            texts.push_back(wholeSceneText(scene));
+            window.document.apply("Edit " + QString::number(i), std::move(scene));
+        }
+        window.document.undo().setIndex(90);
+    }
+    for (const int back : {40, 39, 1}) {
+        Window window(folder());
+        const std::vector<Abandoned> found = abandonedJournals(folder());
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_EQ(recover(found[0], Recover::Everything, window.document, window.journal), "");
+        window.document.undo().undo();
+        window.document.undo().redo();
+        window.document.undo().setIndex(back);
+        EXPECT_EQ(wholeSceneText(*window.document.scene()), texts[static_cast<std::size_t>(back) - 1]);
+        EXPECT_EQ(window.document.undo().redoText(), "Edit " + QString::number(back));
+        Scene scene = *window.document.scene();
+        scene.title = "Went on at " + std::to_string(back);
+        window.document.apply("Go on", scene);
+        scene.blocks.pop_back();
+        window.document.apply("Delete", scene);
+        texts[static_cast<std::size_t>(back)] = wholeSceneText(*window.document.scene());
+    }
+    const std::vector<Abandoned> found = abandonedJournals(folder());
+    ASSERT_EQ(found.size(), 1u);
+    Window last(folder());
+    EXPECT_EQ(recover(found[0], Recover::WithoutLastCommand, last.document, last.journal), "");
+    EXPECT_EQ(last.document.scene()->title, "Went on at 1");
+    EXPECT_EQ(last.document.scene()->blocks.size(), 400u);
+    EXPECT_EQ(last.document.undo().count(), 2);
+    last.document.undo().undo();
+    EXPECT_EQ(wholeSceneText(*last.document.scene()), texts[0]);
+}
+
+/// As it was written before an edit could have several stretches.
+TEST_F(Journals, JournalsOfBeforeStillOpen) {
+    QDir().mkpath(folder());
+    const std::string lines =
+        R"(742a5d0c276c8dad {"journal": 1, "path": "", "name": "", "scene": "{\n  \"format\": \"keyblock-scene\",\n  \"version\": 1,\n  \"title\": \"first\"\n}\n"}
+c592aed18fcfd7d6 {"at": 1, "step": "Good", "begin": 60, "end": 4, "text": "good"}
+de461d952d1d8d9d {"at": 2, "step": "Bad", "begin": 60, "end": 5, "text": "ba"}
+80a723af2d1a4b09 {"at": 1}
+)";
+    test::putContent((folder() + "/old.journal").toStdString(), lines);
+    const std::vector<Abandoned> found = abandonedJournals(folder());
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].damage, "");
+    Window next(folder());
+    EXPECT_EQ(recover(found[0], Recover::Everything, next.document, next.journal), "");
+    EXPECT_EQ(next.document.scene()->title, "good");
+    next.document.undo().redo();
+    EXPECT_EQ(next.document.scene()->title, "bad");
+    next.document.undo().setIndex(0);
+    EXPECT_EQ(next.document.scene()->title, "first");
+}
+
+TEST_F(Journals, AJournalStaysUntilAFullDiskCanHoldWhatWasRecovered) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    {
+        Window window(folder());
+        window.document.startNew(manyBlocks());
+        window.document.apply("Name", titled("second"));
+    }
+    const std::vector<Abandoned> found = abandonedJournals(folder());
+    ASSERT_EQ(found.size(), 1u);
+    rlimit usual{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &usual), 0);
+    const rlimit full{1000, usual.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &full);
+    Window next(folder());
+    const QString why = recover(found[0], Recover::Everything, next.document, next.journal);
+    setrlimit(RLIMIT_FSIZE, &usual);
+    EXPECT_EQ(why, "");
+    EXPECT_EQ(next.document.scene()->title, "second");
+    EXPECT_TRUE(QFile::exists(found[0].journal));
 }
 
 /// A limit on the size of files stands for a disk that is full.
