@@ -9,12 +9,16 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <exception>
+#include <iterator>
 
 namespace keyblock {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Curves", text); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(Curves)
+};
 
 constexpr double roundOff = 1e-9;
 
@@ -42,6 +46,22 @@ std::vector<double> valuesOf(const RunSource& run, const Series& series, bool of
 
 }  // namespace
 
+CurveReading readCurves(const CurveOrder& order) {
+    CurveReading reading{{}, {}, {}, {}, order.y, order.x, RunTime(*order.run)};
+    try {
+        reading.own = curveEntries(*order.run, order.kind);
+        std::vector<CurveEntry> pinned;
+        if (!order.tracks.empty()) pinned = pinEntries(*order.run, order.tracks);
+        std::ranges::move(pinned, std::back_inserter(reading.own.entries));
+        if (!order.y.empty()) reading.free = curveOver(*order.run, order.y, order.x);
+        if (order.other) reading.other = curveEntries(*order.other, order.kind);
+        if (order.other && !order.y.empty()) reading.otherFree = curveOver(*order.other, order.y, order.x);
+    } catch (const std::exception& error) {
+        reading.own = reading.free = {{}, QString::fromUtf8(error.what())};
+    }
+    return reading;
+}
+
 CurveEntries curveEntries(const RunSource& run, CurveKind kind) {
     const HistoryCharts charts = historyCharts(run, std::nullopt);
     CurveEntries found{{}, QString::fromStdString(charts.problem)};
@@ -49,7 +69,7 @@ CurveEntries curveEntries(const RunSource& run, CurveKind kind) {
         for (const ChartPanel& panel : chart.panels) {
             if (panel.curves.empty() || (kind == CurveKind::Energies) != panel.title.starts_with("Energy")) continue;
             QString name = QString::fromStdString(panel.title);
-            if (!chart.overTime) name = tr("%1 over %2").arg(name, QString::fromStdString(chart.xTitle));
+            if (!chart.overTime) name = Texts::tr("%1 over %2").arg(name, QString::fromStdString(chart.xTitle));
             found.entries.push_back(entryOf(chart, panel, name));
         }
     return found;
@@ -77,7 +97,7 @@ CurveEntries curveOver(const RunSource& run, const std::string& y, const std::st
     return found;
 }
 
-QString pinEntryName(const Pin& pin) { return tr("Pins: %1").arg(QString::fromStdString(titleOf(pin))); }
+QString pinEntryName(const Pin& pin) { return Texts::tr("Pins: %1").arg(QString::fromStdString(titleOf(pin))); }
 
 std::vector<CurveEntry> pinEntries(const RunSource& run, const std::vector<std::shared_ptr<const PinTrack>>& tracks) {
     std::vector<CurveEntry> entries;
@@ -86,7 +106,8 @@ std::vector<CurveEntry> pinEntries(const RunSource& run, const std::vector<std::
         const auto same = std::count_if(entries.begin(), entries.end(), [&](const CurveEntry& entry) {
             return entry.chart.panels.front().title == chart.panels.front().title;
         });
-        const QString name = same > 0 ? tr("Pins %1: %2").arg(same + 1).arg(title) : tr("Pins: %1").arg(title);
+        const QString name = same > 0 ? Texts::tr("Pins %1: %2").arg(same + 1).arg(title)
+                                      : Texts::tr("Pins: %1").arg(title);
         entries.push_back(entryOf(chart, chart.panels.front(), name));
     }
     return entries;

@@ -7,6 +7,7 @@
 
 #include "solver/results/run_source.h"
 #include "ui/picture/pins.h"
+#include "ui/picture/run_time.h"
 
 #include <QString>
 
@@ -30,6 +31,25 @@ struct CurveEntries {
     std::vector<CurveEntry> entries;
     QString problem;  // why there are none
 };
+
+/// What is to be read of a run, and of another that stands beside it.
+struct CurveOrder {
+    std::shared_ptr<const RunSource> run, other;  // other: null where there is none
+    CurveKind kind = CurveKind::All;
+    std::vector<std::shared_ptr<const PinTrack>> tracks;
+    std::string y, x;  // axes by the names of `allSeries`; without y no such curve is wanted
+};
+
+/// What was read.
+struct CurveReading {
+    CurveEntries own, other;  // pins among the own
+    CurveEntries free, otherFree;  // over the axes that were asked for
+    std::string y, x;  // those
+    RunTime time;
+};
+
+/// Takes longer with every row of the history. Throws nothing: what is wrong is told by the entries.
+CurveReading readCurves(const CurveOrder& order);
 
 /// What a run shows of itself.
 CurveEntries curveEntries(const RunSource& run, CurveKind kind);

@@ -6,7 +6,6 @@
 #include "ui/docks/chart_view.h"
 #include "ui/docks/pin_legend.h"
 #include "ui/look/display.h"
-#include "ui/picture/run_time.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/pins.h"
 #include "ui/runs/time_cursor.h"
@@ -18,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 namespace keyblock {
@@ -41,13 +41,13 @@ double valueAt(const std::vector<double>& x, const std::vector<double>& y, doubl
 }
 
 /// The last row or frame that is not later; nothing before the first.
-template <typename Row>
-std::optional<std::size_t> placeOf(const std::vector<Row>& rows, const FrameHead& head) {
-    const auto after = std::upper_bound(rows.begin(), rows.end(), head, [](const FrameHead& h, const Row& row) {
-        return std::pair(h.stage, h.time) < std::pair(row.stage, row.time);
-    });
-    if (after == rows.begin()) return std::nullopt;
-    return static_cast<std::size_t>(after - rows.begin()) - 1;
+template <typename Rows>
+std::optional<std::size_t> placeOf(const Rows& rows, const FrameHead& head) {
+    const auto places = std::views::iota(std::size_t{0}, rows.size());
+    const auto timeOf = [&](std::size_t row) { return std::pair(rows[row].stage, rows[row].time); };
+    const auto after = std::ranges::upper_bound(places, std::pair(head.stage, head.time), {}, timeOf);
+    if (after == places.begin()) return std::nullopt;
+    return static_cast<std::size_t>(after - places.begin()) - 1;
 }
 
 }  // namespace
@@ -71,10 +71,7 @@ Curves::Curves(const Themes& themes, const Display& display, TimeCursor& cursor,
     connect(&cursor, &TimeCursor::runChanged, this, &Curves::runChanged);
     connect(&cursor, &TimeCursor::runGrew, this, &Curves::grow);
     connect(&cursor, &TimeCursor::moved, this, &Curves::showNow);
-    connect(&display, &Display::changed, this, [this] {
-        stale_ = true;
-        if (isVisible()) read();
-    });
+    connect(&display, &Display::changed, this, &Curves::choose);
     connect(view_, &ChartView::picked, this, &Curves::jump);
     if (pins_) {
         connect(pins_, &Pins::changed, this, &Curves::showPinned);
@@ -116,7 +113,7 @@ void Curves::showEvent(QShowEvent*) {
 
 void Curves::runChanged() {
     stale_ = true;
-    entries_.clear();
+    read_.reset();
     choice_->clear();
     view_->clear(tr("Curves of the history stand here once there is a run."));
     if (isVisible()) read();
@@ -124,14 +121,15 @@ void Curves::runChanged() {
 
 void Curves::grow() {
     stale_ = true;
-    if (isVisible() && !timer_.isActive()) timer_.start(shortestWait);
+    if (isVisible() && !reads_ && !timer_.isActive()) timer_.start(shortestWait);
 }
 
 void Curves::setOther(std::shared_ptr<const LiveRun> other, const QString& name) {
     other_ = std::move(other);
     otherName_ = name;
-    otherEntries_ = other_ ? curveEntries(*other_, kind_).entries : std::vector<CurveEntry>();
-    choose();
+    stale_ = true;
+    if (other_ && isVisible()) read();
+    if (!other_) choose();
 }
 
 /// What was pinned last is what a person wants to see.
@@ -143,26 +141,39 @@ void Curves::showPinned() {
     if (isVisible()) read();
 }
 
-/// Takes longer with every row, so it is done less often.
 void Curves::read() {
     if (!cursor_.run() || !stale_) return;
     stale_ = false;
-    QElapsedTimer clock;
-    clock.start();
-    CurveEntries own = curveEntries(*cursor_.run(), kind_);
-    problem_ = own.problem;
-    entries_ = std::move(own.entries);
-    if (pins_ && !pins_->tracks().empty())
-        for (CurveEntry& entry : pinEntries(*cursor_.run(), pins_->tracks())) entries_.push_back(std::move(entry));
+    reads_ = true;
+    CurveOrder order;
+    order.run = std::make_shared<const RunSoFar>(cursor_.run());
+    if (other_) order.other = std::make_shared<const RunSoFar>(other_);
+    order.kind = kind_;
+    if (pins_) order.tracks = pins_->tracks();
+    if (choosesAxes()) order.y = axes_->y(), order.x = axes_->x();
+    reader_.ask([this, order, run = cursor_.run(), asked = ++asked_]() -> Background::Result {
+        QElapsedTimer clock;
+        clock.start();
+        auto reading = std::make_shared<const CurveReading>(readCurves(order));
+        return [this, reading, run, asked, took = static_cast<int>(clock.elapsed())] {
+            if (asked != asked_) return;
+            reads_ = false;
+            if (run == cursor_.run()) take(reading, took);
+        };
+    });
+}
+
+/// A reading takes longer with every row, so it is done less often.
+void Curves::take(std::shared_ptr<const CurveReading> reading, int took) {
+    read_ = std::move(reading);
     fillChoice();
     choose();
-    const int wait = std::clamp(static_cast<int>(clock.elapsed()) * share, shortestWait, longestWait);
-    if (cursor_.goesOn()) timer_.start(wait);
+    if (stale_ || cursor_.goesOn()) timer_.start(std::clamp(took * share, shortestWait, longestWait));
 }
 
 void Curves::fillChoice() {
     QStringList names;
-    for (const CurveEntry& entry : entries_) names += entry.name;
+    for (const CurveEntry& entry : read_->own.entries) names += entry.name;
     if (axes_) names += tr("Any quantity over any other");
     QStringList shown;
     for (int i = 0; i < choice_->count(); ++i) shown += choice_->itemText(i);
@@ -178,22 +189,26 @@ bool Curves::choosesAxes() const {
 }
 
 const CurveEntry* Curves::current() const {
-    if (choosesAxes()) return free_.entries.empty() ? nullptr : &free_.entries.front();
+    if (!read_) return nullptr;
+    if (choosesAxes()) return read_->free.entries.empty() ? nullptr : &read_->free.entries.front();
     const int index = choice_->currentIndex();
-    return index >= 0 && static_cast<std::size_t>(index) < entries_.size() ? &entries_[static_cast<std::size_t>(index)]
-                                                                           : nullptr;
+    const std::vector<CurveEntry>& own = read_->own.entries;
+    return index >= 0 && static_cast<std::size_t>(index) < own.size() ? &own[static_cast<std::size_t>(index)] : nullptr;
 }
 
 void Curves::choose() {
-    if (!cursor_.run()) return;
+    if (!cursor_.run() || !read_) return;
     const int index = choice_->findText(wanted_);
     choice_->setCurrentIndex(index >= 0 ? index : choice_->count() > 0 ? 0 : -1);
     const bool byAxes = choosesAxes();
     if (byAxes && std::exchange(offered_, cursor_.run()) != cursor_.run()) axes_->offer(*cursor_.run());
     if (axes_) axes_->setVisible(byAxes && !axes_->y().empty());
-    if (byAxes) free_ = curveOver(*cursor_.run(), axes_->y(), axes_->x());
+    if (byAxes && (read_->y != axes_->y() || read_->x != axes_->x())) {
+        stale_ = true;
+        return read();
+    }
     const CurveEntry* entry = current();
-    const QString why = byAxes ? free_.problem : problem_;
+    const QString why = byAxes ? read_->free.problem : read_->own.problem;
     if (!entry) return view_->clear(why.isEmpty() ? tr("Nothing of the history changes yet.") : why);
     Chart chart = withOther(*entry).chart;
     showAs(chart, display_.numbers());
@@ -203,12 +218,10 @@ void Curves::choose() {
 
 CurveEntry Curves::withOther(CurveEntry entry) const {
     if (!other_) return entry;
-    const auto found = std::find_if(otherEntries_.begin(), otherEntries_.end(),
+    const std::vector<CurveEntry>& others = choosesAxes() ? read_->otherFree.entries : read_->other.entries;
+    const auto found = std::find_if(others.begin(), others.end(),
                                     [&](const CurveEntry& other) { return other.name == entry.name; });
-    if (found != otherEntries_.end() && !choosesAxes()) addOther(entry, *found, otherName_);
-    if (!choosesAxes()) return entry;
-    const CurveEntries over = curveOver(*other_, axes_->y(), axes_->x());
-    if (!over.entries.empty()) addOther(entry, over.entries.front(), otherName_);
+    if (found != others.end()) addOther(entry, *found, otherName_);
     return entry;
 }
 
@@ -217,7 +230,7 @@ void Curves::showNow() {
     if (!entry || !cursor_.hasMoment() || entry->x.empty()) return view_->setNow(std::nullopt);
     const FrameHead head = cursor_.head();
     if (entry->chart.overTime) {
-        const double at = RunTime(*cursor_.run()).at(head.stage, head.time);
+        const double at = read_->time.at(head.stage, head.time);
         return view_->setNow(ChartNow{at, {factorOf(entry->chart.panels.front().title, display_.numbers()) *
                                            valueAt(entry->x, entry->y, at)}});
     }
@@ -236,16 +249,16 @@ void Curves::jump(double x) {
     if (!entry || !cursor_.run() || entry->x.empty()) return;
     cursor_.pause();
     if (entry->chart.overTime) {
-        const RunTime time(*cursor_.run());
-        if (time.stages().empty()) return;
-        const StageMoment moment = momentAt(time.stages(), x);
+        const std::vector<StageSpan>& stages = read_->time.stages();
+        if (stages.empty()) return;
+        const StageMoment moment = momentAt(stages, x);
         return cursor_.goTo(StageTime{moment.span->stage, moment.time});
     }
     x /= factorOf(entry->chart.xTitle, display_.numbers());
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < entry->x.size(); ++i)
         if (!(std::abs(entry->x[i] - x) >= std::abs(entry->x[nearest] - x)) && std::isfinite(entry->x[i])) nearest = i;
-    const auto& rows = cursor_.run()->historyRows();
+    const HistoryLog& rows = cursor_.run()->historyRows();
     const auto& frames = cursor_.run()->frames();
     if (entry->ofFrames && nearest < frames.size()) cursor_.goTo(nearest);
     if (!entry->ofFrames && nearest < rows.size()) cursor_.goTo(StageTime{rows[nearest].stage, rows[nearest].time});

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "ui/docks/curve_entries.h"
+#include "ui/document/background.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -44,6 +45,7 @@ private:
     void runChanged();
     void grow();
     void read();
+    void take(std::shared_ptr<const CurveReading> reading, int took);
     void fillChoice();
     void choose();
     void showPinned();
@@ -61,14 +63,14 @@ private:
     AxisChoice* axes_ = nullptr;
     ChartView* view_;
     QTimer timer_;
-    bool stale_ = true;
-    std::vector<CurveEntry> entries_, otherEntries_;
-    CurveEntries free_;  // of the axes that a person chose
+    bool stale_ = true, reads_ = false;
+    int asked_ = 0;  // readings, so that one that is overtaken is known
+    std::shared_ptr<const CurveReading> read_;  // null before the first of a run
     std::shared_ptr<const LiveRun> other_, offered_;  // beside; whose numbers can be chosen
     QString otherName_;
-    QString problem_;
     QString wanted_;  // the chart that a person chose, by name
     std::size_t pinCount_ = 0;
+    Background reader_;
 };
 
 }  // namespace keyblock

@@ -25,6 +25,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
+#include <utility>
 
 namespace keyblock {
 
@@ -52,11 +54,11 @@ ElidedLabel* labelIn(QWidget* parent, const char* name, const QString& accessibl
 }
 
 /// Row of the history at a moment; −1 before the first.
-long rowAt(const std::vector<HistoryRow>& rows, const FrameHead& head) {
-    const auto after = std::upper_bound(rows.begin(), rows.end(), head, [](const FrameHead& h, const HistoryRow& row) {
-        return std::pair(h.stage, h.time) < std::pair(row.stage, row.time);
-    });
-    return static_cast<long>(after - rows.begin()) - 1;
+long rowAt(const HistoryLog& rows, const FrameHead& head) {
+    const auto places = std::views::iota(std::size_t{0}, rows.size());
+    const auto timeOf = [&](std::size_t row) { return std::pair(rows[row].stage, rows[row].time); };
+    const auto after = std::ranges::upper_bound(places, std::pair(head.stage, head.time), {}, timeOf);
+    return static_cast<long>(after - places.begin()) - 1;
 }
 
 }  // namespace

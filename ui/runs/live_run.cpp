@@ -44,8 +44,7 @@ void LiveRun::append(LiveBatch batch) {
         handedOut_ = nullptr;
         events_.insert(events_.end(), batch.events.begin(), batch.events.end());
     }
-    history_.insert(history_.end(), std::make_move_iterator(batch.history.begin()),
-                    std::make_move_iterator(batch.history.end()));
+    history_.append(std::move(batch.history));
     heads_.insert(heads_.end(), batch.frames.begin(), batch.frames.end());
     if (batch.newest.frame) newest_ = std::move(batch.newest);
     if (batch.progress) progress_ = batch.progress;
@@ -98,6 +97,10 @@ Moment::Moment(std::shared_ptr<const LiveRun> run)
     : run_(std::move(run)), stages_(run_->stages()), events_(run_->sharedEvents()), frame_(run_->newest().frame) {
     heads_ = {{frame_->stage, frame_->time, frame_->step, frame_->energy}};
 }
+
+RunSoFar::RunSoFar(std::shared_ptr<const LiveRun> run)
+    : run_(std::move(run)), stages_(run_->stageList()), events_(run_->sharedEvents()), history_(run_->historyRows()),
+      heads_(run_->frames()) {}
 
 std::shared_ptr<const Frame> Moment::sharedFrame() const { return frame_ ? frame_ : run_->sharedFrame(index_); }
 

@@ -3,10 +3,12 @@
 //
 // A run as the window sees it, while it goes on and afterwards alike: events,
 // history and what is known of the frames in memory, the frames themselves in the
-// store. The window's thread grows it and reads it; other threads get a `Moment`.
+// store. The window's thread grows it and reads it; other threads get a `Moment`, or all
+// there is so far.
 #pragma once
 
 #include "solver/files/stored_frames.h"
+#include "ui/runs/history_log.h"
 #include "ui/runs/live_feed.h"
 
 #include <cstddef>
@@ -37,14 +39,14 @@ public:
     const HistoryColumns& columns() const override { return columns_; }
     std::vector<StageRecord> stages() const override { return stages_; }
     std::vector<Event> events() const override { return events_; }
-    std::vector<HistoryRow> history() const override { return history_; }
+    std::vector<HistoryRow> history() const override { return history_.all(); }
     const std::vector<FrameHead>& frames() const override { return heads_; }
     Frame frame(std::size_t index) const override { return *sharedFrame(index); }
 
     // The same without copies.
     const std::vector<StageRecord>& stageList() const { return stages_; }
     const std::vector<Event>& eventList() const { return events_; }
-    const std::vector<HistoryRow>& historyRows() const { return history_; }
+    const HistoryLog& historyRows() const { return history_; }
     /// As they are now; they do not grow in the hands of who has them.
     std::shared_ptr<const std::vector<Event>> sharedEvents() const;
 
@@ -70,7 +72,7 @@ private:
     std::vector<StageRecord> stages_;
     std::vector<Event> events_;
     mutable std::shared_ptr<const std::vector<Event>> handedOut_;  // the events, until there are more
-    std::vector<HistoryRow> history_;
+    HistoryLog history_;
     std::vector<FrameHead> heads_;
     ShownFrame newest_;
     std::vector<HealthSample> health_;
@@ -108,6 +110,28 @@ private:
     std::vector<FrameHead> heads_;
     std::size_t index_ = 0;
     std::shared_ptr<const Frame> frame_;  // null: to be loaded
+};
+
+/// All that a run has, which does not grow: what its curves are made from, on any thread.
+class RunSoFar : public RunSource {
+public:
+    explicit RunSoFar(std::shared_ptr<const LiveRun> run);
+
+    const Scene& scene() const override { return run_->scene(); }
+    const std::vector<std::string>& blockNames() const override { return run_->blockNames(); }
+    const HistoryColumns& columns() const override { return run_->columns(); }
+    std::vector<StageRecord> stages() const override { return stages_; }
+    std::vector<Event> events() const override { return *events_; }
+    std::vector<HistoryRow> history() const override { return history_.all(); }
+    const std::vector<FrameHead>& frames() const override { return heads_; }
+    Frame frame(std::size_t index) const override { return *run_->sharedFrame(index); }
+
+private:
+    std::shared_ptr<const LiveRun> run_;  // for what does not grow, and for frames
+    std::vector<StageRecord> stages_;
+    std::shared_ptr<const std::vector<Event>> events_;
+    HistoryLog history_;
+    std::vector<FrameHead> heads_;
 };
 
 }  // namespace keyblock

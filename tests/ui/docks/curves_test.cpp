@@ -20,8 +20,11 @@
 #include "ui/runs/view_settings.h"
 
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QTest>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace keyblock {
 namespace {
@@ -65,6 +68,7 @@ TEST_F(CurvesTest, WhatIsPinnedIsShownUntilItsCrossIsClicked) {
     const auto run = test::slidingRun(path("a.kbrun"), 0.3);
     cursor.setRun(run, false);
     EXPECT_FALSE(curves.findChild<QWidget*>("pinLegend")->isVisible());
+    ASSERT_TRUE(waitFor([&] { return view->chart().has_value(); }));
     const QString before = choice->currentText();
     pins.add(sliderPin(*run));
     ASSERT_TRUE(waitFor([&] { return choice->currentText().startsWith("Pins: Velocity"); }));
@@ -93,22 +97,23 @@ TEST_F(CurvesTest, AnyNumberStandsOverAnyOtherAndBesideThatOfAnotherRun) {
     curves.show();
     const auto run = test::slidingRun(path("a.kbrun"), 0.3);
     cursor.setRun(run, false);
+    ASSERT_TRUE(waitFor([&] { return view->chart().has_value(); }));
     choose(curves, "curveChoice", "Any quantity over any other");
     EXPECT_TRUE(curves.findChild<QWidget*>("axisChoice")->isVisible());
-    ASSERT_TRUE(view->chart());
     EXPECT_TRUE(view->chart()->overTime);
     choose(curves, "curveX", QString::fromUtf8("slider · ux"));
     choose(curves, "curveY", QString::fromUtf8("energy · kinetic"));
-    ASSERT_TRUE(view->chart());
-    EXPECT_EQ(view->chart()->xTitle, "slider.ux (mm)");
-    EXPECT_TRUE(view->chart()->panels[0].title.starts_with("Energy"));
+    ASSERT_TRUE(waitFor([&] {
+        return view->chart() && view->chart()->xTitle == "slider.ux (mm)" &&
+               view->chart()->panels[0].title.starts_with("Energy");
+    }));
     EXPECT_EQ(view->chart()->panels[0].curves[0].x.size(), run->frames().size());
     Q_EMIT view->picked(view->chart()->panels[0].curves[0].x[4]);
     EXPECT_EQ(cursor.frame(), 4u);
     const auto other = test::slidingRun(path("b.kbrun"), 0.6);
     const double alone = view->chart()->x.high;
     curves.setOther(other, "Run 2");
-    ASSERT_EQ(view->chart()->panels[0].curves.size(), 2u);
+    ASSERT_TRUE(waitFor([&] { return view->chart()->panels[0].curves.size() == 2; }));
     EXPECT_TRUE(view->chart()->panels[0].curves[1].ofOther);
     EXPECT_GT(view->chart()->x.high, alone);
     curves.setOther(nullptr, {});
@@ -142,6 +147,68 @@ TEST(CurveEntries, AnotherRunStandsAtTheSameTimesOfTheSameStages) {
     EXPECT_EQ(shown.chart.panels[0].curves[1].x, (std::vector<double>{7.0, 7.5}));
     EXPECT_EQ(shown.chart.x.high, 8.0);
     EXPECT_EQ(shown.chart.dividers, (std::vector<double>{1.0, 7.0}));
+}
+
+/// Rows as of a long run with many bolts.
+LiveBatch longHistory(const LiveRun& run, std::size_t rows) {
+    LiveBatch batch;
+    HistoryRow row = run.history().back();
+    row.values.resize(2000);
+    for (std::size_t i = 0; i < rows; ++i) {
+        row.time += 1e-5;
+        row.values[0] = static_cast<double>(i);
+        batch.history.push_back(row);
+    }
+    return batch;
+}
+
+TEST_F(CurvesTest, ALongHistoryKeepsNobodyWaiting) {
+    Themes themes;
+    TimeCursor cursor;
+    Pins pins(cursor);
+    Display display;
+    Curves curves(themes, display, cursor, CurveKind::All, &pins);
+    auto* view = curves.findChild<ChartView*>("chart");
+    curves.resize(500, 240);
+    curves.show();
+    const auto run = test::slidingRun(path("a.kbrun"), 0.3);
+    run->append(longHistory(*run, 20000));
+    QElapsedTimer clock;
+    clock.start();
+    const std::vector<HistoryRow> copy = run->history();
+    const qint64 once = clock.elapsed();  // a reading takes this several times
+    qint64 longest = 0;
+    const auto timed = [&](const auto& act) {
+        clock.start();
+        act();
+        longest = std::max(longest, clock.elapsed());
+    };
+    timed([&] { cursor.setRun(run, true); });
+    while (!view->chart()) timed([] { QCoreApplication::processEvents(); });
+    for (int i = 0; i < 5; ++i) timed([&] { cursor.goTo(static_cast<std::size_t>(i)); });
+    RecordProperty("copy_ms", static_cast<int>(once));
+    RecordProperty("longest_ms", static_cast<int>(longest));
+    EXPECT_LT(longest, std::max<qint64>(60, once));
+}
+
+TEST(HistoryLog, WhatWasHandedOutDoesNotGrow) {
+    HistoryLog log;
+    std::vector<HistoryLog> copies;
+    double time = 0.0;
+    for (const std::size_t count : {1, 3, 0, 250, 10, 2000, 1, 1}) {
+        std::vector<HistoryRow> rows(count);
+        for (HistoryRow& row : rows) row.time = time++;
+        log.append(rows);
+        copies.push_back(log);
+    }
+    EXPECT_EQ(log.size(), 2266u);
+    std::size_t size = 0, i = 0;
+    for (const std::size_t count : {1, 3, 0, 250, 10, 2000, 1, 1}) {
+        size += count;
+        EXPECT_EQ(copies[i].all().size(), size);
+        EXPECT_EQ(copies[i++].size(), size);
+    }
+    for (std::size_t row = 0; row < log.size(); ++row) EXPECT_EQ(log[row].time, static_cast<double>(row));
 }
 
 TEST_F(CurvesTest, ArrowsAreOfOneKindAtATime) {

@@ -51,7 +51,7 @@ TEST_F(PinsTest, APinTellsWhatAMonitorAtItsPlaceDoes) {
     const std::vector<double>& values = pins.tracks()[0]->values();
     ASSERT_EQ(values.size(), run->frames().size());
     for (std::size_t i = 0; i < values.size(); ++i)
-        for (const HistoryRow& row : run->historyRows()) {
+        for (const HistoryRow& row : run->history()) {
             const bool isSame = row.stage == run->frames()[i].stage && row.step == run->frames()[i].step;
             if (isSame) {
                 EXPECT_NEAR(values[i], 1e3 * row.values[0], 1e-3) << i;
