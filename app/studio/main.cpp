@@ -21,10 +21,12 @@ int main(int argc, char** argv) {
     QApplication::setWindowIcon(QIcon(":/icons/app.svg"));
     QCoreApplication::setApplicationVersion(QString::fromUtf8(keyblock::programVersion().data(), int(keyblock::programVersion().size())));
     QCommandLineParser parser;
-    parser.setApplicationDescription("Draw blocky rock, place bolts, run and watch.");
+    const auto description = QCoreApplication::translate("main", "Draw blocky rock, place bolts, run and watch.");
+    parser.setApplicationDescription(description);
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument("file", "A scene (.json) or a run (.kbrun) to open.", "[SCENE.json | RUN.kbrun]");
+    const auto file = QCoreApplication::translate("main", "A scene (.json) or a run (.kbrun) to open.");
+    parser.addPositionalArgument("file", file, "[SCENE.json | RUN.kbrun]");
     parser.process(application);
     keyblock::Themes themes;
     keyblock::MainWindow window(themes);

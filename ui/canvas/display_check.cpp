@@ -13,28 +13,33 @@ namespace keyblock {
 
 namespace {
 
-QString text(const char* source) { return QCoreApplication::translate("DisplayCheck", source); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(DisplayCheck)
+};
 
 /// A context as the section takes it, on a surface that nobody sees.
 std::optional<QString> tryContext() {
     QOpenGLContext context;
     context.setFormat(sectionFormat());
-    if (!context.create()) return text("This display has no OpenGL.");
+    if (!context.create()) return Texts::tr("This display has no OpenGL.");
     QOffscreenSurface surface;
     surface.setFormat(context.format());
     surface.create();
-    if (!surface.isValid() || !context.makeCurrent(&surface)) return text("OpenGL does not start on this display.");
+    if (!surface.isValid() || !context.makeCurrent(&surface))
+        return Texts::tr("OpenGL does not start on this display.");
     const QPair<int, int> version = context.format().version();
     context.doneCurrent();
     if (version >= qMakePair(3, 2)) return std::nullopt;
-    return text("This display has OpenGL %1.%2; the section takes 3.2 or newer.").arg(version.first).arg(version.second);
+    return Texts::tr("This display has OpenGL %1.%2; the section takes 3.2 or newer.")
+        .arg(version.first)
+        .arg(version.second);
 }
 
 std::optional<QString> check() {
     const QString platform = QGuiApplication::platformName();
     if (platform == "offscreen" || platform == "minimal")
-        return text("The Qt platform '%1' has no OpenGL.").arg(platform);
-    if (platform == "xcb" && !glxWorks()) return text("This display has no OpenGL (GLX).");
+        return Texts::tr("The Qt platform '%1' has no OpenGL.").arg(platform);
+    if (platform == "xcb" && !glxWorks()) return Texts::tr("This display has no OpenGL (GLX).");
     return tryContext();
 }
 

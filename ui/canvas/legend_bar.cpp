@@ -22,7 +22,9 @@ namespace {
 constexpr double titleRow = 22.0, limitRow = 15.0, barHeight = 11.0, tickRow = 19.0, noteRow = 15.0, tip = 8.0;  // [px]
 constexpr int tickSize = 11, noteSize = 11;  // of the fonts [px]
 
-QString text(const char* source) { return QCoreApplication::translate("Legend", source); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(Legend)
+};
 QString qt(const std::string& word) { return QString::fromStdString(word); }
 double widthOf(const QString& word, int size) { return QFontMetricsF(screenFont(size)).horizontalAdvance(word); }
 
@@ -32,13 +34,14 @@ QStringList notesOf(const LegendBar& bar, double width) {
     const bool large = std::max(std::abs(bar.range.low), std::abs(bar.range.high)) >= 1e4;
     const int decimals = large ? 0 : bar.ticks.decimals + 1;
     if (bar.now)
-        notes << text("Now %1 – %2").arg(qt(numberText(bar.now->low, decimals)), qt(numberText(bar.now->high, decimals)));
+        notes << Texts::tr("Now %1 – %2")
+                     .arg(qt(numberText(bar.now->low, decimals)), qt(numberText(bar.now->high, decimals)));
     if (const QString convention = qt(bar.convention); !convention.isEmpty()) {
         const QString joined = notes.isEmpty() ? convention : notes.last() + " · " + convention;
         if (!notes.isEmpty() && widthOf(joined, noteSize) <= width) notes.last() = joined;
         else notes << convention;
     }
-    return notes << text("Fixed over all frames");
+    return notes << Texts::tr("Fixed over all frames");
 }
 
 /// With a triangle at ends beyond which there are values.

@@ -22,15 +22,17 @@ namespace {
 constexpr double titleRow = 22.0, row = 19.0, noteRow = 15.0;  // [px]
 constexpr int noteSize = 11;  // of the font [px]
 
-QString text(const char* source) { return QCoreApplication::translate("Legend", source); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(Legend)
+};
 QString qt(const std::string& word) { return QString::fromStdString(word); }
 
 QString nameOf(ContactKind kind) {
     switch (kind) {
-        case ContactKind::Locked: return text("Locked");
-        case ContactKind::Sliding: return text("Sliding");
-        case ContactKind::Bonded: return text("Bonded");
-        case ContactKind::Pulled: return text("Bonded, pulled");
+        case ContactKind::Locked: return Texts::tr("Locked");
+        case ContactKind::Sliding: return Texts::tr("Sliding");
+        case ContactKind::Bonded: return Texts::tr("Bonded");
+        case ContactKind::Pulled: return Texts::tr("Bonded, pulled");
     }
     return {};
 }
@@ -56,16 +58,16 @@ QString beginning(QString note) {
 QStringList notesOf(const ArrowField& field, double width) {
     const bool isCross = !field.marks.empty() && field.marks.front().shape != ArrowShape::Arrow;
     QStringList notes;
-    if (isCross) notes += broken(text("Compression; tension in red"), width);
+    if (isCross) notes += broken(Texts::tr("Compression; tension in red"), width);
     else for (const std::string& note : field.notes) notes += broken(beginning(qt(note)), width);
-    return notes + broken(text("Largest now %1 %2").arg(qt(numberText(field.largest)), qt(field.unit)), width);
+    return notes + broken(Texts::tr("Largest now %1 %2").arg(qt(numberText(field.largest)), qt(field.unit)), width);
 }
 
 QStringList notesOf(const ContactField& field, double width) {
-    QStringList notes = broken(text("Now up to %1 %2 over %3 m of thickness")
+    QStringList notes = broken(Texts::tr("Now up to %1 %2 over %3 m of thickness")
                                    .arg(qt(numberText(field.largest)), qt(field.unit), qt(numberText(field.thickness))),
                                width);
-    if (field.scale.largest > field.scale.longest) notes += broken(text("Longer ones are cut"), width);
+    if (field.scale.largest > field.scale.longest) notes += broken(Texts::tr("Longer ones are cut"), width);
     for (const std::string& note : field.notes) notes += broken(beginning(qt(note)), width);
     return notes;
 }
@@ -145,7 +147,7 @@ double legendContactsHeight(const ContactField& field, double width) {
 
 void paintLegendContacts(QPainter& painter, const Theme& theme, const ContactField& field, double scale,
                          const QPointF& at, double width) {
-    paintTitle(painter, theme, text("Contact force"), qt(field.unit), at, width);
+    paintTitle(painter, theme, Texts::tr("Contact force"), qt(field.unit), at, width);
     QPointF below = at + QPointF(0.0, titleRow - 2.0);
     if (field.scale.longest > 0.0) {
         const double longest = longestContactLine(field.scale.spacing * scale / pixelsPerMm);

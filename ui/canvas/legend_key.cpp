@@ -82,7 +82,8 @@ void paintLegendKey(QPainter& painter, const Theme& theme, const std::vector<Mar
     painter.setFont(screenFont(12, true));
     painter.setPen(theme.text);
     painter.drawText(QRectF(at, QSizeF(2.0 * column, 16.0)), Qt::AlignVCenter,
-                     QCoreApplication::translate("Marks", groups.points.empty() ? "Marks" : "Anchored points"));
+                     groups.points.empty() ? QCoreApplication::translate("Marks", "Marks")
+                                           : QCoreApplication::translate("Marks", "Anchored points"));
     QPointF below = at + QPointF(0.0, titleRow);
     below.ry() += paintGroup(painter, theme, groups.points, below);
     if (!groups.points.empty() && !groups.steel.empty()) {

@@ -18,6 +18,10 @@ namespace keyblock {
 
 namespace {
 
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(Legend)
+};
+
 constexpr double width = 230.0, inset = 10.0, padding = 13.0;  // [px]
 constexpr double leastCanvas = 480.0;  // below it the legend would hide the section [px]
 
@@ -27,9 +31,8 @@ struct Item {
 };
 
 QString deformationText(double factor) {
-    const auto text = [](const char* source) { return QCoreApplication::translate("Legend", source); };
-    if (factor == 1.0) return text("Deformation drawn true to scale");
-    return text("Deformation drawn ×%1").arg(QString::fromStdString(numberText(factor)));
+    if (factor == 1.0) return Texts::tr("Deformation drawn true to scale");
+    return Texts::tr("Deformation drawn ×%1").arg(QString::fromStdString(numberText(factor)));
 }
 
 /// Bars of colours, and what is drawn over blocks in their place.

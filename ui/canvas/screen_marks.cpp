@@ -12,6 +12,14 @@
 
 namespace keyblock {
 
+namespace {
+
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(Marks)
+};
+
+}  // namespace
+
 MarkTheme screenMarks(const Theme& theme) {
     MarkTheme marks;
     marks.colours.ink = colourOf(theme.markInk);
@@ -36,17 +44,16 @@ void paintMark(QPainter& painter, MarkKind kind, const QPointF& at, const QPoint
 }
 
 QString markName(MarkKind kind) {
-    const auto text = [](const char* source) { return QCoreApplication::translate("Marks", source); };
     switch (kind) {
-        case MarkKind::Bonded: return text("Real, bonded");
-        case MarkKind::Artificial: return text("Artificial");
-        case MarkKind::InGap: return text("Artificial, gap");
-        case MarkKind::Slipping: return text("Slipping");
-        case MarkKind::Gone: return text("Gone");
-        case MarkKind::Yielded: return text("Steel yielded");
-        case MarkKind::Ruptured: return text("Ruptured");
-        case MarkKind::Plate: return text("Face plate");
-        case MarkKind::PlateLost: return text("Plate lost");
+        case MarkKind::Bonded: return Texts::tr("Real, bonded");
+        case MarkKind::Artificial: return Texts::tr("Artificial");
+        case MarkKind::InGap: return Texts::tr("Artificial, gap");
+        case MarkKind::Slipping: return Texts::tr("Slipping");
+        case MarkKind::Gone: return Texts::tr("Gone");
+        case MarkKind::Yielded: return Texts::tr("Steel yielded");
+        case MarkKind::Ruptured: return Texts::tr("Ruptured");
+        case MarkKind::Plate: return Texts::tr("Face plate");
+        case MarkKind::PlateLost: return Texts::tr("Plate lost");
     }
     return {};
 }

@@ -24,7 +24,9 @@ constexpr double ribbonGap = 8.0, pixelsPerKn = 0.195, leastRoom = 9.0, usualRoo
 constexpr double hatchEach = 0.1;  // [m]
 constexpr double leastForce = 50.0;  // worth telling [N]
 
-QString text(const char* source) { return QCoreApplication::translate("SectionInk", source); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(SectionInk)
+};
 QString qt(const std::string& word) { return QString::fromStdString(word); }
 
 QPolygonF polygonOf(const std::vector<Point>& points) {
@@ -91,7 +93,9 @@ void SectionInk::callOutRibbon(const RibbonShape& shape) {
     CallOut peak;
     peak.head = qt(picture_.bolts[ribbon.shape].name) + "  " + qt(numberText(value)) + unit;
     if (ribbon.limit)
-        peak.detail = text("%1 % of %2").arg(std::lround(100.0 * std::abs(value) / *ribbon.limit)).arg(qt(ribbon.limitName));
+        peak.detail = Texts::tr("%1 % of %2")
+                          .arg(std::lround(100.0 * std::abs(value) / *ribbon.limit))
+                          .arg(qt(ribbon.limitName));
     peak.edge = theme_.accent;
     peak.at = shape.peak;
     peak.first = shape.across;
@@ -120,8 +124,9 @@ void SectionInk::callOutEvents() {
         CallOut callOut;
         callOut.head = qt(entry->subject) + ' ' + qt(entry->what);
         const bool bore = entry->bolt >= 0 && entry->force > leastForce;
-        callOut.detail = bore ? text("%1 at %2").arg(qt(forceText(entry->force, picture_.numbers)), qt(entry->when))
-                              : text("at %1").arg(qt(entry->when));
+        callOut.detail = bore ? Texts::tr("%1 at %2").arg(qt(forceText(entry->force, picture_.numbers)),
+                                                               qt(entry->when))
+                              : Texts::tr("at %1").arg(qt(entry->when));
         callOut.edge = theme_.error;
         callOut.at = at;
         callOuts_.push_back(callOut);
@@ -142,8 +147,8 @@ void SectionInk::callOutMoved() {
             return entry.bolt < 0 && entry.block == block->block && isGrave(entry.kind);
         });
         if (isTold || !isSeen(foot) || told == mostMoved) continue;
-        callOuts_.push_back({qt(block->name), text("moved %1").arg(qt(lengthText(block->displaced / picture_.factor, picture_.numbers))),
-                             theme_.text2, foot, {0.0, 1.0}, true});
+        const QString way = qt(lengthText(block->displaced / picture_.factor, picture_.numbers));
+        callOuts_.push_back({qt(block->name), Texts::tr("moved %1").arg(way), theme_.text2, foot, {0.0, 1.0}, true});
         ++told;
     }
 }

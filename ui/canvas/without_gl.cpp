@@ -11,10 +11,12 @@ namespace keyblock {
 
 namespace {
 
-QString text(const char* source) { return QCoreApplication::translate("WithoutGl", source); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(WithoutGl)
+};
 
 QString howToGoOn() {
-    return text("<p>Panels, checks, runs and tables work without it. To see the section:</p>"
+    return Texts::tr("<p>Panels, checks, runs and tables work without it. To see the section:</p>"
                 "<ul>"
                 "<li>on this machine, install software OpenGL: <code>apt install libgl1-mesa-dri libglx-mesa0</code>, "
                 "and start with <code>LIBGL_ALWAYS_SOFTWARE=1 keyblock-studio</code>;</li>"
@@ -30,9 +32,10 @@ QString howToGoOn() {
 QWidget* makeWithoutGlPanel(const QString& missing, QWidget* parent) {
     auto* panel = new QWidget(parent);
     panel->setObjectName("withoutGl");
-    panel->setAccessibleName(text("The section cannot be shown"));
+    panel->setAccessibleName(Texts::tr("The section cannot be shown"));
     auto* message = new QLabel(QStringLiteral("<h3>%1</h3><p>%2</p>%3")
-                                   .arg(text("The section cannot be shown here"), missing.toHtmlEscaped(), howToGoOn()),
+                                   .arg(Texts::tr("The section cannot be shown here"), missing.toHtmlEscaped(),
+                                        howToGoOn()),
                                panel);
     message->setObjectName("withoutGlMessage");
     message->setWordWrap(true);

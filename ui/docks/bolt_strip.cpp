@@ -38,9 +38,10 @@ struct PanelChoice {
 };
 
 const std::vector<PanelChoice>& panelChoices() {
-    static const std::vector<PanelChoice> all{{QT_TRANSLATE_NOOP("BoltStrip", "N · bond · slip"), {"Axial", "Bond", "Slip"}},
-                                              {QT_TRANSLATE_NOOP("BoltStrip", "N · Q · M"), {"Axial", "Shear", "Moment"}},
-                                              {QT_TRANSLATE_NOOP("BoltStrip", "everything"), {""}}};
+    static const std::vector<PanelChoice> all{
+        {QT_TRANSLATE_NOOP("keyblock::BoltStrip", "N · bond · slip"), {"Axial", "Bond", "Slip"}},
+        {QT_TRANSLATE_NOOP("keyblock::BoltStrip", "N · Q · M"), {"Axial", "Shear", "Moment"}},
+        {QT_TRANSLATE_NOOP("keyblock::BoltStrip", "everything"), {""}}};
     return all;
 }
 

@@ -13,7 +13,9 @@ namespace keyblock {
 
 namespace {
 
-QString words(const char* text) { return QCoreApplication::translate("Census", text); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(Census)
+};
 
 QString number(double value) { return Display::number(value, 12); }
 
@@ -24,16 +26,16 @@ QString rough(double value) {
 }
 
 QString whyBlocks(const CensusCounts& counts) {
-    const QString strains = counts.cells == 0             ? words("one strain state each, no sub-blocks asked")
-                            : counts.cells < counts.blocks ? words("%1 of them cells").arg(number(counts.cells))
-                                                           : words("cells, each with its own strain");
-    return counts.fixed > 0 ? words("%1; %2 held whole").arg(strains, number(counts.fixed)) : strains;
+    const QString strains = counts.cells == 0             ? Texts::tr("one strain state each, no sub-blocks asked")
+                            : counts.cells < counts.blocks ? Texts::tr("%1 of them cells").arg(number(counts.cells))
+                                                           : Texts::tr("cells, each with its own strain");
+    return counts.fixed > 0 ? Texts::tr("%1; %2 held whole").arg(strains, number(counts.fixed)) : strains;
 }
 
 QString boltCount(const CensusCounts& counts) {
     const bool even = counts.bolts > 0 && counts.nodes % counts.bolts == 0;
-    if (even) return words("%1 × %2 nodes").arg(number(counts.bolts)).arg(number(counts.nodes / counts.bolts));
-    return words("%1 · %2 nodes").arg(number(counts.bolts), number(counts.nodes));
+    if (even) return Texts::tr("%1 × %2 nodes").arg(number(counts.bolts)).arg(number(counts.nodes / counts.bolts));
+    return Texts::tr("%1 · %2 nodes").arg(number(counts.bolts), number(counts.nodes));
 }
 
 }  // namespace
@@ -41,56 +43,57 @@ QString boltCount(const CensusCounts& counts) {
 std::vector<CensusRow> censusRows(const Census& census) {
     const CensusCounts& counts = census.counts;
     std::vector<CensusRow> rows{
-        {counts.cells == counts.blocks && counts.cells > 0 ? words("Cells") : words("Blocks"), number(counts.blocks),
+        {counts.cells == counts.blocks && counts.cells > 0 ? Texts::tr("Cells") : Texts::tr("Blocks"),
+         number(counts.blocks),
          number(counts.blockUnknowns), whyBlocks(counts)}};
     if (counts.bolts > 0)
-        rows.push_back({words("Bolts"), boltCount(counts), number(counts.boltUnknowns),
-                        words("%1 nodes are real anchors, the rest hold across").arg(number(counts.realAnchors))});
+        rows.push_back({Texts::tr("Bolts"), boltCount(counts), number(counts.boltUnknowns),
+                        Texts::tr("%1 nodes are real anchors, the rest hold across").arg(number(counts.realAnchors))});
     if (counts.plates > 0)
-        rows.push_back({words("Plates"), number(counts.plates), number(counts.plateUnknowns),
-            words("blocks of their own")});
-    rows.push_back({words("Contacts"), QString::fromUtf8("≈ ") + number(counts.contacts), "0",
-        words("at the start; springs, no unknowns")});
+        rows.push_back({Texts::tr("Plates"), number(counts.plates), number(counts.plateUnknowns),
+            Texts::tr("blocks of their own")});
+    rows.push_back({Texts::tr("Contacts"), QString::fromUtf8("≈ ") + number(counts.contacts), "0",
+        Texts::tr("at the start; springs, no unknowns")});
     if (counts.gluedEdges > 0)
-        rows.push_back({words("Glued edges"), number(counts.gluedEdges), "0", words("between cells")});
+        rows.push_back({Texts::tr("Glued edges"), number(counts.gluedEdges), "0", Texts::tr("between cells")});
     if (counts.heldPoints > 0)
-        rows.push_back({words("Held points"), number(counts.heldPoints), "0", words("supports")});
-    rows.push_back({words("Total"), {}, number(counts.unknowns()),
-                    census.estimate.stages.empty() ? words("no stages to run")
-                    : census.estimate.stages.size() == 1 ? words("in its one stage")
-                                                         : words("all %1 stages").arg(census.estimate.stages.size()),
+        rows.push_back({Texts::tr("Held points"), number(counts.heldPoints), "0", Texts::tr("supports")});
+    rows.push_back({Texts::tr("Total"), {}, number(counts.unknowns()),
+                    census.estimate.stages.empty() ? Texts::tr("no stages to run")
+                    : census.estimate.stages.size() == 1 ? Texts::tr("in its one stage")
+                                                         : Texts::tr("all %1 stages").arg(census.estimate.stages.size()),
                     false, true});
     for (const LeftOut& part : census.leftOut)
         rows.push_back({QString::fromStdString(part.what), {}, {},
-                        words("%1; saves %2").arg(QString::fromStdString(part.why),
+                        Texts::tr("%1; saves %2").arg(QString::fromStdString(part.why),
                                                   QString::fromStdString(part.saves)), true});
     return rows;
 }
 
 QString costText(double seconds) {
-    if (seconds < 1.0) return words("under a second");
-    if (seconds < 60.0) return words("%1 s").arg(rough(seconds));
+    if (seconds < 1.0) return Texts::tr("under a second");
+    if (seconds < 60.0) return Texts::tr("%1 s").arg(rough(seconds));
     if (seconds < 3600.0) {
         const int rest = static_cast<int>(std::round(std::fmod(seconds, 60.0) / 10.0)) * 10;
         const int minutes = static_cast<int>(seconds / 60.0) + rest / 60;
-        return rest % 60 == 0 || minutes >= 10 ? words("%1 min").arg(minutes)
-            : words("%1 min %2 s").arg(minutes).arg(rest);
+        return rest % 60 == 0 || minutes >= 10 ? Texts::tr("%1 min").arg(minutes)
+            : Texts::tr("%1 min %2 s").arg(minutes).arg(rest);
     }
-    return words("%1 h").arg(rough(seconds / 3600.0));
+    return Texts::tr("%1 h").arg(rough(seconds / 3600.0));
 }
 
 QString memoryText(double bytes) {
-    return bytes < 1e9 ? words("%1 MB").arg(rough(bytes / 1e6)) : words("%1 GB").arg(rough(bytes / 1e9));
+    return bytes < 1e9 ? Texts::tr("%1 MB").arg(rough(bytes / 1e6)) : Texts::tr("%1 GB").arg(rough(bytes / 1e9));
 }
 
 QString estimateDetails(const CostEstimate& estimate) {
     QStringList lines;
     for (const StageCost& stage : estimate.stages)
-        lines << words("%1: %2 steps, %3 passes (%4 to %5)")
+        lines << Texts::tr("%1: %2 steps, %3 passes (%4 to %5)")
                      .arg(QString::fromStdString(stage.name), rough(stage.steps), rough(stage.passes),
                           rough(stage.least),
                           rough(stage.most));
-    lines << words("A pass takes %1 ms, what is around it %2 ms")
+    lines << Texts::tr("A pass takes %1 ms, what is around it %2 ms")
                  .arg(rough(1e3 * estimate.passSeconds), rough(1e3 * estimate.stepSeconds));
     for (const std::string& sentence : estimate.assumes) lines << QString::fromStdString(sentence);
     return lines.join('\n');

@@ -16,7 +16,9 @@ namespace keyblock {
 
 namespace {
 
-QString words(const char* text) { return QCoreApplication::translate("FieldHelp", text); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(FieldHelp)
+};
 
 QString withUnit(const QString& number, const QString& symbol) {
     return symbol.isEmpty() || symbol == QString::fromUtf8("°") ? number + symbol : number + ' ' + symbol;
@@ -39,8 +41,8 @@ QString rangeWords(const Range& range, const std::string& unit, const Display& d
 QString plainHelp(std::string_view help) {
     QString text = fromUtf8(help);
     text.remove('`');
-    text.replace(QRegularExpression("\\b[Nn]ull: "), words("automatic: "));
-    text.replace("; automatic: ", words("; automatic: "));
+    text.replace(QRegularExpression("\\b[Nn]ull: "), Texts::tr("automatic: "));
+    text.replace("; automatic: ", Texts::tr("; automatic: "));
     return text;
 }
 
@@ -52,7 +54,7 @@ QString outOfRange(const FormRow& row, const FieldValue& value, const FormContex
     if (!number && !place) return {};
     const double held = number ? *number : place->s;
     if (contains(row.field->range, held)) return {};
-    return words("%1 is out of range. Give a number %2")
+    return Texts::tr("%1 is out of range. Give a number %2")
         .arg(numberText(held, unit, context.display), rangeWords(row.field->range, unit, context.display));
 }
 
@@ -66,14 +68,14 @@ FieldHelp helpOf(const FormRow& row, const FormContext& context) {
     if (row.resettable) {
         const QString automatic = automaticText(row, context);
         const bool null = std::holds_alternative<std::monostate>(row.fallback);
-        const QString text = null && !automatic.isEmpty() ? words("automatic (%1)").arg(automatic)
+        const QString text = null && !automatic.isEmpty() ? Texts::tr("automatic (%1)").arg(automatic)
                                                           : summaryOf(row.fallback, *row.field, unit, context.display);
-        if (!text.isEmpty()) parts << words("default %1").arg(text);
+        if (!text.isEmpty()) parts << Texts::tr("default %1").arg(text);
     }
     parts.removeAll(QString());
     help.numbers = parts.join(QString::fromUtf8(" · "));
     help.text = plainHelp(row.field->help);
-    if (!row.field->source.empty()) help.text += ' ' + words("Source: %1.").arg(fromUtf8(row.field->source));
+    if (!row.field->source.empty()) help.text += ' ' + Texts::tr("Source: %1.").arg(fromUtf8(row.field->source));
     return help;
 }
 

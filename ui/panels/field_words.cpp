@@ -11,22 +11,25 @@ namespace keyblock {
 
 namespace {
 
-QString words(const char* text) { return QCoreApplication::translate("FieldWords", text); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(FieldWords)
+};
 
 /// Labels that the key does not give.
 const QHash<QString, QString>& ownLabels() {
     static const QHash<QString, QString> labels{
-        {"youngs_modulus", words("Young's modulus")}, {"poissons_ratio", words("Poisson's ratio")},
+        {"youngs_modulus", Texts::tr("Young's modulus")}, {"poissons_ratio", Texts::tr("Poisson's ratio")},
         {"rho_inf", QString::fromUtf8("ρ∞")}, {"sxx", QString::fromUtf8("σxx")}, {"syy", QString::fromUtf8("σyy")},
-        {"sxy", QString::fromUtf8("σxy")}, {"block_at", words("Block at")}, {"reference_y", words("Reference height")},
-        {"gradient_y", words("Change upwards")}, {"far_end", words("Far end")}, {"sub_blocks", words("Cells")},
-        {"in_situ_stress", words("In-situ stress")}, {"unbalanced", words("Unbalanced force")},
-        {"set", words("Strength changes")}, {"fix", words("Held")}, {"way", words("Way round")},
-        {"max_steps", words("Most steps")}, {"max_passes", words("Most passes")}, {"like", words("Derived from")},
-        {"min_area", words("Least area")}, {"min_width", words("Least width")},
-        {"continue", words("Go on after collapse")},
-        {"offset", words("Offset of first")}, {"tunnel", words("Along wall of")},
-        {"trace_length_deviation", words("Length deviation")}};
+        {"sxy", QString::fromUtf8("σxy")}, {"block_at", Texts::tr("Block at")},
+        {"reference_y", Texts::tr("Reference height")}, {"gradient_y", Texts::tr("Change upwards")},
+        {"far_end", Texts::tr("Far end")}, {"sub_blocks", Texts::tr("Cells")},
+        {"in_situ_stress", Texts::tr("In-situ stress")}, {"unbalanced", Texts::tr("Unbalanced force")},
+        {"set", Texts::tr("Strength changes")}, {"fix", Texts::tr("Held")}, {"way", Texts::tr("Way round")},
+        {"max_steps", Texts::tr("Most steps")}, {"max_passes", Texts::tr("Most passes")},
+        {"like", Texts::tr("Derived from")}, {"min_area", Texts::tr("Least area")},
+        {"min_width", Texts::tr("Least width")}, {"continue", Texts::tr("Go on after collapse")},
+        {"offset", Texts::tr("Offset of first")}, {"tunnel", Texts::tr("Along wall of")},
+        {"trace_length_deviation", Texts::tr("Length deviation")}};
     return labels;
 }
 
@@ -39,18 +42,22 @@ struct Heading {
 /// Long structures fall into groups; keys named in none stand under the structure's own title.
 const std::vector<Heading>& headings() {
     static const std::vector<Heading> list{
-        {"bolt pattern", "Bolt", {"type", "length", "angle_from_wall", "divisions", "plate", "pretension"}},
-        {"joint set", "Traces", {"trace_length", "trace_length_deviation", "bridge", "bridge_deviation", "stagger"}},
-        {"stage", "Excavation and support", {"excavate", "relaxation", "install", "remove"}},
-        {"bolt type", "Steel",
+        {"bolt pattern", QT_TRANSLATE_NOOP("FieldWords", "Bolt"),
+         {"type", "length", "angle_from_wall", "divisions", "plate", "pretension"}},
+        {"joint set", QT_TRANSLATE_NOOP("FieldWords", "Traces"),
+         {"trace_length", "trace_length_deviation", "bridge", "bridge_deviation", "stagger"}},
+        {"stage", QT_TRANSLATE_NOOP("FieldWords", "Excavation and support"),
+         {"excavate", "relaxation", "install", "remove"}},
+        {"bolt type", QT_TRANSLATE_NOOP("FieldWords", "Steel"),
          {"diameter", "area", "second_moment", "plastic_modulus", "density", "shear_modulus", "shear_coefficient",
           "youngs_modulus", "steel", "tensile_strength", "shear_strength_ratio", "rupture_rule", "bending",
           "dynamic_factor"}},
-        {"bolt type", "Grout across the bolt", {"normal_stiffness", "normal_per"}},
-        {"bolt type", "Sources", {"sources"}},
-        {"analysis", "Contacts and solution",
+        {"bolt type", QT_TRANSLATE_NOOP("FieldWords", "Grout across the bolt"), {"normal_stiffness", "normal_per"}},
+        {"bolt type", QT_TRANSLATE_NOOP("FieldWords", "Sources"), {"sources"}},
+        {"analysis", QT_TRANSLATE_NOOP("FieldWords", "Contacts and solution"),
          {"penalty_ratio", "shear_ratio", "tolerance", "max_passes", "iteration", "contact"}},
-        {"joint material", "Stiffness", {"normal_stiffness", "shear_stiffness", "crushing_strength"}},
+        {"joint material", QT_TRANSLATE_NOOP("FieldWords", "Stiffness"),
+         {"normal_stiffness", "shear_stiffness", "crushing_strength"}},
     };
     return list;
 }
@@ -114,7 +121,7 @@ QString countedOf(const Structure& structure, int count) {
 QString headingOf(const Structure& structure, const Field& field) {
     for (const Heading& heading : headings())
         if (structure.name == heading.structure && std::ranges::count(heading.keys, field.key))
-            return words(heading.title);
+            return Texts::tr(heading.title);
     return titleOf(structure);
 }
 
@@ -141,11 +148,11 @@ std::vector<std::string> columnUnits(const ObjectAt& at, const Field& field) {
 }
 
 QStringList columnTitles(const Structure& structure, const Field& field) {
-    if (field.key == "steel") return {words("Strain"), words("Stress")};
-    if (structure.name == "anchor") return {words("Slip"), words("Force")};
-    if (structure.name == "motion") return {words("Time"), words("Displacement")};
-    if (structure.name == "load") return {words("Time"), words("Factor")};
-    return {words("Time"), words("Value")};
+    if (field.key == "steel") return {Texts::tr("Strain"), Texts::tr("Stress")};
+    if (structure.name == "anchor") return {Texts::tr("Slip"), Texts::tr("Force")};
+    if (structure.name == "motion") return {Texts::tr("Time"), Texts::tr("Displacement")};
+    if (structure.name == "load") return {Texts::tr("Time"), Texts::tr("Factor")};
+    return {Texts::tr("Time"), Texts::tr("Value")};
 }
 
 }  // namespace keyblock

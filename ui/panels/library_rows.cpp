@@ -18,14 +18,16 @@ namespace keyblock {
 
 namespace {
 
-QString words(const char* text) { return QCoreApplication::translate("Library", text); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(Library)
+};
 
 QString groupOf(const BoltType& type) {
     switch (type.boltClass) {
-        case BoltClass::CMC: return words("Grouted bars");
-        case BoltClass::CFC: return words("Friction bolts");
-        case BoltClass::DMC: return words("Bolts with anchors");
-        case BoltClass::DFC: return words("Bolts that yield");
+        case BoltClass::CMC: return Texts::tr("Grouted bars");
+        case BoltClass::CFC: return Texts::tr("Friction bolts");
+        case BoltClass::DMC: return Texts::tr("Bolts with anchors");
+        case BoltClass::DFC: return Texts::tr("Bolts that yield");
     }
     return {};
 }
@@ -73,8 +75,8 @@ public:
         add(boltTypeStructure(), &type_, "", {});
         const Field* anchors = findField(boltTypeStructure(), "anchors");
         for (std::size_t i = 0; i < type_.anchors.size(); ++i)
-            add(anchors->children.structure(), &type_.anchors[i], "anchors", words("Anchor %1").arg(i + 1));
-        add(findField(boltTypeStructure(), "plate")->children.structure(), &type_.plate, "plate.", words("Plate"));
+            add(anchors->children.structure(), &type_.anchors[i], "anchors", Texts::tr("Anchor %1").arg(i + 1));
+        add(findField(boltTypeStructure(), "plate")->children.structure(), &type_.plate, "plate.", Texts::tr("Plate"));
         return std::move(rows_);
     }
 
@@ -113,8 +115,8 @@ bool sameLaw(Anchor a, const Anchor& b) {
 
 QString lawTitle(const Anchor& anchor) {
     const QString law = fromUtf8(anchorLawWords[static_cast<std::size_t>(anchor.law)]);
-    return anchor.at || anchor.per == Per::Node ? words("Bond of a node, %1").arg(law)
-        : words("Bond per metre, %1").arg(law);
+    return anchor.at || anchor.per == Per::Node ? Texts::tr("Bond of a node, %1").arg(law)
+        : Texts::tr("Bond per metre, %1").arg(law);
 }
 
 double farthestSlip(const Anchor& anchor) {
@@ -129,7 +131,7 @@ std::vector<LibraryEntry> libraryEntries(const Scene& scene, const Display& disp
     std::vector<LibraryEntry> entries;
     for (const BoltType& type : scene.boltTypes)
         if (!type.builtIn)
-            entries.push_back({type, words("In this scene"), detailOf(type, display), usersOf(scene, type.name)});
+            entries.push_back({type, Texts::tr("In this scene"), detailOf(type, display), usersOf(scene, type.name)});
     const std::size_t own = entries.size();
     for (const BoltType& type : builtInBoltTypes())
         entries.push_back({type, groupOf(type), detailOf(type, display), usersOf(scene, type.name)});
@@ -144,7 +146,8 @@ std::vector<LibraryNumber> libraryNumbers(const BoltType& type, const Display& d
 }
 
 ShownCurve steelCurve(const BoltType& type, const Display& display) {
-    ShownCurve curve{words("Steel"), {}, words("Strain (%)"), words("Stress (%1)").arg(display.shown("Pa").symbol)};
+    ShownCurve curve{Texts::tr("Steel"), {}, Texts::tr("Strain (%)"),
+                     Texts::tr("Stress (%1)").arg(display.shown("Pa").symbol)};
     for (const auto& [strain, stress] : type.steel)
         curve.points.emplace_back(100.0 * strain, stress * display.shown("Pa").factor);
     return curve;
@@ -170,7 +173,8 @@ std::vector<ShownCurve> bondCurves(const BoltType& type, const Display& display)
         if (std::ranges::any_of(told, [&](const Anchor& other) { return sameLaw(other, anchor); })) continue;
         told.push_back(anchor);
         const char* unit = anchor.at || anchor.per == Per::Node ? "N" : "N/m";
-        ShownCurve curve{lawTitle(anchor), {}, words("Slip (mm)"), words("Force (%1)").arg(display.shown(unit).symbol)};
+        ShownCurve curve{lawTitle(anchor), {}, Texts::tr("Slip (mm)"),
+                         Texts::tr("Force (%1)").arg(display.shown(unit).symbol)};
         for (const auto& [slip, force] : bondCurve(anchor, farthestSlip(anchor)))
             curve.points.emplace_back(1000.0 * slip, force * display.shown(unit).factor);
         curves.push_back(std::move(curve));

@@ -20,6 +20,10 @@ namespace keyblock {
 
 namespace {
 
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(ObjectDetail)
+};
+
 /// Says something of one kind of object.
 struct Teller {
     const Document& document;
@@ -91,18 +95,18 @@ struct Teller {
         return quantity(l.force.norm(), "N");
     }
     QString of(const Stage& s) const {
-        return s.kind == StageKind::Static ? words("static")
-            : words("dynamic %1 s").arg(numberText(s.duration, "s", display, 3));
+        return s.kind == StageKind::Static ? Texts::tr("static")
+            : Texts::tr("dynamic %1 s").arg(numberText(s.duration, "s", display, 3));
     }
     QString of(const Monitor& m) const {
         if (m.bolt)
             return QString::fromStdString(*m.bolt) + ' ' +
                    fromUtf8(boltQuantityWords[static_cast<std::size_t>(m.quantity)]);
-        if (m.between) return words("opening");
+        if (m.between) return Texts::tr("opening");
         return m.point ? place(*m.point) : QString();
     }
     QString of(const InSituStress& s) const {
-        if (s.sxx == 0.0 && s.syy == 0.0 && !(s.gradientY == StressGradient{})) return words("stress with depth");
+        if (s.sxx == 0.0 && s.syy == 0.0 && !(s.gradientY == StressGradient{})) return Texts::tr("stress with depth");
         const double sign = display.compressionPositive() ? -1.0 : 1.0;
         return QString("%1 / %2").arg(numberText(sign * s.sxx, "Pa", display, 3), stress(sign * s.syy));
     }
@@ -110,8 +114,6 @@ struct Teller {
         return fromUtf8(boltClassWords[static_cast<std::size_t>(t.boltClass)]) + QString::fromUtf8(" · ") +
                QString::fromStdString(lengthText(t.diameter, display.numbers()));
     }
-
-    static QString words(const char* text) { return QCoreApplication::translate("ObjectDetail", text); }
 };
 
 struct KindRow {

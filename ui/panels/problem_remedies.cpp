@@ -17,7 +17,9 @@ namespace keyblock {
 
 namespace {
 
-QString words(const char* text) { return QCoreApplication::translate("Remedies", text); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(Remedies)
+};
 
 /// Lists to which a name that is missing can be added as it is.
 std::string listNamed(std::string_view key) {
@@ -33,7 +35,7 @@ std::optional<Remedy> addWhatIsNamed(const Scene& scene, const ScenePlace& place
     const auto* name = std::get_if<std::string>(&value);
     const auto names = choicesOf(scene, *place.structure, *place.field);
     if (!name || name->empty() || !names || std::ranges::count(*names, *name)) return std::nullopt;
-    return Remedy{words("Add %1").arg(QString::fromStdString(*name)),
+    return Remedy{Texts::tr("Add %1").arg(QString::fromStdString(*name)),
                   [list, wanted = *name](const Scene& now) { return appendAt(now, list, wanted); }};
 }
 
@@ -41,7 +43,7 @@ std::optional<Remedy> renameTaken(const Problem& problem, const ScenePlace& plac
     const bool taken = problem.message.find("is taken by an earlier") != std::string::npos;
     if (!taken || place.field->key != "name") return std::nullopt;
     const std::string object = parentOf(problem.pointer);
-    return Remedy{words("Give it a free name"), [object](const Scene& now) {
+    return Remedy{Texts::tr("Give it a free name"), [object](const Scene& now) {
                       return renameAt(now, object, nameOfCopy(now, parentOf(object), nameAt(now, object)));
                   }};
 }
@@ -51,11 +53,11 @@ std::optional<Remedy> leaveOut(const Problem& problem, const ScenePlace& place) 
     const std::string pointer = problem.pointer;
     if (problem.remedy.starts_with("Leave it out")) {
         if (place.element)
-            return Remedy{words("Leave it out"), [pointer](const Scene& now) { return removeAt(now, pointer); }};
-        return Remedy{words("Leave it out"), [pointer](const Scene& now) { return resetAt(now, pointer); }};
+            return Remedy{Texts::tr("Leave it out"), [pointer](const Scene& now) { return removeAt(now, pointer); }};
+        return Remedy{Texts::tr("Leave it out"), [pointer](const Scene& now) { return resetAt(now, pointer); }};
     }
     if (problem.remedy.ends_with("leave it to the program") && place.field->nullable)
-        return Remedy{words("Leave it to the program"),
+        return Remedy{Texts::tr("Leave it to the program"),
             [pointer](const Scene& now) { return setNullAt(now, pointer); }};
     return std::nullopt;
 }
@@ -64,7 +66,7 @@ std::optional<Remedy> takePlateOff(const Problem& problem) {
     if (problem.remedy.find("\"plate\": \"none\"") == std::string::npos) return std::nullopt;
     std::string object = problem.pointer;
     if (object.ends_with("/head")) object = parentOf(object);
-    return Remedy{words("Take the plate off"), [plate = object + "/plate"](const Scene& now) {
+    return Remedy{Texts::tr("Take the plate off"), [plate = object + "/plate"](const Scene& now) {
                       return setValueAt(now, plate, std::string("none"));
                   }};
 }
@@ -79,7 +81,7 @@ double perimeterOf(const std::vector<Point>& points) {
 
 std::optional<Remedy> remedyFor(const Scene& scene, const Problem& problem) {
     if (problem.pointer.empty() && scene.stages.empty() && problem.message.find("no stages") != std::string::npos)
-        return Remedy{words("Add a stage"), [](const Scene& now) { return appendAt(now, "/stages"); }};
+        return Remedy{Texts::tr("Add a stage"), [](const Scene& now) { return appendAt(now, "/stages"); }};
     const auto place = locate(scene, problem.pointer);
     if (!place || !place->field) return std::nullopt;
     for (auto remedy : {addWhatIsNamed(scene, *place), renameTaken(problem, *place), leaveOut(problem, *place),
@@ -108,7 +110,7 @@ Slivers sliversOf(const Scene& scene, const SceneCut& cut) {
 }
 
 Remedy mergeSlivers(const Slivers& slivers) {
-    return {words("Merge %1 slivers").arg(slivers.count), [](const Scene& now) {
+    return {Texts::tr("Merge %1 slivers").arg(slivers.count), [](const Scene& now) {
                 Edit edit = setNullAt(now, "/cutting/min_area");
                 return edit.done() ? setNullAt(edit.scene, "/cutting/min_width") : edit;
             }};

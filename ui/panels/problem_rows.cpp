@@ -22,7 +22,9 @@ namespace {
 
 constexpr std::size_t mostNotes = 200;  // of a kind, one by one
 
-QString words(const char* text) { return QCoreApplication::translate("Problems", text); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(Problems)
+};
 
 QString capitalised(QString text) {
     if (!text.isEmpty()) text[0] = text[0].toUpper();
@@ -33,15 +35,31 @@ QString capitalised(QString text) {
 QString roomOf(const std::string& pointer) {
     const QString key = QString::fromStdString(pointer).section('/', 1, 1);
     static const std::map<QString, const char*> rooms{
-        {"materials", "materials"}, {"joint_materials", "materials"}, {"bolts", "support"},
-        {"bolt_patterns", "support"},
-        {"bolt_types", "support"}, {"stages", "stages"}, {"monitors", "results"}, {"quantities", "results"},
-        {"supports", "supports"}, {"in_situ_stress", "loads"}, {"analysis", "settings"}, {"output", "settings"},
-        {"limits", "settings"}, {"safety", "settings"}, {"cutting", "cut"}, {"joints", "geometry"},
-        {"joint_sets", "geometry"}, {"domain", "geometry"}, {"tunnels", "geometry"}, {"blocks", "geometry"},
-        {"regions", "geometry"}, {"voronoi", "geometry"}};
+        {"materials", QT_TRANSLATE_NOOP("Problems", "materials")},
+        {"joint_materials", QT_TRANSLATE_NOOP("Problems", "materials")},
+        {"bolts", QT_TRANSLATE_NOOP("Problems", "support")},
+        {"bolt_patterns", QT_TRANSLATE_NOOP("Problems", "support")},
+        {"bolt_types", QT_TRANSLATE_NOOP("Problems", "support")},
+        {"stages", QT_TRANSLATE_NOOP("Problems", "stages")},
+        {"monitors", QT_TRANSLATE_NOOP("Problems", "results")},
+        {"quantities", QT_TRANSLATE_NOOP("Problems", "results")},
+        {"supports", QT_TRANSLATE_NOOP("Problems", "supports")},
+        {"in_situ_stress", QT_TRANSLATE_NOOP("Problems", "loads")},
+        {"analysis", QT_TRANSLATE_NOOP("Problems", "settings")},
+        {"output", QT_TRANSLATE_NOOP("Problems", "settings")},
+        {"limits", QT_TRANSLATE_NOOP("Problems", "settings")},
+        {"safety", QT_TRANSLATE_NOOP("Problems", "settings")},
+        {"cutting", QT_TRANSLATE_NOOP("Problems", "cut")},
+        {"joints", QT_TRANSLATE_NOOP("Problems", "geometry")},
+        {"joint_sets", QT_TRANSLATE_NOOP("Problems", "geometry")},
+        {"domain", QT_TRANSLATE_NOOP("Problems", "geometry")},
+        {"tunnels", QT_TRANSLATE_NOOP("Problems", "geometry")},
+        {"blocks", QT_TRANSLATE_NOOP("Problems", "geometry")},
+        {"regions", QT_TRANSLATE_NOOP("Problems", "geometry")},
+        {"voronoi", QT_TRANSLATE_NOOP("Problems", "geometry")},
+    };
     const auto found = rooms.find(key);
-    return found == rooms.end() ? words("whole scene") : words(found->second);
+    return found == rooms.end() ? Texts::tr("whole scene") : Texts::tr(found->second);
 }
 
 class Rows {
@@ -94,7 +112,7 @@ private:
         row.box = boxAt(problem.pointer);
         row.where = where(row.box, roomOf(problem.pointer));
         row.remedy = remedyFor(scene_, problem);
-        row.link = row.remedy ? row.remedy->text : problem.pointer.empty() ? QString() : words("Show");
+        row.link = row.remedy ? row.remedy->text : problem.pointer.empty() ? QString() : Texts::tr("Show");
         return row;
     }
 
@@ -103,11 +121,12 @@ private:
         if (slivers.count == 0) return;
         ProblemRow row;
         row.sign = ProblemRow::Sign::Warning;
-        row.title = slivers.count == 1 ? words("A sliver is kept") : words("%1 slivers are kept").arg(slivers.count);
-        row.detail = words("Narrower than %1, %2 in all: they slow every step. The default limits merge them.")
+        row.title = slivers.count == 1 ? Texts::tr("A sliver is kept")
+                                       : Texts::tr("%1 slivers are kept").arg(slivers.count);
+        row.detail = Texts::tr("Narrower than %1, %2 in all: they slow every step. The default limits merge them.")
                          .arg(measure(slivers.width, "m"), measure(slivers.area, "m²"));
         row.box = slivers.box;
-        row.where = where(row.box, words("cut"));
+        row.where = where(row.box, Texts::tr("cut"));
         row.remedy = mergeSlivers(slivers);
         row.link = row.remedy->text;
         rows_.push_back(std::move(row));
@@ -124,7 +143,7 @@ private:
             const QString word = fromUtf8(wordOf(kind));
             parts << QString("%1 %2%3").arg(count).arg(word, count == 1 ? "" : "s");
         }
-        return parts.isEmpty() ? words("Nothing merged, trimmed or dropped") : capitalised(parts.join(", "));
+        return parts.isEmpty() ? Texts::tr("Nothing merged, trimmed or dropped") : capitalised(parts.join(", "));
     }
 
     void addReport() {
@@ -133,11 +152,11 @@ private:
         for (const CutNote& note : cut.notes) ++kinds[note.kind];
         ProblemRow row;
         row.sign = ProblemRow::Sign::Report;
-        row.title = words("Cut report: %1 blocks").arg(Display::number(cut.blocks, 12));
-        if (cut.open > 0) row.title += words(", %1 left out in open tunnels").arg(cut.open);
+        row.title = Texts::tr("Cut report: %1 blocks").arg(Display::number(cut.blocks, 12));
+        if (cut.open > 0) row.title += Texts::tr(", %1 left out in open tunnels").arg(cut.open);
         row.detail = counts(kinds);
-        row.where = words("whole section");
-        if (!kinds.empty()) row.link = reportIsOpen_ ? words("Hide report") : words("Show report");
+        row.where = Texts::tr("whole section");
+        if (!kinds.empty()) row.link = reportIsOpen_ ? Texts::tr("Hide report") : Texts::tr("Show report");
         row.opensReport = !kinds.empty();
         rows_.push_back(row);
         if (!reportIsOpen_) return;
@@ -153,8 +172,8 @@ private:
         row.detail = capitalised(QString::fromStdString(noteText(*checked_.cut, note)));
         row.pointer = pointerOfSource(note.source);
         if (note.place.allFinite()) row.box = Box{note.place, note.place};
-        row.where = where(row.box, words("cut"));
-        row.link = words("Show");
+        row.where = where(row.box, Texts::tr("cut"));
+        row.link = Texts::tr("Show");
         return row;
     }
 

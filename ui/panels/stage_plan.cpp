@@ -15,7 +15,9 @@ namespace keyblock {
 
 namespace {
 
-QString words(const char* text) { return QCoreApplication::translate("Stages", text); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(Stages)
+};
 
 bool names(const std::vector<std::string>& list, const std::string& name) {
     return std::ranges::find(list, name) != list.end();
@@ -80,15 +82,16 @@ Edit excavateIn(const Scene& scene, const std::string& name, std::size_t stage) 
 QString listed(const std::vector<std::string>& texts) {
     QStringList list;
     for (const std::string& text : texts) list << QString::fromStdString(text);
-    return list.size() > 3 ? words("%1, %2 and %3 more").arg(list[0], list[1]).arg(list.size() - 2) : list.join(", ");
+    return list.size() > 3 ? Texts::tr("%1, %2 and %3 more").arg(list[0], list[1]).arg(list.size() - 2)
+                           : list.join(", ");
 }
 
 QString counted(std::size_t count, const char* one, const char* many) {
-    return QString("%1 %2").arg(count).arg(count == 1 ? words(one) : words(many));
+    return QString("%1 %2").arg(count).arg(Texts::tr(count == 1 ? one : many));
 }
 
 QString changeText(const StrengthChange& change, const Display& display) {
-    QString text = words("sets %1").arg(QString::fromStdString(change.jointMaterial));
+    QString text = Texts::tr("sets %1").arg(QString::fromStdString(change.jointMaterial));
     if (change.frictionAngle)
         text += QString::fromUtf8(" φ %1°").arg(numberText(*change.frictionAngle, {}, display, 4));
     if (change.cohesion)
@@ -125,39 +128,44 @@ Edit toggled(const Scene& scene, const PlanRow& row, std::size_t stage) {
 
 QString toggledName(const Scene& scene, const PlanRow& row, std::size_t stage) {
     const QString name = QString::fromStdString(row.name), in = QString::fromStdString(scene.stages[stage].name);
-    if (row.cells[stage].event != PlanCell::Event::None) return words("Leave %1 as it is in %2").arg(name, in);
-    if (!row.isBolt) return words("Excavate %1 in %2").arg(name, in);
+    if (row.cells[stage].event != PlanCell::Event::None) return Texts::tr("Leave %1 as it is in %2").arg(name, in);
+    if (!row.isBolt) return Texts::tr("Excavate %1 in %2").arg(name, in);
     const bool everInstalled =
         std::ranges::any_of(scene.stages, [&](const Stage& s) { return names(s.install, row.name); });
-    const QString text = row.cells[stage].there && everInstalled ? words("Remove %1 in %2") : words("Install %1 in %2");
+    const QString text = row.cells[stage].there && everInstalled ? Texts::tr("Remove %1 in %2")
+                                                                       : Texts::tr("Install %1 in %2");
     return text.arg(name, in);
 }
 
 QStringList stageDeeds(const Stage& stage, const Display& display) {
     QStringList deeds;
-    if (!stage.excavate.empty()) deeds << words("excavates %1").arg(listed(stage.excavate));
+    if (!stage.excavate.empty()) deeds << Texts::tr("excavates %1").arg(listed(stage.excavate));
     if (stage.relaxation)
-        deeds << words("releases walls to %1 %").arg(numberText(100.0 * *stage.relaxation, {}, display, 4));
-    if (!stage.install.empty()) deeds << words("installs %1").arg(listed(stage.install));
-    if (!stage.remove.empty()) deeds << words("removes %1").arg(listed(stage.remove));
+        deeds << Texts::tr("releases walls to %1 %").arg(numberText(100.0 * *stage.relaxation, {}, display, 4));
+    if (!stage.install.empty()) deeds << Texts::tr("installs %1").arg(listed(stage.install));
+    if (!stage.remove.empty()) deeds << Texts::tr("removes %1").arg(listed(stage.remove));
     for (const StrengthChange& change : stage.set) deeds << changeText(change, display);
-    if (!stage.loads.empty()) deeds << counted(stage.loads.size(), "load", "loads");
-    if (!stage.motions.empty()) deeds << counted(stage.motions.size(), "motion", "motions");
+    if (!stage.loads.empty())
+        deeds << counted(stage.loads.size(), QT_TRANSLATE_NOOP("Stages", "load"), QT_TRANSLATE_NOOP("Stages", "loads"));
+    if (!stage.motions.empty())
+        deeds << counted(stage.motions.size(), QT_TRANSLATE_NOOP("Stages", "motion"),
+                         QT_TRANSLATE_NOOP("Stages", "motions"));
     for (const Dilation& dilation : stage.dilations)
-        deeds << words("opens %1").arg(QString::fromStdString(dilation.joint));
+        deeds << Texts::tr("opens %1").arg(QString::fromStdString(dilation.joint));
     if (!stage.initialVelocities.empty())
-        deeds << counted(stage.initialVelocities.size(), "block thrown", "blocks thrown");
-    if (stage.baseAcceleration) deeds << words("shakes the ground");
-    if (stage.bodyAcceleration) deeds << words("shakes all bodies");
-    if (stage.zeroDisplacements) deeds << words("counts displacements anew");
+        deeds << counted(stage.initialVelocities.size(), QT_TRANSLATE_NOOP("Stages", "block thrown"),
+                         QT_TRANSLATE_NOOP("Stages", "blocks thrown"));
+    if (stage.baseAcceleration) deeds << Texts::tr("shakes the ground");
+    if (stage.bodyAcceleration) deeds << Texts::tr("shakes all bodies");
+    if (stage.zeroDisplacements) deeds << Texts::tr("counts displacements anew");
     return deeds;
 }
 
 QString stageEnd(const Stage& stage, const Display& display) {
     if (stage.kind == StageKind::Dynamic) return QString("%1 s").arg(numberText(stage.duration, "s", display, 4));
-    if (stage.increments) return words("%1 increments").arg(*stage.increments);
-    if (stage.until.unbalanced) return words("balance %1").arg(numberText(*stage.until.unbalanced, {}, display, 2));
-    return words("in balance");
+    if (stage.increments) return Texts::tr("%1 increments").arg(*stage.increments);
+    if (stage.until.unbalanced) return Texts::tr("balance %1").arg(numberText(*stage.until.unbalanced, {}, display, 2));
+    return Texts::tr("in balance");
 }
 
 }  // namespace keyblock

@@ -20,7 +20,9 @@ namespace {
 
 constexpr int longList = 60;  // entries; longer ones wait until they are opened
 
-QString words(const char* text) { return QCoreApplication::translate("SceneTree", text); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(SceneTree)
+};
 
 using Children = std::vector<std::unique_ptr<TreeNode>>;
 
@@ -34,14 +36,14 @@ public:
         auto root = std::make_unique<TreeNode>();
         addGeometry(*root);
         addMaterials(*root);
-        addList(*root, "/joint_sets", words("Joint sets"), "joint-set", true);
-        addList(*root, "/joints", words("Joints"), "joint", true);
-        addList(*root, "/tunnels", words("Tunnels"), "tunnel", false);
+        addList(*root, "/joint_sets", Texts::tr("Joint sets"), "joint-set", true);
+        addList(*root, "/joints", Texts::tr("Joints"), "joint", true);
+        addList(*root, "/tunnels", Texts::tr("Tunnels"), "tunnel", false);
         addBolts(*root);
-        addList(*root, "/supports", words("Supports"), "support", true);
+        addList(*root, "/supports", Texts::tr("Supports"), "support", true);
         addLoads(*root);
-        addList(*root, "/stages", words("Stages"), "stage", false);
-        addList(*root, "/monitors", words("Monitors"), "monitor", true);
+        addList(*root, "/stages", Texts::tr("Stages"), "stage", false);
+        addList(*root, "/monitors", Texts::tr("Monitors"), "monitor", true);
         addResults(*root);
         return root;
     }
@@ -126,16 +128,16 @@ private:
     void addList(TreeNode& root, const QString& list, const QString& name, const QString& icon, bool canHide) {
         const std::size_t count = countOf(list);
         auto node = heading(list, name, icon, canHide && count > 0);
-        node->detail = count > 0 ? Display::number(static_cast<double>(count), 12) : words("none");
+        node->detail = count > 0 ? Display::number(static_cast<double>(count), 12) : Texts::tr("none");
         fill(*node, list);
         addHeading(root, std::move(node));
     }
 
     void addGeometry(TreeNode& root) {
-        auto node = heading("#geometry", words("Geometry"), "outline", false);
+        auto node = heading("#geometry", Texts::tr("Geometry"), "outline", false);
         node->badge = worst({"/domain", "/regions", "/voronoi", "/blocks", "/cutting"});
-        if (scene_.domain) addOne(*node, "/domain", words("Domain"));
-        if (scene_.voronoi) addOne(*node, "/voronoi", words("Voronoi cells"));
+        if (scene_.domain) addOne(*node, "/domain", Texts::tr("Domain"));
+        if (scene_.voronoi) addOne(*node, "/voronoi", Texts::tr("Voronoi cells"));
         for (auto& row : entries("/regions")) addChild(*node, std::move(row));
         addBlocks(*node);
         addHeading(root, std::move(node));
@@ -143,12 +145,12 @@ private:
 
     /// Blocks that the scene gives, and how many the cut makes.
     void addBlocks(TreeNode& geometry) {
-        auto blocks = heading("/blocks", words("Blocks"), "block", true);
+        auto blocks = heading("/blocks", Texts::tr("Blocks"), "block", true);
         const auto& cut = source_.document.checked().cut;
         const std::size_t all = cut ? cut->scene.blocks.size() : scene_.blocks.size();
         blocks->detail = Display::number(static_cast<double>(all), 12);
         if (all > scene_.blocks.size() && !scene_.blocks.empty())
-            blocks->detail = words("%1, %2 given").arg(blocks->detail).arg(scene_.blocks.size());
+            blocks->detail = Texts::tr("%1, %2 given").arg(blocks->detail).arg(scene_.blocks.size());
         fill(*blocks, "/blocks");
         if (source_.filter.isEmpty() || matches(*blocks) || !blocks->children.empty())
             addChild(geometry, std::move(blocks));
@@ -170,23 +172,23 @@ private:
     }
 
     void addMaterials(TreeNode& root) {
-        auto node = heading("#materials", words("Materials"), "material", false);
+        auto node = heading("#materials", Texts::tr("Materials"), "material", false);
         node->badge = worst({"/materials", "/joint_materials"});
         for (auto& row : entries("/materials")) addChild(*node, std::move(row));
         for (auto& row : entries("/joint_materials")) addChild(*node, std::move(row));
-        node->detail = node->children.empty() ? words("none") : QString::number(node->children.size());
+        node->detail = node->children.empty() ? Texts::tr("none") : QString::number(node->children.size());
         addHeading(root, std::move(node));
     }
 
     void addBolts(TreeNode& root) {
-        auto node = heading("/bolts", words("Bolts"), "bolt", !scene_.bolts.empty() || !scene_.boltPatterns.empty());
+        auto node = heading("/bolts", Texts::tr("Bolts"), "bolt", !scene_.bolts.empty() || !scene_.boltPatterns.empty());
         node->badge = worst({"/bolts", "/bolt_patterns", "/bolt_types"});
         const auto& cut = source_.document.checked().cut;
         const std::size_t all = cut ? cut->scene.bolts.size() : scene_.bolts.size();
-        node->detail = all > 0 ? Display::number(static_cast<double>(all), 12) : words("none");
+        node->detail = all > 0 ? Display::number(static_cast<double>(all), 12) : Texts::tr("none");
         for (auto& row : entries("/bolt_patterns")) addChild(*node, std::move(row));
         if (scene_.bolts.size() > static_cast<std::size_t>(longList) && source_.filter.isEmpty()) {
-            auto single = heading("/bolts/", words("Single bolts"), "bolt", false);
+            auto single = heading("/bolts/", Texts::tr("Single bolts"), "bolt", false);
             single->detail = QString::number(scene_.bolts.size());
             single->waiting = static_cast<int>(scene_.bolts.size());
             addChild(*node, std::move(single));
@@ -206,16 +208,16 @@ private:
     }
 
     void addLoads(TreeNode& root) {
-        auto node = heading("#loads", words("Loads"), "load", false);
-        addOne(*node, "/analysis", words("Gravity"));
+        auto node = heading("#loads", Texts::tr("Loads"), "load", false);
+        addOne(*node, "/analysis", Texts::tr("Gravity"));
         if (!node->children.empty()) {
             node->children.back()->detail = gravityText();
             node->children.back()->icon = "arrow";
         }
-        if (scene_.inSituStress) addOne(*node, "/in_situ_stress", words("In-situ stress"));
+        if (scene_.inSituStress) addOne(*node, "/in_situ_stress", Texts::tr("In-situ stress"));
         for (std::size_t stage = 0; stage < scene_.stages.size(); ++stage)
             for (const char* list : {"loads", "motions"}) addOfStage(*node, stage, list);
-        node->detail = scene_.analysis.gravity.isZero() ? words("no gravity") : words("gravity");
+        node->detail = scene_.analysis.gravity.isZero() ? Texts::tr("no gravity") : Texts::tr("gravity");
         if (scene_.inSituStress)
             node->detail += ", " + detailOf(source_.document, source_.display, "/in_situ_stress");
         addHeading(root, std::move(node));
@@ -227,8 +229,8 @@ private:
         const std::size_t count = loads ? held.loads.size() : held.motions.size();
         for (std::size_t i = 0; i < count; ++i) {
             auto row = entry(under(under(under("/stages", stage), list), i), {});
-            row->name = (loads ? words("Load %1") : words("Motion %1")).arg(i + 1);
-            row->detail = (row->detail + ' ' + words("in %1").arg(QString::fromStdString(held.name))).trimmed();
+            row->name = (loads ? Texts::tr("Load %1") : Texts::tr("Motion %1")).arg(i + 1);
+            row->detail = (row->detail + ' ' + Texts::tr("in %1").arg(QString::fromStdString(held.name))).trimmed();
             row->icon = loads ? "load" : "motion";
             row->canHide = true;
             if (source_.filter.isEmpty() || matches(*row)) addChild(node, std::move(row));
@@ -236,8 +238,8 @@ private:
     }
 
     void addResults(TreeNode& root) {
-        auto node = heading("#results", words("Results"), "result", false);
-        node->detail = source_.runs.empty() ? words("no run yet") : QString();
+        auto node = heading("#results", Texts::tr("Results"), "result", false);
+        node->detail = source_.runs.empty() ? Texts::tr("no run yet") : QString();
         for (const RunRow& run : source_.runs) {
             auto row = heading("#run/" + run.id, run.name, run.icon.isEmpty() ? "result" : run.icon, false);
             row->detail = run.detail;

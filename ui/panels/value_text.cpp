@@ -14,7 +14,9 @@ namespace keyblock {
 
 namespace {
 
-QString words(const char* text) { return QCoreApplication::translate("ValueText", text); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(ValueText)
+};
 
 /// Of 736.8 kN/m a person means 736800 N/m, not what is left of it after a product of two rounded numbers.
 double withoutRoundOff(double value) {
@@ -28,7 +30,7 @@ double fromShown(double shown, double factor) {
 bool isOneOf(const QString& text, const QStringList& list) { return list.contains(text, Qt::CaseInsensitive); }
 
 bool asksForNull(const QString& text) {
-    return text.isEmpty() || isOneOf(text, {"auto", "automatic", "null", "none", words("automatic")});
+    return text.isEmpty() || isOneOf(text, {"auto", "automatic", "null", "none", Texts::tr("automatic")});
 }
 
 QString pointText(const Point& point, std::string_view unit, const Display& display, bool exact) {
@@ -52,7 +54,7 @@ Typed<std::vector<double>> readNumbers(QString text, int count, std::string_view
     const QStringList parts = text.split(text.contains(';') ? ';' : ',');
     const QString example = count == 2 ? "2.5, 0.25" : "1, 2, 3";
     if (parts.size() != count)
-        return {{}, words("%1 numbers are asked for, as in %2; between decimal commas write a semicolon")
+        return {{}, Texts::tr("%1 numbers are asked for, as in %2; between decimal commas write a semicolon")
                         .arg(count).arg(example)};
     std::vector<double> numbers;
     for (const QString& part : parts) {
@@ -79,12 +81,12 @@ Typed<FieldValue> readAxis(const QString& text, const Display& display) {
     if (text.compare("x", Qt::CaseInsensitive) == 0) return {FieldValue(Point(1.0, 0.0)), {}};
     if (text.compare("y", Qt::CaseInsensitive) == 0) return {FieldValue(Point(0.0, 1.0)), {}};
     auto typed = readPoint(text, {}, display);
-    if (!typed.value) typed.problem = words("Write x, y, or a direction as two numbers: 1, 0.5");
+    if (!typed.value) typed.problem = Texts::tr("Write x, y, or a direction as two numbers: 1, 0.5");
     return typed;
 }
 
 Typed<FieldValue> readPlace(const QString& text, std::string_view unit, const Display& display) {
-    if (isOneOf(text, {"head", words("head")})) return {FieldValue(BoltPlace{true, 0.0}), {}};
+    if (isOneOf(text, {"head", Texts::tr("head")})) return {FieldValue(BoltPlace{true, 0.0}), {}};
     const Typed<double> number = readNumber(text, unit, display);
     if (!number.value) return {{}, number.problem};
     return {FieldValue(BoltPlace{false, *number.value}), {}};
@@ -94,7 +96,7 @@ Typed<FieldValue> readInteger(const QString& text, std::string_view unit, const 
     const Typed<double> number = readNumber(text, unit, display);
     if (!number.value) return {{}, number.problem};
     if (*number.value != std::floor(*number.value) || std::abs(*number.value) > 2147483647.0)
-        return {{}, words("A whole number is asked for")};
+        return {{}, Texts::tr("A whole number is asked for")};
     return {FieldValue(*number.value), {}};
 }
 
@@ -127,7 +129,7 @@ QString valueText(const FieldValue& value, const Field& field, std::string_view 
     };
     if (const auto* text = std::get_if<std::string>(&value)) return QString::fromStdString(*text);
     if (const auto* x = std::get_if<double>(&value)) return number(*x);
-    if (const auto* place = std::get_if<BoltPlace>(&value)) return place->head ? words("head") : number(place->s);
+    if (const auto* place = std::get_if<BoltPlace>(&value)) return place->head ? Texts::tr("head") : number(place->s);
     if (const auto* point = std::get_if<Point>(&value))
         return field.kind == FieldKind::Axis ? axisText(*point, display, exact)
                                              : pointText(*point, unit, display, exact);
@@ -156,17 +158,17 @@ Typed<FieldValue> readValue(const QString& typedText, const Field& field, std::s
 }
 
 QString summaryOf(const FieldValue& value, const Field& field, std::string_view unit, const Display& display) {
-    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? words("yes") : words("no");
+    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? Texts::tr("yes") : Texts::tr("no");
     if (const auto* points = std::get_if<std::vector<Point>>(&value))
-        return words("%n points").replace("%n", QString::number(points->size()));
+        return Texts::tr("%n points").replace("%n", QString::number(points->size()));
     if (const auto* table = std::get_if<Table>(&value))
-        return words("%n rows").replace("%n", QString::number(table->size()));
+        return Texts::tr("%n rows").replace("%n", QString::number(table->size()));
     if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
         QStringList list;
         for (const std::string& text : *texts) list << QString::fromStdString(text);
         return list.join(", ");
     }
-    if (std::holds_alternative<std::monostate>(value)) return words("automatic");
+    if (std::holds_alternative<std::monostate>(value)) return Texts::tr("automatic");
     const QString text = valueText(value, field, unit, display);
     const QString symbol = display.shown(unit).symbol;
     return symbol.isEmpty() || unit.empty() || text.isEmpty() ? text : text + ' ' + symbol;

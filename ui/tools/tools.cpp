@@ -27,7 +27,9 @@
 namespace keyblock {
 namespace {
 
-QString text(const char* said) { return QCoreApplication::translate("tools", said); }
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(tools)
+};
 
 struct Row {
     const char* id;
@@ -38,19 +40,32 @@ struct Row {
 };
 
 constexpr Row rows[] = {
-    {"select", "Select", "Chooses, drags and changes things.", "S", false},
-    {"outline", "Outline", "Draws the outline of the rock, or of a region.", "", false},
-    {"block", "Block", "Draws a block beside the rock that is cut.", "B", false},
-    {"joint", "Joint", "Draws a joint along a line.", "J", false},
-    {"joint-set", "Joint set", "Fills the rock with parallel joints.", "", false},
-    {"tunnel", "Tunnel", "Places an opening.", "T", false},
-    {"bolt", "Bolt", "Places a bolt, square to a wall where one is near.", "K", true},
-    {"pattern", "Bolt pattern", "Places bolts along the wall of a tunnel.", "P", false},
-    {"support", "Support", "Holds a side, a point or a block.", "", true},
-    {"load", "Load", "Places a force or a pressure in a stage.", "", false},
-    {"motion", "Motion", "Moves a block over a stage.", "", false},
-    {"monitor", "Monitor", "Watches a point, an opening or a bolt.", "", false},
-    {"measure", "Measure", "Tells lengths and angles.", "M", true},
+    {"select", QT_TRANSLATE_NOOP("tools", "Select"),
+     QT_TRANSLATE_NOOP("tools", "Chooses, drags and changes things."), "S", false},
+    {"outline", QT_TRANSLATE_NOOP("tools", "Outline"),
+     QT_TRANSLATE_NOOP("tools", "Draws the outline of the rock, or of a region."), "", false},
+    {"block", QT_TRANSLATE_NOOP("tools", "Block"),
+     QT_TRANSLATE_NOOP("tools", "Draws a block beside the rock that is cut."), "B", false},
+    {"joint", QT_TRANSLATE_NOOP("tools", "Joint"),
+     QT_TRANSLATE_NOOP("tools", "Draws a joint along a line."), "J", false},
+    {"joint-set", QT_TRANSLATE_NOOP("tools", "Joint set"),
+     QT_TRANSLATE_NOOP("tools", "Fills the rock with parallel joints."), "", false},
+    {"tunnel", QT_TRANSLATE_NOOP("tools", "Tunnel"),
+     QT_TRANSLATE_NOOP("tools", "Places an opening."), "T", false},
+    {"bolt", QT_TRANSLATE_NOOP("tools", "Bolt"),
+     QT_TRANSLATE_NOOP("tools", "Places a bolt, square to a wall where one is near."), "K", true},
+    {"pattern", QT_TRANSLATE_NOOP("tools", "Bolt pattern"),
+     QT_TRANSLATE_NOOP("tools", "Places bolts along the wall of a tunnel."), "P", false},
+    {"support", QT_TRANSLATE_NOOP("tools", "Support"),
+     QT_TRANSLATE_NOOP("tools", "Holds a side, a point or a block."), "", true},
+    {"load", QT_TRANSLATE_NOOP("tools", "Load"),
+     QT_TRANSLATE_NOOP("tools", "Places a force or a pressure in a stage."), "", false},
+    {"motion", QT_TRANSLATE_NOOP("tools", "Motion"),
+     QT_TRANSLATE_NOOP("tools", "Moves a block over a stage."), "", false},
+    {"monitor", QT_TRANSLATE_NOOP("tools", "Monitor"),
+     QT_TRANSLATE_NOOP("tools", "Watches a point, an opening or a bolt."), "", false},
+    {"measure", QT_TRANSLATE_NOOP("tools", "Measure"),
+     QT_TRANSLATE_NOOP("tools", "Tells lengths and angles."), "M", true},
 };
 
 struct ModeRow {
@@ -62,10 +77,14 @@ struct ModeRow {
 };
 
 constexpr ModeRow modeRows[] = {
-    {"draw.objectSnap", "Object snap", "Takes ends, crossings and middles near the mouse.", "F3", &PointingModes::objectSnap},
-    {"draw.ortho", "Ortho", "Draws level and upright; Shift does the other for once.", "F8", &PointingModes::ortho},
-    {"draw.grid", "Grid", "Shows a grid of round distances.", "G", &PointingModes::gridShown},
-    {"draw.gridSnap", "Grid snap", "Takes places of the grid where nothing else is near.", "F9", &PointingModes::gridSnap},
+    {"draw.objectSnap", QT_TRANSLATE_NOOP("tools", "Object snap"),
+     QT_TRANSLATE_NOOP("tools", "Takes ends, crossings and middles near the mouse."), "F3", &PointingModes::objectSnap},
+    {"draw.ortho", QT_TRANSLATE_NOOP("tools", "Ortho"),
+     QT_TRANSLATE_NOOP("tools", "Draws level and upright; Shift does the other for once."), "F8", &PointingModes::ortho},
+    {"draw.grid", QT_TRANSLATE_NOOP("tools", "Grid"),
+     QT_TRANSLATE_NOOP("tools", "Shows a grid of round distances."), "G", &PointingModes::gridShown},
+    {"draw.gridSnap", QT_TRANSLATE_NOOP("tools", "Grid snap"),
+     QT_TRANSLATE_NOOP("tools", "Takes places of the grid where nothing else is near."), "F9", &PointingModes::gridSnap},
 };
 
 }  // namespace
@@ -90,11 +109,11 @@ std::vector<std::unique_ptr<Tool>> makeAllTools(Workbench& bench) {
 
 void addToolCommands(Commands& commands, ToolDesk& desk, ToolPalette& palette, std::vector<QAction*>& actions) {
     for (const Row& row : rows) {
-        const QString id(row.id), name = text(row.text);
+        const QString id(row.id), name = Texts::tr(row.text);
         QList<QKeySequence> keys;
         if (*row.key) keys << QKeySequence(row.key);
         const bool draws = id != "select" && id != "measure";
-        QAction* action = commands.add({"tool." + id, name, draws ? "Insert" : "Tools", id, text(row.help), keys, true,
+        QAction* action = commands.add({"tool." + id, name, draws ? "Insert" : "Tools", id, Texts::tr(row.help), keys, true,
                                         row.begins ? QString(row.id) : QString()},
                                        [&desk, id] { desk.choose(id); });
         if (row.begins) palette.addLine();
@@ -105,8 +124,8 @@ void addToolCommands(Commands& commands, ToolDesk& desk, ToolPalette& palette, s
 
 void addModeCommands(Commands& commands, Workbench& bench) {
     for (const ModeRow& row : modeRows) {
-        QAction* action = commands.add({row.id, text(row.text), "Tools", {}, text(row.help), {QKeySequence(row.key)}, true,
-                                        "modes"},
+        QAction* action = commands.add({row.id, Texts::tr(row.text), "Tools", {}, Texts::tr(row.help),
+                                        {QKeySequence(row.key)}, true, "modes"},
                                        [&bench, mode = row.mode] {
                                            PointingModes modes = bench.modes();
                                            modes.*mode = !(modes.*mode);

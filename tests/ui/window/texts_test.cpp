@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Whoever translates the window gets a list of its texts from Qt's lupdate. Nothing
+// that is shown through a translation may be missing from that list, and no command
+// may go without one.
+#include "tests/scratch_folder.h"
+#include "tests/ui/screen/screen.h"
+
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/look/commands.h"
+#include "ui/look/theme.h"
+#include "ui/runs/runs.h"
+#include "ui/runs/time_cursor.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTest>
+#include <QTranslator>
+#include <QXmlStreamReader>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace keyblock {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Texts = std::set<std::pair<QString, QString>>;  // context and text
+
+/// A language in which everything stands between these signs; knows what it was asked for.
+class SignedLanguage : public QTranslator {
+public:
+    SignedLanguage() { QCoreApplication::installTranslator(this); }
+    ~SignedLanguage() override { QCoreApplication::removeTranslator(this); }
+
+    bool isEmpty() const override { return false; }
+    QString translate(const char* context, const char* text, const char*, int) const override {
+        const QString of = QString::fromUtf8(context), said = QString::fromUtf8(text);
+        if (isOfQt(of)) return {};
+        asked_.insert({of, said});
+        return QString::fromUtf8("«%1»").arg(said);
+    }
+    const Texts& asked() const { return asked_; }
+
+private:
+    /// Its own words for keys, buttons and dialogs; functions without a class speak as one of these three.
+    static bool isOfQt(const QString& context) {
+        return context.startsWith('Q') && context != "QWidget" && context != "QMainWindow" && context != "QObject";
+    }
+
+    mutable Texts asked_;
+};
+
+/// Every source of the window's rooms.
+std::vector<fs::path> sources() {
+    std::vector<fs::path> found;
+    for (const char* folder : {"ui", "app/studio"})
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(KEYBLOCK_SOURCE_DIR) / folder))
+            if (entry.path().extension() == ".cpp" || entry.path().extension() == ".h") found.push_back(entry.path());
+    return found;
+}
+
+/// What lupdate finds there.
+Texts foundTexts(const fs::path& list) {
+    QProcess lupdate;
+    lupdate.setWorkingDirectory(KEYBLOCK_SOURCE_DIR);
+    lupdate.start(KEYBLOCK_LUPDATE, {"-silent", "-recursive", "-I", ".", "ui", "app/studio", "-ts",
+                                     QString::fromStdString(list.string())});
+    EXPECT_TRUE(lupdate.waitForFinished(60000));
+    EXPECT_EQ(lupdate.exitCode(), 0);
+    EXPECT_EQ(lupdate.readAllStandardError().toStdString(), "") << "a tr() whose class Qt does not know";
+    QFile file(QString::fromStdString(list.string()));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    Texts texts;
+    QString context;
+    for (QXmlStreamReader xml(&file); !xml.atEnd(); xml.readNext()) {
+        if (!xml.isStartElement()) continue;
+        if (xml.name() == QLatin1String("name")) context = xml.readElementText();
+        if (xml.name() == QLatin1String("source")) texts.insert({context, xml.readElementText()});
+    }
+    return texts;
+}
+
+/// A text that is not written where it is translated is hidden from lupdate, unless a mark shows it.
+TEST(Texts, NoneIsTranslatedUnseen) {
+    const QRegularExpression hidden(R"((translate\(\s*"[^"]*"\s*,|\btr\()\s*[^"\s\)])");
+    for (const fs::path& path : sources()) {
+        const QString text = QString::fromStdString(test::contentOf(path));
+        const auto match = hidden.match(text);
+        if (!match.hasMatch() || text.contains("_NOOP(")) continue;
+        ADD_FAILURE() << path << ", line " << text.left(match.capturedStart()).count('\n') + 1
+                      << ": write the text itself into tr(), or mark those of a table with QT_TRANSLATE_NOOP";
+    }
+}
+
+TEST(Texts, EveryCommandIsTranslated) {
+    NEED_SCREEN();
+    const SignedLanguage language;
+    Themes themes;
+    MainWindow window(themes);
+    for (const QAction* action : window.findChild<Commands*>()->all()) {
+        EXPECT_TRUE(action->text().contains(QString::fromUtf8("«"))) << action->objectName().toStdString();
+        EXPECT_TRUE(action->statusTip().isEmpty() || action->statusTip().contains(QString::fromUtf8("«")))
+            << action->objectName().toStdString();
+    }
+}
+
+#ifdef KEYBLOCK_LUPDATE
+TEST(Texts, EveryTextThatIsShownIsOnTheTranslatorsList) {
+    NEED_SCREEN();
+    const test::ScratchFolder scratch;
+    const fs::path scene = scratch.path() / "pull.json";
+    fs::copy_file(fs::path(KEYBLOCK_SAMPLES_DIR) / "pull-out-gap.json", scene);
+    const SignedLanguage language;
+    Themes themes;
+    MainWindow window(themes);
+    window.show();
+    window.openPath(QString::fromStdString(scene.string()));
+    auto& document = *window.findChild<Document*>();
+    ASSERT_TRUE(waitFor([&] { return document.checkIsCurrent(); }));
+    for (const char* pointer : {"/blocks/0", "/bolts/0", "/stages/0", "/materials/0", "/analysis"}) {
+        window.findChild<Selection*>()->set({QString(pointer)});
+        QTest::qWait(50);
+    }
+    Runs& runs = *window.findChild<Runs*>();
+    runs.start();
+    ASSERT_TRUE(waitFor([&] { return !runs.isRunning() && window.findChild<TimeCursor*>()->hasMoment(); }, 120000));
+    QTest::qWait(500);
+    const Texts found = foundTexts(scratch.path() / "keyblock.ts");
+    EXPECT_GT(found.size(), 1000u);
+    EXPECT_GT(language.asked().size(), 400u);
+    for (const auto& [context, text] : language.asked())
+        EXPECT_TRUE(found.contains({context, text})) << context.toStdString() << ": " << text.toStdString();
+}
+#endif
+
+}  // namespace
+}  // namespace keyblock
