@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/journal.h"
 
+#include "solver/files/whole_file.h"
 #include "solver/run/errors.h"
 #include "ui/document/document.h"
 #include "ui/document/journal_file.h"
@@ -9,11 +10,12 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QDir>
 #include <QStandardPaths>
 #include <QUndoStack>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 namespace keyblock {
 
@@ -74,7 +76,10 @@ QString Journal::path() const { return file_ ? QString::fromStdString(file_->pat
 
 bool Journal::open() {
     try {
-        QDir().mkpath(folder_);
+        const std::filesystem::path folder = folder_.toStdString();
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        if (error) throw CannotWrite(cannotWriteText(folder, error.value()));
         file_ = std::make_unique<JournalFile>(newJournalPath(folder_).toStdString(), [this](const std::string& why) {
             QMetaObject::invokeMethod(this, [this, why] { tell(QString::fromStdString(why)); }, Qt::QueuedConnection);
         });
