@@ -63,7 +63,9 @@ Document::Document(QObject* parent)
     connect(undo_, &QUndoStack::cleanChanged, this, &Document::fileChanged);
 }
 
-Document::~Document() = default;
+Document::~Document() {
+    undo_->disconnect();  // it empties itself when nothing of this document is left to ask
+}
 
 const std::shared_ptr<const Scene>& Document::scene() const { return preview_ ? preview_ : scene_; }
 

@@ -41,6 +41,18 @@ TEST(Documents, AnEditIsAStepAndUndoGivesTheSceneBack) {
     EXPECT_FALSE(document.isModified());
 }
 
+TEST(Documents, WhoGoesTellsNobodyOfTheStepsThatGoWithIt) {
+    NEED_SCREEN();
+    int told = 0;
+    {
+        Document document;
+        document.apply("Name it", titled("second"));
+        QObject::connect(&document.undo(), &QUndoStack::indexChanged, [&] { ++told; });
+        QObject::connect(&document, &Document::fileChanged, [&] { ++told; });
+    }
+    EXPECT_EQ(told, 0);
+}
+
 TEST(Documents, AnEditThatChangesNothingLeavesNoTrace) {
     NEED_SCREEN();
     Document document;
