@@ -22,6 +22,7 @@ inline constexpr double unitsPerMm = 20.0;
 class Paper {
 public:
     /// Size in mm; `dpi` of PNG.
+    /// \throws CannotDraw where a PNG is too large for the memory
     Paper(PaperFormat format, double width, double height, int dpi, const std::string& title);
     ~Paper();
     Paper(const Paper&) = delete;
@@ -34,6 +35,7 @@ public:
     double height() const { return height_; }
 
     /// The bytes of the file, with nothing in them that changes from run to run. Once only, at the end.
+    /// \throws CannotDraw
     std::string finish();
 
 private:

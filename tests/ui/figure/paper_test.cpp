@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A sheet that no memory holds is refused in words, not written as an empty file.
+#include "ui/figure/paper.h"
+
+#include <gtest/gtest.h>
+
+namespace keyblock {
+namespace {
+
+TEST(Papers, APictureLargerThanTheMemoryIsRefused) {
+    try {
+        Paper(PaperFormat::Png, 40000.0, 40000.0, 1200, "wall");
+        FAIL() << "two million pixels square were promised";
+    } catch (const CannotDraw& problem) {
+        EXPECT_NE(std::string(problem.what()).find("40000 × 40000 mm"), std::string::npos) << problem.what();
+    }
+}
+
+}  // namespace
+}  // namespace keyblock
