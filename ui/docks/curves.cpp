@@ -67,7 +67,10 @@ Curves::Curves(const Themes& themes, const Display& display, TimeCursor& cursor,
     if (pins_) column->addWidget(new PinLegend(themes, *pins_, this));
     column->addWidget(view_, 1);
     timer_.setSingleShot(true);
-    connect(&timer_, &QTimer::timeout, this, &Curves::read);
+    connect(&timer_, &QTimer::timeout, this, [this] {
+        if (isVisible()) read();
+        else stale_ = true;  // read when it is seen again
+    });
     connect(&cursor, &TimeCursor::runChanged, this, &Curves::runChanged);
     connect(&cursor, &TimeCursor::runGrew, this, &Curves::grow);
     connect(&cursor, &TimeCursor::moved, this, &Curves::showNow);
