@@ -44,14 +44,19 @@ public:
     SceneStep(Document& document, const QString& text, Late before, Late after, PointerChange pointers = {})
         : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)),
           pointers_(std::move(pointers)) {}
-    void undo() override {
-        if (!document_.isRestoring_) document_.take(*after_->get(), before_->get(), pointers_.reversed());
-    }
-    void redo() override {
-        if (!document_.isRestoring_) document_.take(*before_->get(), after_->get(), pointers_);
-    }
+    void undo() override { take(*after_, *before_, pointers_.reversed()); }
+    void redo() override { take(*before_, *after_, pointers_); }
 
 private:
+    /// A recovered scene that cannot be read is never shown as an empty one: what stands stays, and is in no file.
+    void take(const LateScene& from, const LateScene& to, const PointerChange& pointers) {
+        if (document_.isRestoring_) return;
+        if (to.get()) return document_.take(from.get() ? *from.get() : *document_.scene_, to.get(), pointers);
+        document_.undo_->resetClean();
+        Q_EMIT document_.told(Document::tr("The scene at “%1” cannot be read from the journal; the drawing stays as it is.")
+                                  .arg(text()), true);
+    }
+
     Document& document_;
     Late before_, after_;
     PointerChange pointers_;
@@ -183,7 +188,13 @@ void Document::save(const QString& path) {
     Q_EMIT fileChanged();
 }
 
-void Document::fileIsGone() { undo_->resetClean(); }
+void Document::fileIsGone() {
+    {
+        const QSignalBlocker quiet(this);
+        undo_->resetClean();
+    }
+    Q_EMIT fileChanged();  // also where it was modified, of which the stack says nothing
+}
 
 void Document::setScene(std::shared_ptr<const Scene> scene) {
     scene_ = std::move(scene);

@@ -45,6 +45,7 @@ Journal::Journal(Document& document, const QString& folder, QObject* parent)
 Journal::~Journal() = default;
 
 void Journal::close() {
+    if (kept_) std::exchange(kept_, nullptr)();
     if (file_) file_->remove();
     file_.reset();
     broken_ = false;
@@ -70,6 +71,15 @@ void Journal::goOn(std::string lines, std::vector<std::shared_ptr<const LateScen
     taken_ = states_.size();
     file_->begin(std::move(lines));
     if (broken_) tell({});
+}
+
+void Journal::onceKept(std::function<void()> done) {
+    kept_ = std::move(done);
+    tellKept();
+}
+
+void Journal::tellKept() {
+    if (kept_ && flush()) std::exchange(kept_, nullptr)();
 }
 
 QString Journal::path() const { return file_ ? QString::fromStdString(file_->path().string()) : QString(); }
@@ -104,8 +114,9 @@ void Journal::begin() {
 void Journal::tell(const QString& why) {
     if (broken_ == !why.isEmpty()) return;
     broken_ = !why.isEmpty();
-    if (broken_) Q_EMIT failed(why);
-    else Q_EMIT mended();
+    if (broken_) return Q_EMIT failed(why);
+    Q_EMIT mended();
+    tellKept();
 }
 
 void Journal::follow(int index) {

@@ -40,6 +40,8 @@ public:
     /// Keeps on with the lines of a journal that nobody closed, whose steps `restore` makes the document's.
     void goOn(std::string lines, std::vector<std::shared_ptr<const LateScene>> states,
               const std::function<void()>& restore);
+    /// Calls once every edit until now is on the disk, or the journal is closed; now where they are.
+    void onceKept(std::function<void()> done);
     /// The file; empty while there is none.
     QString path() const;
 
@@ -50,6 +52,7 @@ Q_SIGNALS:
 private:
     bool open();
     void begin();
+    void tellKept();
     void tell(const QString& why);
     void follow(int index);
     void followFile();
@@ -63,6 +66,7 @@ private:
     int index_ = 0, saved_ = 0;
     QString savedAs_;
     bool broken_ = false;
+    std::function<void()> kept_;  // whom to tell; none: nobody waits
 };
 
 }  // namespace keyblock

@@ -20,7 +20,9 @@ public:
 
     /// Reads it the first time; null where it cannot be read.
     const std::shared_ptr<const Scene>& get() const {
-        if (!scene_ && read_) scene_ = std::exchange(read_, nullptr)();
+        if (scene_ || !read_) return scene_;
+        scene_ = read_();
+        read_ = nullptr;
         return scene_;
     }
 

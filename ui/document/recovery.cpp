@@ -47,9 +47,12 @@ private:
     bool isFree_;
 };
 
-QByteArray contentOf(const QString& path) {
+/// None where not all of it can be read now: that says nothing of what is in it.
+std::optional<QByteArray> contentOf(const QString& path) {
     QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
+    const QByteArray content = file.readAll();
+    return content.size() == file.size() ? std::optional(content) : std::nullopt;
 }
 
 Journalled read(const QByteArray& content, std::optional<std::size_t> mostChanges = {}) {
@@ -118,8 +121,7 @@ std::vector<RestoredStep> stepsOf(const Journalled& journal) {
     std::vector<RestoredStep> steps;
     for (std::size_t i = 0; i < journal.steps.size(); ++i)
         steps.push_back({QString::fromStdString(journal.steps[i].name), std::make_shared<const LateScene>([scenes, i] {
-                             auto scene = scenes->scene(i);
-                             return scene ? scene : std::make_shared<const Scene>();
+                             return scenes->scene(i);
                          })});
     steps[journal.index].scene = std::make_shared<const LateScene>(std::move(stood));
     return steps;
@@ -134,7 +136,12 @@ std::vector<Abandoned> abandonedJournals(const QString& folder, QStringList* unu
         const bool isAboutToBegin =
             file.size() == 0 && file.lastModified().secsTo(QDateTime::currentDateTime()) < secondsToBegin;
         if (!held.isFree() || isAboutToBegin) continue;
-        const Journalled journal = read(contentOf(file.filePath()));
+        const std::optional<QByteArray> content = contentOf(file.filePath());
+        if (!content) {
+            if (unusable) *unusable << file.filePath();
+            continue;
+        }
+        const Journalled journal = read(*content);
         if (journal.steps.empty() && !journal.damage.empty()) {
             putAside(file.filePath());
             if (unusable) *unusable << file.filePath() + ".damaged";
@@ -151,19 +158,21 @@ QString recover(const Abandoned& abandoned, Recover what, Document& document, Jo
     const Held held(abandoned.journal);
     if (!held.isFree()) return Document::tr("Another window recovers %1, or its journal is gone.").arg(abandoned.title);
     const bool withoutLast = what == Recover::WithoutLastCommand && abandoned.changes > 0;
-    QByteArray content = contentOf(abandoned.journal);
-    const Journalled told = read(content, withoutLast ? std::optional(abandoned.changes - 1) : std::nullopt);
+    const std::optional<QByteArray> content = contentOf(abandoned.journal);
+    if (!content) return Document::tr("The journal of %1 cannot be read.").arg(abandoned.title);
+    const Journalled told = read(*content, withoutLast ? std::optional(abandoned.changes - 1) : std::nullopt);
     const std::vector<RestoredStep> steps = stepsOf(told);
     if (steps.empty()) return Document::tr("The journal of %1 cannot be read.").arg(abandoned.title);
     std::vector<std::shared_ptr<const LateScene>> states;
     for (const RestoredStep& step : steps) states.push_back(step.scene);
-    journal.goOn(content.left(static_cast<int>(told.size)).toStdString(), std::move(states), [&] {
+    journal.goOn(content->left(static_cast<int>(told.size)).toStdString(), std::move(states), [&] {
         document.restore(steps, told.index, told.saved, QString::fromStdString(told.path),
                          QString::fromStdString(told.name));
     });
-    if (!journal.flush()) return {};  // a full disk: it stays until the new one can hold it
-    if (told.damage.empty()) QFile::remove(abandoned.journal);
-    else putAside(abandoned.journal);
+    journal.onceKept([old = abandoned.journal, isDamaged = !told.damage.empty()] {
+        if (isDamaged) putAside(old);
+        else QFile::remove(old);
+    });
     return {};
 }
 

@@ -224,7 +224,7 @@ std::vector<Abandoned> StartPage::lookForAbandoned() {
     QStringList unusable;
     std::vector<Abandoned> found = abandonedJournals(journalFolder(), &unusable);
     if (!unusable.isEmpty())
-        Q_EMIT told(tr("A journal could not be read and was put aside: %1").arg(unusable.join(", ")));
+        Q_EMIT told(tr("A journal cannot be read and is kept aside: %1").arg(unusable.join(", ")));
     return found;
 }
 

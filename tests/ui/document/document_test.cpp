@@ -53,6 +53,21 @@ TEST(Documents, WhoGoesTellsNobodyOfTheStepsThatGoWithIt) {
     EXPECT_EQ(told, 0);
 }
 
+TEST(Documents, ThatItsFileIsGoneIsToldOnceWhereItWasModifiedToo) {
+    NEED_SCREEN();
+    const test::ScratchFolder scratch;
+    for (const bool isModified : {false, true}) {
+        Document document;
+        document.save(QString::fromStdString((scratch.path() / "a.json").string()));
+        if (isModified) document.apply("Name it", titled("second"));
+        int told = 0;
+        QObject::connect(&document, &Document::fileChanged, [&] { ++told; });
+        document.fileIsGone();
+        EXPECT_EQ(told, 1);
+        EXPECT_TRUE(document.isModified());
+    }
+}
+
 TEST(Documents, AnEditThatChangesNothingLeavesNoTrace) {
     NEED_SCREEN();
     Document document;

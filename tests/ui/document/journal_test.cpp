@@ -346,6 +346,28 @@ TEST_F(Journals, AJournalStaysUntilAFullDiskCanHoldWhatWasRecovered) {
     EXPECT_EQ(why, "");
     EXPECT_EQ(next.document.scene()->title, "second");
     EXPECT_TRUE(QFile::exists(found[0].journal));
+    EXPECT_TRUE(waitFor([&] { return !QFile::exists(found[0].journal); })) << "it is offered beside newer work";
+    EXPECT_EQ(readJournal(test::contentOf(next.journal.path().toStdString())).changes, 1u);
+}
+
+TEST_F(Journals, ASceneThatCannotBeReadIsNotShownAsAnEmptyOne) {
+    QDir().mkpath(folder());
+    const std::string good = wholeSceneText(titled("good")), none = "no scene at all";
+    const std::string lines = journalBegin("", "", none, false) + journalStep(1, "Mend", none, good);
+    test::putContent((folder() + "/odd.journal").toStdString(), lines);
+    const std::vector<Abandoned> found = abandonedJournals(folder());
+    ASSERT_EQ(found.size(), 1u);
+    Window next(folder());
+    EXPECT_EQ(recover(found[0], Recover::Everything, next.document, next.journal), "");
+    QString told;
+    QObject::connect(&next.document, &Document::told, [&](const QString& text) { told = text; });
+    next.document.undo().undo();
+    EXPECT_EQ(next.document.scene()->title, "good");
+    EXPECT_TRUE(next.document.isModified());
+    EXPECT_TRUE(told.contains("cannot be read")) << told.toStdString();
+    next.document.apply("Name", titled("further"));
+    next.journal.flush();
+    EXPECT_EQ(readJournal(test::contentOf(next.journal.path().toStdString())).damage, "");
 }
 
 /// A limit on the size of files stands for a disk that is full.
