@@ -250,8 +250,8 @@ struct Reach {
         return type;
     }
     static void* append(void* owner, [[maybe_unused]] std::string_view itemName) {
-        if constexpr (Held::kind == FieldKind::Object && isOptional<member>)
-            valueOf(owner).emplace();
+        if constexpr (isOptional<member>)
+            if (Held::kind == FieldKind::Object || isNull(owner)) valueOf(owner).emplace();
         if constexpr (Held::kind == FieldKind::Object)
             return &inner(owner);
         else if constexpr (std::is_same_v<Item, BoltType>)

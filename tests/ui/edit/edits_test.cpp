@@ -218,6 +218,21 @@ TEST(Names, AreFree) {
     EXPECT_EQ(titleAt(scene, ""), "scene");
 }
 
+/// What is null has no list to append to before there is one.
+TEST(Append, GivesABoltWithoutAnchorsOfItsOwnTheFirst) {
+    Scene scene;
+    scene.bolts.resize(1);
+    scene.bolts[0].anchors.emplace(3);
+    scene.bolts[0].anchors.reset();
+    for (const std::size_t count : {1u, 2u}) {
+        Edit edit = appendAt(scene, "/bolts/0/anchors");
+        ASSERT_TRUE(edit.done()) << edit.refusal;
+        ASSERT_TRUE(edit.scene.bolts[0].anchors);
+        EXPECT_EQ(edit.scene.bolts[0].anchors->size(), count);
+        scene = std::move(edit.scene);
+    }
+}
+
 TEST(NewScene, IsReadyToDrawIn) {
     Edit edit = withDomain(newScene(), {{-15, -12}, {15, -12}, {15, 15}, {-15, 15}});
     ASSERT_TRUE(edit.done());
