@@ -224,8 +224,8 @@ void Document::start(Scene scene, const QString& path, const QString& name) {
 
 void Document::show() {
     Q_EMIT changed();
-    checking_->ask([this, scene = scene()]() -> Background::Result {
-        return [this, checked = checkedOf(scene, &checking_->ends())] {
+    checking_->ask([this, scene = scene(), ends = &checking_->ends()]() -> Background::Result {
+        return [this, checked = checkedOf(scene, ends)] {
             checked_ = checked;
             Q_EMIT checkedChanged();
         };
