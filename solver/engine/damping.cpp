@@ -6,7 +6,7 @@
 // their cells and of bolts' shanks.
 // Springs of contacts, supports and anchors have none: what they lose is
 // friction, and a viscous part would pass the limits that they obey.
-#include "solver/engine/step_build.h"
+#include "solver/engine/stage/step_build.h"
 
 namespace keyblock {
 namespace {

@@ -8,8 +8,8 @@
 #pragma once
 
 #include "geometry/sub_blocks.h"
-#include "solver/engine/state.h"
-#include "solver/engine/step_problem.h"
+#include "solver/engine/model/state.h"
+#include "solver/engine/step/step_problem.h"
 
 namespace keyblock {
 

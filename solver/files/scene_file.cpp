@@ -7,6 +7,7 @@
 // left out.
 #include "solver/files/scene_file.h"
 
+#include "solver/engine/setup/mesh_check.h"
 #include "solver/files/bolt_library.h"
 #include "solver/files/bolt_type_reader.h"
 #include "solver/files/field_json.h"
@@ -16,7 +17,6 @@
 #include "solver/files/record_file.h"
 #include "solver/files/scene_tree.h"
 #include "solver/files/scene_version.h"
-#include "solver/engine/mesh_check.h"
 #include "solver/scene/check.h"
 #include "solver/scene/field.h"
 #include "solver/scene/lookup.h"

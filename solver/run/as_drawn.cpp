@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/run/as_drawn.h"
 
-#include "solver/engine/bolt_topology.h"
-#include "solver/engine/model.h"
+#include "solver/engine/bolt/topology.h"
+#include "solver/engine/model/model.h"
 #include "solver/run/observation.h"
 
 namespace keyblock {

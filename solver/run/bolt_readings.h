@@ -5,7 +5,7 @@
 // signs of the tables.
 #pragma once
 
-#include "solver/engine/state.h"
+#include "solver/engine/model/state.h"
 #include "solver/results/results.h"
 #include "solver/scene/scene.h"
 

@@ -5,8 +5,8 @@
 // takes it away: that is the largest system that a step can have.
 #include "solver/run/census.h"
 
-#include "solver/engine/bolt_topology.h"
-#include "solver/engine/contacts.h"
+#include "solver/engine/bolt/topology.h"
+#include "solver/engine/contact/contacts.h"
 
 #include <algorithm>
 

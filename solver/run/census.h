@@ -6,8 +6,8 @@
 // what a scene requires is modelled; here a person sees what that is.
 #pragma once
 
-#include "solver/engine/model.h"
-#include "solver/engine/state.h"
+#include "solver/engine/model/model.h"
+#include "solver/engine/model/state.h"
 #include "solver/scene/scene_cut.h"
 
 #include <atomic>

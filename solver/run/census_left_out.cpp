@@ -5,7 +5,7 @@
 // decides, and what that saves.
 #include "solver/run/census.h"
 
-#include "solver/engine/multipliers.h"
+#include "solver/engine/contact/multipliers.h"
 #include "solver/scene/lookup.h"
 
 #include <algorithm>

@@ -6,8 +6,8 @@
 // go on from there, in another process too, and get the same bytes.
 #pragma once
 
-#include "solver/engine/dynamics.h"
-#include "solver/engine/statics.h"
+#include "solver/engine/stage/dynamics.h"
+#include "solver/engine/stage/statics.h"
 #include "solver/run/observation.h"
 #include "solver/run/stage_loads.h"
 #include "solver/run/watch.h"

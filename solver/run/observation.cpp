@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/run/observation.h"
 
-#include "solver/engine/contacts.h"
-#include "solver/engine/step_build.h"
+#include "solver/engine/contact/contacts.h"
+#include "solver/engine/stage/step_build.h"
 #include "solver/run/bolt_readings.h"
 #include "solver/scene/lookup.h"
 

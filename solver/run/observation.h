@@ -5,7 +5,7 @@
 // history row, with displacements counted from a reference.
 #pragma once
 
-#include "solver/engine/state.h"
+#include "solver/engine/model/state.h"
 #include "solver/results/results.h"
 #include "solver/scene/scene.h"
 

@@ -7,12 +7,12 @@
 // the checkpoint handed out, so that a run taken up there cannot differ from this one.
 #include "solver/run/run.h"
 
-#include "solver/engine/bolt_topology.h"
-#include "solver/engine/contacts.h"
-#include "solver/engine/in_situ.h"
-#include "solver/engine/joint_change.h"
-#include "solver/engine/presence.h"
-#include "solver/engine/viscous_boundary.h"
+#include "solver/engine/bolt/topology.h"
+#include "solver/engine/boundary.h"
+#include "solver/engine/contact/contacts.h"
+#include "solver/engine/setup/in_situ.h"
+#include "solver/engine/stage/activation.h"
+#include "solver/engine/stage/joint_change.h"
 #include "solver/results/history.h"
 #include "solver/run/checkpoint.h"
 #include "solver/run/run_limit.h"

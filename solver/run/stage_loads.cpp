@@ -3,7 +3,7 @@
 #include "solver/run/stage_loads.h"
 
 #include "geometry/polygon.h"
-#include "solver/engine/contacts.h"
+#include "solver/engine/contact/contacts.h"
 #include "solver/scene/acceleration.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 // in its place.
 #pragma once
 
-#include "solver/engine/step_build.h"
+#include "solver/engine/stage/step_build.h"
 #include "solver/scene/scene.h"
 
 namespace keyblock {

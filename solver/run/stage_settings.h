@@ -5,8 +5,8 @@
 // says nothing.
 #pragma once
 
-#include "solver/engine/dynamics.h"
-#include "solver/engine/statics.h"
+#include "solver/engine/stage/dynamics.h"
+#include "solver/engine/stage/statics.h"
 #include "solver/run/stage_loads.h"
 
 #include <vector>

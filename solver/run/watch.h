@@ -6,7 +6,7 @@
 // the next; each is told once.
 #pragma once
 
-#include "solver/engine/state.h"
+#include "solver/engine/model/state.h"
 
 #include <map>
 #include <set>

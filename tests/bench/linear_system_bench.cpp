@@ -3,7 +3,7 @@
 //
 // Factor and solve on the pattern of a brick wall: six unknowns a block, each tied
 // to its neighbours in its row and in the next.
-#include "solver/engine/linear_system.h"
+#include "solver/engine/step/linear_system.h"
 
 #include <benchmark/benchmark.h>
 

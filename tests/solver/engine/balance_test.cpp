@@ -3,9 +3,9 @@
 //
 // What a step in motion counts as balanced: each body by the forces on it, whatever
 // its speed, its mass and what moves elsewhere.
-#include "solver/engine/balance.h"
-#include "solver/engine/contacts.h"
-#include "solver/engine/step_build.h"
+#include "solver/engine/contact/contacts.h"
+#include "solver/engine/stage/step_build.h"
+#include "solver/engine/step/balance.h"
 #include "solver/verify/scenes.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Where the nodes of a bolt are put, by hand and by the program.
-#include "solver/engine/model.h"
+#include "solver/engine/model/model.h"
 
 #include <gtest/gtest.h>
 

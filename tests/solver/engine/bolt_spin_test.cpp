@@ -3,8 +3,8 @@
 //
 // A bolt in a block that spins freely goes round with it: it is not drawn out,
 // takes no energy and slips nowhere, however long the steps are.
-#include "solver/engine/bolt_topology.h"
-#include "solver/engine/dynamics.h"
+#include "solver/engine/bolt/topology.h"
+#include "solver/engine/stage/dynamics.h"
 #include "solver/verify/scenes.h"
 
 #include <gtest/gtest.h>

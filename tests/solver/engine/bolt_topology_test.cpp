@@ -3,9 +3,9 @@
 //
 // A bolt drawn through a block, a gap, a block and out: every node knows where
 // it is, and what holds it adds up to the length that is in the rock.
-#include "solver/engine/bolt_topology.h"
+#include "solver/engine/bolt/topology.h"
 
-#include "solver/engine/step_build.h"
+#include "solver/engine/stage/step_build.h"
 #include "solver/verify/scenes.h"
 
 #include <gtest/gtest.h>

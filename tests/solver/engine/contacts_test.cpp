@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which corners stand before which edges, once each, and what they remember.
-#include "solver/engine/contacts.h"
+#include "solver/engine/contact/contacts.h"
 
-#include "solver/engine/step_build.h"
+#include "solver/engine/stage/step_build.h"
 #include "solver/verify/scenes.h"
 
 #include <Eigen/Geometry>

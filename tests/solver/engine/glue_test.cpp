@@ -6,9 +6,9 @@
 // meet others as one block does.
 #include "solver/engine/glue.h"
 
-#include "solver/engine/bolt_topology.h"
-#include "solver/engine/contacts.h"
-#include "solver/engine/dynamics.h"
+#include "solver/engine/bolt/topology.h"
+#include "solver/engine/contact/contacts.h"
+#include "solver/engine/stage/dynamics.h"
 #include "solver/verify/scenes.h"
 
 #include <gtest/gtest.h>

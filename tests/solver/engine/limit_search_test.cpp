@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The search for the first limit on ratios that bend and jump as those of bolts do.
-#include "solver/engine/limit_search.h"
+#include "solver/engine/stage/limit_search.h"
 
 #include <gtest/gtest.h>
 

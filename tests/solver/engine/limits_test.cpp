@@ -3,11 +3,11 @@
 //
 // Which of several limits is released: the largest overload, and of equals the
 // first in the order of bolts and nodes.
-#include "solver/engine/limits.h"
+#include "solver/engine/stage/limits.h"
 
-#include "solver/engine/bolt_topology.h"
-#include "solver/engine/contacts.h"
-#include "solver/engine/step_build.h"
+#include "solver/engine/bolt/topology.h"
+#include "solver/engine/contact/contacts.h"
+#include "solver/engine/stage/step_build.h"
 #include "solver/verify/scenes.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 //
 // The sparse solver against dense algebra, small (simplicial) and large
 // (supernodal), and what it says of systems that hold nothing in place.
-#include "solver/engine/linear_system.h"
+#include "solver/engine/step/linear_system.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

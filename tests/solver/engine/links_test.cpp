@@ -3,9 +3,9 @@
 //
 // Every link's gradient is the derivative of its strain, and the forces that it
 // puts on its two bodies balance, wherever the bodies are.
-#include "solver/engine/bolt_topology.h"
-#include "solver/engine/contacts.h"
-#include "solver/engine/step_build.h"
+#include "solver/engine/bolt/topology.h"
+#include "solver/engine/contact/contacts.h"
+#include "solver/engine/stage/step_build.h"
 #include "solver/verify/scenes.h"
 
 #include <Eigen/Geometry>

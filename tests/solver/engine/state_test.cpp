@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One block by itself: its mass, its displacement function, its turning frame.
-#include "solver/engine/state.h"
+#include "solver/engine/model/state.h"
 
 #include "solver/verify/scenes.h"
 

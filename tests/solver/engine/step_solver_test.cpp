@@ -3,10 +3,10 @@
 //
 // One step by itself: the minimum obeys Coulomb, balances, and a body that
 // nothing holds is named.
-#include "solver/engine/bolt_topology.h"
-#include "solver/engine/contacts.h"
-#include "solver/engine/friction_limits.h"
-#include "solver/engine/step_build.h"
+#include "solver/engine/bolt/topology.h"
+#include "solver/engine/contact/contacts.h"
+#include "solver/engine/stage/step_build.h"
+#include "solver/engine/step/friction_limits.h"
 #include "solver/verify/scenes.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 //
 // Bolts whose divisions are left to the program, through many blocks and where
 // joints lie badly for them: what they carry, against closed forms.
-#include "solver/engine/mesh_check.h"
+#include "solver/engine/setup/mesh_check.h"
 #include "solver/run/run.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"

@@ -6,7 +6,7 @@
 #include "solver/scene/scene_cut.h"
 
 #include "geometry/polygon.h"
-#include "solver/engine/model.h"
+#include "solver/engine/model/model.h"
 #include "solver/run/run.h"
 #include "solver/scene/check.h"
 #include "solver/scene/lookup.h"

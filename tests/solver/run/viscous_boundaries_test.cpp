@@ -4,7 +4,7 @@
 // Sides that let waves out.
 #include "solver/run/run.h"
 
-#include "solver/engine/viscous_boundary.h"
+#include "solver/engine/boundary.h"
 #include "solver/scene/scene_cut.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"

@@ -5,7 +5,7 @@
 // force in any rigid motion.
 #include "solver/engine/laws/beam.h"
 
-#include "solver/engine/step_build.h"
+#include "solver/engine/stage/step_build.h"
 #include "solver/verify/scenes.h"
 
 #include <Eigen/Eigenvalues>

@@ -1,0 +1,370 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/bolt/topology.h"
+
+#include "geometry/polygon.h"
+#include "geometry/segment.h"
+#include "solver/engine/stage/step_build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace keyblock {
+namespace {
+
+constexpr double cellSlack = 1e-3;  // of a cell: so far apart glue may hold two
+constexpr double endShare = 0.01;  // of the element at an end of the bar: so far in it is looked which way it runs
+constexpr int several = -2;  // on faces of more than one block
+constexpr double bookedShare = 1e-10;  // of the bolt: embedded lengths that changed less change no energy
+
+/// Length of `pieces` that lies in `stretches` and between `from` and `to` [m].
+double overlapOf(const std::vector<Stretch>& pieces, const std::vector<Stretch>& stretches, double from, double to) {
+    double sum = 0.0;
+    for (const auto& [a, b] : pieces)
+        for (const auto& [c, d] : stretches) sum += std::max(0.0, std::min({b, d, to}) - std::max({a, c, from}));
+    return sum;
+}
+
+class BoltPlaces {
+public:
+    BoltPlaces(const Model& model, State& state, int bolt)
+        : model_(model), state_(state), bolt_(model.bolts[bolt]), motion_(state.bolts[bolt]), index_(bolt) {}
+
+    void start() {
+        for (int n = 0; n < nodes(); ++n) {
+            const int block = bolt_.startBlock[n];
+            if (block < 0) continue;
+            place(n, block);
+            motion_.nodes[n].bond.bonded = bolt_.anchors[n].real;
+        }
+        share();
+    }
+
+    /// By the blocks as they are now.
+    void startNow() {
+        for (int n = 0; n < nodes(); ++n) {
+            const int block = find(n, -1);
+            if (block < 0) continue;
+            place(n, block);
+            motion_.nodes[n].bond.bonded = bolt_.anchors[n].real;
+        }
+        share();
+    }
+
+    double follow() {
+        const std::vector<BoltNode> before = motion_.nodes;
+        std::vector<int> entered;
+        for (int n = 0; n < nodes(); ++n) {
+            const int was = blockOf(n);
+            const int now = find(n, was);
+            if (now == was) continue;
+            if (now >= 0 && was >= 0 && sameRock(model_, now, was)) {
+                pass(n, now);
+                continue;
+            }
+            leave(n);
+            if (now < 0) continue;
+            place(n, now);
+            entered.push_back(n);
+        }
+        for (int n : entered) rub(n, neighbourOf(n, entered));
+        share();
+        double change = 0.0;
+        for (int n = 0; n < nodes(); ++n)
+            change = std::max({change, std::abs(motion_.nodes[n].bond.share - before[n].bond.share),
+                               std::abs(motion_.nodes[n].normalShare - before[n].normalShare)});
+        if (change > bookedShare * bolt_.s.back()) keepBooks(before);
+        return change;
+    }
+
+private:
+    int nodes() const { return static_cast<int>(motion_.nodes.size()); }
+
+    int blockOf(int n) const {
+        const int slot = motion_.nodes[n].slot;
+        return slot < 0 ? -1 : motion_.slots[slot].block;
+    }
+
+    Side sideOf(int block, const Point& x) const { return locate(state_.blocks[block].corners, x, model_.tolerance); }
+
+    /// Inside one block, or on the free face of just one. An end of the bar that lies on a joint belongs to the block
+    /// that the bar runs into.
+    int find(int n, int before) const {
+        const Point& x = motion_.nodes[n].x;
+        const int there = findAt(n, x, before);
+        if (there != several) return there;
+        if (n > 0 && n + 1 < nodes()) return -1;
+        const Point& next = motion_.nodes[n == 0 ? 1 : n - 1].x;
+        return std::max(-1, findAt(n, x + endShare * (next - x), before));
+    }
+
+    int findAt(int n, const Point& x, int before) const {
+        if (before >= 0 && state_.blocks[before].absent) before = -1;
+        if (before >= 0 && sideOf(before, x) == Side::Inside) return before;
+        if (before >= 0 && model_.blocks[before].cell)
+            if (const int cell = findCell(n, before); cell >= 0) return cell;
+        int onFace = -1, faces = 0;
+        for (int b = 0; b < model_.firstOf.back(); ++b) {  // plates are no rock
+            if (state_.blocks[b].absent) continue;
+            if (onFace >= 0 && sameRock(model_, onFace, b)) continue;  // between cells: the first
+            const Point away = x - state_.blocks[b].centroid;
+            if (away.squaredNorm() > 4.0 * reachOf(b) * reachOf(b)) continue;
+            const Side side = sideOf(b, x);
+            if (side == Side::Inside) return b;
+            if (side == Side::Outside) continue;
+            onFace = b;
+            ++faces;
+        }
+        return faces == 1 ? onFace : faces > 1 ? several : -1;
+    }
+
+    /// Within the same block: a bonded node stays with its cell, another goes to the one that it is inside;
+    /// between cells that glue holds a little apart it stays. −1 once it has left the block.
+    int findCell(int n, int before) const {
+        const BoltNode& node = motion_.nodes[n];
+        const auto rock = static_cast<std::size_t>(model_.blocks[before].rock);
+        int beside = 0;
+        for (int cell = model_.firstOf[rock]; cell < model_.firstOf[rock + 1]; ++cell) {
+            const double slack = cellSlack * model_.blocks[cell].size, reach = reachOf(cell);
+            if ((node.x - state_.blocks[cell].centroid).squaredNorm() > 4.0 * reach * reach) continue;
+            if (sideOf(cell, node.x) == Side::Inside) return node.bond.bonded ? before : cell;
+            if (locate(state_.blocks[cell].corners, node.x, slack) == Side::Boundary) ++beside;
+        }
+        return beside > 1 ? before : -1;
+    }
+
+    double reachOf(int block) const {
+        double reach = 0.0;
+        for (const Point& corner : model_.blocks[block].shape) reach = std::max(reach, corner.squaredNorm());
+        return std::sqrt(reach);
+    }
+
+    Point direction(int n) const {
+        const int a = std::max(0, n - 1), b = std::min(nodes() - 1, n + 1);
+        return (motion_.nodes[b].x - motion_.nodes[a].x).normalized();
+    }
+
+    /// The slot of the block that the node lies along, made where the bolt has none there.
+    int slotIn(int n, int block) {
+        int best = -1;
+        double nearest = 0.0;
+        for (int i = 0; i < static_cast<int>(motion_.slots.size()); ++i) {
+            if (motion_.slots[i].block != block) continue;
+            const SlotLine line = slotLine(state_, motion_.slots[i]);
+            const double along = line.along.dot(motion_.nodes[n].x - line.p2);
+            const double outside = std::max({0.0, -along, along - line.length});
+            if (best < 0 || outside < nearest) best = i, nearest = outside;
+        }
+        if (best >= 0) return best;
+        const BlockMotion& rock = state_.blocks[block];
+        const Point& x = motion_.nodes[n].x;
+        const double reach = bolt_.elements[std::min(n, nodes() - 2)].length;
+        motion_.slots.push_back({block, materialPlace(rock, x), materialPlace(rock, x + reach * direction(n)),
+                                 bolt_.s[n], bolt_.s[n] + reach});
+        motion_.leftSlot.push_back(0);
+        return static_cast<int>(motion_.slots.size()) - 1;
+    }
+
+    void place(int n, int block) {
+        BoltNode& node = motion_.nodes[n];
+        node.slot = slotIn(n, block);
+        const SlotLine line = slotLine(state_, motion_.slots[node.slot]);
+        node.bond.place = line.along.dot(node.x - line.p2) / line.length;
+        node.normalOffset = offSlot(line, node);  // beside the hole it makes its own: nothing pushes it back at once
+        node.bond.offset = 0.0;
+        node.bond.curve = {};
+    }
+
+    /// Into the next cell of the same block, with the force that the node has.
+    void pass(int n, int block) {
+        BoltNode& node = motion_.nodes[n];
+        const double along = alongSlot(slotLine(state_, motion_.slots[node.slot]), node);
+        node.slot = slotIn(n, block);
+        const SlotLine line = slotLine(state_, motion_.slots[node.slot]);
+        node.bond.place = (line.along.dot(node.x - line.p2) - along) / line.length;
+    }
+
+    /// Cells of one block count as one: its first row stands for them.
+    int wholeOf(int block) const {
+        return block >= 0 && model_.blocks[block].cell ? model_.firstOf[model_.blocks[block].rock] : block;
+    }
+
+    int wholeAt(int n) const { return wholeOf(blockOf(n)); }
+
+    /// The block, or all cells of which it is one.
+    void addWhole(int block, std::vector<int>& blocks) const {
+        if (block < 0 || !model_.blocks[block].cell) {
+            blocks.push_back(block);
+            return;
+        }
+        const auto rock = static_cast<std::size_t>(model_.blocks[block].rock);
+        for (int cell = model_.firstOf[rock]; cell < model_.firstOf[rock + 1]; ++cell) blocks.push_back(cell);
+    }
+
+    /// Parts of an element in a block; a bolt along the edge between two cells counts as in one of them.
+    std::vector<std::pair<double, double>> insideOf(int block, Point a, Point b) const {
+        if (model_.blocks[block].cell) {
+            const double reach = reachOf(block) + (b - a).norm();
+            if ((a - state_.blocks[block].centroid).squaredNorm() > 4.0 * reach * reach) return {};
+            const Point aside = 4.0 * model_.tolerance * turnLeft((b - a).normalized());
+            a += aside;
+            b += aside;
+        }
+        return insideIntervals(state_.blocks[block].corners, a, b, model_.tolerance);
+    }
+
+    /// Of the nodes that were in the same block before, the nearest along the bolt; −1: none.
+    int neighbourOf(int n, const std::vector<int>& entered) const {
+        for (int away = 1; away < nodes(); ++away)
+            for (int m : {n - away, n + away})
+                if (m >= 0 && m < nodes() && wholeAt(m) == wholeAt(n) &&
+                    !std::binary_search(entered.begin(), entered.end(), m))
+                    return m;
+        return -1;
+    }
+
+    /// A node that comes into a block has no bond there. It rubs with the force of its neighbour, from which it takes
+    /// over its length, so that the force on the whole length does not depend on where the nodes are.
+    void rub(int n, int neighbour) {
+        const AnchorModel& anchor = bolt_.anchors[n];
+        NodeBond& bond = motion_.nodes[n].bond;
+        if (anchor.law == AnchorLaw::Elastic || anchor.curveEnds) bond.gone = true;
+        if (anchor.curve) bond.curve.accumulated = anchor.curve->plastic.back();
+        if (neighbour < 0 || anchor.per != Per::Length || bolt_.anchors[neighbour].entry != anchor.entry) return;
+        const NodeBond& beside = motion_.nodes[neighbour].bond;
+        if (beside.share <= 0.0) return;
+        const double most = anchor.curve ? yieldForce(*anchor.curve, bond.curve.accumulated) : anchor.residual;
+        const double force = std::clamp(-beside.force / beside.share, -most, most);
+        bond.keptForce = force;
+        if (anchor.curve) bond.curve.plastic = -force / anchor.curve->modulus;
+        else if (anchor.stiffness > 0.0) bond.offset = -force / anchor.stiffness;
+    }
+
+    /// The bond stays behind in the rock.
+    void leave(int n) {
+        BoltNode& node = motion_.nodes[n];
+        const double residual = bolt_.anchors[n].residual;
+        if (node.bond.bonded) node.bond.keptForce = node.bond.force < 0.0 ? residual : -residual;
+        node.slot = -1;
+        node.normalForce = 0.0;
+        node.bond.bonded = node.bond.sliding = false;
+        node.bond.force = 0.0;
+        node.bond.slip = 0.0;
+    }
+
+    /// Length that leaves the rock gives up what it stored; length that enters stores some of the work of friction.
+    void keepBooks(const std::vector<BoltNode>& before) {
+        const double now = boltEnergy(model_, state_, index_);
+        std::vector<BoltNode> nodes = before;
+        nodes.swap(motion_.nodes);
+        const double lost = boltEnergy(model_, state_, index_) - now;
+        nodes.swap(motion_.nodes);
+        (lost > 0.0 ? state_.energy.released : state_.energy.friction) += lost;
+        motion_.bondEnergy += lost;
+    }
+
+    /// Stretches of the bolt in each block, its cells as one; an element within one block lies there wholly.
+    std::map<int, std::vector<Stretch>> embedded() const {
+        std::map<int, std::vector<Stretch>> pieces;
+        for (int e = 0; e + 1 < nodes(); ++e) {
+            const int b1 = wholeAt(e), b2 = wholeAt(e + 1);
+            const double s = bolt_.s[e], length = bolt_.elements[e].length;
+            if (b1 >= 0 && b1 == b2) {
+                pieces[b1].emplace_back(s, s + length);
+                continue;
+            }
+            std::vector<int> blocks;
+            for (int block : {blockOf(e), blockOf(e + 1)}) addWhole(block, blocks);
+            for (const Slot& slot : motion_.slots) addWhole(slot.block, blocks);
+            std::sort(blocks.begin(), blocks.end());
+            blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+            for (int block : blocks) {
+                if (block < 0 || state_.blocks[block].absent) continue;
+                for (const auto& [f, t] : insideOf(block, motion_.nodes[e].x, motion_.nodes[e + 1].x))
+                    pieces[wholeOf(block)].emplace_back(s + f * length, s + t * length);
+            }
+        }
+        for (auto& [block, own] : pieces) join(own);
+        return pieces;
+    }
+
+    /// Cells come in the order of their rows, whichever way the bolt runs through them.
+    void join(std::vector<Stretch>& pieces) const {
+        std::sort(pieces.begin(), pieces.end());
+        std::size_t last = 0;
+        for (std::size_t i = 1; i < pieces.size(); ++i) {
+            if (pieces[i].first - pieces[last].second < 1e-12 * bolt_.s.back())
+                pieces[last].second = std::max(pieces[last].second, pieces[i].second);
+            else
+                pieces[++last] = pieces[i];
+        }
+        pieces.resize(std::min(pieces.size(), last + 1));
+    }
+
+    double tributaryFrom(int n) const { return n == 0 ? bolt_.s[0] : 0.5 * (bolt_.s[n - 1] + bolt_.s[n]); }
+    double tributaryTo(int n) const { return n + 1 == nodes() ? bolt_.s[n] : 0.5 * (bolt_.s[n] + bolt_.s[n + 1]); }
+
+    /// Shares the length embedded in each block within an entry's stretches wholly among that block's nodes of it.
+    template <class Entry, class Set>
+    void shareLength(const std::map<int, std::vector<Stretch>>& pieces,
+                     const std::vector<std::vector<Stretch>>& stretches, Entry entryOf, Set set) {
+        std::map<std::pair<int, int>, double> weights;  // by block and entry
+        std::vector<double> own(nodes(), 0.0);
+        const auto counts = [&](int n) { return entryOf(n) >= 0 && pieces.contains(wholeAt(n)); };
+        for (int n = 0; n < nodes(); ++n) {
+            if (!counts(n)) continue;
+            own[n] = overlapOf(pieces.at(wholeAt(n)), stretches[entryOf(n)], tributaryFrom(n), tributaryTo(n));
+            weights[{wholeAt(n), entryOf(n)}] += own[n];
+        }
+        for (int n = 0; n < nodes(); ++n) {
+            const double weight = counts(n) ? weights[{wholeAt(n), entryOf(n)}] : 0.0;
+            const double whole =
+                weight > 0.0 ? overlapOf(pieces.at(wholeAt(n)), stretches[entryOf(n)], 0.0, bolt_.s.back()) : 0.0;
+            set(n, weight > 0.0 ? whole * own[n] / weight : 0.0);
+        }
+    }
+
+    void share() {
+        const auto pieces = embedded();
+        shareLength(
+            pieces, bolt_.stretches,
+            [&](int n) { return bolt_.anchors[n].per == Per::Length ? bolt_.anchors[n].entry : -1; },
+            [&](int n, double share) { motion_.nodes[n].bond.share = share; });
+        shareLength(
+            pieces, {{{0.0, bolt_.s.back()}}}, [&](int) { return bolt_.normalPer == Per::Length ? 0 : -1; },
+            [&](int n, double share) { motion_.nodes[n].normalShare = share; });
+        for (int n = 0; n < nodes(); ++n) {
+            const double in = blockOf(n) >= 0 ? 1.0 : 0.0;
+            if (bolt_.anchors[n].per == Per::Node) motion_.nodes[n].bond.share = in;
+            if (bolt_.normalPer == Per::Node) motion_.nodes[n].normalShare = in;
+        }
+    }
+
+    const Model& model_;
+    State& state_;
+    const BoltModel& bolt_;
+    BoltMotion& motion_;
+    int index_;
+};
+
+}  // namespace
+
+void placeBolts(const Model& model, State& state) {
+    for (std::size_t b = 0; b < model.bolts.size(); ++b)
+        if (!state.bolts[b].absent) BoltPlaces(model, state, static_cast<int>(b)).start();
+}
+
+void placeBoltNow(const Model& model, State& state, int bolt) { BoltPlaces(model, state, bolt).startNow(); }
+
+double followBolts(const Model& model, State& state) {
+    double change = 0.0;
+    for (std::size_t b = 0; b < model.bolts.size(); ++b) {
+        if (!acts(state.bolts[b])) continue;
+        change = std::max(change, BoltPlaces(model, state, static_cast<int>(b)).follow());
+    }
+    return change;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/boundary.h"
+
+#include "geometry/polygon.h"
+#include "solver/engine/contact/contacts.h"
+#include "solver/engine/stage/step_build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace keyblock {
+namespace {
+
+constexpr double touching = 10.0;  // times the geometric tolerance
+const double gauss = 0.5 / std::sqrt(3.0);  // of a face's length from its middle: two such points are exact
+
+Box boxOfRock(const Model& model) {
+    std::vector<Point> corners;
+    for (int row = 0; row < model.firstOf.back(); ++row)
+        for (const Point& corner : startCorners(model.blocks[row])) corners.push_back(corner);
+    return boxOf(corners);
+}
+
+using SideList = std::vector<BoundarySide>;
+
+bool isAsked(const SideList& sides, BoundarySide side) {
+    return std::any_of(sides.begin(), sides.end(),
+                       [&](BoundarySide asked) { return asked == BoundarySide::All || asked == side; });
+}
+
+/// Where rock is on the sides asked for: faces of the domain by what the cut says of them, others by the box.
+class Boundary {
+public:
+    Boundary(const Model& model, const SideList& sides)
+        : model_(model), sides_(sides), box_(boxOfRock(model)), near_(touching * model.tolerance) {}
+
+    bool holdsFace(int row, int e, const Point& a, const Point& b) const {
+        if (!model_.hasSides) return isBetween(a, b);
+        const auto& faces = model_.blocks[row].faceSides;
+        if (faces.empty()) return false;
+        const std::optional<BoundarySide>& side = faces[static_cast<std::size_t>(e)];
+        return side && isAsked(sides_, *side);
+    }
+
+    /// A place of a block at the start.
+    bool holdsPlace(int row, const Point& place) const {
+        if (!model_.hasSides) return isBetween(place, place);
+        const std::vector<Point> corners = startCorners(model_.blocks[row]);
+        for (int e = 0; e < static_cast<int>(corners.size()); ++e) {
+            const Edge edge = edgeOf(corners, e);
+            const double along = std::clamp(edge.along.dot(place - edge.start), 0.0, edge.length);
+            if (!holdsFace(row, e, edge.start, edge.start)) continue;
+            if ((edge.start + along * edge.along - place).norm() <= near_) return true;
+        }
+        return false;
+    }
+
+private:
+    /// Both places lie on one side of the box.
+    bool isBetween(const Point& a, const Point& b) const {
+        const auto low = [&](int axis) { return std::max(a[axis], b[axis]) - box_.min[axis] <= near_; };
+        const auto high = [&](int axis) { return box_.max[axis] - std::min(a[axis], b[axis]) <= near_; };
+        return (isAsked(sides_, BoundarySide::Left) && low(0)) || (isAsked(sides_, BoundarySide::Right) && high(0)) ||
+               (isAsked(sides_, BoundarySide::Bottom) && low(1)) || (isAsked(sides_, BoundarySide::Top) && high(1));
+    }
+
+    const Model& model_;
+    const SideList& sides_;
+    Box box_;
+    double near_;
+};
+
+}  // namespace
+
+std::vector<Dashpot> dashpotsOn(const Model& model, const State& state, const SideList& sides) {
+    std::vector<Dashpot> dashpots;
+    const Boundary boundary(model, sides);
+    for (int row = 0; row < model.firstOf.back(); ++row) {
+        const BlockModel& block = model.blocks[row];
+        if (block.fixed || state.blocks[row].absent) continue;
+        const std::vector<Point> corners = startCorners(block);
+        const double density = block.mass / (block.area * model.thickness);
+        const double pressure = std::sqrt(density * block.elasticity(0, 0));  // density times wave speed [Pa s/m]
+        const double shear = std::sqrt(density * block.elasticity(2, 2));
+        for (int e = 0; e < static_cast<int>(corners.size()); ++e) {
+            const Edge edge = edgeOf(corners, e);
+            if (!boundary.holdsFace(row, e, edge.start, edge.start + edge.length * edge.along)) continue;
+            const double area = 0.5 * edge.length * model.thickness;
+            for (double share : {0.5 - gauss, 0.5 + gauss})
+                dashpots.push_back({row, edge.start + share * edge.length * edge.along - block.centroid, edge.outward,
+                                    area * pressure, area * shear});
+        }
+    }
+    return dashpots;
+}
+
+std::vector<WallForce> letGo(const Model& model, State& state, const SideList& sides) {
+    std::vector<WallForce> forces;
+    const Boundary boundary(model, sides);
+    const double before = bookedEnergy(model, state);
+    for (std::size_t h = 0; h < model.held.size(); ++h) {
+        const HeldPoint& held = model.held[h];
+        const Point start = model.blocks[held.block].centroid + held.place;
+        if (state.blocks[held.block].absent || !boundary.holdsPlace(held.block, start)) continue;
+        if (state.held.empty()) state.held.resize(model.held.size());
+        HeldState& now = state.held[h];
+        const Point moved = materialPoint(state.blocks[held.block], held.place) - start - now.offset;
+        const Point all = held.preload - held.stiffness * moved;
+        now.quiet = true;
+        now.force = {held.x ? all.x() : 0.0, held.y ? all.y() : 0.0};
+        WallForce wall;
+        wall.block = held.block;
+        wall.place = held.place;
+        wall.force = now.force;
+        forces.push_back(wall);
+    }
+    state.energy.released += before - bookedEnergy(model, state);
+    return forces;
+}
+
+void holdAgain(const Model& model, State& state) {
+    if (state.held.empty()) return;
+    const double before = bookedEnergy(model, state);
+    for (std::size_t h = 0; h < model.held.size(); ++h) {
+        HeldState& now = state.held[h];
+        if (!now.quiet) continue;
+        const HeldPoint& held = model.held[h];
+        const Point start = model.blocks[held.block].centroid + held.place;
+        const Point moved = materialPoint(state.blocks[held.block], held.place) - start;
+        now.quiet = false;
+        now.offset = moved + (now.force - held.preload) / held.stiffness;
+    }
+    state.energy.external += bookedEnergy(model, state) - before;  // the springs are strained from outside
+}
+
+void addDashpots(const Model& model, const State& state, const Loads& loads, const StepOptions& options,
+                 StepProblem& problem) {
+    const SchemeFactors factors = factorsOf(options);
+    const Eigen::VectorXd motion =
+        factors.rate.v * velocitiesOf(model, state) + factors.rate.a * accelerationsOf(model, state);
+    for (const Dashpot& dashpot : loads.dashpots) {
+        const BlockMotion& block = state.blocks[dashpot.block];
+        if (block.absent) continue;
+        const auto t = displacementMatrix(block, materialPoint(block, dashpot.place));
+        for (const auto& [axis, damping] : {std::pair(dashpot.across, dashpot.pressure),
+                                            std::pair(Point(turnLeft(dashpot.across)), dashpot.shear)}) {
+            Link& link = problem.links.emplace_back();
+            link.kind = LinkKind::Drag;
+            link.a = dashpot.block;
+            link.ga = t.transpose() * axis;
+            link.law.kind = LawKind::Viscous;
+            link.law.stiffness = damping * factors.rate.d;
+            const auto first = 6 * static_cast<Eigen::Index>(dashpot.block);
+            link.law.offset = -link.ga.dot(motion.segment<6>(first)) / factors.rate.d;
+        }
+    }
+}
+
+}  // namespace keyblock

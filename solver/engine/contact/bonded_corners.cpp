@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/contact/bonded_corners.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace keyblock {
+namespace {
+
+constexpr double samePlace = 10.0;  // times the geometric tolerance
+
+/// Where the contact's corner was in the scene as it was given [m].
+Point startOf(const Model& model, const Contact& c) {
+    const BlockModel& block = model.blocks[c.blockA];
+    return block.centroid + block.shape[static_cast<std::size_t>(c.corner)];
+}
+
+/// A bond of one block to another.
+struct Bond {
+    int block = -1, other = -1;
+    Point place{0.0, 0.0};  // at the start [m]
+};
+
+/// The bonds of every block, block by block.
+std::vector<Bond> bondsOf(const Model& model, const std::vector<Contact>& contacts) {
+    std::vector<Bond> bonds;
+    for (const Contact& c : contacts) {
+        if (!c.bonded) continue;
+        const Point place = startOf(model, c);
+        bonds.push_back({c.blockA, c.blockB, place});
+        bonds.push_back({c.blockB, c.blockA, place});
+    }
+    std::stable_sort(bonds.begin(), bonds.end(), [](const Bond& x, const Bond& y) { return x.block < y.block; });
+    return bonds;
+}
+
+/// From block to block by bonds at the place of `c`: does one come from A to B?
+bool heldRound(const Model& model, const std::vector<Bond>& bonds, const Contact& c) {
+    const Point place = startOf(model, c);
+    std::vector<int> reached{c.blockA};
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+        const auto before = [](const Bond& bond, int block) { return bond.block < block; };
+        auto bond = std::lower_bound(bonds.begin(), bonds.end(), reached[i], before);
+        for (; bond != bonds.end() && bond->block == reached[i]; ++bond) {
+            if ((bond->place - place).norm() > samePlace * model.tolerance) continue;
+            if (bond->other == c.blockB) return true;
+            if (std::find(reached.begin(), reached.end(), bond->other) == reached.end()) reached.push_back(bond->other);
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+void dropHeldCorners(const Model& model, std::vector<Contact>& contacts) {
+    const std::vector<Bond> bonds = bondsOf(model, contacts);
+    if (bonds.empty()) return;
+    std::erase_if(contacts, [&](const Contact& c) {
+        const bool carries = c.bonded || c.normalForce != 0.0 || c.shearForce != 0.0;
+        return !carries && heldRound(model, bonds, c);
+    });
+}
+
+}  // namespace keyblock

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/contact/contact_candidates.h"
+
+#include "geometry/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace keyblock {
+namespace {
+
+constexpr double slackShare = 1e-5;  // of the smaller block
+constexpr double deepest = 0.25;  // of the block's size: deeper is no contact with this edge
+constexpr double sliver = -0.9;  // cosine between the outward normals of a sliver's two long sides, at most
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// An edge that a corner stands before, now or on its path.
+struct Faced {
+    int turn = -1;  // row of the block's `turns` at which the edge begins
+    double gap = 0.0, along = 0.0;  // now [m]
+    double gapEnd = 0.0;  // after the path [m]
+    Edge edge;
+
+    /// Share of the path at which the corner passes the edge's line; 0 where it is behind already.
+    double crossing() const { return gap <= 0.0 ? 0.0 : gapEnd < 0.0 ? gap / (gap - gapEnd) : never; }
+};
+
+Point driftAt(const BlockMotion& block, const Drift& drift, const Point& p) {
+    return drift.shift + drift.turn * turnLeft(p - block.centroid);
+}
+
+/// The neighbours of a corner that stands before an edge lie on the outer side of the edge.
+/// Where an edge of the corner is glued to the next cell, the face goes straight on there.
+bool facesEdge(const std::vector<Point>& corners, const std::vector<char>& inner, int corner, const Edge& edge) {
+    const int n = static_cast<int>(corners.size()), before = (corner + n - 1) % n;
+    const Point& p = corners[corner];
+    Point back = corners[before] - p, on = corners[(corner + 1) % n] - p;
+    if (!inner.empty() && inner[before] && inner[corner]) return false;
+    if (!inner.empty() && inner[before]) back = -on;
+    else if (!inner.empty() && inner[corner]) on = -back;
+    for (const Point& away : {back, on})
+        if (edge.outward.dot(away) < -angleSlack * away.norm()) return false;
+    return true;
+}
+
+/// The two edges lie on each other's outer side: sides of a notch.
+bool faceEachOther(const Edge& first, const Edge& second) {
+    const auto before = [](const Edge& edge, const Edge& other) {
+        return edge.outward.dot(other.start + 0.5 * other.length * other.along - edge.start) > 0.0;
+    };
+    return before(first, second) && before(second, first);
+}
+
+/// The corner stands on the other side of a sliver, whose thickness is no way that it has gone in by this edge.
+bool isBehindSliver(const BlockModel& block, const std::vector<Point>& corners, const Edge& edge, const Point& p,
+                    double over) {
+    for (int turn = 0; turn < static_cast<int>(block.turns.size()); ++turn) {
+        const Edge side = runOf(block, corners, turn);
+        const Point from = p - side.start;
+        const double along = side.along.dot(from);
+        if (side.outward.dot(edge.outward) < sliver && std::abs(side.outward.dot(from)) <= over && along >= -over &&
+            along <= side.length + over)
+            return true;
+    }
+    return false;
+}
+
+std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, int b) {
+    const std::vector<Point>& own = search.blocks[a].corners;
+    const std::vector<Point>& other = search.blocks[b].corners;
+    const Point& p = own[corner];
+    const Point moves = driftAt(search.blocks[a], search.drift[a], p) - driftAt(search.blocks[b], search.drift[b], p);
+    const double over = search.slack(a, b);
+    std::vector<Faced> faced;
+    for (int turn = 0; turn < static_cast<int>(search.model.blocks[b].turns.size()); ++turn) {
+        const std::vector<char>& inner = search.model.blocks[b].inner;
+        const auto first = static_cast<std::size_t>(search.model.blocks[b].turns[static_cast<std::size_t>(turn)]);
+        if (!inner.empty() && inner[first]) continue;  // no face: glued to the next cell
+        const Edge edge = runOf(search.model.blocks[b], other, turn);
+        const Point from = p - edge.start;
+        const double gap = edge.outward.dot(from), along = edge.along.dot(from);
+        const double alongEnd = along + edge.along.dot(moves);
+        if (gap > search.margin || gap < -deepest * search.model.blocks[b].size) continue;
+        if (std::max(along, alongEnd) < -over || std::min(along, alongEnd) > edge.length + over) continue;
+        if (!facesEdge(own, search.model.blocks[a].inner, corner, edge)) continue;
+        // A top corner of a brick on a wide slab faces the slab's bottom edge too, from above the slab.
+        if (gap < -over && locate(other, p, over) == Side::Outside) continue;
+        if (gap < -over && isBehindSliver(search.model.blocks[b], other, edge, p, over)) continue;
+        faced.push_back({turn, gap, along, gap + edge.outward.dot(moves), edge});
+    }
+    return faced;
+}
+
+/// By which of two edges that bulge a corner comes in.
+class Entrance {
+public:
+    Entrance(const CandidateSearch& search, int a, int corner, int b)
+        : search_(search), a_(a), corner_(corner), b_(b), over_(search.slack(a, b)) {}
+
+    /// True where the corner comes in by `x` rather than by `y`.
+    bool by(const Faced& x, const Faced& y) const {
+        if (const bool flushX = goesOn(x); flushX != goesOn(y)) return flushX;
+        const double tx = x.crossing(), ty = y.crossing();
+        if (tx == 0.0 && ty == 0.0) {
+            if (const bool oldX = carries(x); oldX != carries(y)) return oldX;
+        } else if (tx != never && ty != never) {
+            const double apart = std::abs(tx - ty) * std::max(x.gap - x.gapEnd, y.gap - y.gapEnd);
+            if (apart > over_) return tx > ty;
+        } else if (tx != ty) {
+            return tx > ty;
+        }
+        return std::tuple(-x.gapEnd, x.turn) < std::tuple(-y.gapEnd, y.turn);
+    }
+
+    /// The corner, or the corner of B at the edge's near end, already stands on something flush with this edge.
+    bool goesOn(const Faced& f) const {
+        if (std::abs(f.gap) > over_) return false;
+        const std::vector<int>& turns = search_.model.blocks[b_].turns;
+        const bool nearStart = f.along < 0.5 * f.edge.length;
+        const int end = turns[(static_cast<std::size_t>(f.turn) + (nearStart ? 0 : 1)) % turns.size()];
+        return search_.standings.holdsUp(a_, corner_, f.edge.outward) ||
+               search_.standings.holdsUp(b_, end, -f.edge.outward);
+    }
+
+    /// An edge at whose end the corner only grazes the flush face round it.
+    bool grazes(const Faced& f) const {
+        if (std::min(f.gap, f.gapEnd) >= -search_.model.tolerance) return false;
+        const std::vector<int>& turns = search_.model.blocks[b_].turns;
+        const int count = static_cast<int>(turns.size());
+        for (const auto& [at, neighbour] : {std::pair(f.along, (f.turn + count - 1) % count),
+                                            std::pair(f.edge.length - f.along, (f.turn + 1) % count)}) {
+            if (std::abs(at) > over_) continue;
+            Faced next;
+            next.turn = neighbour;
+            next.edge = runOf(search_.model.blocks[b_], search_.blocks[b_].corners, neighbour);
+            const std::vector<Point>& own = search_.blocks[a_].corners;
+            const Point from = own[corner_] - next.edge.start;
+            next.gap = next.edge.outward.dot(from), next.along = next.edge.along.dot(from);
+            const bool round = !faceEachOther(f.edge, next.edge) &&
+                               facesEdge(own, search_.model.blocks[a_].inner, corner_, next.edge);
+            if (round && goesOn(next) && !goesOn(f)) return true;
+        }
+        return false;
+    }
+
+private:
+    bool carries(const Faced& f) const {
+        if (f.gap < -over_) return false;
+        Contact key;
+        key.blockA = a_, key.corner = corner_, key.blockB = b_;
+        key.edge = search_.model.blocks[b_].turns[static_cast<std::size_t>(f.turn)];
+        const Contact* old = sameContact(search_.before, key);
+        return old && (old->normalForce > 0.0 || old->bonded);
+    }
+
+    const CandidateSearch& search_;
+    int a_, corner_, b_;
+    double over_;
+};
+
+Contact contactOf(const CandidateSearch& search, int a, int corner, int b, const Faced& faced) {
+    Contact contact;
+    contact.blockA = a, contact.corner = corner, contact.blockB = b;
+    contact.edge = search.model.blocks[b].turns[static_cast<std::size_t>(faced.turn)];
+    contact.gap = faced.gap;
+    contact.lockPlace = faced.along / edgeOf(search.blocks[b].corners, contact.edge).length;
+    contact.position = search.blocks[a].corners[corner];
+    return contact;
+}
+
+}  // namespace
+
+std::vector<Drift> driftOf(const std::vector<BlockMotion>& blocks, const Eigen::VectorXd* path) {
+    std::vector<Drift> drift(blocks.size());
+    for (std::size_t i = 0; path && i < blocks.size(); ++i) {
+        const Vector6 d = path->segment<6>(6 * static_cast<Eigen::Index>(i));
+        drift[i] = {d[0] * blocks[i].axis + d[1] * turnLeft(blocks[i].axis), d[2]};
+    }
+    return drift;
+}
+
+Standings::Standings(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts)
+    : first_(blocks.size() + 1, 0) {
+    const auto each = [&](const auto& visit) {
+        for (const Contact& c : contacts) {
+            if (c.normalForce <= 0.0 && !c.bonded) continue;
+            const std::vector<int>& turns = model.blocks[c.blockB].turns;
+            const auto start = std::lower_bound(turns.begin(), turns.end(), c.edge);
+            visit(c, start + 1 >= turns.end() ? turns.front() : *(start + 1));
+        }
+    };
+    each([&](const Contact& c, int) { first_[c.blockA + 1] += 1, first_[c.blockB + 1] += 2; });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    entries_.resize(first_.back());
+    std::vector<std::size_t> next = first_;
+    each([&](const Contact& c, int end) {
+        const Point normal = edgeOf(blocks[c.blockB].corners, c.edge).outward;
+        entries_[next[c.blockA]++] = {c.corner, normal};
+        entries_[next[c.blockB]++] = {c.edge, -normal};
+        entries_[next[c.blockB]++] = {end, -normal};
+    });
+}
+
+bool Standings::holdsUp(int block, int corner, const Point& normal) const {
+    return std::any_of(entries_.begin() + static_cast<std::ptrdiff_t>(first_[block]),
+                       entries_.begin() + static_cast<std::ptrdiff_t>(first_[block + 1]), [&](const Entry& e) {
+        return e.corner == corner && e.normal.dot(normal) > 0.0 && std::abs(cross(e.normal, normal)) <= angleSlack;
+    });
+}
+
+double CandidateSearch::slack(int a, int b) const {
+    return slackShare * std::min(model.blocks[a].size, model.blocks[b].size) + model.tolerance;
+}
+
+void CandidateSearch::addCorner(int a, int corner, int b, std::vector<Contact>& found) const {
+    const std::vector<Faced> faced = facedEdges(*this, a, corner, b);
+    const Entrance entrance(*this, a, corner, b);
+    for (const Faced& one : faced) {
+        const bool beaten = std::any_of(faced.begin(), faced.end(), [&](const Faced& other) {
+            return other.turn != one.turn && !faceEachOther(one.edge, other.edge) && entrance.by(other, one);
+        });
+        if (!beaten && !entrance.grazes(one)) found.push_back(contactOf(*this, a, corner, b, one));
+    }
+}
+
+const Contact* sameContact(const std::vector<Contact>& contacts, const Contact& contact) {
+    const auto found = std::lower_bound(contacts.begin(), contacts.end(), contact, comesBefore);
+    return found != contacts.end() && !comesBefore(contact, *found) ? &*found : nullptr;
+}
+
+bool comesBefore(const Contact& x, const Contact& y) {
+    const auto key = [](const Contact& c) {
+        return std::tuple(std::min(c.blockA, c.blockB), std::max(c.blockA, c.blockB), c.blockA, c.corner, c.edge);
+    };
+    return key(x) < key(y);
+}
+
+Edge runOf(const BlockModel& block, const std::vector<Point>& corners, int turn) {
+    const std::size_t next = (static_cast<std::size_t>(turn) + 1) % block.turns.size();
+    const Point& a = corners[block.turns[static_cast<std::size_t>(turn)]];
+    const Point chord = corners[block.turns[next]] - a;
+    const double length = chord.norm();
+    const Point along = chord / length;
+    return {a, along, -turnLeft(along), length};
+}
+
+}  // namespace keyblock

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which edges of a block a corner of another stands before, and by which of
+// them it comes in. Near a corner of the other block several are in question;
+// the path over the step decides, and a corner that slides on a face goes on
+// sliding where the next block's face is flush with it.
+#pragma once
+
+#include "solver/engine/contact/contacts.h"
+
+#include <vector>
+
+namespace keyblock {
+
+/// How a block moves over the step that begins, to first order.
+struct Drift {
+    Point shift{0.0, 0.0};  // of the centroid [m]
+    double turn = 0.0;  // [rad]
+};
+
+/// Drift of every block. \param path displacement of the step, six unknowns a block; none: at rest.
+std::vector<Drift> driftOf(const std::vector<BlockMotion>& blocks, const Eigen::VectorXd* path);
+
+/// Where corners press: of each carrying contact the corner, and the ends of the edge that it stands on.
+class Standings {
+public:
+    Standings(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before);
+
+    /// True where the corner is held up by something whose outward normal is `normal`, to 3°.
+    bool holdsUp(int block, int corner, const Point& normal) const;
+
+private:
+    struct Entry {
+        int corner = -1;
+        Point normal{0.0, 0.0};
+    };
+
+    std::vector<std::size_t> first_;  // entry of each block, and one past the last block's
+    std::vector<Entry> entries_;
+};
+
+struct CandidateSearch {
+    const Model& model;
+    const std::vector<BlockMotion>& blocks;
+    const std::vector<Contact>& before;
+    const std::vector<Drift>& drift;
+    const Standings& standings;
+    double margin;
+
+    /// How far past an edge's end a corner still stands on it [m].
+    double slack(int a, int b) const;
+
+    /// Adds the contacts of corner `corner` of A with the edges of B by which it comes in.
+    void addCorner(int a, int corner, int b, std::vector<Contact>& found) const;
+};
+
+/// The contact's own entry in a sorted list; null where it has none.
+const Contact* sameContact(const std::vector<Contact>& contacts, const Contact& contact);
+
+/// Order of contacts: pair of blocks, then corner, then edge.
+bool comesBefore(const Contact& x, const Contact& y);
+
+/// The straight piece of outline that begins at corner `turn` of the block's list `turns`.
+Edge runOf(const BlockModel& block, const std::vector<Point>& corners, int turn);
+
+/// Sine of the angle under which directions count as parallel: 3°.
+inline constexpr double angleSlack = 0.0523;
+
+}  // namespace keyblock

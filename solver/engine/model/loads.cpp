@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/model/loads.h"
+
+#include "solver/engine/contact/contacts.h"
+
+namespace keyblock {
+namespace {
+
+std::vector<double> mix(const std::vector<double>& a, const std::vector<double>& b, double share) {
+    std::vector<double> mixed(b.size());
+    for (std::size_t i = 0; i < b.size(); ++i) mixed[i] = share >= 1.0 ? b[i] : a[i] + share * (b[i] - a[i]);
+    return mixed;
+}
+
+class ForceSum {
+public:
+    ForceSum(const Model& model, const State& state)
+        : state_(state), forces(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model.blocks.size()) +
+                                                      3 * model.nodes)) {}
+
+    void onBlock(int block, const Point& place, const Point& force) {
+        const BlockMotion& motion = state_.blocks[block];
+        forces.segment<6>(6 * block) += displacementMatrix(motion, place).transpose() * force;
+        total += force.norm();
+    }
+
+    void onNode(int node, const Point& force) {
+        forces.segment<2>(6 * static_cast<Eigen::Index>(state_.blocks.size()) + 3 * node) += force;
+        total += force.norm();
+    }
+
+private:
+    const State& state_;
+
+public:
+    Eigen::VectorXd forces;
+    double total = 0.0;
+};
+
+void addGravity(const Model& model, const State& state, const Point& gravity, ForceSum& sum) {
+    if (gravity.isZero(0.0)) return;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i)
+        if (!state.blocks[i].absent)
+            sum.onBlock(static_cast<int>(i), state.blocks[i].centroid, model.blocks[i].mass * gravity);
+    Eigen::Index first = 6 * static_cast<Eigen::Index>(model.blocks.size());
+    for (std::size_t b = 0; b < model.bolts.size(); ++b) {
+        const BoltModel& bolt = model.bolts[b];
+        for (std::size_t e = 0; e < bolt.elements.size() && !state.bolts[b].absent; ++e) {
+            const double mass = bolt.share * lumpedMass(bolt.section, bolt.elements[e].length);
+            for (std::size_t node : {e, e + 1})
+                sum.forces.segment<2>(first + 3 * static_cast<Eigen::Index>(node)) += mass * gravity;
+            sum.total += 2.0 * mass * gravity.norm();
+        }
+        first += 3 * static_cast<Eigen::Index>(bolt.s.size());
+    }
+}
+
+}  // namespace
+
+LoadPoint between(const LoadPoint& a, const LoadPoint& b, double share) {
+    LoadPoint point;
+    point.time = share >= 1.0 ? b.time : a.time + share * (b.time - a.time);
+    point.gravity = share >= 1.0 ? b.gravity : a.gravity + share * (b.gravity - a.gravity);
+    point.acceleration = b.acceleration;
+    if (share < 1.0) point.acceleration = a.acceleration + share * (b.acceleration - a.acceleration);
+    point.forces = mix(a.forces, b.forces, share);
+    point.pressures = mix(a.pressures, b.pressures, share);
+    point.motions = mix(a.motions, b.motions, share);
+    point.walls = mix(a.walls, b.walls, share);
+    point.openings = mix(a.openings, b.openings, share);
+    return point;
+}
+
+bool isSameLoad(const LoadPoint& a, const LoadPoint& b) {
+    return a.gravity == b.gravity && a.acceleration == b.acceleration && a.forces == b.forces &&
+           a.pressures == b.pressures && a.motions == b.motions && a.walls == b.walls;
+}
+
+Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
+                              double& total) {
+    ForceSum sum(model, state);
+    addGravity(model, state, at.gravity * model.gravity + at.acceleration, sum);
+    for (std::size_t i = 0; i < loads.forces.size(); ++i) {
+        const PointForce& f = loads.forces[i];
+        sum.onBlock(f.block, materialPoint(state.blocks[f.block], f.place), at.forces[i] * f.force);
+    }
+    for (std::size_t i = 0; i < loads.pressures.size(); ++i) {
+        const EdgePressure& p = loads.pressures[i];
+        const Edge edge = edgeOf(state.blocks[p.block].corners, p.edge);
+        const double length = (p.to - p.from) * edge.length;
+        const Point middle = edge.start + 0.5 * (p.from + p.to) * edge.length * edge.along;
+        sum.onBlock(p.block, middle, -at.pressures[i] * p.pressure * length * model.thickness * edge.outward);
+    }
+    for (std::size_t i = 0; i < loads.walls.size(); ++i) {
+        const WallForce& w = loads.walls[i];
+        if (w.block >= 0)
+            sum.onBlock(w.block, materialPoint(state.blocks[w.block], w.place), at.walls[i] * w.force);
+        else
+            sum.onNode(model.bolts[w.bolt].firstNode + w.node, at.walls[i] * w.force);
+    }
+    total = sum.total;
+    return sum.forces;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/stage/dynamics.h"
+
+#include "solver/engine/bolt/resticks.h"
+#include "solver/engine/bolt/topology.h"
+#include "solver/engine/contact/contacts.h"
+#include "solver/engine/stage/energy_account.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace keyblock {
+namespace {
+
+constexpr double shortestStep = 1e-6;  // over the given step: shorter is a failure
+constexpr double eventStep = 1e-3;  // over the given step: shorter steps take the event as it comes
+constexpr double locateShare = 1e-4;
+constexpr double nearShare = 1e-3;  // of the smallest block: contacts are always sought this far
+constexpr double pathShare = 1e-5;  // of the smallest block: a longer move may come in by another edge than it seemed
+constexpr int mostPaths = 2;  // times that a step is done again because it does
+constexpr double arcShare = 1e-2;  // of the forces at play: what the turning of blocks may add to a contact's
+constexpr int mostArcs = 2;  // times that a step is done again because it adds more, before it is cut
+constexpr double arcStep = 1e-3;  // over the given step: shorter ones are taken as they are
+constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
+constexpr int preloadRounds = 4;
+constexpr int preloadTries = 12;  // what was found by then is a fair start
+constexpr double preloadCut = 0.1;  // of the pseudo-step, where friction does not settle in it
+
+/// At its zero point, or past it and carrying.
+bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
+
+/// Only touching contacts act while preload is sought; bolts and supports keep the force they have.
+void keepTouching(const Model& model, const State& state, StepProblem& problem) {
+    for (Link& link : problem.links) {
+        if (link.kind == LinkKind::Support || link.kind == LinkKind::Glue) continue;
+        if (link.kind == LinkKind::Normal || link.kind == LinkKind::Friction) {
+            if (touches(model, state.contacts[static_cast<std::size_t>(link.owner)])) continue;
+            link.law = {};
+        } else {
+            const double force = respond(link.law, link.strain).force;
+            link.law.kind = LawKind::Constant;
+            link.law.limit = force;
+        }
+    }
+}
+
+/// Moves the contacts' zero points and the blocks' stress so that they carry the forces found, with nothing moved. What
+/// friction could not hold is not kept: it would let go at once, with an energy that came from nowhere.
+void takePreload(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d) {
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    double push = 0.0;
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const Link& link = problem.links[i];
+        if (link.law.stiffness <= 0.0) continue;
+        const double force = respond(link.law, strains[i]).force;
+        if (link.kind == LinkKind::Normal) {
+            carryNormal(model, state.contacts[static_cast<std::size_t>(link.owner)], link.strain, -force);
+            push = std::max(0.0, -force);
+        }
+        if (link.kind == LinkKind::Friction) {
+            Contact& c = state.contacts[static_cast<std::size_t>(link.owner)];
+            const double most = c.bonded ? std::abs(force) : frictionOf(model, c) * push;
+            carryShear(model, c, link.strain, std::clamp(force, -most, most));
+        }
+        if (link.kind == LinkKind::Glue)
+            state.glue[static_cast<std::size_t>(link.owner)].offset[static_cast<std::size_t>(link.part)] =
+                link.strain - force / link.law.stiffness;
+    }
+    for (std::size_t i = 0; i < model.blocks.size(); ++i)
+        state.blocks[i].preStress +=
+            model.blocks[i].elasticity * d.segment<3>(6 * static_cast<Eigen::Index>(i) + 3);
+}
+
+/// Whether contacts carry what they would carry where the blocks really come to, on arcs and not on straight ways.
+bool arcsHold(const Model& model, const std::vector<BlockMotion>& from, const StepProblem& problem,
+              const std::vector<Contact>& contacts, const Eigen::VectorXd& d) {
+    const auto wayOf = [&](std::size_t i) -> Vector6 { return d.segment<6>(6 * static_cast<Eigen::Index>(i)); };
+    double arc = 0.0;
+    for (std::size_t i = 0; i < from.size(); ++i)
+        arc = std::max(arc, model.blocks[i].size * wayOf(i)[2] * wayOf(i)[2]);
+    if (arc < model.tolerance) return true;  // in most steps nothing turns so far
+    std::vector<BlockMotion> blocks = from;
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        if (!model.blocks[i].fixed) moveBlock(model.blocks[i], blocks[i], wayOf(i));
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    const double reference = referenceForce(problem, d, netForce(problem, d));
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const Link& link = problem.links[i];
+        if (!ofContact(link.kind)) continue;
+        const Contact& c = contacts[static_cast<std::size_t>(link.owner)];
+        const double strain = link.kind == LinkKind::Normal ? gapOf(blocks, c) + link.shift : slipOf(blocks, c);
+        const double off = respond(link.law, strain).force - respond(link.law, strains[i]).force;
+        if (std::abs(off) > arcShare * reference) return false;
+    }
+    return true;
+}
+
+/// Sums steps with what rounding took from the sum before, so that a million of them lose nothing (Kahan 1965).
+double later(double time, double dt, double& roundedUp) {
+    const double step = dt - roundedUp;
+    const double sum = time + step;
+    roundedUp = (sum - time) - step;
+    return sum;
+}
+
+}  // namespace
+
+DynamicStage::DynamicStage(Engine& engine, const Loads& loads, std::function<LoadPoint(double)> loadsAt,
+                           DynamicSettings settings)
+    : engine_(engine), loads_(loads), loadsAt_(std::move(loadsAt)), settings_(settings) {}
+
+StepEnding DynamicStage::preload(State& state) {
+    const Model& model = engine_.model;
+    const bool fresh = std::any_of(state.contacts.begin(), state.contacts.end(), [&](const Contact& c) {
+        return touches(model, c) && c.normalForce == 0.0 && c.shearForce == 0.0;
+    });
+    if (!fresh) return {};
+    double mass = 0.0, stiffness = std::numeric_limits<double>::max();
+    for (const BlockModel& block : model.blocks) mass = std::max(mass, block.mass);
+    for (const Contact& c : state.contacts) stiffness = std::min(stiffness, contactSprings(model, c).normal);
+    if (mass <= 0.0) return {};
+    double dt = std::sqrt(2.0 * mass / (preloadInertia * stiffness));
+    State trial = state;
+    for (int round = 0, tries = 0; round < preloadRounds && tries < preloadTries; ++tries) {
+        StepProblem problem = buildStep(model, trial, loads_, loadsAt_(0.0), {Inertia::Static, dt, round == 0});
+        keepTouching(model, trial, problem);
+        Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
+        const SolveReport report =
+            solveStep(engine_, problem, trial, d, {.tolerance = model.analysis.tolerance, .convex = true});
+        if (report.stopped) return {Ending::Stopped, "", {}};
+        if (!report.converged) {
+            dt *= preloadCut;
+            continue;
+        }
+        ++round;
+        takePreload(model, trial, problem, d);
+    }
+    state = std::move(trial);
+    return {};
+}
+
+/// What a motion prescribes moves at its first slope from the start, at the cost of what drives it.
+void DynamicStage::drive(State& state) const {
+    const LoadPoint first = loadsAt_(0.0), next = loadsAt_(settings_.timeStep);
+    const double before = kineticEnergy(engine_.model, state);
+    for (std::size_t i = 0; i < loads_.motions.size(); ++i) {
+        const PrescribedMotion& motion = loads_.motions[i];
+        Vector6& velocity = state.blocks[static_cast<std::size_t>(motion.block)].velocity;
+        velocity[0] = (next.motions[i] - first.motions[i]) / settings_.timeStep;
+        if (motion.holdsRotation) velocity[2] = 0.0;
+    }
+    state.energy.external += kineticEnergy(engine_.model, state) - before;
+}
+
+StepEnding DynamicStage::begin(State& state) {
+    const Model& model = engine_.model;
+    state.acceleration.clear();
+    const StepEnding ending = preload(state);
+    if (ending.ending != Ending::Done) return ending;
+    drive(state);
+    if (!carriesAccelerations(settings_.scheme)) return ending;
+    const StepProblem problem =
+        buildStep(model, state, loads_, loadsAt_(0.0), {Inertia::None, 1.0, false, 1.0, settings_.damping});
+    const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
+    const Eigen::VectorXd first = byMass(model, problem, netForce(problem, still) - contactForce(problem, still));
+    state.acceleration.assign(first.data(), first.data() + first.size());
+    return ending;
+}
+
+/// What all forces but those of contacts give the bodies where they are, at rest; nothing where it is not asked for.
+Eigen::VectorXd DynamicStage::heldAccelerations(const State& state) const {
+    if (!carriesAccelerations(settings_.scheme) || state.bolts.empty()) return {};
+    const Model& model = engine_.model;
+    const StepProblem problem = buildStep(model, state, loads_, loadsAt_(0.0), {Inertia::None});
+    const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
+    return byMass(model, problem, netForce(problem, still) - contactForce(problem, still));
+}
+
+/// An acceleration that remembered what has let go since would throw the light nodes of a bolt away.
+void DynamicStage::forget(const Eigen::VectorXd& held, State& state) const {
+    if (held.size() == 0) return;
+    const Eigen::VectorXd now = heldAccelerations(state);
+    for (Eigen::Index i = 0; i < held.size(); ++i)
+        if (now[i] != held[i]) state.acceleration[static_cast<std::size_t>(i)] += now[i] - held[i];
+}
+
+/// Loads where the scheme takes them, motions where the step ends.
+LoadPoint DynamicStage::loadsOver(double time, double dt, double share) const {
+    LoadPoint at = loadsAt_(time + share * dt);
+    if (share < 1.0) {
+        const LoadPoint end = loadsAt_(time + dt);
+        at.motions = end.motions;
+        at.openings = end.openings;
+    }
+    return at;
+}
+
+double DynamicStage::predictedMove(const State& state, double dt, const DynamicPace& pace) const {
+    const Model& model = engine_.model;
+    double speed = 0.0;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i)
+        speed = std::max(speed, state.blocks[i].velocity.head<2>().norm() +
+                                    std::abs(state.blocks[i].velocity[2]) * 2.0 * model.blocks[i].size);
+    return std::max(pace.lastMove, speed * dt + 0.5 * model.gravity.norm() * dt * dt);
+}
+
+DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, double dt, DynamicPace& pace,
+                                            Trial& trial) {
+    const Model& model = engine_.model;
+    StepOptions options{settings_.scheme, dt, false, settings_.rhoInf, settings_.damping};
+    const LoadPoint at = loadsOver(time, dt, factorsOf(options).loadTime);
+    const double least = nearShare * smallestSize(model);
+    double margin = std::max(least, 2.0 * predictedMove(state, dt, pace));
+    Eigen::VectorXd guess = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model.blocks.size()) + 3 * model.nodes);
+    for (std::size_t i = 0; i < model.blocks.size(); ++i)
+        guess.segment<6>(6 * static_cast<Eigen::Index>(i)) = dt * state.blocks[i].velocity;
+    Eigen::VectorXd path = guess;
+    for (int paths = 0, arcs = 0;;) {
+        trial.state = state;
+        trial.state.contacts = findContacts(model, state.blocks, state.contacts,
+                                            {2.0 * margin + widestOpening(state), false, false, &path,
+                                             &trial.state.energy.released});
+        meetDilated(state, trial.state.contacts);
+        StepProblem problem = buildStep(model, trial.state, loads_, at, options);
+        Eigen::VectorXd d = guess;
+        const SolveReport report = solveStep(engine_, problem, trial.state, d, {.tolerance = model.analysis.tolerance});
+        worst_ = report.worst;
+        if (report.stopped) return Attempt::Stopped;
+        if (!report.converged) return Attempt::TooLong;
+        const double move = largestMove(model, problem, d);
+        if (move > margin) {  // something may have been met that was not looked for
+            margin = 2.0 * move;
+            if (margin > 0.25 * smallestSize(model) && !state.contacts.empty()) return Attempt::TooLong;
+            continue;
+        }
+        if (paths < mostPaths && move > pathShare * smallestSize(model) &&
+            !entrancesHold(model, state.blocks, trial.state.contacts, 2.0 * margin + widestOpening(state), d)) {
+            path = d;
+            ++paths;
+            continue;
+        }
+        if (dt > arcStep * settings_.timeStep && !arcsHold(model, state.blocks, problem, trial.state.contacts, d)) {
+            if (arcs == mostArcs) return Attempt::TooLong;
+            guess = d;
+            options.path = &guess;
+            ++arcs;
+            continue;
+        }
+        pace.lastMove = move;
+        double total = 0.0;
+        const Eigen::VectorXd external = externalForce(model, trial.state, loads_, at, total);
+        bookStep(model, trial.state, problem, external, d, options);
+        moveOn(model, trial.state, problem, d, options);
+        acceptStep(model, trial.state, problem, d);
+        trial.residual = report.residual;
+        return Attempt::Settled;
+    }
+}
+
+StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer) {
+    const Model& model = engine_.model;
+    const double rest = end - time;
+    if (pace.dt == 0.0) pace.dt = settings_.timeStep;
+    double dt = pace.dt >= rest * (1.0 - 1e-9) ? rest : pace.dt;
+    const std::vector<Limit> before = heldLimits(model, state);
+    const auto start = worstLimit(before, 0.0);
+    const double startRatio = start ? std::min(start->ratio, 1.0) : 0.0;
+    Trial trial;
+    double low = 0.0, high = 0.0;  // bracket of the first limit, once it is known to be passed
+    for (int tries = 0;; ++tries) {
+        const Attempt attempted = attempt(state, time, dt, pace, trial);
+        if (attempted == Attempt::Stopped) return {Ending::Stopped, "", {}};
+        if (attempted == Attempt::TooLong) {
+            ++engine_.health.stepCuts;
+            dt *= 0.3;
+            pace.dt = dt;
+            if (dt >= shortestStep * settings_.timeStep) continue;
+            StepEnding failed{Ending::Failed, "no time step settles near " + nameOfBody(model, worst_), {}};
+            if (blockOfBody(model, worst_) >= 0) failed.blocks.push_back(worst_);
+            return failed;
+        }
+        const auto worst = worstLimit(heldLimits(model, trial.state), 0.0);
+        const double ratio = worst ? worst->ratio : 0.0;
+        if (ratio > 1.0 + locateShare) high = dt;
+        else low = dt;
+        const bool located = high == 0.0 || ratio >= 1.0 - locateShare;
+        if (ratio <= 1.0 + locateShare && located) break;
+        if (high - low <= eventStep * settings_.timeStep || tries > 40) break;
+        const double share = tries % 2 == 0 && high == dt ? (1.0 - startRatio) / (ratio - startRatio) : 0.5;
+        dt = share == 0.5 ? 0.5 * (low + high) : std::clamp(share * dt, low, high);
+        if (dt <= low) dt = 0.5 * (low + high);
+    }
+    tellResticks(model, ifSliding(state), trial.state, time, -1, observer);
+    state = std::move(trial.state);
+    time = dt == rest ? end : later(time, dt, pace.roundedUp);
+    pace.dt = std::min(2.0 * std::max(pace.dt, dt), settings_.timeStep);
+    ++state.step;
+    countAccepted(engine_, state, trial.residual);
+    const Eigen::VectorXd held = heldAccelerations(state);
+    double least = high > 0.0 ? 1.0 - locateShare : 1.0 + reachedShare;
+    while (const auto limit = worstLimit(heldLimits(model, state), least)) {
+        releaseAndTell(model, state, *limit, time, -1, observer);
+        observer.afterEvent(state, time);
+        least = 1.0 + reachedShare;
+    }
+    followBolts(model, state);
+    forget(held, state);
+    return {};
+}
+
+}  // namespace keyblock

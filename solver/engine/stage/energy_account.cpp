@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/stage/energy_account.h"
+
+#include "solver/engine/contact/contact_candidates.h"
+#include "solver/engine/step/friction_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+bool known(const StepProblem& problem, Eigen::Index unknown) {
+    return problem.known[static_cast<std::size_t>(unknown)] != 0;
+}
+
+bool sameLink(const Link& a, const Link& b) { return a.kind == b.kind && a.owner == b.owner && a.part == b.part; }
+
+/// Friction limits of the links of `problem`, in their order; those of other laws as they are.
+std::vector<double> limitsOf(const StepProblem& problem) {
+    std::vector<double> limits;
+    for (const Link& link : problem.links) limits.push_back(link.law.limit);
+    return limits;
+}
+
+/// The link as it was when the search began. What multipliers carried does not follow from strain, and a contact that
+/// was met on the way may have stood behind its edge, beyond its end: it had what it took over there, or nothing.
+PathStart startOf(const Model& model, const Link& link, const Link& first, double limit, bool met,
+                  const State& unaccepted) {
+    if (!ofContact(link.kind)) return {first.strain, carriedForce(link.law, first.strain), limit};
+    const Contact& c = unaccepted.contacts[static_cast<std::size_t>(link.owner)];
+    PathStart at{first.strain, carriedForce(link.law, first.strain), limit};
+    if (link.law.rigid || met) at.force = link.kind == LinkKind::Normal ? -c.normalForce : c.shearForce;
+    if (met) at.limit = std::max(0.0, c.normalForce) * frictionOf(model, c);
+    return at;
+}
+
+/// A hinge's limit is told anew when a search begins; where it fell, the hinge still carried what it had.
+void carryHinges(StepProblem& problem) {
+    for (Link& link : problem.links)
+        if (link.kind == LinkKind::Bend || link.kind == LinkKind::Shear)
+            link.law.limit = std::max(link.law.limit, std::abs(carriedForce(link.law, link.strain)));
+}
+
+}  // namespace
+
+void bookStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
+              const Eigen::VectorXd& d, const StepOptions& options) {
+    const SchemeFactors factors = factorsOf(options);
+    // what drives a prescribed unknown works against all forces; what it gives to motion is booked with the velocities
+    Eigen::VectorXd driven = netForce(problem, d) + inertiaForce(model, state, factors, d);
+    if (problem.contactShare != 1.0) driven -= (problem.contactShare - 1.0) * contactForce(problem, d);
+    state.energy.external += external.dot(d);
+    for (Eigen::Index i = 0; i < d.size(); ++i)
+        if (known(problem, i)) state.energy.external -= driven[i] * d[i];
+    std::vector<double> after;
+    linkStrains(problem, d, after);
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const Link& link = problem.links[i];
+        state.energy.damped += lawLoss(link.law, link.strain, after[i], ruleOf(problem, link));
+        if (link.shift == 0.0) continue;
+        const double force = respondOverStep(link.law, link.strain, after[i], ruleOf(problem, link)).force;
+        state.energy.external += link.law.share * force * link.shift;  // of what dilates
+    }
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        const Eigen::Vector3d strain = d.segment<3>(6 * static_cast<Eigen::Index>(i) + 3);
+        state.energy.damped += (factors.elastic - 0.5) * model.blocks[i].area * model.thickness *
+                               strain.dot(model.blocks[i].elasticity * strain);
+    }
+    if (options.damping != Damping{}) state.energy.damped += dampedWork(model, state, options, d);
+}
+
+StaticBooks::StaticBooks(const Model& model, const State& start, const Loads& loads, const LoadPoint& before)
+    : model_(model), loads_(loads), before_(before), start_(start) {
+    StepProblem problem = buildStep(model, start, loads, before, {Inertia::None});
+    carryHinges(problem);
+    first_ = forcesOf(problem, start, before);
+}
+
+StaticBooks::Forces StaticBooks::forcesOf(StepProblem& problem, const State& state, const LoadPoint& at) const {
+    const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
+    correctFrictionLimits(problem, still);
+    double total = 0.0;
+    return {externalForce(model_, state, loads_, at, total), netForce(problem, still)};
+}
+
+/// The links of the end as they were at the start.
+StepProblem StaticBooks::atStart(const State& end) const {
+    State start = start_;
+    start.contacts = end.contacts;
+    StepProblem problem = buildStep(model_, start, loads_, before_, {Inertia::None});
+    carryHinges(problem);
+    correctFrictionLimits(problem, Eigen::VectorXd::Zero(problem.unknowns()));
+    return problem;
+}
+
+bool StaticBooks::isMet(const Link& link, const State& end) const {
+    return ofContact(link.kind) &&
+           !sameContact(start_.contacts, end.contacts[static_cast<std::size_t>(link.owner)]);
+}
+
+/// Of contacts that are there no more: half of the force that they began with, times their way [J].
+double StaticBooks::trapeziumOfEnded(const State& end, const Eigen::VectorXd& moved) const {
+    StepProblem problem;
+    problem.blocks = static_cast<int>(model_.blocks.size());
+    problem.nodes = model_.nodes;
+    addContactLinks(model_, start_, false, problem);
+    double sum = 0.0;
+    for (const Link& link : problem.links) {
+        const Contact& c = start_.contacts[static_cast<std::size_t>(link.owner)];
+        if (sameContact(end.contacts, c)) continue;
+        const double way = link.ga.dot(moved.segment<6>(6 * link.a)) + link.gb.dot(moved.segment<6>(6 * link.b));
+        sum += 0.5 * (link.kind == LinkKind::Normal ? -c.normalForce : c.shearForce) * way;
+    }
+    return sum;
+}
+
+void StaticBooks::book(State& end, const LoadPoint& at, const Eigen::VectorXd& moved, StepProblem& problem) const {
+    const Forces last = forcesOf(problem, end, at);
+    for (Eigen::Index i = 0; i < moved.size(); ++i) {
+        end.energy.external += 0.5 * (first_.external[i] + last.external[i]) * moved[i];
+        if (known(problem, i)) end.energy.external -= 0.5 * (first_.net[i] + last.net[i]) * moved[i];
+        else end.energy.damped += 0.5 * (first_.net[i] + last.net[i]) * moved[i];
+    }
+    const StepProblem start = atStart(end);
+    const std::vector<double> startLimits = limitsOf(start);
+    problem.slipForce.assign(problem.links.size(), 0.0);
+    const auto bookSurplus = [&](double surplus) {
+        // forces that rise late let the loads run on; forces that rise early ask more of them
+        if (surplus > 0.0) end.energy.damped += surplus;
+        else end.energy.external -= surplus;
+    };
+    double handed = trapeziumOfEnded(end, moved);
+    std::size_t s = 0;
+    for (std::size_t i = 0; i < problem.links.size(); ++i) {
+        const Link& link = problem.links[i];
+        if (link.kind == LinkKind::Chord) continue;
+        while (!sameLink(start.links.at(s), link)) ++s;  // the same links but for chords, in the same order
+        const bool met = isMet(link, end);
+        const PathStart from = startOf(model_, link, start.links[s], startLimits[s], met, end);
+        const PathWork path = pathWork(link.law, from, link.strain + link.shift);
+        if (link.shift != 0.0)
+            end.energy.external += 0.5 * link.law.share * link.shift *
+                                   (from.force + respond(link.law, link.strain + link.shift).force);
+        ++s;
+        problem.slipForce[i] = path.slipForce;
+        bookSurplus(path.surplus);
+        if (met)  // the net force at the start knew nothing of it
+            handed -= 0.5 * link.law.share * from.force * (link.strain - from.strain);
+    }
+    bookSurplus(handed);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/stage/engine.h"
+
+#include "solver/engine/contact/multipliers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace keyblock {
+
+long releaseAndTell(const Model& model, State& state, const Limit& limit, double time, long cause,
+                    StepObserver& observer) {
+    const State before = state;
+    std::vector<Event> events = releaseLimit(model, state, limit);
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        if (i > 0) observer.afterEvent(before, time);
+        observer.beforeEvent(before, time);
+        events[i].cause = cause;
+        cause = observer.event(events[i], before, time);  // a bolt that is lost is lost by its anchor
+    }
+    return cause;
+}
+
+namespace {
+
+constexpr int mostUpdates = 40;  // of the multipliers of one step
+constexpr double slowUpdate = 0.1;  // of the error before: where more is left, the springs are made stiffer
+constexpr double stiffer = 10.0;
+constexpr double stiffest = 1e4;
+
+/// Solves again under multipliers until contacts neither penetrate nor slip elastically.
+void settleMultipliers(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d,
+                       const SolveSettings& settings, SolveReport& report) {
+    double error = multiplierError(engine.model, state, problem, d), before = error, raised = 1.0;
+    for (int update = 0; report.converged && error > 1.0; ++update) {
+        const bool raise = update > 0 && error > slowUpdate * before && raised < stiffest;
+        raised *= raise ? stiffer : 1.0;
+        takeMultipliers(state, problem, d, raise ? stiffer : 1.0);
+        const SolveReport next = engine.solver.solve(problem, d, settings, engine.stopAsked);
+        const int passes = report.passes + std::max(1, next.passes);
+        const int factored = report.factorizations + next.factorizations;
+        report = next;
+        report.passes = passes;
+        report.factorizations = factored;
+        report.converged = report.converged && update < mostUpdates;
+        before = std::exchange(error, multiplierError(engine.model, state, problem, d));
+    }
+    if (report.converged) keepMultipliers(engine.model, state, problem, d);
+}
+
+}  // namespace
+
+SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, const StepNeeds& needs) {
+    const Analysis& analysis = engine.model.analysis;
+    const bool openClose = analysis.iteration == Iteration::OpenClose && !needs.convex;
+    const int passes = (openClose ? 1 : needs.patience) * analysis.maxPasses;
+    const SolveSettings settings{needs.tolerance, passes, needs.farthest, openClose};
+    SolveReport report = engine.solver.solve(problem, d, settings, engine.stopAsked);
+    if (usesMultipliers(engine.model)) settleMultipliers(engine, problem, state, d, settings, report);
+    ++engine.health.steps;
+    engine.health.passes += std::max(1, report.passes);
+    engine.health.factorizations += report.factorizations;
+    engine.newest.passes = report.passes;
+    engine.newest.worst = blockOfBody(engine.model, report.worst);
+    for (const LimitPair& pair : problem.limitPairs) {
+        const Link& link = problem.links[static_cast<std::size_t>(pair.limited)];
+        if (link.kind != LinkKind::Friction) continue;
+        state.contacts[static_cast<std::size_t>(link.owner)].limit = link.law.limit;
+    }
+    if (engine.passed) engine.passed();
+    return report;
+}
+
+double smallestSize(const Model& model) {
+    double smallest = std::numeric_limits<double>::max();
+    for (const BlockModel& block : model.blocks) smallest = std::min(smallest, block.size);
+    return smallest;
+}
+
+double largestMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d) {
+    Eigen::VectorXd own = d;
+    for (int i = 0; i < problem.unknowns(); ++i)
+        if (problem.known[static_cast<std::size_t>(i)]) own[i] = 0.0;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        const auto at = 6 * static_cast<Eigen::Index>(i);
+        double reach = 0.0;
+        for (const Point& corner : model.blocks[i].shape) reach = std::max(reach, corner.norm());
+        const double strain = own.segment<3>(at + 3).cwiseAbs().maxCoeff();
+        largest = std::max(largest, own.segment<2>(at).norm() + (std::abs(own[at + 2]) + strain) * reach);
+    }
+    for (int n = 0; n < problem.nodes; ++n)
+        largest = std::max(largest, own.segment<2>(problem.first(problem.blocks + n)).norm());
+    return largest;
+}
+
+int blockOfBody(const Model& model, int body) {
+    return body < static_cast<int>(model.blocks.size()) ? body : -1;
+}
+
+std::string nameOfBody(const Model& model, int body) {
+    if (const int block = blockOfBody(model, body); block >= 0)
+        return "block " + model.blocks[static_cast<std::size_t>(block)].name;
+    const int node = body - static_cast<int>(model.blocks.size());
+    for (const BoltModel& bolt : model.bolts)
+        if (node >= bolt.firstNode && node < bolt.firstNode + static_cast<int>(bolt.s.size()))
+            return "node " + std::to_string(node - bolt.firstNode) + " of bolt " + bolt.name;
+    return "nothing";
+}
+
+void countAccepted(Engine& engine, const State& state, double residual) {
+    StepHealth& newest = engine.newest;
+    newest.residual = residual;
+    newest.penetrationRatio = 0.0;
+    newest.penetrated = -1;
+    for (const Contact& c : state.contacts) {
+        const double depth = c.gapOffset - c.gap;
+        const double size = std::min(engine.model.blocks[static_cast<std::size_t>(c.blockA)].size,
+                                     engine.model.blocks[static_cast<std::size_t>(c.blockB)].size);
+        if (!(depth / size > newest.penetrationRatio)) continue;
+        newest.penetrationRatio = depth / size;
+        newest.penetrated = c.blockA;
+    }
+    engine.health.maxPenetrationRatio = std::max(engine.health.maxPenetrationRatio, newest.penetrationRatio);
+    engine.health.maxResidual = std::max(engine.health.maxResidual, residual);
+}
+
+}  // namespace keyblock

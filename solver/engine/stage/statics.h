@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Static stages: equilibrium by pseudo-steps, and increments of load that are
+// cut where the first limit is reached, so that one thing lets go at a time.
+#pragma once
+
+#include "solver/engine/stage/engine.h"
+
+namespace keyblock {
+
+struct StaticSettings {
+    double unbalanced = 1e-4;  // over the reference force
+    int maxSteps = 400;  // pseudo-steps of one search for equilibrium
+};
+
+/// A limit that is passed, and the event whose release brought it there; −1: the load did.
+struct PassedLimit {
+    Limit limit;
+    long cause = -1;
+};
+
+/// How far an increment of load is; with the state it is all that the next move depends on.
+struct IncrementProgress {
+    double done = 0.0;  // share of the increment
+    double step = 0.0;  // share that is tried next; 0: not begun
+    bool releasing = false;  // something at its limit lets go before the load goes on
+    double least = 0.0;  // of a limit, to be released
+    std::vector<PassedLimit> passed;  // at this load
+    long lastRelease = -1;  // number of the last event at this load; −1: none yet
+
+    bool over() const { return done >= 1.0 && !releasing; }
+};
+
+/// One move along the load path from `a` to `b`: the load goes on, as far as the first limit at most, or one thing
+/// lets go; equilibrium is found after either. On any ending the state is the last equilibrium found, or, for
+/// `NoEquilibrium`, where the moving blocks had got to.
+StepEnding moveStatic(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
+                      const StaticSettings& settings, StepObserver& observer, IncrementProgress& progress);
+
+}  // namespace keyblock

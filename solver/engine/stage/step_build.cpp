@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The matrices of a step: inertia, elasticity of the blocks, loads, what is
+// prescribed, and the links of held points.
+#include "solver/engine/stage/step_build.h"
+
+#include "solver/engine/boundary.h"
+#include "solver/engine/glue.h"
+
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+constexpr double smallestStrain = 1e-12;  // forces under that of such a strain are not told from none
+constexpr std::size_t linksANode = 7;  // four of its element, two to the rock, and room for the plate's
+
+/// How far ahead contacts are set up: to the middle of a step whose displacement is that at its middle speed, so that
+/// two bodies in flight keep their angular momentum (theory, "Contacts") [s].
+double lookAhead(const StepOptions& options) {
+    switch (options.inertia) {
+        case Inertia::Shi:
+        case Inertia::Newmark:
+        case Inertia::GeneralizedAlpha: return 0.5 * options.dt;
+        case Inertia::None:
+        case Inertia::Static:
+        case Inertia::BackwardEuler: return 0.0;
+    }
+    return 0.0;
+}
+
+/// A force that strains a block by less than its digits can tell [N].
+double floorOf(const BlockModel& block, const Model& model) {
+    return smallestStrain * block.youngsModulus * block.size * model.thickness;
+}
+
+/// Forces of the loads on every body, over a floor [N].
+std::vector<double> ownForces(const Model& model, const StepProblem& problem, const Eigen::VectorXd& external) {
+    const Eigen::VectorXd forces = external.cwiseProduct(problem.weight);
+    std::vector<double> own;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i)
+        own.push_back(forces.segment<6>(6 * static_cast<Eigen::Index>(i)).norm() + floorOf(model.blocks[i], model));
+    for (const BoltModel& bolt : model.bolts) {
+        const double least = smallestStrain * bolt.share * bolt.section.youngsModulus * bolt.section.area;
+        for (std::size_t n = 0; n < bolt.s.size(); ++n)
+            own.push_back(forces.segment<3>(problem.first(static_cast<int>(own.size()))).norm() + least);
+    }
+    return own;
+}
+
+void addBlocks(const Model& model, const State& state, const SchemeFactors& factors, StepProblem& problem) {
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        const BlockModel& block = model.blocks[i];
+        const BlockMotion& motion = state.blocks[i];
+        const double volume = block.area * model.thickness;
+        const auto at = 6 * static_cast<Eigen::Index>(i);
+        Matrix6 stiffness = factors.inertia.d * block.massMatrix;
+        stiffness.bottomRightCorner<3, 3>() += factors.elastic * volume * block.elasticity;
+        problem.blockStiffness.push_back(stiffness);
+        if (block.fixed || motion.absent)
+            for (Eigen::Index k = at; k < at + 6; ++k) problem.known[k] = 1;
+        if (motion.absent) continue;
+        const Vector6 momentum = -factors.inertia.v * block.massMatrix * motion.velocity;
+        problem.load.segment<6>(at) += momentum;
+        problem.load.segment<3>(at + 3) -= volume * frameStress(block, motion);
+        problem.weight.segment<4>(at + 2).setConstant(1.0 / block.size);
+        problem.floorForce = std::max(problem.floorForce, floorOf(block, model));
+    }
+}
+
+void addNodes(const Model& model, const State& state, const SchemeFactors& factors, StepProblem& problem) {
+    for (std::size_t b = 0; b < model.bolts.size(); ++b) {
+        const BoltModel& bolt = model.bolts[b];
+        const BoltMotion& motion = state.bolts[b];
+        for (std::size_t n = 0; n < bolt.s.size(); ++n) {
+            const Eigen::Vector3d mass = nodeMass(bolt, n);
+            const Eigen::Index at = problem.first(problem.blocks + bolt.firstNode + static_cast<int>(n));
+            problem.nodeStiffness.push_back(factors.inertia.d * mass);
+            const Eigen::Vector3d momentum = -factors.inertia.v * mass.cwiseProduct(motion.nodes[n].velocity);
+            problem.load.segment<3>(at) += momentum;
+            problem.weight[at + 2] = 1.0 / bolt.elements[std::min(n, bolt.elements.size() - 1)].length;
+            if (!bolt.bends || !acts(motion)) problem.known[at + 2] = 1;
+            if (!acts(motion)) problem.known[at] = problem.known[at + 1] = 1;
+        }
+    }
+}
+
+void prescribe(const Model& model, const State& state, const Loads& loads, const LoadPoint& at, StepProblem& problem) {
+    for (std::size_t i = 0; i < loads.motions.size(); ++i) {
+        const PrescribedMotion& motion = loads.motions[i];
+        const Eigen::Index first = 6 * static_cast<Eigen::Index>(motion.block);
+        problem.known[first] = 1;
+        problem.value[first] = at.motions[i] - displacementAlong(model, state, motion);
+        if (motion.holdsRotation) problem.known[first + 2] = 1;
+    }
+}
+
+}  // namespace
+
+double displacementAlong(const Model& model, const State& state, const PrescribedMotion& motion) {
+    return motion.axis.dot(state.blocks[motion.block].centroid - model.blocks[motion.block].centroid);
+}
+
+void addHeldPoints(const Model& model, const State& state, StepProblem& problem) {
+    for (std::size_t h = 0; h < model.held.size(); ++h) {
+        const HeldPoint& held = model.held[h];
+        const BlockMotion& block = state.blocks[held.block];
+        if (block.absent || (!state.held.empty() && state.held[h].quiet)) continue;
+        const Point now = materialPoint(block, held.place);
+        const Point moved = now - (model.blocks[held.block].centroid + held.place);
+        const Eigen::Matrix<double, 2, 6> t = displacementMatrix(block, now);
+        for (int axis : {0, 1}) {
+            if (!(axis == 0 ? held.x : held.y)) continue;
+            Link& link = problem.links.emplace_back();
+            link.kind = LinkKind::Support;
+            link.a = held.block;
+            link.ga = t.row(axis).transpose();
+            link.strain = moved[axis];
+            link.law.stiffness = held.stiffness;
+            link.law.offset = held.preload[axis] / held.stiffness;
+            if (!state.held.empty()) link.law.offset += state.held[h].offset[axis];
+        }
+    }
+}
+
+StepProblem buildStep(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
+                      const StepOptions& options) {
+    StepProblem problem;
+    problem.blocks = static_cast<int>(model.blocks.size());
+    problem.nodes = model.nodes;
+    const int n = problem.unknowns();
+    const Eigen::VectorXd external = externalForce(model, state, loads, at, problem.externalForce);
+    problem.load = external;
+    problem.known.assign(n, 0);
+    problem.value = Eigen::VectorXd::Zero(n);
+    problem.weight = Eigen::VectorXd::Ones(n);
+    const SchemeFactors factors = factorsOf(options);
+    problem.rule = factors.rule;
+    problem.contactShare = factors.contactShare;
+    addBlocks(model, state, factors, problem);
+    addNodes(model, state, factors, problem);
+    if (factors.inertia.a != 0.0) problem.load -= factors.inertia.a * timesMass(model, accelerationsOf(model, state));
+    prescribe(model, state, loads, at, problem);
+    problem.links.reserve(2 * (state.contacts.size() + model.held.size()) + 3 * model.glue.size() +
+                          linksANode * static_cast<std::size_t>(model.nodes));
+    problem.openings = at.openings;
+    addContactLinks(model, state, options.frictionLocked, problem, lookAhead(options), options.path);
+    problem.moves = options.inertia != Inertia::Static && options.inertia != Inertia::None;
+    if (problem.moves) problem.ownForce = ownForces(model, problem, external);
+    addGlueLinks(model, state, problem.moves ? 0.5 * options.dt : 0.0, problem);
+    addHeldPoints(model, state, problem);
+    for (std::size_t b = 0; b < model.bolts.size(); ++b) addBoltLinks(model, state, static_cast<int>(b), problem);
+    if (options.damping != Damping{}) addDamping(model, state, options, problem);
+    if (problem.moves && !loads.dashpots.empty()) addDashpots(model, state, loads, options, problem);
+    return problem;
+}
+
+}  // namespace keyblock

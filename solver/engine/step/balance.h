@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far a trial displacement is from balance, and when that is near enough. At
+// rest the scene is judged as a whole; in motion every body is judged by the
+// forces that act on it, because what a step leaves unbalanced the body keeps as
+// a change of its velocity (theory, "Tolerance").
+#pragma once
+
+#include "solver/engine/step/step_problem.h"
+
+namespace keyblock {
+
+/// What does not balance at a displacement, and what it is compared with. Looks at problem and displacement, which
+/// have to stay as they are.
+class Balance {
+public:
+    /// \param passes made so far: what is left may be round-off from the second on; before the first, only that of
+    /// inertia and loads.
+    Balance(const StepProblem& problem, const Eigen::VectorXd& d, int passes);
+
+    /// Net force on every unknown, as `netForce` gives it.
+    const Eigen::VectorXd& net() const { return net_; }
+
+    /// What is unbalanced over the forces at play; in motion that of the bodies that are off by more than round-off.
+    double residual() const { return residual_; }
+
+    /// Body that is balanced worst.
+    int worst() const { return worst_; }
+
+    /// True where what is left is less than `tolerance` of the forces at play, or than round-off.
+    bool within(double tolerance) const;
+
+    /// Force that `within` lets pass on a body [N].
+    double slack(int body, double tolerance) const;
+
+private:
+    void judgeScene();
+    void judgeBodies();
+    double noiseOf(int body) const;
+
+    const StepProblem* problem_;
+    const Eigen::VectorXd* d_;
+    int passes_;
+    Eigen::VectorXd net_;
+    std::vector<double> forces_, noise_;  // [N] per body in motion
+    double reference_ = 0.0;  // [N] at rest
+    double residual_ = 0.0;
+    int worst_ = -1;
+};
+
+}  // namespace keyblock

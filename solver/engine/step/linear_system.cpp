@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// CHOLMOD's supernodal factor for large systems and its simplicial LLᵀ for small
+// ones, whichever the counted work of the analysis favours: never a clock, so that
+// a scene takes the same way on every run. LLᵀ rather than LDLᵀ because it stops at
+// the first pivot that is not positive, which is how a loose block is found.
+//
+// Threads are kept out on purpose. CHOLMOD's own are nested in ours and slow a
+// thousand blocks down fivefold; OpenBLAS would split sums by the number of cores.
+#include "solver/engine/step/linear_system.h"
+
+#include <cblas.h>
+#include <cholmod.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <new>
+
+namespace keyblock {
+
+namespace {
+
+/// A pivot below this share of its diagonal has lost all but four of its bits to cancellation: it is round-off.
+constexpr double pivotFloor = 16.0 * std::numeric_limits<double>::epsilon();
+
+void useOneThread() {
+    static const bool done = [] {
+        openblas_set_num_threads(1);
+        return true;
+    }();
+    (void)done;
+    omp_set_max_active_levels(0);  // a setting of the calling thread, so made at every call
+}
+
+}  // namespace
+
+struct LinearSystem::Detail {
+    cholmod_common common{};
+    cholmod_sparse* matrix = nullptr;  // lower triangle, rows sorted within each column
+    cholmod_factor* factor = nullptr;
+    cholmod_dense* workX = nullptr;  // kept between solutions: nothing is allocated in a loop of a million steps
+    cholmod_dense* workY = nullptr;
+    cholmod_dense* workE = nullptr;
+    std::vector<double> residual;
+    std::vector<double> correction;
+
+    Detail() {
+        useOneThread();
+        cholmod_start(&common);
+        common.print = 0;
+        common.nmethods = 1;
+        common.method[0].ordering = CHOLMOD_AMD;
+        common.supernodal = CHOLMOD_AUTO;
+        common.final_ll = 1;
+        common.quick_return_if_not_posdef = 1;
+    }
+
+    ~Detail() {
+        release();
+        cholmod_finish(&common);
+    }
+
+    Detail(const Detail&) = delete;
+    Detail& operator=(const Detail&) = delete;
+
+    void release() {
+        cholmod_free_sparse(&matrix, &common);
+        cholmod_free_factor(&factor, &common);
+        cholmod_free_dense(&workX, &common);
+        cholmod_free_dense(&workY, &common);
+        cholmod_free_dense(&workE, &common);
+    }
+
+    int* columns() const { return static_cast<int*>(matrix->p); }
+    int* rows() const { return static_cast<int*>(matrix->i); }
+    double* entries() const { return static_cast<double*>(matrix->x); }
+    int size() const { return matrix ? static_cast<int>(matrix->nrow) : 0; }
+
+    void requireMemory() const {
+        if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
+    }
+
+    /// Column pointers and rows of the lower triangle without repeats, in time proportional to the entries.
+    void buildPattern(int n, std::span<const std::pair<int, int>> pairs);
+
+    /// Calls `visit(column, pivot)` with every diagonal value of L, columns in the order of elimination.
+    template <class Visit>
+    void forEachPivot(Visit visit) const;
+
+    /// Column of L whose pivot is lost in round-off, or −1.
+    int lostPivot() const;
+
+    int unknownOfColumn(std::size_t column) const {
+        return static_cast<const int*>(factor->Perm)[std::min(column, factor->n - 1)];
+    }
+
+    void backSubstitute(std::span<const double> rhs, std::span<double> x);
+};
+
+void LinearSystem::Detail::buildPattern(int n, std::span<const std::pair<int, int>> pairs) {
+    const std::size_t count = static_cast<std::size_t>(n);
+    std::vector<int> start(count + 1, 0);
+    for (const auto& [i, j] : pairs) ++start[static_cast<std::size_t>(std::min(i, j)) + 1];
+    for (std::size_t k = 0; k < count; ++k) start[k + 1] += start[k] + 1;  // and the diagonal
+
+    std::vector<int> row(static_cast<std::size_t>(start[count]));
+    std::vector<int> next(start.begin(), start.end() - 1);
+    const auto put = [&](int i, int j) { row[static_cast<std::size_t>(next[static_cast<std::size_t>(j)]++)] = i; };
+    for (int k = 0; k < n; ++k) put(k, k);
+    for (const auto& [i, j] : pairs) put(std::max(i, j), std::min(i, j));
+
+    std::vector<int> unique(count + 1, 0);
+    auto end = row.begin();
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto from = row.begin() + start[k];
+        const auto to = row.begin() + start[k + 1];
+        std::sort(from, to);
+        end = std::copy(from, std::unique(from, to), end);
+        unique[k + 1] = static_cast<int>(end - row.begin());
+    }
+
+    const std::size_t entryCount = static_cast<std::size_t>(unique[count]);
+    matrix = cholmod_allocate_sparse(count, count, entryCount, 1, 1, -1, CHOLMOD_REAL, &common);
+    requireMemory();
+    std::copy(unique.begin(), unique.end(), columns());
+    std::copy(row.begin(), end, rows());
+    std::fill_n(entries(), entryCount, 0.0);
+}
+
+template <class Visit>
+void LinearSystem::Detail::forEachPivot(Visit visit) const {
+    const auto* values = static_cast<const double*>(factor->x);
+    if (!factor->is_super) {
+        const auto* start = static_cast<const int*>(factor->p);
+        for (std::size_t column = 0; column < factor->n; ++column) visit(column, values[start[column]]);
+        return;
+    }
+    const auto* super = static_cast<const int*>(factor->super);
+    const auto* rowStart = static_cast<const int*>(factor->pi);
+    const auto* valueStart = static_cast<const int*>(factor->px);
+    for (std::size_t s = 0; s < factor->nsuper; ++s) {
+        const int height = rowStart[s + 1] - rowStart[s];
+        for (int column = super[s]; column < super[s + 1]; ++column)
+            visit(static_cast<std::size_t>(column), values[valueStart[s] + (column - super[s]) * (height + 1)]);
+    }
+}
+
+int LinearSystem::Detail::lostPivot() const {
+    int lost = -1;
+    forEachPivot([&](std::size_t column, double pivot) {
+        // The diagonal of A stands first in its column; !(…) catches NaN as well.
+        const double diagonal = entries()[columns()[unknownOfColumn(column)]];
+        if (lost < 0 && !(pivot * pivot > pivotFloor * diagonal)) lost = static_cast<int>(column);
+    });
+    return lost;
+}
+
+void LinearSystem::Detail::backSubstitute(std::span<const double> rhs, std::span<double> x) {
+    cholmod_dense b{};
+    b.nrow = b.d = b.nzmax = rhs.size();
+    b.ncol = 1;
+    b.x = const_cast<double*>(rhs.data());  // CHOLMOD only reads it
+    b.xtype = CHOLMOD_REAL;
+    b.dtype = CHOLMOD_DOUBLE;
+    cholmod_solve2(CHOLMOD_A, factor, &b, nullptr, &workX, nullptr, &workY, &workE, &common);
+    requireMemory();
+    std::copy_n(static_cast<const double*>(workX->x), x.size(), x.begin());
+}
+
+LinearSystem::LinearSystem() : detail_(std::make_unique<Detail>()) {}
+LinearSystem::~LinearSystem() = default;
+LinearSystem::LinearSystem(LinearSystem&&) noexcept = default;
+LinearSystem& LinearSystem::operator=(LinearSystem&&) noexcept = default;
+
+void LinearSystem::analyse(int n, std::span<const std::pair<int, int>> entries) {
+    Detail& d = *detail_;
+    useOneThread();
+    d.release();
+    d.buildPattern(n, entries);
+    d.factor = cholmod_analyze(d.matrix, &d.common);
+    d.requireMemory();
+    d.residual.resize(static_cast<std::size_t>(n));
+    d.correction.resize(static_cast<std::size_t>(n));
+}
+
+int LinearSystem::size() const { return detail_->size(); }
+
+int LinearSystem::slot(int i, int j) const {
+    const Detail& d = *detail_;
+    const int row = std::max(i, j);
+    const int column = std::min(i, j);
+    const int* begin = d.rows() + d.columns()[column];
+    const int* end = d.rows() + d.columns()[column + 1];
+    const int* place = std::lower_bound(begin, end, row);
+    assert(place != end && *place == row);
+    return static_cast<int>(place - d.rows());
+}
+
+std::span<double> LinearSystem::values() {
+    const Detail& d = *detail_;
+    if (!d.matrix) return {};
+    return {d.entries(), static_cast<std::size_t>(d.columns()[d.size()])};
+}
+
+void LinearSystem::clear() { std::ranges::fill(values(), 0.0); }
+
+int LinearSystem::factor() {
+    Detail& d = *detail_;
+    useOneThread();
+    if (d.size() == 0) return -1;
+    cholmod_factorize(d.matrix, d.factor, &d.common);
+    d.requireMemory();
+    if (d.common.status == CHOLMOD_NOT_POSDEF) return d.unknownOfColumn(d.factor->minor);
+    const int lost = d.lostPivot();
+    return lost < 0 ? -1 : d.unknownOfColumn(static_cast<std::size_t>(lost));
+}
+
+void LinearSystem::solve(std::span<const double> rhs, std::span<double> x, int refinements) {
+    Detail& d = *detail_;
+    useOneThread();
+    if (d.size() == 0) return;
+    d.backSubstitute(rhs, x);
+    for (int round = 0; round < refinements; ++round) {
+        multiply(x, d.residual);
+        for (std::size_t k = 0; k < x.size(); ++k) d.residual[k] = rhs[k] - d.residual[k];
+        d.backSubstitute(d.residual, d.correction);
+        for (std::size_t k = 0; k < x.size(); ++k) x[k] += d.correction[k];
+    }
+}
+
+void LinearSystem::multiply(std::span<const double> x, std::span<double> y) const {
+    const Detail& d = *detail_;
+    std::ranges::fill(y, 0.0);
+    for (int column = 0; column < d.size(); ++column) {
+        const int diagonal = d.columns()[column];
+        const std::size_t j = static_cast<std::size_t>(column);
+        double sum = d.entries()[diagonal] * x[j];
+        for (int k = diagonal + 1; k < d.columns()[column + 1]; ++k) {
+            const std::size_t i = static_cast<std::size_t>(d.rows()[k]);
+            y[i] += d.entries()[k] * x[j];
+            sum += d.entries()[k] * x[i];
+        }
+        y[j] += sum;
+    }
+}
+
+double LinearSystem::factorEntries() const { return detail_->factor ? detail_->common.lnz : 0.0; }
+
+}  // namespace keyblock

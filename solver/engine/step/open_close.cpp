@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The classical open–close iteration (Shi 1988): solve with the states of all
+// contacts held (open, sliding, locked), judge them again from the solution,
+// and repeat until none changes. It may go round for ever; then the step is
+// cut. Kept as a reference for the convex step, whose mechanics are the same.
+#include "solver/engine/step/balance.h"
+#include "solver/engine/step/friction_limits.h"
+#include "solver/engine/step/step_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+constexpr int mayBeRoundOff = 2;  // passes after which what is left may be round-off: a held step is linear
+
+/// Of a law: open or sliding forwards, held, sliding backwards.
+enum class LinkState : signed char { Backward = -1, Held = 0, Forward = 1, Open = 2 };
+
+LinkState stateOf(const Law& law, double strain) {
+    const double trial = law.stiffness * (strain - law.offset);
+    if (law.kind == LawKind::Gap) return trial <= 0.0 ? LinkState::Held : LinkState::Open;
+    if (law.kind != LawKind::Capped) return LinkState::Held;
+    return trial > law.limit ? LinkState::Forward : trial < -law.limit ? LinkState::Backward : LinkState::Held;
+}
+
+std::vector<LinkState> judge(const StepProblem& problem, const Eigen::VectorXd& d) {
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    std::vector<LinkState> states(strains.size());
+    for (std::size_t i = 0; i < strains.size(); ++i) states[i] = stateOf(problem.links[i].law, strains[i]);
+    return states;
+}
+
+/// Every contact keeps its state, whatever the displacement: the step becomes linear.
+StepProblem held(const StepProblem& problem, const std::vector<LinkState>& states) {
+    StepProblem frozen = problem;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        Law& law = frozen.links[i].law;
+        if (law.kind == LawKind::Gap) {
+            law.kind = LawKind::Linear;
+            if (states[i] == LinkState::Open) law.stiffness = 0.0;
+        } else if (law.kind == LawKind::Capped) {
+            law.kind = states[i] == LinkState::Held ? LawKind::Linear : LawKind::Constant;
+            if (states[i] != LinkState::Held) law.limit *= static_cast<double>(states[i]);
+        }
+    }
+    return frozen;
+}
+
+/// True where no changed state makes a force differ by more than the tolerance lets pass on either body.
+bool sameForces(const StepProblem& problem, const StepProblem& frozen, const std::vector<LinkState>& before,
+                const std::vector<LinkState>& after, const Eigen::VectorXd& d, const Balance& balance,
+                double tolerance) {
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        if (before[i] == after[i]) continue;
+        const Link& link = problem.links[i];
+        const double differs =
+            std::abs(respond(link.law, strains[i]).force - respond(frozen.links[i].law, strains[i]).force);
+        if (differs > balance.slack(link.a, tolerance)) return false;
+        if (link.b >= 0 && differs > balance.slack(link.b, tolerance)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+SolveReport StepSolver::openClose(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
+                                  const std::function<bool()>& stopAsked) {
+    SolveReport report;
+    correctFrictionLimits(problem, d);
+    std::vector<LinkState> states = judge(problem, d);
+    Eigen::VectorXd towards;
+    for (report.passes = 1; report.passes <= settings.maxPasses; ++report.passes) {
+        if (stopAsked && stopAsked()) {
+            report.stopped = true;
+            return report;
+        }
+        const StepProblem frozen = held(problem, states);
+        if (!direction(frozen, d, netForce(frozen, d), {}, report, towards)) return report;
+        d += towards;
+        correctFrictionLimits(problem, d);
+        const Balance balance(problem, d, mayBeRoundOff);
+        report.residual = balance.residual();
+        report.worst = balance.worst();
+        if (!std::isfinite(report.residual)) return report;
+        std::vector<LinkState> next = judge(problem, d);
+        const bool settled = sameForces(problem, frozen, states, next, d, balance, settings.tolerance);
+        if (settled && balance.within(settings.tolerance)) {
+            report.converged = true;
+            return report;
+        }
+        states = std::move(next);
+    }
+    return report;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One step as a minimisation. Blocks and bolt nodes are bodies with six or
+// three unknowns; everything between them is a link: one strain, linear in the
+// step's displacements, and one scalar law. The energy is convex and piecewise
+// quadratic, so Newton with an exact line search settles it (theory, "The step").
+#pragma once
+
+#include "solver/engine/laws/step_law.h"
+#include "solver/engine/model/model.h"
+#include "solver/engine/step/linear_system.h"
+
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace keyblock {
+
+enum class LinkKind { Normal, Friction, Glue, Support, AnchorNormal, AnchorSlip, Axial, Bend, Shear, Chord, PlateNormal, PlateShear,
+                      Drag };
+
+/// strain(D) = strain + shift + ga·D[a] + gb·D[b]
+struct Link {
+    LinkKind kind = LinkKind::Normal;
+    int a = -1, b = -1;  // bodies; b may be −1
+    Vector6 ga = Vector6::Zero(), gb = Vector6::Zero();  // a node uses the first three
+    double strain = 0.0;
+    double shift = 0.0;  // added to the strain by what dilates over the step [m]
+    Law law;
+    int owner = -1;  // contact, or bolt
+    int part = -1;  // node or element of the bolt
+};
+
+/// A capped link's limit that follows the force F of another link (before shares); held while the energy is minimised.
+struct LimitPair {
+    enum class Rule {
+        Push,  // base + factor·⟨−F⟩: a joint, by the tangent of its friction angle
+        Clamp  // base + factor·|F|: an anchored point, by its normal spring
+    };
+    int limited = -1, from = -1;  // links
+    double factor = 0.0;
+    double base = 0.0;
+    Rule rule = Rule::Push;
+};
+
+struct StepProblem {
+    int blocks = 0, nodes = 0;
+    std::vector<Link> links;
+    std::vector<LimitPair> limitPairs;
+    StepRule rule;  // which force of a law the scheme takes
+    double contactShare = 1.0;  // generalized-α: weight of contacts against the rest in the step's balance
+    std::vector<double> slipForce;  // per link: mean force while it slid; empty: the force at the end
+    std::vector<Matrix6> blockStiffness;  // inertia and elasticity
+    std::vector<Eigen::Vector3d> nodeStiffness;  // inertia, diagonal
+    Eigen::VectorXd load;  // external force, inertia of the motion so far, less the stress there is
+    std::vector<char> known;  // a row per unknown: prescribed by `value`
+    Eigen::VectorXd value;
+    Eigen::VectorXd weight;  // 1/length for moments and strains, so that all residuals are forces
+    double floorForce = 0.0;  // [N] smallest reference force
+    std::vector<double> openings;  // of joints where the step ends: LoadPoint::openings
+    double externalForce = 0.0;  // summed |external| [N]
+    bool moves = false;  // a step in motion: every body is judged by its own forces
+    std::vector<double> ownForce;  // per body in motion: of its loads, and a floor [N]
+
+    int unknowns() const { return 6 * blocks + 3 * nodes; }
+    int first(int body) const { return body < blocks ? 6 * body : 6 * blocks + 3 * (body - blocks); }
+    int width(int body) const { return body < blocks ? 6 : 3; }
+};
+
+struct SolveSettings {
+    double tolerance = 1e-4;
+    int maxPasses = 40;
+    double farthest = std::numeric_limits<double>::infinity();  // move of a body at which it is given up [m]
+    bool openClose = false;  // by the classical iteration
+};
+
+struct SolveReport {
+    bool converged = false;
+    bool stopped = false;
+    bool lost = false;  // given up because a body went too far
+    double residual = 0.0;  // over the reference force
+    int passes = 0;
+    int factorizations = 0;
+    int worst = -1;  // body with the largest residual, or whose pivot vanished
+    bool singular = false;
+};
+
+inline bool ofContact(LinkKind kind) { return kind == LinkKind::Normal || kind == LinkKind::Friction; }
+
+/// The rule for a link: contacts keep energy where the rest follows generalized-α (theory, "Time").
+inline StepRule ruleOf(const StepProblem& problem, const Link& link) {
+    if (link.law.rigid) return {};  // found anew for the end of the step, whatever it was at its start
+    if (problem.rule.rule == ForceRule::Blend && ofContact(link.kind)) return {ForceRule::Average, 0.5};
+    return problem.rule;
+}
+
+/// Force and tangent that a link at strain `e` gives to the step's balance, before its law's share.
+inline LawResponse respond(const StepProblem& problem, const Link& link, double e) {
+    LawResponse r = respondOverStep(link.law, link.strain, e, ruleOf(problem, link));
+    if (problem.contactShare == 1.0 || !ofContact(link.kind)) return r;
+    return {problem.contactShare * r.force, problem.contactShare * r.tangent};
+}
+
+/// Strain of every link at displacement `d`.
+void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vector<double>& strains);
+
+/// Net force on every unknown at `d` (external less internal), prescribed ones included: there it is minus the reaction.
+Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d);
+
+/// Forces of the contacts over the step on every unknown, as they act on the bodies.
+Eigen::VectorXd contactForce(const StepProblem& problem, const Eigen::VectorXd& d);
+
+/// Largest of the summed forces by kind: what residuals are compared with [N].
+double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net);
+
+/// Norm of the residual of the free unknowns [N], and the body with most of it.
+double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net, int* worst = nullptr);
+
+/// The same of one body [N].
+double bodyResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body);
+
+/// Force that round-off alone leaves unbalanced at `d`: its digits times the springs [N].
+double roundOffForce(const StepProblem& problem, const Eigen::VectorXd& d);
+
+/// Force that appears where every place is off by `length` [N].
+double placeNoise(const StepProblem& problem, double length);
+
+/// Shares of a law's stiffness that no tangent is taken as less than.
+struct LawFloor {
+    double bolts = 0.0, joints = 0.0;
+};
+
+/// Keeps what is worth keeping between steps: the pattern of the matrix and its symbolic factor.
+class StepSolver {
+public:
+    /// Finds the minimum from `d` (prescribed values are put in first) and leaves it there.
+    /// Friction limits are corrected from the normal forces until the true forces balance.
+    SolveReport solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
+                      const std::function<bool()>& stopAsked);
+
+    /// Entries of the last factor, zeros that it stores included.
+    double factorEntries() const { return system_.factorEntries(); }
+
+private:
+    SolveReport minimise(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
+                         const std::function<bool()>& stopAsked);
+    SolveReport openClose(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
+                          const std::function<bool()>& stopAsked);
+    /// Newton's direction from `d`, where the net force is `net`; no law is taken as softer than its
+    /// floor. \return false where the matrix is singular.
+    bool direction(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net,
+                   const LawFloor& floor, SolveReport& report, Eigen::VectorXd& towards);
+    void fixPattern(const StepProblem& problem);
+    void assemble(const StepProblem& problem, const std::vector<double>& strains, const LawFloor& floor);
+    int equationOf(int unknown) const { return equations_[static_cast<std::size_t>(unknown)]; }
+
+    LinearSystem system_;
+    std::vector<char> known_;
+    std::vector<std::pair<int, int>> pairs_;  // bodies that share an entry, sorted
+    std::vector<int> equations_;  // per unknown; −1 where prescribed
+    std::vector<int> unknownOf_;  // per equation
+    std::vector<std::array<int, 36>> slots_;  // per pair
+};
+
+}  // namespace keyblock

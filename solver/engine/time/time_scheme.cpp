@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/time/time_scheme.h"
+
+#include "solver/engine/step/step_problem.h"
+
+#include <Eigen/Cholesky>
+
+namespace keyblock {
+namespace {
+
+/// Chung and Hulbert's parameters, all from the spectral radius at infinite stiffness.
+SchemeFactors generalizedAlpha(double rho, double dt) {
+    const double alphaM = (2.0 * rho - 1.0) / (rho + 1.0), alphaF = rho / (rho + 1.0);
+    const double gamma = 0.5 - alphaM + alphaF, beta = 1.0 / ((rho + 1.0) * (rho + 1.0));
+    const double end = 1.0 - alphaF;
+    SchemeFactors f;
+    f.inertia = {(1.0 - alphaM) / (beta * dt * dt), -(1.0 - alphaM) / (beta * dt), -0.5 * rho * (1.0 - rho)};
+    f.velocity = {gamma / (beta * dt), 1.0 - gamma / beta, dt * (1.0 - 0.5 * gamma / beta)};
+    f.acceleration = {1.0 / (beta * dt * dt), -1.0 / (beta * dt), 1.0 - 0.5 / beta};
+    f.rate = {end * f.velocity.d, end * f.velocity.v + alphaF, end * f.velocity.a};
+    f.rule = {ForceRule::Blend, end};
+    f.elastic = f.loadTime = end;
+    f.contactShare = 0.5 * (1.0 - alphaM) / beta;
+    return f;
+}
+
+template <class Vector>
+Vector combine(const Combination& c, const Vector& d, const Vector& v, const Vector& a) {
+    return c.d * d + c.v * v + c.a * a;
+}
+
+void setVelocities(State& state, const Eigen::VectorXd& velocity) {
+    Eigen::Index at = 0;
+    for (BlockMotion& block : state.blocks) {
+        block.velocity = velocity.segment<6>(at);
+        at += 6;
+    }
+    for (BoltMotion& bolt : state.bolts)
+        for (BoltNode& node : bolt.nodes) {
+            node.velocity = velocity.segment<3>(at);
+            at += 3;
+        }
+}
+
+/// Blocks that a contact pushes at the start, at the end or on the way.
+std::vector<char> pushedBlocks(const StepProblem& problem, const std::vector<double>& strains) {
+    std::vector<char> pushed(static_cast<std::size_t>(problem.blocks), 0);
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const Link& link = problem.links[i];
+        if (link.kind != LinkKind::Normal) continue;
+        if (respond(link.law, link.strain).force == 0.0 && respond(link.law, strains[i]).force == 0.0 &&
+            respond(problem, link, strains[i]).force == 0.0)
+            continue;
+        pushed[static_cast<std::size_t>(link.a)] = pushed[static_cast<std::size_t>(link.b)] = 1;
+    }
+    return pushed;
+}
+
+/// What the contacts that still act at the step's end gave in it, over the mass.
+Eigen::VectorXd lastingThrust(const Model& model, const StepProblem& problem, const std::vector<double>& strains) {
+    Eigen::VectorXd push = Eigen::VectorXd::Zero(problem.unknowns());
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const Link& link = problem.links[i];
+        if (!ofContact(link.kind) || respond(link.law, strains[i]).force == 0.0) continue;
+        const double force = link.law.share * respond(problem, link, strains[i]).force / problem.contactShare;
+        push.segment<6>(problem.first(link.a)) -= force * link.ga;
+        push.segment<6>(problem.first(link.b)) -= force * link.gb;
+    }
+    return byMass(model, problem, push);
+}
+
+/// Filters what strains much stiffer than the step would ring on with after a knock (theory, "Time").
+void settleStrains(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d, double dt,
+                   Eigen::VectorXd& velocity, Eigen::VectorXd& acceleration) {
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    const std::vector<char> pushed = pushedBlocks(problem, strains);
+    const Eigen::VectorXd push = lastingThrust(model, problem, strains);
+    for (std::size_t i = 0; i < pushed.size(); ++i) {
+        const Eigen::Index spin = 6 * static_cast<Eigen::Index>(i) + 2;
+        if (!pushed[i] || problem.known[static_cast<std::size_t>(spin + 1)]) continue;
+        const Matrix6& mass = model.blocks[i].massMatrix;
+        const Eigen::Matrix3d own = mass.bottomRightCorner<3, 3>();
+        const Eigen::Matrix3d stiff = dt * dt * model.blocks[i].area * model.thickness * model.blocks[i].elasticity;
+        const Eigen::LDLT<Eigen::Matrix3d> both(own + stiff);
+        const auto slow = [&](const Eigen::Vector3d& x) { return Eigen::Vector3d(both.solve(own * x)); };
+        const Eigen::Vector3d rate = d.segment<3>(spin + 1) / dt, thrust = push.segment<3>(spin + 1);
+        const Eigen::Vector3d change = rate + slow(velocity.segment<3>(spin + 1) - rate) - velocity.segment<3>(spin + 1);
+        velocity.segment<3>(spin + 1) += change;
+        if (!problem.known[static_cast<std::size_t>(spin)] && mass(2, 2) > 0.0)  // the moment of momentum stays
+            velocity[spin] -= mass.block<1, 3>(2, 3).dot(change) / mass(2, 2);
+        acceleration.segment<3>(spin + 1) = slow(acceleration.segment<3>(spin + 1) + thrust) - thrust;
+    }
+}
+
+}  // namespace
+
+SchemeFactors factorsOf(const StepOptions& options) {
+    const double dt = options.dt;
+    SchemeFactors f;
+    f.rate = {1.0 / dt, 0.0, 0.0};
+    switch (options.inertia) {
+        case Inertia::None:
+            f.rate = {0.0, 1.0, 0.0};
+            break;
+        case Inertia::Static:
+            f.inertia = {2.0 / (dt * dt), 0.0, 0.0};
+            break;
+        case Inertia::BackwardEuler:
+            f.inertia = {1.0 / (dt * dt), -1.0 / dt, 0.0};
+            f.velocity = {1.0 / dt, 0.0, 0.0};
+            break;
+        case Inertia::Newmark:
+            f.rule.rule = ForceRule::Average;
+            f.elastic = f.loadTime = 0.5;
+            [[fallthrough]];
+        case Inertia::Shi:
+            f.inertia = {2.0 / (dt * dt), -2.0 / dt, 0.0};
+            f.velocity = {2.0 / dt, -1.0, 0.0};
+            break;
+        case Inertia::GeneralizedAlpha: return generalizedAlpha(options.rhoInf, dt);
+    }
+    return f;
+}
+
+bool losesMotion(Inertia inertia) { return inertia == Inertia::BackwardEuler || inertia == Inertia::GeneralizedAlpha; }
+
+bool carriesAccelerations(Inertia inertia) { return inertia == Inertia::GeneralizedAlpha; }
+
+Eigen::VectorXd velocitiesOf(const Model& model, const State& state) {
+    Eigen::VectorXd velocity(6 * static_cast<Eigen::Index>(model.blocks.size()) + 3 * model.nodes);
+    Eigen::Index at = 0;
+    for (const BlockMotion& block : state.blocks) {
+        velocity.segment<6>(at) = block.velocity;
+        at += 6;
+    }
+    for (const BoltMotion& bolt : state.bolts)
+        for (const BoltNode& node : bolt.nodes) {
+            velocity.segment<3>(at) = node.velocity;
+            at += 3;
+        }
+    return velocity;
+}
+
+Eigen::VectorXd accelerationsOf(const Model& model, const State& state) {
+    const auto n = 6 * static_cast<Eigen::Index>(model.blocks.size()) + 3 * model.nodes;
+    if (state.acceleration.empty()) return Eigen::VectorXd::Zero(n);
+    return Eigen::Map<const Eigen::VectorXd>(state.acceleration.data(), n);
+}
+
+Eigen::Vector3d nodeMass(const BoltModel& bolt, std::size_t node) {
+    Eigen::Vector3d mass = Eigen::Vector3d::Zero();
+    for (std::size_t e : {node - 1, node}) {
+        if (e >= bolt.elements.size()) continue;
+        const double translation = lumpedMass(bolt.section, bolt.elements[e].length);
+        mass += bolt.share *
+                Eigen::Vector3d(translation, translation, lumpedInertia(bolt.section, bolt.elements[e].length));
+    }
+    return mass;
+}
+
+Eigen::VectorXd byMass(const Model& model, const StepProblem& problem, const Eigen::VectorXd& force) {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(force.size());
+    const auto known = [&](Eigen::Index i) { return problem.known[static_cast<std::size_t>(i)] != 0; };
+    Eigen::Index at = 0;
+    for (const BlockModel& block : model.blocks) {
+        Matrix6 mass = block.massMatrix;
+        Vector6 own = force.segment<6>(at);
+        for (int k = 0; k < 6; ++k) {
+            if (!known(at + k) && block.mass > 0.0) continue;
+            mass.row(k).setZero();
+            mass.col(k).setZero();
+            mass(k, k) = 1.0;
+            own[k] = 0.0;
+        }
+        result.segment<6>(at) = mass.ldlt().solve(own);
+        at += 6;
+    }
+    for (const BoltModel& bolt : model.bolts)
+        for (std::size_t n = 0; n < bolt.s.size(); ++n) {
+            const Eigen::Vector3d mass = nodeMass(bolt, n);
+            for (int k = 0; k < 3; ++k, ++at)
+                if (!known(at) && mass[k] > 0.0) result[at] = force[at] / mass[k];
+        }
+    return result;
+}
+
+Eigen::VectorXd timesMass(const Model& model, const Eigen::VectorXd& x) {
+    Eigen::VectorXd product(x.size());
+    Eigen::Index at = 0;
+    for (const BlockModel& block : model.blocks) {
+        product.segment<6>(at) = block.massMatrix * x.segment<6>(at);
+        at += 6;
+    }
+    for (const BoltModel& bolt : model.bolts)
+        for (std::size_t n = 0; n < bolt.s.size(); ++n) {
+            product.segment<3>(at) = nodeMass(bolt, n).cwiseProduct(x.segment<3>(at));
+            at += 3;
+        }
+    return product;
+}
+
+Eigen::VectorXd inertiaForce(const Model& model, const State& state, const SchemeFactors& factors,
+                             const Eigen::VectorXd& d) {
+    return timesMass(model, combine<Eigen::VectorXd>(factors.inertia, d, velocitiesOf(model, state),
+                                                     accelerationsOf(model, state)));
+}
+
+void moveOn(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d,
+            const StepOptions& options) {
+    const SchemeFactors factors = factorsOf(options);
+    const Eigen::VectorXd before = velocitiesOf(model, state), acceleration = accelerationsOf(model, state);
+    // under generalized-α contacts give a velocity of their own, as Newmark's; accelerations are those of the rest
+    Eigen::VectorXd push = Eigen::VectorXd::Zero(d.size()), kick = push;
+    if (carriesAccelerations(options.inertia)) {
+        push = contactForce(problem, d);
+        kick = options.dt * byMass(model, problem, push);
+    }
+    const Eigen::VectorXd smooth = d - 0.5 * options.dt * kick;
+    Eigen::VectorXd after = combine<Eigen::VectorXd>(factors.velocity, smooth, before, acceleration) + kick;
+    Eigen::VectorXd next;
+    if (carriesAccelerations(options.inertia)) {
+        next = combine<Eigen::VectorXd>(factors.acceleration, smooth, before, acceleration);
+        settleStrains(model, problem, d, options.dt, after, next);
+    }
+    for (Eigen::Index i = 0; i < d.size(); ++i)
+        if (problem.known[static_cast<std::size_t>(i)]) after[i] = d[i] / options.dt;
+    // ½(v⁺ + v)·M·(v⁺ − v), row by row: what moves by itself and what is driven
+    const Eigen::VectorXd gained = 0.5 * (after + before).cwiseProduct(timesMass(model, after - before));
+    for (Eigen::Index i = 0; i < d.size(); ++i)
+        if (problem.known[static_cast<std::size_t>(i)]) state.energy.external += gained[i];
+    if (losesMotion(options.inertia)) {
+        const Eigen::VectorXd inertia = inertiaForce(model, state, factors, smooth) + push;
+        for (Eigen::Index i = 0; i < d.size(); ++i)
+            if (!problem.known[static_cast<std::size_t>(i)]) state.energy.damped += d[i] * inertia[i] - gained[i];
+    }
+    if (carriesAccelerations(options.inertia)) {
+        state.acceleration.assign(next.data(), next.data() + next.size());
+        for (std::size_t i = 0; i < problem.known.size(); ++i)
+            if (problem.known[i]) state.acceleration[i] = 0.0;
+    }
+    setVelocities(state, after);
+}
+
+}  // namespace keyblock
