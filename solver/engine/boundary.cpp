@@ -3,8 +3,9 @@
 #include "solver/engine/boundary.h"
 
 #include "geometry/polygon.h"
-#include "solver/engine/contact/contacts.h"
-#include "solver/engine/stage/step_build.h"
+#include "solver/engine/model/edge.h"
+#include "solver/engine/support.h"
+#include "solver/engine/time/mass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,6 +73,30 @@ private:
     double near_;
 };
 
+void addLinks(const StepInput& input, StepProblem& problem) {
+    if (!problem.moves || input.loads.dashpots.empty()) return;
+    const State& state = input.state;
+    const SchemeFactors factors = factorsOf(input.options);
+    const Eigen::VectorXd motion =
+        factors.rate.v * velocitiesOf(input.model, state) + factors.rate.a * accelerationsOf(input.model, state);
+    for (const Dashpot& dashpot : input.loads.dashpots) {
+        const BlockMotion& block = state.blocks[dashpot.block];
+        if (block.absent) continue;
+        const auto t = displacementMatrix(block, materialPoint(block, dashpot.place));
+        for (const auto& [axis, damping] : {std::pair(dashpot.across, dashpot.pressure),
+                                            std::pair(Point(turnLeft(dashpot.across)), dashpot.shear)}) {
+            Link& link = problem.links.emplace_back();
+            link.kind = LinkKind::Drag;
+            link.a = dashpot.block;
+            link.ga = t.transpose() * axis;
+            link.law.kind = LawKind::Viscous;
+            link.law.stiffness = damping * factors.rate.d;
+            const auto first = 6 * static_cast<Eigen::Index>(dashpot.block);
+            link.law.offset = -link.ga.dot(motion.segment<6>(first)) / factors.rate.d;
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<Dashpot> dashpotsOn(const Model& model, const State& state, const SideList& sides) {
@@ -96,66 +121,17 @@ std::vector<Dashpot> dashpotsOn(const Model& model, const State& state, const Si
     return dashpots;
 }
 
-std::vector<WallForce> letGo(const Model& model, State& state, const SideList& sides) {
-    std::vector<WallForce> forces;
+std::vector<std::size_t> supportsOn(const Model& model, const State& state, const SideList& sides) {
+    std::vector<std::size_t> supports;
     const Boundary boundary(model, sides);
-    const double before = bookedEnergy(model, state);
-    for (std::size_t h = 0; h < model.held.size(); ++h) {
-        const HeldPoint& held = model.held[h];
-        const Point start = model.blocks[held.block].centroid + held.place;
-        if (state.blocks[held.block].absent || !boundary.holdsPlace(held.block, start)) continue;
-        if (state.held.empty()) state.held.resize(model.held.size());
-        HeldState& now = state.held[h];
-        const Point moved = materialPoint(state.blocks[held.block], held.place) - start - now.offset;
-        const Point all = held.preload - held.stiffness * moved;
-        now.quiet = true;
-        now.force = {held.x ? all.x() : 0.0, held.y ? all.y() : 0.0};
-        WallForce wall;
-        wall.block = held.block;
-        wall.place = held.place;
-        wall.force = now.force;
-        forces.push_back(wall);
+    for (std::size_t h = 0; h < model.supports.size(); ++h) {
+        const PointSupport& support = model.supports[h];
+        if (state.blocks[support.block].absent || !boundary.holdsPlace(support.block, startOf(model, support))) continue;
+        supports.push_back(h);
     }
-    state.energy.released += before - bookedEnergy(model, state);
-    return forces;
+    return supports;
 }
 
-void holdAgain(const Model& model, State& state) {
-    if (state.held.empty()) return;
-    const double before = bookedEnergy(model, state);
-    for (std::size_t h = 0; h < model.held.size(); ++h) {
-        HeldState& now = state.held[h];
-        if (!now.quiet) continue;
-        const HeldPoint& held = model.held[h];
-        const Point start = model.blocks[held.block].centroid + held.place;
-        const Point moved = materialPoint(state.blocks[held.block], held.place) - start;
-        now.quiet = false;
-        now.offset = moved + (now.force - held.preload) / held.stiffness;
-    }
-    state.energy.external += bookedEnergy(model, state) - before;  // the springs are strained from outside
-}
-
-void addDashpots(const Model& model, const State& state, const Loads& loads, const StepOptions& options,
-                 StepProblem& problem) {
-    const SchemeFactors factors = factorsOf(options);
-    const Eigen::VectorXd motion =
-        factors.rate.v * velocitiesOf(model, state) + factors.rate.a * accelerationsOf(model, state);
-    for (const Dashpot& dashpot : loads.dashpots) {
-        const BlockMotion& block = state.blocks[dashpot.block];
-        if (block.absent) continue;
-        const auto t = displacementMatrix(block, materialPoint(block, dashpot.place));
-        for (const auto& [axis, damping] : {std::pair(dashpot.across, dashpot.pressure),
-                                            std::pair(Point(turnLeft(dashpot.across)), dashpot.shear)}) {
-            Link& link = problem.links.emplace_back();
-            link.kind = LinkKind::Drag;
-            link.a = dashpot.block;
-            link.ga = t.transpose() * axis;
-            link.law.kind = LawKind::Viscous;
-            link.law.stiffness = damping * factors.rate.d;
-            const auto first = 6 * static_cast<Eigen::Index>(dashpot.block);
-            link.law.offset = -link.ga.dot(motion.segment<6>(first)) / factors.rate.d;
-        }
-    }
-}
+const Carrier boundaryCarrier{.name = "dashpots", .addLinks = addLinks};
 
 }  // namespace keyblock

@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sides of the model that let waves out: dashpots of the rock's own impedance in
-// place of what held the side, whose forces stay (theory, "Viscous boundaries").
+// Sides of the model that let waves out: dashpots of the rock's own impedance
+// replace the supports of the side, whose forces stay (theory, "Viscous boundaries").
 #pragma once
 
-#include "solver/engine/model/loads.h"
-#include "solver/engine/step/step_problem.h"
-#include "solver/engine/time/time_scheme.h"
+#include "solver/engine/carrier/carrier.h"
 
 #include <vector>
 
@@ -17,14 +15,10 @@ namespace keyblock {
 /// speed · area, of pressure waves across the side and of shear waves along it.
 std::vector<Dashpot> dashpotsOn(const Model& model, const State& state, const std::vector<BoundarySide>& sides);
 
-/// Held points on the sides let go. \return the forces that they gave, to be kept.
-std::vector<WallForce> letGo(const Model& model, State& state, const std::vector<BoundarySide>& sides);
+/// Rows of the point supports on the sides, where their blocks are present.
+std::vector<std::size_t> supportsOn(const Model& model, const State& state, const std::vector<BoundarySide>& sides);
 
-/// Points that were let go hold again, where they are and with the force that they gave.
-void holdAgain(const Model& model, State& state);
-
-/// Links of the dashpots over a step in motion.
-void addDashpots(const Model& model, const State& state, const Loads& loads, const StepOptions& options,
-                 StepProblem& problem);
+/// Links of the dashpots of a step in motion.
+extern const Carrier boundaryCarrier;
 
 }  // namespace keyblock

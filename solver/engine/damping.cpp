@@ -1,12 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Rayleigh damping of a step: a force a·M·v on every body, and b times the
-// elastic stiffness against the rate of strain of blocks, of the glue between
-// their cells and of bolts' shanks.
-// Springs of contacts, supports and anchors have none: what they lose is
-// friction, and a viscous part would pass the limits that they obey.
-#include "solver/engine/stage/step_build.h"
+#include "solver/engine/damping.h"
+
+#include "solver/engine/time/mass.h"
 
 namespace keyblock {
 namespace {
@@ -18,13 +14,29 @@ double strainRate(const StepProblem& problem, const Link& link, const Eigen::Vec
            link.gb.head(wb).dot(velocity.segment(problem.first(link.b), wb));
 }
 
-}  // namespace
+bool isDamped(LinkKind kind) {
+    return kind == LinkKind::Axial || kind == LinkKind::Bend || kind == LinkKind::Shear || kind == LinkKind::Glue;
+}
 
-void addDamping(const Model& model, const State& state, const StepOptions& options, StepProblem& problem) {
-    const SchemeFactors factors = factorsOf(options);
-    const Damping& damping = options.damping;
-    const Eigen::VectorXd motion =
-        factors.rate.v * velocitiesOf(model, state) + factors.rate.a * accelerationsOf(model, state);
+/// The link's strain rate, resisted by the damping's share of its stiffness.
+Link dragOf(const StepProblem& problem, const Link& link, double damping, const SchemeFactors& factors,
+            const Eigen::VectorXd& motion) {
+    Link drag = link;
+    const double force = damping * drag.law.stiffness * strainRate(problem, drag, motion);
+    const double stiffness = damping * drag.law.stiffness * factors.rate.d;
+    drag.kind = LinkKind::Drag;
+    const double share = drag.law.share;
+    drag.law = {};
+    drag.law.share = share;
+    drag.law.kind = stiffness > 0.0 ? LawKind::Viscous : LawKind::Constant;
+    drag.law.stiffness = stiffness;
+    drag.law.limit = force;
+    if (stiffness > 0.0) drag.law.offset = drag.strain - force / stiffness;
+    return drag;
+}
+
+void dampBodies(const Model& model, const Damping& damping, const SchemeFactors& factors,
+                const Eigen::VectorXd& motion, StepProblem& problem) {
     problem.load -= damping.mass * timesMass(model, motion);
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const BlockModel& block = model.blocks[i];
@@ -38,25 +50,24 @@ void addDamping(const Model& model, const State& state, const StepOptions& optio
     for (const BoltModel& bolt : model.bolts)
         for (std::size_t n = 0; n < bolt.s.size(); ++n)
             problem.nodeStiffness[node++] += factors.rate.d * damping.mass * nodeMass(bolt, n);
-    const std::size_t links = damping.stiffness > 0.0 ? problem.links.size() : 0;
-    for (std::size_t i = 0; i < links; ++i) {
-        const LinkKind kind = problem.links[i].kind;
-        const bool ofShank = kind == LinkKind::Axial || kind == LinkKind::Bend || kind == LinkKind::Shear;
-        if (!ofShank && kind != LinkKind::Glue) continue;
-        Link drag = problem.links[i];
-        const double force = damping.stiffness * drag.law.stiffness * strainRate(problem, drag, motion);
-        const double stiffness = damping.stiffness * drag.law.stiffness * factors.rate.d;
-        drag.kind = LinkKind::Drag;
-        const double share = drag.law.share;
-        drag.law = {};
-        drag.law.share = share;
-        drag.law.kind = stiffness > 0.0 ? LawKind::Viscous : LawKind::Constant;
-        drag.law.stiffness = stiffness;
-        drag.law.limit = force;
-        if (stiffness > 0.0) drag.law.offset = drag.strain - force / stiffness;
-        problem.links.push_back(drag);
-    }
 }
+
+void addLinks(const StepInput& input, StepProblem& problem) {
+    const Damping& damping = input.options.damping;
+    if (damping == Damping{}) return;
+    const Model& model = input.model;
+    const State& state = input.state;
+    const SchemeFactors factors = factorsOf(input.options);
+    const Eigen::VectorXd motion =
+        factors.rate.v * velocitiesOf(model, state) + factors.rate.a * accelerationsOf(model, state);
+    dampBodies(model, damping, factors, motion, problem);
+    const std::size_t links = damping.stiffness > 0.0 ? problem.links.size() : 0;
+    for (std::size_t i = 0; i < links; ++i)
+        if (isDamped(problem.links[i].kind))
+            problem.links.push_back(dragOf(problem, problem.links[i], damping.stiffness, factors, motion));
+}
+
+}  // namespace
 
 double dampedWork(const Model& model, const State& state, const StepOptions& options, const Eigen::VectorXd& d) {
     const SchemeFactors factors = factorsOf(options);
@@ -71,5 +82,7 @@ double dampedWork(const Model& model, const State& state, const StepOptions& opt
     }
     return work;
 }
+
+const Carrier dampingCarrier{.name = "damping", .addLinks = addLinks};
 
 }  // namespace keyblock

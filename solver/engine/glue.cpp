@@ -88,6 +88,17 @@ private:
     StepProblem& problem_;
 };
 
+/// Half of a step in motion: it keeps the angular momentum.
+void addLinks(const StepInput& input, StepProblem& problem) {
+    addGlueLinks(input.model, input.state, problem.moves ? 0.5 * input.options.dt : 0.0, problem);
+}
+
+void addStoredEnergy(const Model& model, const State& state, StoredEnergy& energy) {
+    StepProblem links = stepForLinks(model);
+    addGlueLinks(model, state, 0.0, links);
+    energy.strain = addLinkEnergy(links, energy.strain);
+}
+
 }  // namespace
 
 GlueModel glueModel(const Scene& scene, const Model& model, const SharedEdge& edge) {
@@ -128,5 +139,7 @@ void addGlueLinks(const Model& model, const State& state, double lead, StepProbl
             .add(glueLine(glue, state.blocks[glue.a], state.blocks[glue.b]), state.glue[i].offset);
     }
 }
+
+const Carrier glueCarrier{.name = "glue", .addLinks = addLinks, .addStoredEnergy = addStoredEnergy};
 
 }  // namespace keyblock

@@ -3,7 +3,7 @@
 #include "solver/run/as_drawn.h"
 
 #include "solver/engine/bolt/topology.h"
-#include "solver/engine/model/model.h"
+#include "solver/engine/setup/make_model.h"
 #include "solver/run/observation.h"
 
 namespace keyblock {

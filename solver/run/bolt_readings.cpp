@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/run/bolt_readings.h"
 
-#include "solver/engine/bolt/bolt_limits.h"
-#include "solver/engine/stage/step_build.h"
+#include "solver/engine/bolt/anchor.h"
+#include "solver/engine/bolt/shank.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,8 @@
 #include "solver/run/census.h"
 
 #include "solver/engine/bolt/topology.h"
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/contact/search.h"
+#include "solver/engine/setup/make_model.h"
 
 #include <algorithm>
 
@@ -39,7 +40,7 @@ CensusCounts countParts(const Model& model, const State& start) {
             std::count_if(bolt.anchors.begin(), bolt.anchors.end(), [](const AnchorModel& a) { return a.real; }));
     }
     counts.bolts = static_cast<int>(model.bolts.size());
-    counts.heldPoints = static_cast<int>(model.held.size());
+    counts.heldPoints = static_cast<int>(model.supports.size());
     counts.contacts = static_cast<int>(start.contacts.size());
     counts.gluedEdges = static_cast<int>(model.glue.size());
     return counts;

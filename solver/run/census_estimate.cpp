@@ -7,8 +7,9 @@
 // decides nothing but what is told.
 #include "solver/run/census.h"
 
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/contact/search.h"
 #include "solver/engine/stage/limits.h"
+#include "solver/engine/stage/step_accept.h"
 #include "solver/engine/stage/step_build.h"
 #include "solver/run/stage_settings.h"
 

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/run/observation.h"
 
-#include "solver/engine/contact/contacts.h"
-#include "solver/engine/stage/step_build.h"
+#include "solver/engine/bolt/bolt.h"
+#include "solver/engine/contact/search.h"
+#include "solver/engine/contact/springs.h"
+#include "solver/engine/model/edge.h"
+#include "solver/engine/stage/energy.h"
 #include "solver/run/bolt_readings.h"
 #include "solver/scene/lookup.h"
 

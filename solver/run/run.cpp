@@ -9,10 +9,13 @@
 
 #include "solver/engine/bolt/topology.h"
 #include "solver/engine/boundary.h"
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/contact/joint_change.h"
+#include "solver/engine/contact/search.h"
 #include "solver/engine/setup/in_situ.h"
+#include "solver/engine/setup/make_model.h"
 #include "solver/engine/stage/activation.h"
-#include "solver/engine/stage/joint_change.h"
+#include "solver/engine/stage/energy.h"
+#include "solver/engine/time/mass.h"
 #include "solver/results/history.h"
 #include "solver/run/checkpoint.h"
 #include "solver/run/run_limit.h"
@@ -41,7 +44,7 @@ Checkpoint startOf(const Scene& scene, const Model& model) {
         if (isInstalledLater(scene, scene.bolts[b])) leaveOut(model, start.state, static_cast<int>(b));
     placeBolts(model, start.state);
     preloadFaces(scene, model, start.state);
-    start.state.startEnergy = bookedEnergy(model, start.state);
+    start.state.startEnergy = accountedEnergy(model, start.state);
     return start;
 }
 
@@ -145,9 +148,9 @@ private:
 
     /// Sides that let waves out in this stage, and none that did before.
     void setBoundaries() {
-        holdAgain(model_, now_.state);
+        restoreAllSupports(model_, now_.state);
         const std::vector<BoundarySide> sides = viscousSides(stage());
-        if (!sides.empty()) loads_.quieten(dashpotsOn(model_, now_.state, sides), letGo(model_, now_.state, sides));
+        if (!sides.empty()) loads_.quieten(dashpotsOn(model_, now_.state, sides), releaseSupports(model_, now_.state, sides));
         else loads_.quieten({}, {});
     }
 
@@ -165,11 +168,11 @@ private:
     }
 
     StepEnding setMoving() {
-        const double before = bookedEnergy(model_, now_.state);
+        const double before = accountedEnergy(model_, now_.state);
         for (const InitialVelocity& initial : stage().initialVelocities)
             setVelocity(scene_, model_, initial, now_.state);
         const StepEnding ending = dynamics().begin(now_.state);
-        now_.state.startEnergy += bookedEnergy(model_, now_.state) - before;  // velocities and preload were given
+        now_.state.startEnergy += accountedEnergy(model_, now_.state) - before;  // velocities and preload were given
         return ending;
     }
 

@@ -3,7 +3,8 @@
 #include "solver/run/stage_loads.h"
 
 #include "geometry/polygon.h"
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/model/edge.h"
+#include "solver/engine/stage/step_build.h"
 #include "solver/scene/acceleration.h"
 
 #include <algorithm>

@@ -6,7 +6,8 @@
 // in its place.
 #pragma once
 
-#include "solver/engine/stage/step_build.h"
+#include "solver/engine/model/loads.h"
+#include "solver/engine/model/state.h"
 #include "solver/scene/scene.h"
 
 namespace keyblock {

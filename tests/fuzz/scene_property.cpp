@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fuzz/scene_property.h"
 
-#include "solver/engine/model/model.h"
+#include "solver/engine/setup/make_model.h"
 #include "solver/files/scene_file.h"
 
 #include <algorithm>

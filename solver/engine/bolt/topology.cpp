@@ -4,7 +4,9 @@
 
 #include "geometry/polygon.h"
 #include "geometry/segment.h"
-#include "solver/engine/stage/step_build.h"
+#include "solver/engine/bolt/anchor.h"
+#include "solver/engine/bolt/bolt.h"
+#include "solver/engine/bolt/slot_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +19,7 @@ namespace {
 constexpr double cellSlack = 1e-3;  // of a cell: so far apart glue may hold two
 constexpr double endShare = 0.01;  // of the element at an end of the bar: so far in it is looked which way it runs
 constexpr int several = -2;  // on faces of more than one block
-constexpr double bookedShare = 1e-10;  // of the bolt: embedded lengths that changed less change no energy
+constexpr double countedShare = 1e-10;  // of the bolt: embedded lengths that changed less change no energy
 
 /// Length of `pieces` that lies in `stretches` and between `from` and `to` [m].
 double overlapOf(const std::vector<Stretch>& pieces, const std::vector<Stretch>& stretches, double from, double to) {
@@ -64,18 +66,18 @@ public:
                 pass(n, now);
                 continue;
             }
-            leave(n);
+            leaveRock(bolt_.anchors[n], motion_.nodes[n]);
             if (now < 0) continue;
             place(n, now);
             entered.push_back(n);
         }
-        for (int n : entered) rub(n, neighbourOf(n, entered));
+        for (int n : entered) enter(n, neighbourOf(n, entered));
         share();
         double change = 0.0;
         for (int n = 0; n < nodes(); ++n)
             change = std::max({change, std::abs(motion_.nodes[n].bond.share - before[n].bond.share),
                                std::abs(motion_.nodes[n].normalShare - before[n].normalShare)});
-        if (change > bookedShare * bolt_.s.back()) keepBooks(before);
+        if (change > countedShare * bolt_.s.back()) accountFor(before);
         return change;
     }
 
@@ -225,37 +227,18 @@ private:
         return -1;
     }
 
-    /// A node that comes into a block has no bond there. It rubs with the force of its neighbour, from which it takes
-    /// over its length, so that the force on the whole length does not depend on where the nodes are.
-    void rub(int n, int neighbour) {
-        const AnchorModel& anchor = bolt_.anchors[n];
+    void enter(int n, int neighbour) {
         NodeBond& bond = motion_.nodes[n].bond;
-        if (anchor.law == AnchorLaw::Elastic || anchor.curveEnds) bond.gone = true;
-        if (anchor.curve) bond.curve.accumulated = anchor.curve->plastic.back();
-        if (neighbour < 0 || anchor.per != Per::Length || bolt_.anchors[neighbour].entry != anchor.entry) return;
-        const NodeBond& beside = motion_.nodes[neighbour].bond;
-        if (beside.share <= 0.0) return;
-        const double most = anchor.curve ? yieldForce(*anchor.curve, bond.curve.accumulated) : anchor.residual;
-        const double force = std::clamp(-beside.force / beside.share, -most, most);
-        bond.keptForce = force;
-        if (anchor.curve) bond.curve.plastic = -force / anchor.curve->modulus;
-        else if (anchor.stiffness > 0.0) bond.offset = -force / anchor.stiffness;
-    }
-
-    /// The bond stays behind in the rock.
-    void leave(int n) {
-        BoltNode& node = motion_.nodes[n];
-        const double residual = bolt_.anchors[n].residual;
-        if (node.bond.bonded) node.bond.keptForce = node.bond.force < 0.0 ? residual : -residual;
-        node.slot = -1;
-        node.normalForce = 0.0;
-        node.bond.bonded = node.bond.sliding = false;
-        node.bond.force = 0.0;
-        node.bond.slip = 0.0;
+        if (neighbour < 0) {
+            enterRock(bolt_.anchors[n], nullptr, bond);
+            return;
+        }
+        const AnchorNeighbour beside{bolt_.anchors[neighbour], motion_.nodes[neighbour].bond};
+        enterRock(bolt_.anchors[n], &beside, bond);
     }
 
     /// Length that leaves the rock gives up what it stored; length that enters stores some of the work of friction.
-    void keepBooks(const std::vector<BoltNode>& before) {
+    void accountFor(const std::vector<BoltNode>& before) {
         const double now = boltEnergy(model_, state_, index_);
         std::vector<BoltNode> nodes = before;
         nodes.swap(motion_.nodes);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/contact/multipliers.h"
 
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/contact/springs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/model/loads.h"
 
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/model/edge.h"
 
 namespace keyblock {
 namespace {

@@ -33,7 +33,7 @@ struct PrescribedMotion {
     bool holdsRotation = true;
 };
 
-/// What excavated rock gave to a block or to a node of a bolt that stays.
+/// What excavated rock, or a released support, gave to a block or to a node of a bolt that stays.
 struct WallForce {
     int block = -1;  // −1: on the node
     int bolt = -1, node = -1;

@@ -3,15 +3,14 @@
 //
 // What never changes while a scene is run but for the strengths of joints that a
 // stage sets: masses, stiffnesses, borehole slots and meshes of bolts, made once
-// from the document. Coordinates are relative to
-// `origin`, so that a scene far from (0, 0) loses no digits.
+// from the document (setup/make_model). Coordinates are relative to `origin`, so
+// that a scene far from (0, 0) loses no digits.
 #pragma once
 
 #include "solver/engine/laws/backbone.h"
 #include "solver/engine/laws/beam.h"
+#include "solver/engine/vector6.h"
 #include "solver/scene/scene.h"
-
-#include <Eigen/Core>
 
 #include <optional>
 #include <string>
@@ -19,9 +18,6 @@
 #include <vector>
 
 namespace keyblock {
-
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// A block as it was at the start. Strains live in the block's own turning frame.
 struct BlockModel {
@@ -67,13 +63,13 @@ struct GlueModel {
     double turn = 0.0;  // spring between the two sides' directions [N m/rad]
 };
 
-/// A point held in x, y or both by a spring.
-struct HeldPoint {
+/// A point fixed in x, y or both by a spring.
+struct PointSupport {
     int block = -1;
     Point place{0.0, 0.0};  // from the centroid, in the block's frame at the start [m]
     bool x = false, y = false;
     double stiffness = 0.0;  // [N/m]
-    Point preload{0.0, 0.0};  // force on the block where it has not moved: of the stress in situ [N]
+    Point preload{0.0, 0.0};  // force on the block where it has not moved: of the in-situ stress [N]
 };
 
 /// Borehole segment in one block: two points fixed in it (paper, §3.2.2).
@@ -85,7 +81,7 @@ struct Slot {
 
 using Stretch = std::pair<double, double>;  // from and to along the unstrained bolt [m]
 
-/// What holds a node along the bolt, before its share of the length is known.
+/// What ties a node to the rock along the bolt, before its tributary length is known.
 struct AnchorModel {
     bool real = false;
     AnchorLaw law = AnchorLaw::Elastic;
@@ -159,7 +155,7 @@ struct Model {
     std::vector<JointModel> joints;  // the scene's, then the built-in one, then intact rock
     int openings = 0;  // rows of `State::openings`: of `joints`, then of joints and sets by their place in the scene
     bool hasSides = false;  // of a domain, by `faceSides`
-    std::vector<HeldPoint> held;
+    std::vector<PointSupport> supports;
     std::vector<BoltModel> bolts;
     int nodes = 0;
     Analysis analysis;
@@ -187,13 +183,5 @@ JointModel jointModel(const JointMaterial& material);
 
 /// The rows of Model::joints for these materials.
 std::vector<JointModel> jointRows(const std::vector<std::pair<std::string, JointMaterial>>& materials);
-
-/// \pre the scene was checked without errors.
-Model makeModel(const Scene& scene);
-
-/// Distances of a bolt's nodes from its far end: the given divisions, or short
-/// elements with every joint in the middle of one (theory, "Divisions").
-std::vector<double> boltNodes(double length, std::optional<int> divisions, const std::vector<double>& joints,
-                              double dowelLength);
 
 }  // namespace keyblock

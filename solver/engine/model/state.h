@@ -105,36 +105,36 @@ struct BoltMotion {
     std::vector<BoltNode> nodes;
     std::vector<BoltElementState> elements;
     std::vector<Slot> slots;  // the model's, and those of blocks entered later
-    std::vector<char> leftSlot;  // told as pulled out
+    std::vector<char> leftSlot;  // reported as pulled out
     bool plateHolds = false;
     double plateNormal = 0.0, plateShear = 0.0;  // [N] last accepted
     bool tensioning = false;  // the plate pulls with the pretension and is not locked off yet
     double plateStretch = 0.0, plateOffset = 0.0;  // of the normal spring: last accepted, and where it vanishes [m]
     double plateShearOffset = 0.0;  // where the plate's shear spring vanishes [m]
     double strengthFactor = 1.0;  // dynamic over static strength, in this stage
-    double plasticEnergy = 0.0, bondEnergy = 0.0;  // [J] booked since the start
+    double plasticEnergy = 0.0, bondEnergy = 0.0;  // [J] used since the start
     bool lost = false;
     bool absent = false;  // not installed yet, or removed
 };
 
-/// Energies summed step by step; the balance is struck when they are reported.
+/// Energies summed step by step; their balance is found when they are reported.
 struct EnergyLedger {
     double friction = 0.0, plastic = 0.0, released = 0.0, damped = 0.0, external = 0.0;
 };
 
-/// What a stage has made of a held point.
-struct HeldState {
-    bool quiet = false;  // on a viscous boundary: it holds no more
+/// What a stage has made of a point support.
+struct SupportState {
+    bool quiet = false;  // on a viscous boundary: it is released
     Point force{0.0, 0.0};  // that it gave when it ceased to [N]
     Point offset{0.0, 0.0};  // where it gives its preload, beside where it was at the start [m]
 
-    bool operator==(const HeldState&) const = default;
+    bool operator==(const SupportState&) const = default;
 };
 
 struct State {
     std::vector<BlockMotion> blocks;
     std::vector<Contact> contacts;
-    std::vector<HeldState> held;  // a row per held point of the model; empty: as at the start
+    std::vector<SupportState> supports;  // a row per point support of the model; empty: as at the start
     std::vector<GlueState> glue;  // a row per glued edge of the model
     std::vector<BoltMotion> bolts;
     std::vector<double> openings;  // dilation of joint materials (rows of Model::joints), then joints; empty: none [m]
@@ -144,7 +144,7 @@ struct State {
     long step = 0;
 };
 
-/// True where the bolt is there and holds.
+/// True where the bolt is present and not lost.
 inline bool acts(const BoltMotion& bolt) { return !bolt.lost && !bolt.absent; }
 
 /// A bolt as it is before anything moved: straight, unstressed, in no block yet.

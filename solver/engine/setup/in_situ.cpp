@@ -3,9 +3,10 @@
 #include "solver/engine/setup/in_situ.h"
 
 #include "geometry/grid.h"
-#include "solver/engine/contact/contact_candidates.h"
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/contact/candidates.h"
+#include "solver/engine/contact/springs.h"
 #include "solver/engine/glue.h"
+#include "solver/engine/model/edge.h"
 #include "solver/scene/presence.h"
 
 #include <Eigen/QR>
@@ -86,9 +87,7 @@ void preloadContacts(const Model& model, State& state, const Tractions& traction
 /// The three springs of every edge carry the traction on it, as far as they can: in both cells the part of a shear that
 /// varies along the edge and only strains them stays.
 void preloadGlue(const Model& model, State& state, const Tractions& tractions) {
-    StepProblem problem;
-    problem.blocks = static_cast<int>(model.blocks.size());
-    problem.nodes = model.nodes;
+    StepProblem problem = stepForLinks(model);
     addGlueLinks(model, state, 0.0, problem);
     for (std::size_t first = 0; first + 2 < problem.links.size(); first += 3) {
         const GlueModel& glue = model.glue[static_cast<std::size_t>(problem.links[first].owner)];
@@ -158,20 +157,20 @@ Point freeForce(const Model& model, const Tractions& tractions, const BoxGrid& r
 
 }  // namespace
 
-void preloadHeldPoints(const Scene& scene, Model& model) {
-    if (!scene.inSituStress || model.held.empty()) return;
+void preloadSupports(const Scene& scene, Model& model) {
+    if (!scene.inSituStress || model.supports.empty()) return;
     const Tractions tractions(scene, model);
     const BoxGrid rock = rockGrid(model);
-    for (HeldPoint& held : model.held) {
-        const Point place = model.blocks[held.block].centroid + held.place;
-        const Point force = freeForce(model, tractions, rock, held.block, place);
+    for (PointSupport& support : model.supports) {
+        const Point place = model.blocks[support.block].centroid + support.place;
+        const Point force = freeForce(model, tractions, rock, support.block, place);
         for (int axis : {0, 1}) {
-            const auto holds = [&](const HeldPoint& other) {
-                const bool same = other.block == held.block && (other.place - held.place).norm() <= model.tolerance;
+            const auto holds = [&](const PointSupport& other) {
+                const bool same = other.block == support.block && (other.place - support.place).norm() <= model.tolerance;
                 return same && (axis == 0 ? other.x : other.y);
             };
-            if (!holds(held)) continue;
-            held.preload[axis] = force[axis] / static_cast<double>(std::count_if(model.held.begin(), model.held.end(), holds));
+            if (!holds(support)) continue;
+            support.preload[axis] = force[axis] / static_cast<double>(std::count_if(model.supports.begin(), model.supports.end(), holds));
         }
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rock that stands under stress before anything is done to it. Blocks have the
-// stress of their centroids; contacts, glue and held points start with what it
+// In-situ stress: rock that is stressed before anything is done to it. Blocks have
+// the stress at their centroids; contacts, glue and point supports start with what it
 // gives to their faces, so that where it is in equilibrium nothing moves
 // (theory, "Stress in situ").
 #pragma once
@@ -11,9 +11,9 @@
 
 namespace keyblock {
 
-/// Forces that held points give where nothing has moved: those of the scene's stress on faces that no other block
+/// Forces that point supports give where nothing has moved: those of the scene's stress on faces that no other block
 /// touches. Changes nothing in a scene without.
-void preloadHeldPoints(const Scene& scene, Model& model);
+void preloadSupports(const Scene& scene, Model& model);
 
 /// Contacts and glue of the start carry what the scene's stress gives to their faces. Changes nothing in a scene without.
 /// \pre `contacts` were found as the first ones.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/setup/mesh_check.h"
 
-#include "solver/engine/model/model.h"
+#include "solver/engine/setup/make_model.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/pointer.h"
 

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks and bolts that come and go between two steps. What goes takes the energy
-// that it stores with it; what rested on it is told as forces on those that stay,
-// for the run to hold and let go (theory, "Excavation").
+// Parts of the model that are activated or deactivated between two steps: rock that
+// is excavated, bolts that are installed or removed, supports that a viscous boundary
+// releases. What goes takes the energy that it stores with it; the forces that it gave
+// to what stays are returned, for the run to hold and to release (theory, "Excavation").
 #pragma once
 
 #include "solver/engine/model/loads.h"
+#include "solver/scene/scene.h"
 
 #include <vector>
 
@@ -25,5 +27,11 @@ void installBolt(const Model& model, State& state, int bolt);
 
 /// Takes a bolt away with all that it stores; its plate, too.
 void removeBolt(const Model& model, State& state, int bolt);
+
+/// Releases the point supports on the sides. \return the forces that they gave, to be kept.
+std::vector<WallForce> releaseSupports(const Model& model, State& state, const std::vector<BoundarySide>& sides);
+
+/// Released supports carry force again, where they are and the force that they gave.
+void restoreAllSupports(const Model& model, State& state);
 
 }  // namespace keyblock

@@ -2,10 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/stage/dynamics.h"
 
-#include "solver/engine/bolt/resticks.h"
 #include "solver/engine/bolt/topology.h"
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/contact/joint.h"
+#include "solver/engine/contact/search.h"
+#include "solver/engine/contact/springs.h"
 #include "solver/engine/stage/energy_account.h"
+#include "solver/engine/stage/limits.h"
+#include "solver/engine/stage/resticks.h"
+#include "solver/engine/stage/step_accept.h"
+#include "solver/engine/stage/step_build.h"
+#include "solver/engine/time/mass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -253,7 +259,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         pace.lastMove = move;
         double total = 0.0;
         const Eigen::VectorXd external = externalForce(model, trial.state, loads_, at, total);
-        bookStep(model, trial.state, problem, external, d, options);
+        accountStep(model, trial.state, problem, external, d, options);
         moveOn(model, trial.state, problem, d, options);
         acceptStep(model, trial.state, problem, d);
         trial.residual = report.residual;
@@ -294,7 +300,7 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
         dt = share == 0.5 ? 0.5 * (low + high) : std::clamp(share * dt, low, high);
         if (dt <= low) dt = 0.5 * (low + high);
     }
-    tellResticks(model, ifSliding(state), trial.state, time, -1, observer);
+    reportResticks(model, ifSliding(state), trial.state, time, -1, observer);
     state = std::move(trial.state);
     time = dt == rest ? end : later(time, dt, pace.roundedUp);
     pace.dt = std::min(2.0 * std::max(pace.dt, dt), settings_.timeStep);
@@ -303,7 +309,7 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
     const Eigen::VectorXd held = heldAccelerations(state);
     double least = high > 0.0 ? 1.0 - locateShare : 1.0 + reachedShare;
     while (const auto limit = worstLimit(heldLimits(model, state), least)) {
-        releaseAndTell(model, state, *limit, time, -1, observer);
+        releaseAndReport(model, state, *limit, time, -1, observer);
         observer.afterEvent(state, time);
         least = 1.0 + reachedShare;
     }

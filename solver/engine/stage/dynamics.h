@@ -3,10 +3,11 @@
 //
 // Dynamic stages: steps of one scheme of time integration. A step that does
 // not settle is cut and later grown again; one in which something reaches its
-// limit ends there, and that lets go before the next.
+// limit ends there, and that is released before the next.
 #pragma once
 
 #include "solver/engine/stage/engine.h"
+#include "solver/engine/time/time_scheme.h"
 
 namespace keyblock {
 

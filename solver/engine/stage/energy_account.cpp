@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/stage/energy_account.h"
 
-#include "solver/engine/contact/contact_candidates.h"
+#include "solver/engine/contact/candidates.h"
+#include "solver/engine/contact/links.h"
+#include "solver/engine/contact/springs.h"
+#include "solver/engine/damping.h"
+#include "solver/engine/stage/step_build.h"
 #include "solver/engine/step/friction_limits.h"
+#include "solver/engine/time/mass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +41,7 @@ PathStart startOf(const Model& model, const Link& link, const Link& first, doubl
     return at;
 }
 
-/// A hinge's limit is told anew when a search begins; where it fell, the hinge still carried what it had.
+/// A hinge's limit is found again when a search begins; where it fell, the hinge still carried what it had.
 void carryHinges(StepProblem& problem) {
     for (Link& link : problem.links)
         if (link.kind == LinkKind::Bend || link.kind == LinkKind::Shear)
@@ -45,10 +50,10 @@ void carryHinges(StepProblem& problem) {
 
 }  // namespace
 
-void bookStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
+void accountStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
               const Eigen::VectorXd& d, const StepOptions& options) {
     const SchemeFactors factors = factorsOf(options);
-    // what drives a prescribed unknown works against all forces; what it gives to motion is booked with the velocities
+    // what drives a prescribed unknown works against all forces; what it gives to motion is accounted for with the velocities
     Eigen::VectorXd driven = netForce(problem, d) + inertiaForce(model, state, factors, d);
     if (problem.contactShare != 1.0) driven -= (problem.contactShare - 1.0) * contactForce(problem, d);
     state.energy.external += external.dot(d);
@@ -71,14 +76,14 @@ void bookStep(const Model& model, State& state, const StepProblem& problem, cons
     if (options.damping != Damping{}) state.energy.damped += dampedWork(model, state, options, d);
 }
 
-StaticBooks::StaticBooks(const Model& model, const State& start, const Loads& loads, const LoadPoint& before)
+StaticAccount::StaticAccount(const Model& model, const State& start, const Loads& loads, const LoadPoint& before)
     : model_(model), loads_(loads), before_(before), start_(start) {
     StepProblem problem = buildStep(model, start, loads, before, {Inertia::None});
     carryHinges(problem);
     first_ = forcesOf(problem, start, before);
 }
 
-StaticBooks::Forces StaticBooks::forcesOf(StepProblem& problem, const State& state, const LoadPoint& at) const {
+StaticAccount::Forces StaticAccount::forcesOf(StepProblem& problem, const State& state, const LoadPoint& at) const {
     const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
     correctFrictionLimits(problem, still);
     double total = 0.0;
@@ -86,7 +91,7 @@ StaticBooks::Forces StaticBooks::forcesOf(StepProblem& problem, const State& sta
 }
 
 /// The links of the end as they were at the start.
-StepProblem StaticBooks::atStart(const State& end) const {
+StepProblem StaticAccount::atStart(const State& end) const {
     State start = start_;
     start.contacts = end.contacts;
     StepProblem problem = buildStep(model_, start, loads_, before_, {Inertia::None});
@@ -95,16 +100,14 @@ StepProblem StaticBooks::atStart(const State& end) const {
     return problem;
 }
 
-bool StaticBooks::isMet(const Link& link, const State& end) const {
+bool StaticAccount::isMet(const Link& link, const State& end) const {
     return ofContact(link.kind) &&
            !sameContact(start_.contacts, end.contacts[static_cast<std::size_t>(link.owner)]);
 }
 
-/// Of contacts that are there no more: half of the force that they began with, times their way [J].
-double StaticBooks::trapeziumOfEnded(const State& end, const Eigen::VectorXd& moved) const {
-    StepProblem problem;
-    problem.blocks = static_cast<int>(model_.blocks.size());
-    problem.nodes = model_.nodes;
+/// Contacts that have ended: half of the force that they began with, times their path [J].
+double StaticAccount::trapeziumOfEnded(const State& end, const Eigen::VectorXd& moved) const {
+    StepProblem problem = stepForLinks(model_);
     addContactLinks(model_, start_, false, problem);
     double sum = 0.0;
     for (const Link& link : problem.links) {
@@ -116,7 +119,7 @@ double StaticBooks::trapeziumOfEnded(const State& end, const Eigen::VectorXd& mo
     return sum;
 }
 
-void StaticBooks::book(State& end, const LoadPoint& at, const Eigen::VectorXd& moved, StepProblem& problem) const {
+void StaticAccount::add(State& end, const LoadPoint& at, const Eigen::VectorXd& moved, StepProblem& problem) const {
     const Forces last = forcesOf(problem, end, at);
     for (Eigen::Index i = 0; i < moved.size(); ++i) {
         end.energy.external += 0.5 * (first_.external[i] + last.external[i]) * moved[i];
@@ -126,7 +129,7 @@ void StaticBooks::book(State& end, const LoadPoint& at, const Eigen::VectorXd& m
     const StepProblem start = atStart(end);
     const std::vector<double> startLimits = limitsOf(start);
     problem.slipForce.assign(problem.links.size(), 0.0);
-    const auto bookSurplus = [&](double surplus) {
+    const auto addSurplus = [&](double surplus) {
         // forces that rise late let the loads run on; forces that rise early ask more of them
         if (surplus > 0.0) end.energy.damped += surplus;
         else end.energy.external -= surplus;
@@ -145,11 +148,11 @@ void StaticBooks::book(State& end, const LoadPoint& at, const Eigen::VectorXd& m
                                    (from.force + respond(link.law, link.strain + link.shift).force);
         ++s;
         problem.slipForce[i] = path.slipForce;
-        bookSurplus(path.surplus);
+        addSurplus(path.surplus);
         if (met)  // the net force at the start knew nothing of it
             handed -= 0.5 * link.law.share * from.force * (link.strain - from.strain);
     }
-    bookSurplus(handed);
+    addSurplus(handed);
 }
 
 }  // namespace keyblock

@@ -3,6 +3,7 @@
 #include "solver/engine/stage/engine.h"
 
 #include "solver/engine/contact/multipliers.h"
+#include "solver/engine/stage/limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,8 @@
 
 namespace keyblock {
 
-long releaseAndTell(const Model& model, State& state, const Limit& limit, double time, long cause,
-                    StepObserver& observer) {
+long releaseAndReport(const Model& model, State& state, const Limit& limit, double time, long cause,
+                      StepObserver& observer) {
     const State before = state;
     std::vector<Event> events = releaseLimit(model, state, limit);
     for (std::size_t i = 0; i < events.size(); ++i) {

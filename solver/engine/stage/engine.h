@@ -5,8 +5,10 @@
 // its pattern, the counts of the numbers' health, and how to be stopped.
 #pragma once
 
-#include "solver/engine/stage/limits.h"
-#include "solver/engine/stage/step_build.h"
+#include "solver/engine/carrier/limit.h"
+#include "solver/engine/model/loads.h"
+#include "solver/engine/model/state.h"
+#include "solver/engine/step/step_problem.h"
 #include "solver/results/results.h"
 
 #include <functional>
@@ -37,11 +39,11 @@ struct StepEnding {
     long cause = -1;  // the event after which nothing balanced; −1: the load
 };
 
-/// Told of what happens inside an increment or step, in order.
+/// Is notified of what happens inside an increment or step, in order.
 class StepObserver {
 public:
     virtual ~StepObserver() = default;
-    /// State just before something lets go.
+    /// State just before something fails.
     virtual void beforeEvent(const State& state, double time) = 0;
     /// \return the event's number in the run, from 0.
     virtual long event(Event event, const State& state, double time) = 0;
@@ -49,10 +51,10 @@ public:
     virtual void afterEvent(const State& state, double time) = 0;
 };
 
-/// Releases a limit and tells the events that this is, each with the state before it.
+/// Releases a limit and reports the events that this is, each with the state before it.
 /// \param cause the event that set it over; −1: the load did. \return the number of the last event.
-long releaseAndTell(const Model& model, State& state, const Limit& limit, double time, long cause,
-                    StepObserver& observer);
+long releaseAndReport(const Model& model, State& state, const Limit& limit, double time, long cause,
+                      StepObserver& observer);
 
 /// How a step is to be solved, beside what the scene asks for.
 struct StepNeeds {

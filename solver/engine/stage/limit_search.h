@@ -7,7 +7,7 @@
 // little, and the search goes on from the side that is not over.
 #pragma once
 
-#include "solver/engine/stage/limits.h"
+#include "solver/engine/carrier/limit.h"
 
 #include <vector>
 

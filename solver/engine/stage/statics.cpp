@@ -1,225 +1,27 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// A pseudo-step solves the step's minimisation from rest, with 2M/Δt² as a
-// regularisation; bodies move, geometry is taken afresh, and equilibrium is
-// judged on the true forces there, without that term. Laws are judged from the
-// state in which the increment began and accepted only at equilibrium, so the
-// path of the pseudo-steps leaves no trace.
 #include "solver/engine/stage/statics.h"
 
-#include "solver/engine/bolt/pretension.h"
-#include "solver/engine/bolt/resticks.h"
+#include "solver/engine/bolt/plate.h"
 #include "solver/engine/bolt/topology.h"
-#include "solver/engine/contact/contacts.h"
-#include "solver/engine/contact/multipliers.h"
-#include "solver/engine/stage/energy_account.h"
 #include "solver/engine/stage/limit_search.h"
-#include "solver/engine/step/friction_limits.h"
+#include "solver/engine/stage/limits.h"
+#include "solver/engine/stage/resticks.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 namespace keyblock {
 namespace {
 
-constexpr double softestInertia = 1e-11;  // regularisation over the stiffest spring
-constexpr double moveShare = 0.05;  // of the smallest block: the longest move of one pseudo-step
-constexpr double farShare = 2.0;  // of a block's own size: moved so far it has left its place
-constexpr double shortestStep = 1e-7;  // over the longest pseudo-step
 constexpr double finestIncrement = 1e-3;  // of the given increment, before a collapse is believed
 constexpr double followShare = 1e-9;  // of the scene: embedded lengths that changed less need no new equilibrium
-constexpr double wellBalanced = 1e-9;  // residual over the reference force that needs no better
-constexpr double stillFalling = 0.1;  // of the residual before: so quick a fall is followed under the tolerance, too
-constexpr double pathShare = 1e-4;  // of the longest move: a longer one may come in by another edge than it seemed
-constexpr int mostPaths = 2;  // times that a pseudo-step is done again because it does
-constexpr double swingCut = 0.3;  // of a pseudo-step, where steps go to and fro
-constexpr double fadingSwing = 0.7;  // of the step before: such a swing dies out by itself
-constexpr double noSwing = 1e3;  // over round-off: shorter moves are noise
-constexpr double lostShare = 30.0;  // of the longest move: a body that flies so far while a step is solved is let go
-constexpr int morePasses = 5;  // times those of a step in motion: shorter pseudo-steps settle friction no sooner
 constexpr int mostRounds = 6;
-constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, when joints take up the run's first forces
 constexpr int mostTries = 60;  // to locate an event
 constexpr double narrowest = 1e-12;  // of an increment, when one is
 constexpr double locateShare = 1e-4;  // an event is located at least to this share of its limit
-
-double longestPseudoStep(const Model& model) {
-    double mass = 0.0;
-    for (const BlockModel& block : model.blocks) mass += block.mass;
-    mass /= static_cast<double>(model.blocks.size());
-    return mass > 0.0 ? std::sqrt(2.0 * mass / (softestInertia * model.stiffest)) : 1.0;
-}
-
-/// One search for equilibrium under fixed loads.
-class Equilibrium {
-public:
-    Equilibrium(Engine& engine, const Loads& loads, const StaticSettings& settings)
-        : engine_(engine), model_(engine.model), loads_(loads), settings_(settings),
-          tolerance_(std::min(settings.unbalanced, engine.model.analysis.tolerance)),
-          moveLimit_(moveShare * smallestSize(engine.model)), longest_(longestPseudoStep(engine.model)),
-          dt_(longest_) {}
-
-    StepEnding find(State& state, const LoadPoint& before, const LoadPoint& at) {
-        const StaticBooks books(model_, state, loads_, before);
-        const std::vector<BlockMotion> places = state.blocks;
-        Eigen::VectorXd moved =
-            Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model_.blocks.size()) + 3 * model_.nodes);
-        Ending ending = Ending::NoEquilibrium;
-        std::string message;
-        int worst = -1;
-        Eigen::VectorXd path;
-        int paths = 0, taken = 0;
-        for (int step = 0; step < settings_.maxSteps; ++step) {
-            const Eigen::VectorXd* known = paths > 0 ? &path : nullptr;
-            state.contacts = findContacts(model_, state.blocks, state.contacts,
-                                          {searchMargin(state), false, true, known, &state.energy.released});
-            meetDilated(state, state.contacts);
-            const bool lock = taken < lockedSteps && state.step == 0 && unloaded(state);
-            StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, lock});
-            if (!lock && balanced(state, problem, step)) {
-                Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
-                books.book(state, at, moved, problem);
-                acceptStep(model_, state, problem, still);
-                countAccepted(engine_, state, residual_);
-                return {};
-            }
-            Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
-            const StepNeeds needs{tolerance_, morePasses, lostShare * moveLimit_, false};
-            const SolveReport report = solveStep(engine_, problem, state, d, needs);
-            if (report.stopped) return {Ending::Stopped, "", {}};
-            worst = report.worst;
-            const double move = report.converged || report.lost ? largestMove(model_, problem, d) : 0.0;
-            if (!report.converged || move > moveLimit_) {
-                ++engine_.health.stepCuts;
-                dt_ *= move > moveLimit_ ? std::clamp(0.9 * std::sqrt(moveLimit_ / move), 0.01, 0.9) : 0.3;
-                if (dt_ >= shortestStep * longest_) continue;
-                ending = Ending::Failed;
-                message = report.singular ? nameOfBody(model_, worst) + " is held by nothing"
-                                          : "no step settles near " + nameOfBody(model_, worst);
-                break;
-            }
-            if (paths < mostPaths && move > pathShare * moveLimit_ &&
-                !entrancesHold(model_, state.blocks, state.contacts, searchMargin(state), d)) {
-                path = d;
-                ++paths;
-                continue;
-            }
-            paths = 0;
-            ++taken;
-            moveBodies(model_, state, d);
-            moved += d;
-            if (!lock) lastMove_ = move;
-            drifts_ = lastStep_.size() > 0 && d.dot(lastStep_) > 0.5 * d.norm() * lastStep_.norm();
-            dt_ = swings(d, move) ? swingCut * dt_ : longer(move);
-            lastStep_ = d;
-            if (!farBlocks(places, state).empty()) break;
-        }
-        if (ending == Ending::NoEquilibrium) acceptMoving(state, at, moved, books);
-        StepEnding result{ending, message, farBlocks(places, state)};
-        if (!result.blocks.empty()) return result;
-        const int named = ending == Ending::Failed ? blockOfBody(model_, worst) : mostMoved(places, state);
-        if (named >= 0) result.blocks.push_back(named);
-        return result;
-    }
-
-private:
-    /// How far the search for contacts reaches [m].
-    double searchMargin(const State& state) const { return 2.0 * moveLimit_ + widestOpening(state); }
-
-    /// Takes over where the moving blocks had got to: history and energy of their way, whatever does not balance.
-    void acceptMoving(State& state, const LoadPoint& at, const Eigen::VectorXd& moved, const StaticBooks& books) {
-        state.contacts =
-            findContacts(model_, state.blocks, state.contacts,
-                         {searchMargin(state), false, true, nullptr, &state.energy.released});
-        meetDilated(state, state.contacts);
-        StepProblem problem = buildStep(model_, state, loads_, at, {Inertia::Static, dt_, false});
-        books.book(state, at, moved, problem);
-        acceptStep(model_, state, problem, Eigen::VectorXd::Zero(problem.unknowns()));
-        ++state.step;  // not the state before: it has a frame of its own
-    }
-
-    /// No joint has carried anything yet: friction without normal forces would let everything slide.
-    static bool unloaded(const State& state) {
-        return std::all_of(state.contacts.begin(), state.contacts.end(),
-                           [](const Contact& c) { return c.normalForce == 0.0 && !c.bonded; });
-    }
-
-    bool balanced(const State& state, StepProblem& problem, int step) {
-        for (int i = 0; i < problem.unknowns(); ++i)
-            if (problem.known[static_cast<std::size_t>(i)] && std::abs(problem.value[i]) > roundOff()) return false;
-        const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
-        correctFrictionLimits(problem, still);
-        const Eigen::VectorXd net = netForce(problem, still);
-        const double reference = referenceForce(problem, still, net);
-        const double before = std::exchange(residual_, residualNorm(problem, net) / reference);
-        if (usesMultipliers(model_) && multiplierError(model_, state, problem, still) > 1.0) return false;
-        if (residual_ > settings_.unbalanced) return step > 0 && dt_ >= longest_ && isNoise(problem, net, before);
-        return residual_ <= wellBalanced || residual_ > stillFalling * before;  // no longer worth a pseudo-step
-    }
-
-    /// What is left is what round-off in the places raises: it falls no more, and nothing drifts.
-    bool isNoise(const StepProblem& problem, const Eigen::VectorXd& net, double before) const {
-        if (lastMove_ <= roundOff()) return true;
-        const bool stalls = residual_ > 0.9 * before;
-        return stalls && !drifts_ && residualNorm(problem, net) <= placeNoise(problem, 0.25 * roundOff());
-    }
-
-    /// The next pseudo-step: twice as long, but not so long that what falls freely would go too far in it.
-    double longer(double move) const {
-        const double room = move > 0.0 ? std::sqrt(0.9 * moveLimit_ / move) : 2.0;
-        return std::min(std::clamp(room, 1.0, 2.0) * dt_, longest_);
-    }
-
-    /// Steps to and fro that do not get shorter: what turns with the bodies is stiffer or softer than a step can see.
-    bool swings(const Eigen::VectorXd& d, double move) const {
-        if (lastStep_.size() == 0 || move < noSwing * roundOff()) return false;
-        const double before = lastStep_.norm();
-        return d.norm() > fadingSwing * before && d.dot(lastStep_) < -0.5 * d.norm() * before;
-    }
-
-    /// Moves smaller than this are lost in the coordinates [m].
-    double roundOff() const { return 4.0 * std::numeric_limits<double>::epsilon() * model_.size; }
-
-    std::vector<int> farBlocks(const std::vector<BlockMotion>& places, const State& state) const {
-        std::vector<int> far;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const bool driven = std::any_of(loads_.motions.begin(), loads_.motions.end(),
-                                            [&](const PrescribedMotion& m) { return m.block == static_cast<int>(i); });
-            const double moved = (state.blocks[i].centroid - places[i].centroid).norm();
-            if (!driven && moved > farShare * model_.blocks[i].size) far.push_back(static_cast<int>(i));
-        }
-        return far;
-    }
-
-    /// Where nothing has left its place yet: the block that is farthest on its way, over its own size.
-    int mostMoved(const std::vector<BlockMotion>& places, const State& state) const {
-        int most = -1;
-        double farthest = 0.0;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const double moved = (state.blocks[i].centroid - places[i].centroid).norm() / model_.blocks[i].size;
-            if (moved <= farthest) continue;
-            farthest = moved;
-            most = static_cast<int>(i);
-        }
-        return most;
-    }
-
-    Engine& engine_;
-    const Model& model_;
-    const Loads& loads_;
-    const StaticSettings& settings_;
-    double tolerance_;
-    double moveLimit_;
-    double longest_, dt_;
-    double lastMove_ = std::numeric_limits<double>::max();
-    Eigen::VectorXd lastStep_;
-    bool drifts_ = false;  // the last two steps went the same way
-    double residual_ = std::numeric_limits<double>::max();  // over the reference force, when last judged
-};
 
 /// One move within an increment.
 class Move {
@@ -239,7 +41,7 @@ public:
 
 private:
     StepEnding equilibrium(State& state, double to) {
-        return Equilibrium(engine_, loads_, settings_).find(state, reached(), between(a_, b_, to));
+        return findEquilibrium(engine_, state, loads_, {reached(), between(a_, b_, to)}, settings_);
     }
 
     LoadPoint reached() const { return between(a_, b_, progress_.done); }
@@ -288,11 +90,11 @@ private:
         double longest = 0.0;
         for (std::size_t i = 0; i < b_.motions.size(); ++i)
             longest = std::max(longest, std::abs(b_.motions[i] - a_.motions[i]));
-        return std::max(1.0, std::ceil(longest / (moveShare * smallestSize(engine_.model))));
+        return std::max(1.0, std::ceil(longest / longestMoveOf(engine_.model)));
     }
 
     void accept(State trial, double to) {
-        tellResticks(engine_.model, ifSliding(state_), trial, reached().time, -1, observer_);
+        reportResticks(engine_.model, ifSliding(state_), trial, reached().time, -1, observer_);
         progress_.passed.clear();
         progress_.lastRelease = -1;
         state_ = std::move(trial);
@@ -354,7 +156,7 @@ private:
         progress_.least = 1.0 - tieShare;
         const double time = reached().time;
         progress_.lastRelease =
-            releaseAndTell(engine_.model, state_, released, time, causeOf(released), observer_);
+            releaseAndReport(engine_.model, state_, released, time, causeOf(released), observer_);
         if (!changesForces(engine_.model, released)) {
             observer_.afterEvent(state_, time);
             return followUnlessAtLimit();
@@ -364,7 +166,7 @@ private:
         ending.cause = progress_.lastRelease;
         if (ending.ending != Ending::Done) return ending;
         observer_.afterEvent(state_, time);
-        tellResticks(engine_.model, sliding, state_, time, progress_.lastRelease, observer_);
+        reportResticks(engine_.model, sliding, state_, time, progress_.lastRelease, observer_);
         return ending;
     }
 

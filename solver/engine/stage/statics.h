@@ -5,14 +5,10 @@
 // cut where the first limit is reached, so that one thing lets go at a time.
 #pragma once
 
-#include "solver/engine/stage/engine.h"
+#include "solver/engine/carrier/limit.h"
+#include "solver/engine/stage/equilibrium.h"
 
 namespace keyblock {
-
-struct StaticSettings {
-    double unbalanced = 1e-4;  // over the reference force
-    int maxSteps = 400;  // pseudo-steps of one search for equilibrium
-};
 
 /// A limit that is passed, and the event whose release brought it there; −1: the load did.
 struct PassedLimit {

@@ -1,34 +1,20 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The matrices of a step: inertia, elasticity of the blocks, loads, what is
-// prescribed, and the links of held points.
+// Inertia, elasticity of the blocks, loads and what is prescribed; the links come
+// from the carriers.
 #include "solver/engine/stage/step_build.h"
 
-#include "solver/engine/boundary.h"
-#include "solver/engine/glue.h"
+#include "solver/engine/stage/carriers.h"
+#include "solver/engine/time/mass.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace keyblock {
 namespace {
 
 constexpr double smallestStrain = 1e-12;  // forces under that of such a strain are not told from none
 constexpr std::size_t linksANode = 7;  // four of its element, two to the rock, and room for the plate's
-
-/// How far ahead contacts are set up: to the middle of a step whose displacement is that at its middle speed, so that
-/// two bodies in flight keep their angular momentum (theory, "Contacts") [s].
-double lookAhead(const StepOptions& options) {
-    switch (options.inertia) {
-        case Inertia::Shi:
-        case Inertia::Newmark:
-        case Inertia::GeneralizedAlpha: return 0.5 * options.dt;
-        case Inertia::None:
-        case Inertia::Static:
-        case Inertia::BackwardEuler: return 0.0;
-    }
-    return 0.0;
-}
 
 /// A force that strains a block by less than its digits can tell [N].
 double floorOf(const BlockModel& block, const Model& model) {
@@ -102,28 +88,6 @@ double displacementAlong(const Model& model, const State& state, const Prescribe
     return motion.axis.dot(state.blocks[motion.block].centroid - model.blocks[motion.block].centroid);
 }
 
-void addHeldPoints(const Model& model, const State& state, StepProblem& problem) {
-    for (std::size_t h = 0; h < model.held.size(); ++h) {
-        const HeldPoint& held = model.held[h];
-        const BlockMotion& block = state.blocks[held.block];
-        if (block.absent || (!state.held.empty() && state.held[h].quiet)) continue;
-        const Point now = materialPoint(block, held.place);
-        const Point moved = now - (model.blocks[held.block].centroid + held.place);
-        const Eigen::Matrix<double, 2, 6> t = displacementMatrix(block, now);
-        for (int axis : {0, 1}) {
-            if (!(axis == 0 ? held.x : held.y)) continue;
-            Link& link = problem.links.emplace_back();
-            link.kind = LinkKind::Support;
-            link.a = held.block;
-            link.ga = t.row(axis).transpose();
-            link.strain = moved[axis];
-            link.law.stiffness = held.stiffness;
-            link.law.offset = held.preload[axis] / held.stiffness;
-            if (!state.held.empty()) link.law.offset += state.held[h].offset[axis];
-        }
-    }
-}
-
 StepProblem buildStep(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                       const StepOptions& options) {
     StepProblem problem;
@@ -142,17 +106,12 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
     addNodes(model, state, factors, problem);
     if (factors.inertia.a != 0.0) problem.load -= factors.inertia.a * timesMass(model, accelerationsOf(model, state));
     prescribe(model, state, loads, at, problem);
-    problem.links.reserve(2 * (state.contacts.size() + model.held.size()) + 3 * model.glue.size() +
+    problem.links.reserve(2 * (state.contacts.size() + model.supports.size()) + 3 * model.glue.size() +
                           linksANode * static_cast<std::size_t>(model.nodes));
     problem.openings = at.openings;
-    addContactLinks(model, state, options.frictionLocked, problem, lookAhead(options), options.path);
     problem.moves = options.inertia != Inertia::Static && options.inertia != Inertia::None;
     if (problem.moves) problem.ownForce = ownForces(model, problem, external);
-    addGlueLinks(model, state, problem.moves ? 0.5 * options.dt : 0.0, problem);
-    addHeldPoints(model, state, problem);
-    for (std::size_t b = 0; b < model.bolts.size(); ++b) addBoltLinks(model, state, static_cast<int>(b), problem);
-    if (options.damping != Damping{}) addDamping(model, state, options, problem);
-    if (problem.moves && !loads.dashpots.empty()) addDashpots(model, state, loads, options, problem);
+    for (const Carrier* carrier : carriers) carrier->addLinks({model, state, loads, options}, problem);
     return problem;
 }
 

@@ -8,8 +8,8 @@
 #pragma once
 
 #include "solver/engine/laws/step_law.h"
-#include "solver/engine/model/model.h"
 #include "solver/engine/step/linear_system.h"
+#include "solver/engine/vector6.h"
 
 #include <functional>
 #include <limits>

@@ -3,6 +3,7 @@
 #include "solver/engine/time/time_scheme.h"
 
 #include "solver/engine/step/step_problem.h"
+#include "solver/engine/time/mass.h"
 
 #include <Eigen/Cholesky>
 
@@ -127,79 +128,6 @@ SchemeFactors factorsOf(const StepOptions& options) {
 bool losesMotion(Inertia inertia) { return inertia == Inertia::BackwardEuler || inertia == Inertia::GeneralizedAlpha; }
 
 bool carriesAccelerations(Inertia inertia) { return inertia == Inertia::GeneralizedAlpha; }
-
-Eigen::VectorXd velocitiesOf(const Model& model, const State& state) {
-    Eigen::VectorXd velocity(6 * static_cast<Eigen::Index>(model.blocks.size()) + 3 * model.nodes);
-    Eigen::Index at = 0;
-    for (const BlockMotion& block : state.blocks) {
-        velocity.segment<6>(at) = block.velocity;
-        at += 6;
-    }
-    for (const BoltMotion& bolt : state.bolts)
-        for (const BoltNode& node : bolt.nodes) {
-            velocity.segment<3>(at) = node.velocity;
-            at += 3;
-        }
-    return velocity;
-}
-
-Eigen::VectorXd accelerationsOf(const Model& model, const State& state) {
-    const auto n = 6 * static_cast<Eigen::Index>(model.blocks.size()) + 3 * model.nodes;
-    if (state.acceleration.empty()) return Eigen::VectorXd::Zero(n);
-    return Eigen::Map<const Eigen::VectorXd>(state.acceleration.data(), n);
-}
-
-Eigen::Vector3d nodeMass(const BoltModel& bolt, std::size_t node) {
-    Eigen::Vector3d mass = Eigen::Vector3d::Zero();
-    for (std::size_t e : {node - 1, node}) {
-        if (e >= bolt.elements.size()) continue;
-        const double translation = lumpedMass(bolt.section, bolt.elements[e].length);
-        mass += bolt.share *
-                Eigen::Vector3d(translation, translation, lumpedInertia(bolt.section, bolt.elements[e].length));
-    }
-    return mass;
-}
-
-Eigen::VectorXd byMass(const Model& model, const StepProblem& problem, const Eigen::VectorXd& force) {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(force.size());
-    const auto known = [&](Eigen::Index i) { return problem.known[static_cast<std::size_t>(i)] != 0; };
-    Eigen::Index at = 0;
-    for (const BlockModel& block : model.blocks) {
-        Matrix6 mass = block.massMatrix;
-        Vector6 own = force.segment<6>(at);
-        for (int k = 0; k < 6; ++k) {
-            if (!known(at + k) && block.mass > 0.0) continue;
-            mass.row(k).setZero();
-            mass.col(k).setZero();
-            mass(k, k) = 1.0;
-            own[k] = 0.0;
-        }
-        result.segment<6>(at) = mass.ldlt().solve(own);
-        at += 6;
-    }
-    for (const BoltModel& bolt : model.bolts)
-        for (std::size_t n = 0; n < bolt.s.size(); ++n) {
-            const Eigen::Vector3d mass = nodeMass(bolt, n);
-            for (int k = 0; k < 3; ++k, ++at)
-                if (!known(at) && mass[k] > 0.0) result[at] = force[at] / mass[k];
-        }
-    return result;
-}
-
-Eigen::VectorXd timesMass(const Model& model, const Eigen::VectorXd& x) {
-    Eigen::VectorXd product(x.size());
-    Eigen::Index at = 0;
-    for (const BlockModel& block : model.blocks) {
-        product.segment<6>(at) = block.massMatrix * x.segment<6>(at);
-        at += 6;
-    }
-    for (const BoltModel& bolt : model.bolts)
-        for (std::size_t n = 0; n < bolt.s.size(); ++n) {
-            product.segment<3>(at) = nodeMass(bolt, n).cwiseProduct(x.segment<3>(at));
-            at += 3;
-        }
-    return product;
-}
 
 Eigen::VectorXd inertiaForce(const Model& model, const State& state, const SchemeFactors& factors,
                              const Eigen::VectorXd& d) {

@@ -57,26 +57,13 @@ bool losesMotion(Inertia inertia);
 /// True for the schemes that carry accelerations from step to step.
 bool carriesAccelerations(Inertia inertia);
 
-/// Velocity and acceleration of the unknowns from `first` on, as the state has them; zero where it carries none.
-Eigen::VectorXd velocitiesOf(const Model& model, const State& state);
-Eigen::VectorXd accelerationsOf(const Model& model, const State& state);
-
 /// Inertia force on every unknown at displacement `d` [N].
 Eigen::VectorXd inertiaForce(const Model& model, const State& state, const SchemeFactors& factors,
                              const Eigen::VectorXd& d);
 
-/// Gives every body its velocity at the end of the step and books what moves the driven ones and what the scheme
-/// itself takes away. A prescribed unknown moves at D/Δt.
+/// Gives every body its velocity at the end of the step and accounts for what moves the driven ones and for what
+/// the scheme itself dissipates. A prescribed unknown moves at D/Δt.
 void moveOn(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d,
             const StepOptions& options);
-
-/// Mass and rotational inertia of a node of a bolt, in the model's thickness [kg, kg, kg·m²].
-Eigen::Vector3d nodeMass(const BoltModel& bolt, std::size_t node);
-
-/// M⁻¹·force of every body, over the unknowns that `problem` leaves free; zero where there is no mass.
-Eigen::VectorXd byMass(const Model& model, const StepProblem& problem, const Eigen::VectorXd& force);
-
-/// M·x for every body.
-Eigen::VectorXd timesMass(const Model& model, const Eigen::VectorXd& x);
 
 }  // namespace keyblock

@@ -3,7 +3,8 @@
 //
 // What a step in motion counts as balanced: each body by the forces on it, whatever
 // its speed, its mass and what moves elsewhere.
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/contact/search.h"
+#include "solver/engine/setup/make_model.h"
 #include "solver/engine/stage/step_build.h"
 #include "solver/engine/step/balance.h"
 #include "solver/verify/scenes.h"

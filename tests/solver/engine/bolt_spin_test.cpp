@@ -4,7 +4,12 @@
 // A bolt in a block that spins freely goes round with it: it is not drawn out,
 // takes no energy and slips nowhere, however long the steps are.
 #include "solver/engine/bolt/topology.h"
+#include "solver/engine/setup/make_model.h"
 #include "solver/engine/stage/dynamics.h"
+#include "solver/engine/stage/energy.h"
+#include "solver/engine/stage/step_accept.h"
+#include "solver/engine/stage/step_build.h"
+#include "solver/engine/time/mass.h"
 #include "solver/verify/scenes.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +44,7 @@ struct Spinning {
             node.velocity << turnLeft(node.x - middle), 1.0;
             node.bond.bonded = node.bond.bonded && bonded;
         }
-        state.startEnergy = bookedEnergy(model, state);
+        state.startEnergy = accountedEnergy(model, state);
     }
 
     static Scene scene() {

@@ -3,9 +3,14 @@
 //
 // A bolt drawn through a block, a gap, a block and out: every node knows where
 // it is, and what holds it adds up to the length that is in the rock.
+#include "solver/engine/bolt/bolt.h"
+#include "solver/engine/bolt/slot_line.h"
 #include "solver/engine/bolt/topology.h"
-
+#include "solver/engine/setup/make_model.h"
+#include "solver/engine/stage/energy.h"
+#include "solver/engine/stage/step_accept.h"
 #include "solver/engine/stage/step_build.h"
+
 #include "solver/verify/scenes.h"
 
 #include <gtest/gtest.h>

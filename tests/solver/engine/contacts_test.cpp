@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which corners stand before which edges, once each, and what they remember.
-#include "solver/engine/contact/contacts.h"
 
-#include "solver/engine/stage/step_build.h"
+#include "solver/engine/contact/joint.h"
+#include "solver/engine/contact/links.h"
+#include "solver/engine/contact/search.h"
+#include "solver/engine/contact/springs.h"
+#include "solver/engine/model/edge.h"
+#include "solver/engine/setup/make_model.h"
 #include "solver/verify/scenes.h"
 
 #include <Eigen/Geometry>

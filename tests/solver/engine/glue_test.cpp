@@ -4,10 +4,13 @@
 // Glue holds cells together whatever the block does as a whole: a moved and
 // turned block carries no force, a spinning one keeps its momentum, and cells
 // meet others as one block does.
+#include "solver/engine/contact/search.h"
 #include "solver/engine/glue.h"
+#include "solver/engine/model/edge.h"
+#include "solver/engine/setup/make_model.h"
+#include "solver/engine/stage/energy.h"
 
 #include "solver/engine/bolt/topology.h"
-#include "solver/engine/contact/contacts.h"
 #include "solver/engine/stage/dynamics.h"
 #include "solver/verify/scenes.h"
 

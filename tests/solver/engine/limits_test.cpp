@@ -3,11 +3,17 @@
 //
 // Which of several limits is released: the largest overload, and of equals the
 // first in the order of bolts and nodes.
+#include "solver/engine/bolt/shank.h"
+#include "solver/engine/contact/links.h"
+#include "solver/engine/contact/search.h"
+#include "solver/engine/contact/springs.h"
+#include "solver/engine/setup/make_model.h"
+#include "solver/engine/stage/energy.h"
 #include "solver/engine/stage/limits.h"
+#include "solver/engine/stage/step_build.h"
+#include "solver/engine/time/mass.h"
 
 #include "solver/engine/bolt/topology.h"
-#include "solver/engine/contact/contacts.h"
-#include "solver/engine/stage/step_build.h"
 #include "solver/verify/scenes.h"
 
 #include <gtest/gtest.h>
@@ -81,10 +87,10 @@ struct BondedJoint {
 
 TEST(Limits, AJointThatLetsGoCarriesItsFrictionAndKeepsTheBooks) {
     BondedJoint joint;
-    const double before = bookedEnergy(joint.model, joint.state);
+    const double before = accountedEnergy(joint.model, joint.state);
     const double held = storedEnergy(joint.model, joint.state).contact;
     for (int i = 0; i < 2; ++i) releaseLimit(joint.model, joint.state, {LimitKind::JointBond, i, 0, 2.0});
-    EXPECT_NEAR(bookedEnergy(joint.model, joint.state), before, 1e-9 * held);
+    EXPECT_NEAR(accountedEnergy(joint.model, joint.state), before, 1e-9 * held);
     EXPECT_GT(joint.state.energy.released, 0.0);
     for (const Link& link : joint.links()) {
         if (link.kind != LinkKind::Friction) continue;
@@ -189,13 +195,13 @@ TEST(Limits, ALostBoltStandsStill) {
     const Model model = makeModel(scene);
     State state = makeState(model);
     for (BoltNode& node : state.bolts[0].nodes) node.velocity = {1.0, 2.0, 3.0};
-    const double before = bookedEnergy(model, state);
+    const double before = accountedEnergy(model, state);
     const std::vector<Event> events = releaseLimit(model, state, bondAt(0, 0, 1.0));
     ASSERT_EQ(events.size(), 2u);
     EXPECT_EQ(events[1].kind, EventKind::BoltLoss);
     EXPECT_TRUE(state.bolts[0].lost);
     EXPECT_EQ(kineticEnergy(model, state), 0.0);
-    EXPECT_NEAR(bookedEnergy(model, state), before, 1e-12 * before);
+    EXPECT_NEAR(accountedEnergy(model, state), before, 1e-12 * before);
 }
 
 }  // namespace

@@ -3,9 +3,12 @@
 //
 // Every link's gradient is the derivative of its strain, and the forces that it
 // puts on its two bodies balance, wherever the bodies are.
+#include "solver/engine/bolt/bolt.h"
 #include "solver/engine/bolt/topology.h"
-#include "solver/engine/contact/contacts.h"
-#include "solver/engine/stage/step_build.h"
+#include "solver/engine/contact/links.h"
+#include "solver/engine/contact/search.h"
+#include "solver/engine/setup/make_model.h"
+#include "solver/engine/support.h"
 #include "solver/verify/scenes.h"
 
 #include <Eigen/Geometry>
@@ -62,7 +65,7 @@ struct Setting {
         problem.blocks = static_cast<int>(model.blocks.size());
         problem.nodes = model.nodes;
         addContactLinks(model, at, false, problem);
-        addHeldPoints(model, at, problem);
+        addSupportLinks(model, at, problem);
         addBoltLinks(model, at, 0, problem);
         // the chord's strain is of the step alone, and it is there in tension only
         std::erase_if(problem.links, [](const Link& link) { return link.kind == LinkKind::Chord; });

@@ -3,6 +3,7 @@
 //
 // One block by itself: its mass, its displacement function, its turning frame.
 #include "solver/engine/model/state.h"
+#include "solver/engine/setup/make_model.h"
 
 #include "solver/verify/scenes.h"
 

@@ -4,7 +4,8 @@
 // One step by itself: the minimum obeys Coulomb, balances, and a body that
 // nothing holds is named.
 #include "solver/engine/bolt/topology.h"
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/contact/search.h"
+#include "solver/engine/setup/make_model.h"
 #include "solver/engine/stage/step_build.h"
 #include "solver/engine/step/friction_limits.h"
 #include "solver/verify/scenes.h"

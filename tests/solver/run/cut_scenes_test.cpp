@@ -3,10 +3,10 @@
 //
 // Scenes with a domain: what they are cut to, which joint material is on which
 // face, and that they come to rest as blocks given one by one do.
+#include "solver/engine/setup/make_model.h"
 #include "solver/scene/scene_cut.h"
 
 #include "geometry/polygon.h"
-#include "solver/engine/model/model.h"
 #include "solver/run/run.h"
 #include "solver/scene/check.h"
 #include "solver/scene/lookup.h"
@@ -228,7 +228,7 @@ TEST(CutScene, HoldsEveryCornerOnASideOnce) {
     Scene scene = crossed();
     scene.supports.push_back(side(BoundarySide::Left, Fix::X));
     const Model model = makeModel(cutScene(scene).scene);
-    EXPECT_EQ(model.held.size(), 4u + 3u);  // four at the bottom; of the left side's four one is held there already
+    EXPECT_EQ(model.supports.size(), 4u + 3u);  // four at the bottom; of the left side's four one is held there already
     scene.supports = {side(BoundarySide::Bottom, Fix::All)};
     const Model fixed = makeModel(cutScene(scene).scene);
     EXPECT_EQ(std::count_if(fixed.blocks.begin(), fixed.blocks.end(), [](const BlockModel& b) { return b.fixed; }), 2);

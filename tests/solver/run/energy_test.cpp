@@ -4,9 +4,13 @@
 // The books of energy, term by term: closed forms of single terms, the balance
 // of static increments however long they are, and the balance as a check that
 // sees a term that is wrong.
+#include "solver/engine/bolt/bolt.h"
 #include "solver/engine/bolt/topology.h"
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/contact/search.h"
+#include "solver/engine/setup/make_model.h"
 #include "solver/engine/stage/dynamics.h"
+#include "solver/engine/stage/energy.h"
+#include "solver/engine/stage/step_build.h"
 #include "solver/run/run.h"
 #include "solver/verify/scenes.h"
 

@@ -3,7 +3,8 @@
 //
 // The schemes of time integration through the whole run, held to their own
 // formulas: one mode, free fall, driven blocks, damping, time itself.
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/contact/search.h"
+#include "solver/engine/setup/make_model.h"
 #include "solver/engine/stage/dynamics.h"
 #include "solver/run/run.h"
 #include "solver/verify/mode.h"

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Sides that let waves out.
+#include "solver/engine/setup/make_model.h"
+#include "solver/engine/stage/activation.h"
 #include "solver/run/run.h"
 
 #include "solver/engine/boundary.h"
@@ -138,8 +140,8 @@ TEST(ViscousBoundaries, StandOnTheSideOfTheDomain) {
     const double all = density * speed * std::sqrt(5.0) * scene.analysis.thickness;
     EXPECT_NEAR(pressure, all, 1e-9 * all);
     EXPECT_NEAR(shear, all / std::sqrt(2.0), 1e-9 * all);  // ν = 0: c_p/c_s = √2
-    EXPECT_EQ(letGo(model, state, {BoundarySide::Right}).size(), 4u);
-    EXPECT_EQ(letGo(model, state, {BoundarySide::All}).size(), 8u);
+    EXPECT_EQ(releaseSupports(model, state, {BoundarySide::Right}).size(), 4u);
+    EXPECT_EQ(releaseSupports(model, state, {BoundarySide::All}).size(), 8u);
     EXPECT_EQ(dashpotsOn(model, state, {BoundarySide::Left, BoundarySide::Right}).size(), 8u);
 }
 

@@ -3,9 +3,10 @@
 //
 // The beam as a matrix and as three scalar springs: the same thing, without a
 // force in any rigid motion.
+#include "solver/engine/bolt/bolt.h"
 #include "solver/engine/laws/beam.h"
+#include "solver/engine/setup/make_model.h"
 
-#include "solver/engine/stage/step_build.h"
 #include "solver/verify/scenes.h"
 
 #include <Eigen/Eigenvalues>

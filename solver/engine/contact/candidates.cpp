@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/engine/contact/contact_candidates.h"
+#include "solver/engine/contact/candidates.h"
 
 #include "geometry/polygon.h"
 

@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/contact/search.h"
 
 #include "geometry/grid.h"
 #include "solver/engine/contact/bonded_corners.h"
-#include "solver/engine/contact/contact_candidates.h"
-#include "solver/engine/contact/contact_history.h"
+#include "solver/engine/contact/candidates.h"
+#include "solver/engine/contact/history.h"
+#include "solver/engine/model/edge.h"
 #include "solver/engine/step/parallel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 
 namespace keyblock {
 namespace {
@@ -111,16 +110,6 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     return findContacts(model, blocks, before, {margin, first, false, nullptr, nullptr});
 }
 
-void meetDilated(const State& state, std::vector<Contact>& contacts) {
-    if (state.openings.empty()) return;
-    for (Contact& c : contacts) {
-        const double opening = openingOf(state.openings, c) - c.dilation;
-        if (opening == 0.0) continue;
-        c.dilation += opening;
-        if (c.gap > c.gapOffset) c.gapOffset = std::min(c.gap, c.gapOffset + opening);
-    }
-}
-
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
                    double margin, const Eigen::VectorXd& path) {
     const std::vector<Contact> now = findContacts(model, blocks, contacts, {margin, false, false, &path, nullptr});
@@ -137,83 +126,6 @@ bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, c
     };
     return std::none_of(now.begin(), now.end(), [&](const Contact& c) { return entersUnseen(c, contacts); }) &&
            std::none_of(contacts.begin(), contacts.end(), [&](const Contact& c) { return entersUnseen(c, now); });
-}
-
-Edge edgeOf(const std::vector<Point>& corners, int index) {
-    const Point& a = corners[index];
-    const Point chord = corners[(index + 1) % static_cast<int>(corners.size())] - a;
-    const double length = chord.norm();
-    const Point along = chord / length;
-    return {a, along, -turnLeft(along), length};
-}
-
-namespace {
-
-int weakerJoint(const Model& model, int x, int y) {
-    const auto strength = [&](int i) {
-        return std::tuple(i == intactRow(model), model.joints[i].tanPhi, model.joints[i].cohesion);
-    };
-    return strength(y) < strength(x) ? y : x;
-}
-
-/// Edges of the corner's block beside it that lie along the contact's edge and face it; both where none does.
-std::array<int, 2> edgesAtCorner(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c,
-                                 bool& meets) {
-    const std::vector<Point>& corners = blocks[c.blockA].corners;
-    const int n = static_cast<int>(corners.size()), before = (c.corner + n - 1) % n;
-    const Point along = edgeOf(blocks[c.blockB].corners, c.edge).along;
-    const auto lies = [&](int edge) {
-        const Point own = edgeOf(corners, edge).along;
-        return own.dot(along) < 0.0 && std::abs(cross(own, along)) <= angleSlack;
-    };
-    const bool first = lies(before), second = lies(c.corner);
-    meets = (first || second) && model.blocks[c.blockA].plateOf < 0 && model.blocks[c.blockB].plateOf < 0;
-    return {first || !second ? before : c.corner, second || !first ? c.corner : before};
-}
-
-}  // namespace
-
-int governingJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c, bool first) {
-    const BlockModel &a = model.blocks[c.blockA], &b = model.blocks[c.blockB];
-    if (a.faceJoints.empty() && b.faceJoints.empty()) return weakerJoint(model, a.jointMaterial, b.jointMaterial);
-    bool meets = false;
-    const std::array<int, 2> edges = edgesAtCorner(model, blocks, c, meets);
-    const auto jointOn = [&](const BlockModel& block, int edge) {
-        const int joint = jointOfFace(block, edge);
-        return joint == intactRow(model) && !(first && meets) ? block.jointMaterial : joint;
-    };
-    const int own = weakerJoint(model, jointOn(a, edges[0]), jointOn(a, edges[1]));
-    return weakerJoint(model, own, jointOn(b, c.edge));
-}
-
-int openingBetween(const Model& model, const Contact& c) {
-    const std::vector<int> &a = model.blocks[c.blockA].faceOpenings, &b = model.blocks[c.blockB].faceOpenings;
-    if (a.empty() || b.empty()) return -1;
-    const auto corner = static_cast<std::size_t>(c.corner);
-    const int opening = b[static_cast<std::size_t>(c.edge)];
-    return a[corner] == opening || a[(corner + a.size() - 1) % a.size()] == opening ? opening : -1;
-}
-
-double openingOf(const std::vector<double>& openings, const Contact& c) {
-    const double own = c.opening < 0 ? 0.0 : openings[static_cast<std::size_t>(c.opening)];
-    return openings[static_cast<std::size_t>(c.joint)] + own;
-}
-
-double widestOpening(const State& state) {
-    double widest = 0.0;
-    if (state.openings.empty()) return widest;
-    for (const Contact& c : state.contacts) widest = std::max(widest, c.dilation);
-    return widest;
-}
-
-double gapOf(const std::vector<BlockMotion>& blocks, const Contact& c) {
-    const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
-    return edge.outward.dot(blocks[c.blockA].corners[c.corner] - edge.start);
-}
-
-double slipOf(const std::vector<BlockMotion>& blocks, const Contact& c) {
-    const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
-    return edge.along.dot(blocks[c.blockA].corners[c.corner] - edge.start) - c.lockPlace * edge.length;
 }
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Joints that are given another strength while the rock stands: weathering, water,
-// grout. The forces of that moment stay; what is too weak for them lets go
-// afterwards, through the same limits as everything else.
+// Joints whose strength a stage changes: weathering, water, grout. The forces of
+// that moment stay; what is too weak for them fails afterwards, through the same
+// limits as everything else.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -16,7 +16,7 @@ namespace keyblock {
 /// the rows that no scene lists.
 std::vector<JointModel> jointModels(const Scene& scene, int stage);
 
-/// Gives the model the strengths of `stage` and tells every contact which of them governs it now; no force and no
+/// Gives the model the strengths of `stage` and gives every contact the one that governs it now; no force and no
 /// energy changes (theory, "Changed joints"). \pre the model has the strengths of the stage before.
 void changeJoints(const Scene& scene, int stage, Model& model, State& state);
 

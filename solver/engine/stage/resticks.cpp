@@ -1,20 +1,13 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/engine/bolt/resticks.h"
+#include "solver/engine/stage/resticks.h"
 
-#include "solver/engine/bolt/bolt_limits.h"
+#include "solver/engine/bolt/anchor.h"
+#include "solver/engine/bolt/bolt.h"
 
 #include <algorithm>
 
 namespace keyblock {
-namespace {
-
-bool sticks(const BoltNode& before, const BoltNode& after) {
-    return before.bond.sliding && !after.bond.sliding && !after.bond.gone && after.slot >= 0 &&
-           after.slot == before.slot;
-}
-
-}  // namespace
 
 std::optional<State> ifSliding(const State& state) {
     for (const BoltMotion& bolt : state.bolts)
@@ -23,13 +16,13 @@ std::optional<State> ifSliding(const State& state) {
     return std::nullopt;
 }
 
-void tellResticks(const Model& model, const std::optional<State>& before, const State& after, double time, long cause,
-                  StepObserver& observer) {
+void reportResticks(const Model& model, const std::optional<State>& before, const State& after, double time,
+                    long cause, StepObserver& observer) {
     if (!before) return;
     for (int b = 0; b < static_cast<int>(after.bolts.size()); ++b) {
         if (!acts(after.bolts[b])) continue;
         for (int n = 0; n < static_cast<int>(after.bolts[b].nodes.size()); ++n) {
-            if (!sticks(before->bolts[b].nodes[n], after.bolts[b].nodes[n])) continue;
+            if (!sticksAgain(before->bolts[b].nodes[n], after.bolts[b].nodes[n])) continue;
             Event event = boltEvent(model, *before, {LimitKind::Bond, b, n, 0.0}, EventKind::Restick);
             event.cause = cause;
             observer.beforeEvent(*before, time);

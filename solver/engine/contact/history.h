@@ -6,7 +6,7 @@
 // force over, so that a surface cut into pieces is felt as one.
 #pragma once
 
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/model/state.h"
 
 #include <vector>
 

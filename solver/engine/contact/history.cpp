@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/engine/contact/contact_history.h"
+#include "solver/engine/contact/history.h"
 
-#include "solver/engine/contact/contact_candidates.h"
+#include "solver/engine/contact/candidates.h"
+#include "solver/engine/contact/joint.h"
+#include "solver/engine/contact/springs.h"
 
 #include <algorithm>
 #include <cmath>

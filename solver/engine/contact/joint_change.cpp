@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/engine/stage/joint_change.h"
+#include "solver/engine/contact/joint_change.h"
 
-#include "solver/engine/contact/contact_history.h"
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/contact/history.h"
+#include "solver/engine/contact/joint.h"
+#include "solver/engine/contact/springs.h"
 
 #include <algorithm>
 #include <cmath>

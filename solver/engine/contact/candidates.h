@@ -7,7 +7,8 @@
 // sliding where the next block's face is flush with it.
 #pragma once
 
-#include "solver/engine/contact/contacts.h"
+#include "solver/engine/model/edge.h"
+#include "solver/engine/model/state.h"
 
 #include <vector>
 

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/contact/springs.h"
+
+#include "solver/engine/laws/law.h"
+#include "solver/engine/model/edge.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace keyblock {
+
+double gapOf(const std::vector<BlockMotion>& blocks, const Contact& c) {
+    const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
+    return edge.outward.dot(blocks[c.blockA].corners[c.corner] - edge.start);
+}
+
+double slipOf(const std::vector<BlockMotion>& blocks, const Contact& c) {
+    const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
+    return edge.along.dot(blocks[c.blockA].corners[c.corner] - edge.start) - c.lockPlace * edge.length;
+}
+
+bool isAugmented(const Model& model, const Contact& c) {
+    return model.analysis.contact == ContactMethod::AugmentedLagrangian &&
+           !(model.joints[c.joint].normalStiffness && c.length > 0.0);
+}
+
+ContactSprings contactSprings(const Model& model, const Contact& c) {
+    const double penalty = model.analysis.penaltyRatio * model.thickness *
+                           std::min(model.blocks[c.blockA].youngsModulus, model.blocks[c.blockB].youngsModulus);
+    const JointModel& joint = model.joints[c.joint];
+    const double face = c.length * model.thickness;
+    ContactSprings k;
+    k.normal = joint.normalStiffness && face > 0.0 ? *joint.normalStiffness * face : penalty;
+    k.shear = joint.shearStiffness && face > 0.0 ? *joint.shearStiffness * face : model.analysis.shearRatio * k.normal;
+    return k;
+}
+
+std::pair<double, double> zeroPoints(const Contact& c, const ContactSprings& k) {
+    return {c.gapOffset + (k.normal > 0.0 ? c.normalMultiplier / k.normal : 0.0),
+            c.slipOffset - (k.shear > 0.0 ? c.shearMultiplier / k.shear : 0.0)};
+}
+
+double frictionOf(const Model& model, const Contact& c) {
+    const JointModel& joint = model.joints[c.joint];
+    return c.slipped ? joint.tanResidual : joint.tanPhi;
+}
+
+void carryNormal(const Model& model, Contact& c, double strain, double force) {
+    const double k = contactSprings(model, c).normal;
+    c.normalMultiplier = isAugmented(model, c) ? force : 0.0;
+    c.gapOffset = strain + (k > 0.0 ? (force - c.normalMultiplier) / k : 0.0);
+}
+
+void carryShear(const Model& model, Contact& c, double strain, double force) {
+    const double k = contactSprings(model, c).shear;
+    c.shearMultiplier = isAugmented(model, c) ? force : 0.0;
+    c.slipOffset = strain - (k > 0.0 ? (force - c.shearMultiplier) / k : 0.0);
+}
+
+ContactForces forcesNow(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {
+    const ContactSprings k = contactSprings(model, c);
+    const auto [open, free] = zeroPoints(c, k);
+    const double normal = std::max(0.0, k.normal * (open - gapOf(blocks, c)));
+    const double most = frictionOf(model, c) * normal;
+    return {normal, std::clamp(k.shear * (slipOf(blocks, c) - free), -most, most)};
+}
+
+void addForces(const Model& model, Contact& c, const ContactForces& more) {
+    if (isAugmented(model, c)) {
+        c.normalMultiplier += more.normal;
+        c.shearMultiplier += more.shear;
+        return;
+    }
+    const ContactSprings k = contactSprings(model, c);
+    c.gapOffset += more.normal / k.normal;
+    if (k.shear > 0.0) c.slipOffset -= more.shear / k.shear;
+}
+
+double contactEnergy(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {
+    if (isAugmented(model, c)) return 0.0;
+    const ContactSprings k = contactSprings(model, c);
+    const auto [open, free] = zeroPoints(c, k);
+    const double limit = c.bonded ? std::numeric_limits<double>::infinity() : c.limit;
+    const Law normal{c.bonded ? LawKind::Linear : LawKind::Gap, k.normal, open, 0.0, nullptr, {}, 1.0, false};
+    const Law friction{LawKind::Capped, k.shear, free, limit, nullptr, {}, 1.0, false};
+    return storedEnergy(normal, respond(normal, gapOf(blocks, c)).force) +
+           storedEnergy(friction, respond(friction, slipOf(blocks, c)).force);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The search for equilibrium under fixed loads, by pseudo-steps.
+//
+// A pseudo-step solves the step's minimisation from rest, with 2M/Δt² as a
+// regularisation; bodies move, geometry is taken afresh, and equilibrium is
+// judged on the true forces there, without that term. Laws are judged from the
+// state in which the increment began and accepted only at equilibrium, so the
+// path of the pseudo-steps leaves no trace.
+#pragma once
+
+#include "solver/engine/stage/engine.h"
+
+namespace keyblock {
+
+struct StaticSettings {
+    double unbalanced = 1e-4;  // over the reference force
+    int maxSteps = 400;  // pseudo-steps of one search for equilibrium
+};
+
+/// Loads before the search, at which the state is in equilibrium, and those under which it looks for one.
+struct LoadPath {
+    const LoadPoint& before;
+    const LoadPoint& at;
+};
+
+/// Moves the state to equilibrium. Without one, it is left where the moving blocks had got to.
+StepEnding findEquilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path,
+                           const StaticSettings& settings);
+
+/// The longest move of one pseudo-step [m].
+double longestMoveOf(const Model& model);
+
+}  // namespace keyblock
