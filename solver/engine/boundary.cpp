@@ -126,8 +126,8 @@ std::vector<std::size_t> supportsOn(const Model& model, const State& state, cons
     const Boundary boundary(model, sides);
     for (std::size_t h = 0; h < model.supports.size(); ++h) {
         const PointSupport& support = model.supports[h];
-        if (state.blocks[support.block].absent || !boundary.holdsPlace(support.block, startOf(model, support))) continue;
-        supports.push_back(h);
+        if (state.blocks[support.block].absent) continue;
+        if (boundary.holdsPlace(support.block, startOf(model, support))) supports.push_back(h);
     }
     return supports;
 }

@@ -56,11 +56,11 @@ bool slides(const Law& law, const BackboneState& curve, double force) {
     return std::abs(force) >= (1.0 - slidingShare) * limit;
 }
 
-/// The point slides on with what is left, or nothing is.
+/// The point slides with what is left of its strength, or has nothing left.
 void debond(const AnchorModel& anchor, double strengthFactor, BoltNode& node) {
     NodeBond& bond = node.bond;
     bond.bonded = false;
-    if (anchor.curve) {  // the curve goes on
+    if (anchor.curve) {  // the curve continues
         bond.sliding = true;
         return;
     }

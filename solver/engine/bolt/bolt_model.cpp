@@ -86,26 +86,26 @@ int nearestNode(const std::vector<double>& nodes, double s) {
     return best;
 }
 
-/// What is left of a stretch once another is taken out of it.
-std::vector<Stretch> without(const std::vector<Stretch>& stretches, const Stretch& taken) {
-    std::vector<Stretch> left;
-    for (const auto& [from, to] : stretches) {
+/// What is left of intervals once another is taken out of it.
+std::vector<Interval> without(const std::vector<Interval>& intervals, const Interval& taken) {
+    std::vector<Interval> left;
+    for (const auto& [from, to] : intervals) {
         if (std::min(to, taken.first) > from) left.emplace_back(from, std::min(to, taken.first));
         if (to > std::max(from, taken.second)) left.emplace_back(std::max(from, taken.second), to);
     }
     return left;
 }
 
-/// Stretches of the bolt that each entry holds: later entries take theirs from earlier ones.
-std::vector<std::vector<Stretch>> stretchesOf(const std::vector<Anchor>& entries, double length) {
-    std::vector<std::vector<Stretch>> stretches;
+/// Intervals of the bolt that each entry holds: later entries take theirs from earlier ones.
+std::vector<std::vector<Interval>> intervalsOf(const std::vector<Anchor>& entries, double length) {
+    std::vector<std::vector<Interval>> intervals;
     for (const Anchor& entry : entries) {
-        const Stretch own{placeOf(entry.from, length), placeOf(entry.to, length)};
+        const Interval own{placeOf(entry.from, length), placeOf(entry.to, length)};
         if (!entry.at)
-            for (std::vector<Stretch>& earlier : stretches) earlier = without(earlier, own);
-        stretches.push_back({own});
+            for (std::vector<Interval>& earlier : intervals) earlier = without(earlier, own);
+        intervals.push_back({own});
     }
-    return stretches;
+    return intervals;
 }
 
 /// Later entries override earlier ones on the nodes they share.
@@ -227,7 +227,7 @@ BoltModel boltModel(const Scene& scene, int index, const Model& model) {
     }
     for (double s : b.s) b.startBlock.push_back(startBlockOf(model, b.slots, s));
     b.anchors = anchorsOfNodes(anchorsOf(scene, bolt), b.s, length, model.tolerance, type.dynamicFactor);
-    b.stretches = stretchesOf(anchorsOf(scene, bolt), length);
+    b.intervals = intervalsOf(anchorsOf(scene, bolt), length);
     setNormalSprings(b, type, !bolt.divisions);
     if (bolt.plate == PlateKind::Spring) b.plate = plateModel(model, b, type);
     if (bolt.plate == PlateKind::Block) b.plate = blockPlate(model, b, index, type);

@@ -7,7 +7,7 @@
 namespace keyblock {
 namespace {
 
-/// The block that carries each node round: its own, or that of the next node along the whole bar; −1: none.
+/// The block that each node turns with: its own, or that of the next node along the unbroken bar; −1: none.
 std::vector<int> carriersOf(const BoltMotion& bolt) {
     std::vector<int> carriers;
     for (const BoltNode& node : bolt.nodes) carriers.push_back(node.slot < 0 ? -1 : bolt.slots[node.slot].block);
@@ -20,7 +20,7 @@ std::vector<int> carriersOf(const BoltMotion& bolt) {
 }
 
 /// A step is solved with linear displacements and blocks turn by the exact rotation: so must the nodes that they carry,
-/// or a bolt in a spinning block is drawn out at every step. \return what `x` moves beyond its linear displacement.
+/// or a bolt in a spinning block is pulled out at every step. \return what `x` moves beyond its linear displacement.
 Point roundTheBend(const BlockMotion& block, double turn, const Point& x) {
     const Point arm = x - block.centroid;
     return (std::cos(turn) - 1.0) * arm + (std::sin(turn) - turn) * turnLeft(arm);

@@ -21,11 +21,11 @@ constexpr double endShare = 0.01;  // of the element at an end of the bar: so fa
 constexpr int several = -2;  // on faces of more than one block
 constexpr double countedShare = 1e-10;  // of the bolt: embedded lengths that changed less change no energy
 
-/// Length of `pieces` that lies in `stretches` and between `from` and `to` [m].
-double overlapOf(const std::vector<Stretch>& pieces, const std::vector<Stretch>& stretches, double from, double to) {
+/// Length of `pieces` that lies in `intervals` and between `from` and `to` [m].
+double overlapOf(const std::vector<Interval>& pieces, const std::vector<Interval>& intervals, double from, double to) {
     double sum = 0.0;
     for (const auto& [a, b] : pieces)
-        for (const auto& [c, d] : stretches) sum += std::max(0.0, std::min({b, d, to}) - std::max({a, c, from}));
+        for (const auto& [c, d] : intervals) sum += std::max(0.0, std::min({b, d, to}) - std::max({a, c, from}));
     return sum;
 }
 
@@ -188,7 +188,7 @@ private:
         node.bond.place = (line.along.dot(node.x - line.p2) - along) / line.length;
     }
 
-    /// Cells of one block count as one: its first row stands for them.
+    /// Cells of one block count as one: its first row represents them.
     int wholeOf(int block) const {
         return block >= 0 && model_.blocks[block].cell ? model_.firstOf[model_.blocks[block].rock] : block;
     }
@@ -248,9 +248,9 @@ private:
         motion_.bondEnergy += lost;
     }
 
-    /// Stretches of the bolt in each block, its cells as one; an element within one block lies there wholly.
-    std::map<int, std::vector<Stretch>> embedded() const {
-        std::map<int, std::vector<Stretch>> pieces;
+    /// Intervals of the bolt in each block, its cells as one; an element within one block lies there wholly.
+    std::map<int, std::vector<Interval>> embedded() const {
+        std::map<int, std::vector<Interval>> pieces;
         for (int e = 0; e + 1 < nodes(); ++e) {
             const int b1 = wholeAt(e), b2 = wholeAt(e + 1);
             const double s = bolt_.s[e], length = bolt_.elements[e].length;
@@ -274,7 +274,7 @@ private:
     }
 
     /// Cells come in the order of their rows, whichever way the bolt runs through them.
-    void join(std::vector<Stretch>& pieces) const {
+    void join(std::vector<Interval>& pieces) const {
         std::sort(pieces.begin(), pieces.end());
         std::size_t last = 0;
         for (std::size_t i = 1; i < pieces.size(); ++i) {
@@ -289,22 +289,22 @@ private:
     double tributaryFrom(int n) const { return n == 0 ? bolt_.s[0] : 0.5 * (bolt_.s[n - 1] + bolt_.s[n]); }
     double tributaryTo(int n) const { return n + 1 == nodes() ? bolt_.s[n] : 0.5 * (bolt_.s[n] + bolt_.s[n + 1]); }
 
-    /// Shares the length embedded in each block within an entry's stretches wholly among that block's nodes of it.
+    /// Shares the length embedded in each block within an entry's intervals wholly among that block's nodes of it.
     template <class Entry, class Set>
-    void shareLength(const std::map<int, std::vector<Stretch>>& pieces,
-                     const std::vector<std::vector<Stretch>>& stretches, Entry entryOf, Set set) {
+    void shareLength(const std::map<int, std::vector<Interval>>& pieces,
+                     const std::vector<std::vector<Interval>>& intervals, Entry entryOf, Set set) {
         std::map<std::pair<int, int>, double> weights;  // by block and entry
         std::vector<double> own(nodes(), 0.0);
         const auto counts = [&](int n) { return entryOf(n) >= 0 && pieces.contains(wholeAt(n)); };
         for (int n = 0; n < nodes(); ++n) {
             if (!counts(n)) continue;
-            own[n] = overlapOf(pieces.at(wholeAt(n)), stretches[entryOf(n)], tributaryFrom(n), tributaryTo(n));
+            own[n] = overlapOf(pieces.at(wholeAt(n)), intervals[entryOf(n)], tributaryFrom(n), tributaryTo(n));
             weights[{wholeAt(n), entryOf(n)}] += own[n];
         }
         for (int n = 0; n < nodes(); ++n) {
             const double weight = counts(n) ? weights[{wholeAt(n), entryOf(n)}] : 0.0;
             const double whole =
-                weight > 0.0 ? overlapOf(pieces.at(wholeAt(n)), stretches[entryOf(n)], 0.0, bolt_.s.back()) : 0.0;
+                weight > 0.0 ? overlapOf(pieces.at(wholeAt(n)), intervals[entryOf(n)], 0.0, bolt_.s.back()) : 0.0;
             set(n, weight > 0.0 ? whole * own[n] / weight : 0.0);
         }
     }
@@ -312,7 +312,7 @@ private:
     void share() {
         const auto pieces = embedded();
         shareLength(
-            pieces, bolt_.stretches,
+            pieces, bolt_.intervals,
             [&](int n) { return bolt_.anchors[n].per == Per::Length ? bolt_.anchors[n].entry : -1; },
             [&](int n, double share) { motion_.nodes[n].bond.share = share; });
         shareLength(

@@ -16,7 +16,8 @@ void placeBolts(const Model& model, State& state);
 /// The same for one bolt, by the blocks as they are now.
 void placeBoltNow(const Model& model, State& state, int bolt);
 
-/// Blocks and tributary lengths after the bodies moved. \return the largest change of a node's tributary length [m, or 1 per node].
+/// Blocks and tributary lengths after the bodies moved.
+/// \return the largest change of a node's tributary length [m, or 1 per node].
 double followBolts(const Model& model, State& state);
 
 }  // namespace keyblock

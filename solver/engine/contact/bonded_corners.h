@@ -3,8 +3,8 @@
 //
 // Where four blocks or more meet at a place, some of them share no face there
 // but only a corner. While bonds hold the others together round that place they
-// hold these, too: a contact between the two corners would only be a spring more
-// that pushes but does not pull, and would make rock that is one uneven.
+// hold these, too: a contact between the two corners would only be one more spring
+// that pushes but does not pull, and would make intact rock uneven.
 #pragma once
 
 #include "solver/engine/model/state.h"

@@ -18,7 +18,7 @@ constexpr double deepest = 0.25;  // of the block's size: deeper is no contact w
 constexpr double sliver = -0.9;  // cosine between the outward normals of a sliver's two long sides, at most
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// An edge that a corner stands before, now or on its path.
+/// An edge that a corner is in front of, now or on its path.
 struct Faced {
     int turn = -1;  // row of the block's `turns` at which the edge begins
     double gap = 0.0, along = 0.0;  // now [m]
@@ -33,7 +33,7 @@ Point driftAt(const BlockMotion& block, const Drift& drift, const Point& p) {
     return drift.shift + drift.turn * turnLeft(p - block.centroid);
 }
 
-/// The neighbours of a corner that stands before an edge lie on the outer side of the edge.
+/// The neighbours of a corner in front of an edge lie on the outer side of the edge.
 /// Where an edge of the corner is glued to the next cell, the face goes straight on there.
 bool facesEdge(const std::vector<Point>& corners, const std::vector<char>& inner, int corner, const Edge& edge) {
     const int n = static_cast<int>(corners.size()), before = (corner + n - 1) % n;
@@ -55,7 +55,7 @@ bool faceEachOther(const Edge& first, const Edge& second) {
     return before(first, second) && before(second, first);
 }
 
-/// The corner stands on the other side of a sliver, whose thickness is no way that it has gone in by this edge.
+/// The corner is on the other side of a sliver, whose thickness is no penetration by this edge.
 bool isBehindSliver(const BlockModel& block, const std::vector<Point>& corners, const Edge& edge, const Point& p,
                     double over) {
     for (int turn = 0; turn < static_cast<int>(block.turns.size()); ++turn) {
@@ -116,7 +116,7 @@ public:
         return std::tuple(-x.gapEnd, x.turn) < std::tuple(-y.gapEnd, y.turn);
     }
 
-    /// The corner, or the corner of B at the edge's near end, already stands on something flush with this edge.
+    /// The corner, or the corner of B at the edge's near end, already rests on something flush with this edge.
     bool goesOn(const Faced& f) const {
         if (std::abs(f.gap) > over_) return false;
         const std::vector<int>& turns = search_.model.blocks[b_].turns;

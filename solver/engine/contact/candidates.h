@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which edges of a block a corner of another stands before, and by which of
+// Which edges of a block a corner of another is in front of, and by which of
 // them it comes in. Near a corner of the other block several are in question;
-// the path over the step decides, and a corner that slides on a face goes on
+// the path over the step decides, and a corner that slides on a face keeps
 // sliding where the next block's face is flush with it.
 #pragma once
 
@@ -23,7 +23,7 @@ struct Drift {
 /// Drift of every block. \param path displacement of the step, six unknowns a block; none: at rest.
 std::vector<Drift> driftOf(const std::vector<BlockMotion>& blocks, const Eigen::VectorXd* path);
 
-/// Where corners press: of each carrying contact the corner, and the ends of the edge that it stands on.
+/// Where corners press: of each carrying contact the corner, and the ends of the edge that it rests on.
 class Standings {
 public:
     Standings(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before);
@@ -49,7 +49,7 @@ struct CandidateSearch {
     const Standings& standings;
     double margin;
 
-    /// How far past an edge's end a corner still stands on it [m].
+    /// How far past an edge's end a corner still rests on it [m].
     double slack(int a, int b) const;
 
     /// Adds the contacts of corner `corner` of A with the edges of B by which it comes in.

@@ -22,7 +22,7 @@ constexpr double sameWay = 0.7;  // cosine between the normals of a contact and 
 /// What a corner's own faces share with an edge.
 struct SharedFace {
     bool meets = false;  // a face of the corner lies along the edge
-    double length = 0.0;  // that the corner stands for: half of what is shared [m]
+    double length = 0.0;  // of joint tributary to the corner: half of what is shared [m]
 };
 
 SharedFace sharedFace(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {
@@ -196,7 +196,7 @@ double handOver(const Model& model, const std::vector<BlockMotion>& blocks, cons
         Contact* heir = heirOf(model, blocks, old, found);
         if (!heir) continue;
         const bool known = sameContact(before, *heir) || std::find(heirs.begin(), heirs.end(), heir) != heirs.end();
-        if (known) lost += contactEnergy(model, blocks, *heir);  // what gives itself anew had none in the books
+        if (known) lost += contactEnergy(model, blocks, *heir);  // a contact that hands over to itself had none accounted for
         else heirs.push_back(heir);
         inherit(model, blocks, old, now, *heir);
         lost -= contactEnergy(model, blocks, *heir);

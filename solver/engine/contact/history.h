@@ -16,7 +16,7 @@ namespace keyblock {
 double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before,
                    bool first, Contact& contact);
 
-/// Length of joint that the contact stands for where the blocks are: half of what a face of its corner shares with the
+/// Tributary length of joint of the contact where the blocks are: half of what a face of its corner shares with the
 /// edge, 0 where none lies along it [m].
 double lengthOfJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact);
 

@@ -17,7 +17,7 @@ namespace {
 constexpr double leastForce = 1e-12;  // of E · size · thickness: less is round-off
 
 /// Blocks in the middle of the step that they make or, as far as that is not known, would make at the speed they have;
-/// as rigid bodies: strain rates may ring from step to step and say nothing of what comes.
+/// as rigid bodies: strain rates may ring from step to step and predict nothing.
 std::vector<BlockMotion> halfway(const Model& model, const State& state, double ahead, const Eigen::VectorXd* path) {
     std::vector<BlockMotion> blocks = state.blocks;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -148,7 +148,7 @@ WallForce onBlock(const State& state, int block, const Point& at, const Point& f
     return wall;
 }
 
-/// No more than digits of the places leave: held as a force from outside, it would push loose rock for ever.
+/// Forces at the level of coordinate round-off; applied as external forces they would push loose blocks for ever.
 bool isRoundOff(const Model& model, const Contact& c) {
     const BlockModel &a = model.blocks[c.blockA], &b = model.blocks[c.blockB];
     const double least = leastForce * std::min(a.youngsModulus, b.youngsModulus) * std::min(a.size, b.size);
@@ -157,13 +157,14 @@ bool isRoundOff(const Model& model, const Contact& c) {
 
 /// Of contacts between excavated and remaining rock: on A it is N·outward − T·along, on B the opposite.
 void addWallForces(const Model& model, const State& state, const std::vector<char>& excavated,
-                      std::vector<WallForce>& walls) {
+                   std::vector<WallForce>& walls) {
     for (const Contact& c : state.contacts) {
         if (excavated[c.blockA] == excavated[c.blockB] || isRoundOff(model, c)) continue;
         const Edge edge = edgeOf(state.blocks[c.blockB].corners, c.edge);
         const Point force = c.normalForce * edge.outward - c.shearForce * edge.along;
         const Point& at = state.blocks[c.blockA].corners[c.corner];
-        walls.push_back(excavated[c.blockB] ? onBlock(state, c.blockA, at, force) : onBlock(state, c.blockB, at, -force));
+        walls.push_back(excavated[c.blockB] ? onBlock(state, c.blockA, at, force)
+                                            : onBlock(state, c.blockB, at, -force));
     }
 }
 

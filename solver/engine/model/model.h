@@ -79,7 +79,7 @@ struct Slot {
     double s2 = 0.0, s3 = 0.0;  // the same along the bolt [m]
 };
 
-using Stretch = std::pair<double, double>;  // from and to along the unstrained bolt [m]
+using Interval = std::pair<double, double>;  // from and to along the unstrained bolt [m]
 
 /// What ties a node to the rock along the bolt, before its tributary length is known.
 struct AnchorModel {
@@ -94,7 +94,7 @@ struct AnchorModel {
     bool curveEnds = false;  // nothing past the curve's last slip
     std::optional<Backbone> curve;
     std::optional<Backbone> dynamicCurve;  // where the dynamic factor changes it
-    int entry = -1;  // row of BoltModel::stretches
+    int entry = -1;  // row of BoltModel::intervals
 };
 
 struct BoltElement {
@@ -116,7 +116,7 @@ struct BoltModel {
     std::vector<double> s;  // nodes from the far end [m]
     std::vector<BoltElement> elements;
     std::vector<AnchorModel> anchors;  // a row per node
-    std::vector<std::vector<Stretch>> stretches;  // that each anchor entry holds and no later one takes
+    std::vector<std::vector<Interval>> intervals;  // that each anchor entry holds and no later one takes
     std::vector<Slot> slots;  // along the bolt
     std::vector<double> joints;  // where slots end inside the bolt [m]
     double dowelLength = 0.0;  // over which a dowel bends, 1/β [m]

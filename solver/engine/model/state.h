@@ -40,7 +40,7 @@ struct Contact {
     double slipOffset = 0.0;  // slip at which the shear force vanishes [m]
     double slip = 0.0;  // accumulated sliding [m]
     double limit = 0.0;  // friction limit last used [N]
-    double length = 0.0;  // of the joint that this corner stands for [m]
+    double length = 0.0;  // of joint tributary to this corner [m]
     bool bonded = false;  // cohesion and tension not lost yet
     bool slipped = false;  // friction has fallen to its residual angle
     double slid = 0.0;  // in the last accepted step [m]
@@ -80,7 +80,7 @@ struct BoltNode {
     double angle = 0.0;  // [rad] turned since the start
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
     int slot = -1;  // row of BoltMotion::slots; −1: in a gap, on a joint or outside
-    double normalShare = 0.0;  // embedded length [m], or 1, that the normal spring stands for
+    double normalShare = 0.0;  // embedded length [m], or 1, tributary to the normal spring
     double normalForce = 0.0;  // last accepted, of the normal spring [N]
     double normalOffset = 0.0;  // distance from the slot at which that vanishes: crushed rock, or where it came in [m]
     NodeBond bond;

@@ -165,12 +165,13 @@ void preloadSupports(const Scene& scene, Model& model) {
         const Point place = model.blocks[support.block].centroid + support.place;
         const Point force = freeForce(model, tractions, rock, support.block, place);
         for (int axis : {0, 1}) {
-            const auto holds = [&](const PointSupport& other) {
-                const bool same = other.block == support.block && (other.place - support.place).norm() <= model.tolerance;
-                return same && (axis == 0 ? other.x : other.y);
+            const auto fixes = [&](const PointSupport& other) {
+                const bool same = other.block == support.block;
+                return same && (other.place - support.place).norm() <= model.tolerance && (axis == 0 ? other.x : other.y);
             };
-            if (!holds(support)) continue;
-            support.preload[axis] = force[axis] / static_cast<double>(std::count_if(model.supports.begin(), model.supports.end(), holds));
+            if (!fixes(support)) continue;
+            const auto sharing = std::count_if(model.supports.begin(), model.supports.end(), fixes);
+            support.preload[axis] = force[axis] / static_cast<double>(sharing);
         }
     }
 }

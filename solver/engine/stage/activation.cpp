@@ -56,9 +56,9 @@ struct BoltLine {
 
 BoltLine lineNow(const BoltModel& bolt, const State& state) {
     BoltLine line{bolt.farEnd, bolt.axis, 0.0};
-    const auto stands = [&](const Slot& slot) { return !isGone(state, slot.block); };
-    const auto first = std::find_if(bolt.slots.begin(), bolt.slots.end(), stands);
-    const auto last = std::find_if(bolt.slots.rbegin(), bolt.slots.rend(), stands);
+    const auto remains = [&](const Slot& slot) { return !isGone(state, slot.block); };
+    const auto first = std::find_if(bolt.slots.begin(), bolt.slots.end(), remains);
+    const auto last = std::find_if(bolt.slots.rbegin(), bolt.slots.rend(), remains);
     if (first == bolt.slots.end()) return line;
     line.end = materialPoint(state.blocks[last->block], last->p3);
     line.along = (line.end - materialPoint(state.blocks[first->block], first->p2)).normalized();

@@ -8,8 +8,9 @@
 namespace keyblock {
 
 const Carrier* carrierOf(LinkKind kind) {
-    const auto owner = std::find_if(carriers.begin(), carriers.end(),
-                                    [&](const Carrier* carrier) { return carrier->ownsLink && carrier->ownsLink(kind); });
+    const auto owner = std::find_if(carriers.begin(), carriers.end(), [&](const Carrier* carrier) {
+        return carrier->ownsLink && carrier->ownsLink(kind);
+    });
     return owner == carriers.end() ? nullptr : *owner;
 }
 

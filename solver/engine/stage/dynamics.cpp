@@ -53,7 +53,7 @@ void keepTouching(const Model& model, const State& state, StepProblem& problem) 
 }
 
 /// Moves the contacts' zero points and the blocks' stress so that they carry the forces found, with nothing moved. What
-/// friction could not hold is not kept: it would let go at once, with an energy that came from nowhere.
+/// friction could not hold is not kept: it would fail at once, with an energy that came from nowhere.
 void takePreload(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d) {
     std::vector<double> strains;
     linkStrains(problem, d, strains);
@@ -186,7 +186,7 @@ Eigen::VectorXd DynamicStage::heldAccelerations(const State& state) const {
     return byMass(model, problem, netForce(problem, still) - contactForce(problem, still));
 }
 
-/// An acceleration that remembered what has let go since would throw the light nodes of a bolt away.
+/// An acceleration that still contained what has failed since would throw the light nodes of a bolt away.
 void DynamicStage::forget(const Eigen::VectorXd& held, State& state) const {
     if (held.size() == 0) return;
     const Eigen::VectorXd now = heldAccelerations(state);

@@ -48,12 +48,28 @@ void carryHinges(StepProblem& problem) {
             link.law.limit = std::max(link.law.limit, std::abs(carriedForce(link.law, link.strain)));
 }
 
+/// Forces that rise late let the loads run ahead; forces that rise early ask more of them.
+void addSurplus(double surplus, EnergyLedger& energy) {
+    if (surplus > 0.0) energy.damped += surplus;
+    else energy.external -= surplus;
+}
+
+/// Adds what a link stored and used less than the trapezium of its forces says. \return its mean force while it slid
+double addLink(const Link& link, const PathStart& from, EnergyLedger& energy) {
+    const PathWork path = pathWork(link.law, from, link.strain + link.shift);
+    if (link.shift != 0.0)
+        energy.external += 0.5 * link.law.share * link.shift *
+                           (from.force + respond(link.law, link.strain + link.shift).force);
+    addSurplus(path.surplus, energy);
+    return path.slipForce;
+}
+
 }  // namespace
 
 void accountStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
               const Eigen::VectorXd& d, const StepOptions& options) {
     const SchemeFactors factors = factorsOf(options);
-    // what drives a prescribed unknown works against all forces; what it gives to motion is accounted for with the velocities
+    // what drives a prescribed unknown works against all forces; what it gives to motion is added with the velocities
     Eigen::VectorXd driven = netForce(problem, d) + inertiaForce(model, state, factors, d);
     if (problem.contactShare != 1.0) driven -= (problem.contactShare - 1.0) * contactForce(problem, d);
     state.energy.external += external.dot(d);
@@ -119,21 +135,20 @@ double StaticAccount::trapeziumOfEnded(const State& end, const Eigen::VectorXd& 
     return sum;
 }
 
-void StaticAccount::add(State& end, const LoadPoint& at, const Eigen::VectorXd& moved, StepProblem& problem) const {
-    const Forces last = forcesOf(problem, end, at);
+void StaticAccount::addBodies(EnergyLedger& energy, const Forces& last, const Eigen::VectorXd& moved,
+                              const StepProblem& problem) const {
     for (Eigen::Index i = 0; i < moved.size(); ++i) {
-        end.energy.external += 0.5 * (first_.external[i] + last.external[i]) * moved[i];
-        if (known(problem, i)) end.energy.external -= 0.5 * (first_.net[i] + last.net[i]) * moved[i];
-        else end.energy.damped += 0.5 * (first_.net[i] + last.net[i]) * moved[i];
+        energy.external += 0.5 * (first_.external[i] + last.external[i]) * moved[i];
+        if (known(problem, i)) energy.external -= 0.5 * (first_.net[i] + last.net[i]) * moved[i];
+        else energy.damped += 0.5 * (first_.net[i] + last.net[i]) * moved[i];
     }
+}
+
+void StaticAccount::add(State& end, const LoadPoint& at, const Eigen::VectorXd& moved, StepProblem& problem) const {
+    addBodies(end.energy, forcesOf(problem, end, at), moved, problem);
     const StepProblem start = atStart(end);
     const std::vector<double> startLimits = limitsOf(start);
     problem.slipForce.assign(problem.links.size(), 0.0);
-    const auto addSurplus = [&](double surplus) {
-        // forces that rise late let the loads run on; forces that rise early ask more of them
-        if (surplus > 0.0) end.energy.damped += surplus;
-        else end.energy.external -= surplus;
-    };
     double handed = trapeziumOfEnded(end, moved);
     std::size_t s = 0;
     for (std::size_t i = 0; i < problem.links.size(); ++i) {
@@ -142,17 +157,12 @@ void StaticAccount::add(State& end, const LoadPoint& at, const Eigen::VectorXd& 
         while (!sameLink(start.links.at(s), link)) ++s;  // the same links but for chords, in the same order
         const bool met = isMet(link, end);
         const PathStart from = startOf(model_, link, start.links[s], startLimits[s], met, end);
-        const PathWork path = pathWork(link.law, from, link.strain + link.shift);
-        if (link.shift != 0.0)
-            end.energy.external += 0.5 * link.law.share * link.shift *
-                                   (from.force + respond(link.law, link.strain + link.shift).force);
-        ++s;
-        problem.slipForce[i] = path.slipForce;
-        addSurplus(path.surplus);
+        problem.slipForce[i] = addLink(link, from, end.energy);
         if (met)  // the net force at the start knew nothing of it
             handed -= 0.5 * link.law.share * from.force * (link.strain - from.strain);
+        ++s;
     }
-    addSurplus(handed);
+    addSurplus(handed, end.energy);
 }
 
 }  // namespace keyblock

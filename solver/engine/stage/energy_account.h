@@ -12,8 +12,8 @@
 
 namespace keyblock {
 
-/// Accounts for a dynamic step before it is accepted: work of loads and drives, what laws and blocks lose to the scheme, and
-/// damping. \param external generalised loads of the step [N].
+/// Accounts for a dynamic step before it is accepted: work of loads and drives, what laws and blocks lose to the
+/// scheme, and damping. \param external generalised loads of the step [N].
 void accountStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
               const Eigen::VectorXd& d, const StepOptions& options);
 
@@ -34,6 +34,8 @@ private:
     StepProblem atStart(const State& end) const;
     bool isMet(const Link& link, const State& end) const;
     double trapeziumOfEnded(const State& end, const Eigen::VectorXd& moved) const;
+    void addBodies(EnergyLedger& energy, const Forces& last, const Eigen::VectorXd& moved,
+                   const StepProblem& problem) const;
 
     const Model& model_;
     const Loads& loads_;

@@ -24,7 +24,7 @@ struct Engine {
     Health health;
     StepHealth newest;
     std::function<bool()> stopAsked;  // asked in every pass
-    std::function<void()> passed;  // told after every solved step, for progress
+    std::function<void()> passed;  // called after every solved step, for progress
 
     explicit Engine(const Model& m) : model(m) {}
 };

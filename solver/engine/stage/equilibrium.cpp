@@ -29,7 +29,7 @@ constexpr int mostPaths = 2;  // times that a pseudo-step is done again because 
 constexpr double swingCut = 0.3;  // of a pseudo-step, where steps go to and fro
 constexpr double fadingSwing = 0.7;  // of the step before: such a swing dies out by itself
 constexpr double noSwing = 1e3;  // over round-off: shorter moves are noise
-constexpr double lostShare = 30.0;  // of the longest move: a body that flies so far while a step is solved is let go
+constexpr double lostShare = 30.0;  // of the longest move: a body that flies so far while a step is solved is given up
 constexpr int morePasses = 5;  // times those of a step in motion: shorter pseudo-steps settle friction no sooner
 constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, when joints take up the run's first forces
 

@@ -4,7 +4,7 @@
 // Where in an increment the first limit is reached. Ratios bend where something
 // yields or slides: past a limit they may rise a thousand times faster than
 // before it, so a straight line from one side of the limit to the other says
-// little, and the search goes on from the side that is not over.
+// little, and the search continues from the side that is not over.
 #pragma once
 
 #include "solver/engine/carrier/limit.h"

@@ -102,8 +102,8 @@ private:
         progress_.done = to;
     }
 
-    /// What was found at its limit lets go first: under the shares that nodes have then it may be under it again.
-    /// But an anchored point is judged under its new share: it may have left the rock.
+    /// What was found at its limit is released first: under new tributary lengths it may be under its limit again.
+    /// But an anchored point is judged under its new length: it may have left the rock.
     StepEnding followUnlessAtLimit() {
         const std::optional<Limit> next = limit();
         const bool first = next && next->kind != LimitKind::Bond && next->kind != LimitKind::CurveEnd;
@@ -148,7 +148,7 @@ private:
         }
     }
 
-    /// The largest overload lets go, alone; the next is judged at the equilibrium without it.
+    /// The largest overload is released, alone; the next is judged at the equilibrium without it.
     StepEnding releaseOne() {
         const std::vector<Limit> limits = heldLimits(engine_.model, state_);
         const Limit released = worstLimit(limits, progress_.least).value();

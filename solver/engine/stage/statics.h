@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Static stages: equilibrium by pseudo-steps, and increments of load that are
-// cut where the first limit is reached, so that one thing lets go at a time.
+// cut where the first limit is reached, so that one thing fails at a time.
 #pragma once
 
 #include "solver/engine/carrier/limit.h"
@@ -20,7 +20,7 @@ struct PassedLimit {
 struct IncrementProgress {
     double done = 0.0;  // share of the increment
     double step = 0.0;  // share that is tried next; 0: not begun
-    bool releasing = false;  // something at its limit lets go before the load goes on
+    bool releasing = false;  // something at its limit is released before the load continues
     double least = 0.0;  // of a limit, to be released
     std::vector<PassedLimit> passed;  // at this load
     long lastRelease = -1;  // number of the last event at this load; −1: none yet
@@ -28,8 +28,8 @@ struct IncrementProgress {
     bool over() const { return done >= 1.0 && !releasing; }
 };
 
-/// One move along the load path from `a` to `b`: the load goes on, as far as the first limit at most, or one thing
-/// lets go; equilibrium is found after either. On any ending the state is the last equilibrium found, or, for
+/// One move along the load path from `a` to `b`: the load continues, as far as the first limit at most, or one
+/// thing fails; equilibrium is found after either. On any ending the state is the last equilibrium found, or, for
 /// `NoEquilibrium`, where the moving blocks had got to.
 StepEnding moveStatic(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
                       const StaticSettings& settings, StepObserver& observer, IncrementProgress& progress);

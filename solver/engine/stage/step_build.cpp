@@ -13,7 +13,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double smallestStrain = 1e-12;  // forces under that of such a strain are not told from none
+constexpr double smallestStrain = 1e-12;  // forces under that of such a strain count as none
 constexpr std::size_t linksANode = 7;  // four of its element, two to the rock, and room for the plate's
 
 /// A force that strains a block by less than its digits can tell [N].

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Where the nodes of a bolt are put, by hand and by the program.
-
 #include "solver/engine/bolt/bolt_model.h"
 
 #include <gtest/gtest.h>
