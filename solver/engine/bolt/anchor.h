@@ -50,13 +50,15 @@ void loseAnchor(BoltNode& node);
 /// True where the point slid before and sticks now, in the same slot.
 bool sticksAgain(const BoltNode& before, const BoltNode& after);
 
-/// The bond of a node that comes into a block: there is none. It rubs with the force of its neighbour, from which it
-/// takes over its length, so that the force on the whole length does not depend on where the nodes are.
-/// \param neighbour nearest node that was in that block before, with its anchor; null: none
+/// The nearest node along the bolt that was in a block before.
 struct AnchorNeighbour {
     const AnchorModel& anchor;
     const NodeBond& bond;
 };
+
+/// A node that comes into a block has no bond there. It rubs with the force of its neighbour, from which it takes over
+/// its length, so that the force on the whole length does not depend on where the nodes are.
+/// \param neighbour null: none
 void enterRock(const AnchorModel& anchor, const AnchorNeighbour* neighbour, NodeBond& bond);
 
 /// The bond of a node that leaves its block stays behind in the rock.

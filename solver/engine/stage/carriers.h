@@ -16,8 +16,8 @@
 namespace keyblock {
 
 /// In the order of their links in a step. Damping comes after all links that it damps. Limits and energies are listed
-/// from the last row to the first, so that of equal overloads a bolt's is released before a joint's. Results depend on
-/// the order of sums: a new row that has no links leaves them as they are wherever it is.
+/// from the last row to the first, so that of equal overloads a bolt's is released before a joint's. Sums follow these
+/// orders, and results depend on them to the last digit; a row that adds nothing in a scene changes nothing there.
 inline constexpr std::array<const Carrier*, 6> carriers{&contactCarrier, &glueCarrier,    &supportCarrier,
                                                         &boltCarrier,    &dampingCarrier, &boundaryCarrier};
 
