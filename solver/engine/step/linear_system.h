@@ -4,7 +4,8 @@
 // Symmetric positive definite systems A·x = b, sparse and direct. The pattern is
 // fixed once; afterwards an assembly scatters its numbers to places it looked up
 // before, which costs far less than building the matrix anew. CHOLMOD does the
-// work and stays behind this header. The same numbers give the same bits on any
+// work and stays behind this header. A factor can be followed through small changes
+// of its matrix, a few ranks at a time. The same numbers give the same bits on any
 // number of threads.
 #pragma once
 
@@ -14,6 +15,9 @@
 #include <vector>
 
 namespace keyblock {
+
+/// The entries of a vector that differ from zero: row and value, in any order, no row twice.
+using SparseColumn = std::vector<std::pair<int, double>>;
 
 /// One system with its factor. Not to be used from two threads at once.
 class LinearSystem {
@@ -48,9 +52,20 @@ public:
     /// \throws std::bad_alloc when memory runs out.
     [[nodiscard]] int factor();
 
+    /// Makes the factor that of A + Σ c·cᵀ, or of A − Σ c·cᵀ; `values` stay as they are. Each column takes a fraction of
+    /// the work of `factor`.
+    /// \return false when the result is not positive definite: the factor is then of no use until the next `factor`.
+    /// \pre `factor` returned −1, no call of these has returned false since, and the pattern holds every product of two
+    ///      entries of one column.
+    [[nodiscard]] bool addRanks(std::span<const SparseColumn> columns);
+    [[nodiscard]] bool takeRanks(std::span<const SparseColumn> columns);
+
+    /// Columns that can be added or taken with about half the work of `factor`.
+    int worthwhileRanks() const;
+
     /// Solves with the last factor, then improves the answer by its own residual `refinements` times.
     /// \param rhs, x n values each; they may be the same array only without refinements.
-    /// \pre `factor` returned −1; with refinements, the values have not changed since.
+    /// \pre `factor` returned −1; with refinements, neither values nor factor have changed since.
     void solve(std::span<const double> rhs, std::span<double> x, int refinements = 0);
 
     /// y = A·x with the values as they stand; n values each, different arrays.

@@ -126,6 +126,56 @@ TEST(LinearSystem, SolvesASmallSystem) { expectSolves(40, looseNet(40)); }
 
 TEST(LinearSystem, SolvesALargeDenseSystem) { expectSolves(900, denseNet(30)); }
 
+/// A spring's column: stiffness·(eₐ − e_b)(eₐ − e_b)ᵀ is its product with itself.
+SparseColumn columnOf(const Spring& spring) {
+    const double root = std::sqrt(spring.stiffness);
+    return {{spring.a, root}, {spring.b, -root}};
+}
+
+/// Springs taken away and others made stiffer, by ranks: the same answer as by a factor of the changed net.
+void expectFollowsChanges(int n, const std::vector<Spring>& springs) {
+    SpringNet net(n, springs);
+    const std::vector<double> ground(static_cast<std::size_t>(n), 0.5);
+    net.assemble(ground);
+    ASSERT_EQ(net.system.factor(), -1);
+    EXPECT_GT(net.system.worthwhileRanks(), 0);
+    Eigen::MatrixXd matrix = net.dense(ground);
+    std::vector<SparseColumn> more, less;
+    for (std::size_t i = 0; i < springs.size(); i += 7) {
+        const bool add = i % 2 == 0;
+        (add ? more : less).push_back(columnOf(springs[i]));
+        Eigen::VectorXd column = Eigen::VectorXd::Zero(n);
+        for (const auto& [row, value] : columnOf(springs[i])) column[row] = value;
+        matrix += (add ? 1.0 : -1.0) * column * column.transpose();
+    }
+    ASSERT_TRUE(net.system.addRanks(more));
+    ASSERT_TRUE(net.system.takeRanks(less));
+    const std::vector<double> load = someLoad(n);
+    std::vector<double> x(load.size());
+    net.system.solve(load, x);
+    const Eigen::VectorXd solution = Eigen::Map<const Eigen::VectorXd>(x.data(), n);
+    const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(load.data(), n);
+    const double rowSum = matrix.cwiseAbs().rowwise().sum().maxCoeff();
+    EXPECT_LE(largest(matrix * solution - b), 1e-12 * (rowSum * largest(solution) + largest(b)));
+    // the values are still those of the net as it was, and factoring takes the changes back
+    ASSERT_EQ(net.system.factor(), -1);
+    net.system.solve(load, x);
+    EXPECT_LE(largest(net.dense(ground) * Eigen::Map<const Eigen::VectorXd>(x.data(), n) - b),
+              1e-12 * (rowSum * largest(solution) + largest(b)));
+}
+
+TEST(LinearSystem, FollowsASmallSystemByRanks) { expectFollowsChanges(40, looseNet(40)); }
+
+TEST(LinearSystem, FollowsALargeSystemByRanks) { expectFollowsChanges(900, denseNet(30)); }
+
+TEST(LinearSystem, RefusesToTakeMoreThanThereIs) {
+    SpringNet net(2, {{0, 1, 3.0}});
+    net.assemble({1.0, 1.0});
+    ASSERT_EQ(net.system.factor(), -1);
+    EXPECT_FALSE(net.system.takeRanks(std::vector<SparseColumn>{columnOf({0, 1, 5.0})}));
+    ASSERT_EQ(net.system.factor(), -1);  // usable again
+}
+
 TEST(LinearSystem, SolvesOneUnknownAndNone) {
     LinearSystem system;
     system.analyse(1, {});
