@@ -102,12 +102,14 @@ int spawn(const std::string& program, const std::vector<std::string>& words, int
 
 MovieFile::MovieFile(const fs::path& path, MovieFormat format, const MovieShape& shape, const std::atomic<bool>& stop)
     : path_(path), part_(partPath(path)), stop_(stop) {
+    if (fs::is_directory(path)) throw CannotWrite(cannotWriteText(path, EISDIR));
+    writeWholeFile(part_, [](std::ostream&) {});  // reports at once, and better, what ffmpeg would report late
     const std::string program = findProgram("ffmpeg");
-    if (program.empty())
+    if (program.empty()) {
+        fs::remove(part_);
         throw CannotWrite("cannot write " + path.string() + ": the program ffmpeg, which makes films, is not found; " +
                           "install it (on Debian: apt install ffmpeg), or name a folder instead for PNG pictures");
-    if (fs::is_directory(path)) throw CannotWrite(cannotWriteText(path, EISDIR));
-    writeWholeFile(part_, [](std::ostream&) {});  // tells at once, and better, what ffmpeg would tell late
+    }
     start(program, wordsFor(part_, format, shape));
 }
 
