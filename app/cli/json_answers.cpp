@@ -35,17 +35,34 @@ Json stageJson(const Scene& scene, const StageRecord& record) {
     json["outcome"] = record.ended ? Json(wordOf(record.result.outcome)) : Json(nullptr);
     json["time_s"] = record.ended ? Json(record.result.time) : Json(nullptr);
     json["steps"] = record.ended ? Json(record.result.steps) : Json(nullptr);
+    const Health& health = record.result.health;
+    const StepWork& work = health.work;
+    json["solved"] = health.steps;
+    json["work"] = {{"total", workOf(work)},
+                    {"iterations", health.passes},
+                    {"factorizations", work.factorizations},
+                    {"full_factorizations", work.fullFactorizations},
+                    {"ranks", work.ranks},
+                    {"solves", work.solves},
+                    {"products", work.products},
+                    {"sweeps", work.sweeps}};
     return json;
 }
 
 Json healthJson(const std::optional<RunHealth>& health) {
     if (!health)
         return {{"passes_mean", nullptr},
+                {"work_mean", nullptr},
+                {"factorizations_mean", nullptr},
+                {"full_factorizations_mean", nullptr},
                 {"step_cuts", nullptr},
                 {"max_penetration_ratio", nullptr},
                 {"balance_error", nullptr},
                 {"residual", nullptr}};
     return {{"passes_mean", health->passesMean},
+            {"work_mean", health->workMean},
+            {"factorizations_mean", health->factorizationsMean},
+            {"full_factorizations_mean", health->fullFactorizationsMean},
             {"step_cuts", health->stepCuts},
             {"max_penetration_ratio", health->maxPenetrationRatio},
             {"balance_error", health->balanceError},

@@ -126,6 +126,8 @@ std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records) {
     RunHealth total;
     long steps = 0;
     long passes = 0;
+    long solved = 0;
+    StepWork work;
     bool any = false;
     for (const StageRecord& record : records) {
         if (!record.ended)
@@ -134,6 +136,8 @@ std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records) {
         any = true;
         steps += record.result.steps;
         passes += health.passes;
+        solved += health.steps;
+        work += health.work;
         total.stepCuts += health.stepCuts;
         total.maxPenetrationRatio = std::max(total.maxPenetrationRatio, health.maxPenetrationRatio);
         total.residual = std::max(total.residual, health.maxResidual);
@@ -142,6 +146,10 @@ std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records) {
     }
     if (!any)
         return std::nullopt;
+    const auto solves = static_cast<double>(std::max(1L, solved));
+    total.workMean = workOf(work) / solves;
+    total.factorizationsMean = static_cast<double>(work.factorizations) / solves;
+    total.fullFactorizationsMean = static_cast<double>(work.fullFactorizations) / solves;
     total.passesMean = steps > 0 ? static_cast<double>(passes) / static_cast<double>(steps) : 0.0;
     return total;
 }

@@ -18,6 +18,7 @@ namespace keyblock::cli {
 /// The numbers' health over all stages that ended.
 struct RunHealth {
     double passesMean = 0.0;  // a step
+    double workMean = 0.0, factorizationsMean = 0.0, fullFactorizationsMean = 0.0;  // a solved step
     long stepCuts = 0;
     double maxPenetrationRatio = 0.0;
     double balanceError = 0.0;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "geometry/point.h"
+#include "solver/results/step_work.h"
 
 #include <array>
 #include <string>
@@ -153,7 +154,7 @@ struct Health {
     long steps = 0;
     long passes = 0;
     long stepCuts = 0;
-    long factorizations = 0;
+    StepWork work;
     double maxPenetrationRatio = 0.0;  // deepest penetration over the size of the block
     double maxResidual = 0.0;  // largest accepted unbalanced force over the forces at play
     double balanceError = 0.0;

@@ -11,6 +11,7 @@
 #include "solver/engine/stage/limits.h"
 #include "solver/engine/stage/step_accept.h"
 #include "solver/engine/stage/step_build.h"
+#include "solver/engine/step/step_solver.h"
 #include "solver/run/stage_settings.h"
 
 #include <algorithm>

@@ -44,7 +44,7 @@ void wall(benchmark::State& state) {
         const auto steps = static_cast<double>(std::max<long>(1, result.steps));
         state.counters["steps"] = steps;
         state.counters["passes_a_step"] = static_cast<double>(result.health.passes) / steps;
-        state.counters["factors_a_step"] = static_cast<double>(result.health.factorizations) / steps;
+        state.counters["factors_a_step"] = static_cast<double>(result.health.work.factorizations) / steps;
         state.counters["cuts"] = static_cast<double>(result.health.stepCuts);
         state.counters["penetration"] = result.health.maxPenetrationRatio;
         state.counters["settled"] = result.outcome == Outcome::Duration ? 1.0 : 0.0;

@@ -44,7 +44,7 @@ const std::vector<Room> rooms{
     {"solver/results", {"solver/scene", "geometry"}},
     {"solver/engine/vector6", {}},
     {"solver/engine/laws", {"geometry"}},
-    {"solver/engine/step", {"solver/engine/laws", "solver/engine/vector6"}},
+    {"solver/engine/step", {"solver/engine/laws", "solver/engine/vector6", "solver/results/step_work"}},
     {"solver/engine/model",
      {"solver/engine/laws", "solver/engine/vector6", "solver/results", "solver/scene", "geometry"}},
     {"solver/engine/time",

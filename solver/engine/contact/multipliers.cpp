@@ -3,6 +3,7 @@
 #include "solver/engine/contact/multipliers.h"
 
 #include "solver/engine/contact/springs.h"
+#include "solver/engine/step/step_forces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,6 +11,7 @@
 #include "solver/engine/stage/resticks.h"
 #include "solver/engine/stage/step_accept.h"
 #include "solver/engine/stage/step_build.h"
+#include "solver/engine/step/step_forces.h"
 #include "solver/engine/time/mass.h"
 
 #include <algorithm>
@@ -224,7 +225,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
     Eigen::VectorXd guess = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model.blocks.size()) + 3 * model.nodes);
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         guess.segment<6>(6 * static_cast<Eigen::Index>(i)) = dt * state.blocks[i].velocity;
-    Eigen::VectorXd path = guess;
+    Eigen::VectorXd path = guess, solution;
     for (int paths = 0, arcs = 0;;) {
         trial.state = state;
         trial.state.contacts = findContacts(model, state.blocks, state.contacts,
@@ -232,8 +233,9 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
                                              &trial.state.energy.released});
         meetDilated(state, trial.state.contacts);
         StepProblem problem = buildStep(model, trial.state, loads_, at, options);
-        Eigen::VectorXd d = guess;
-        const SolveReport report = solveStep(engine_, problem, trial.state, d, {.tolerance = model.analysis.tolerance});
+        Eigen::VectorXd d = paths + arcs > 0 ? solution : guess;
+        const SolveReport report = solveStep(engine_, problem, trial.state, d,
+                                             {.tolerance = model.analysis.tolerance, .sweepsFirst = &pace.sweepsFirst});
         worst_ = report.worst;
         if (report.stopped) return Attempt::Stopped;
         if (!report.converged) return Attempt::TooLong;
@@ -245,13 +247,13 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         }
         if (paths < mostPaths && move > pathShare * smallestSize(model) &&
             !entrancesHold(model, state.blocks, trial.state.contacts, 2.0 * margin + widestOpening(state), d)) {
-            path = d;
+            path = solution = d;
             ++paths;
             continue;
         }
         if (dt > arcStep * settings_.timeStep && !arcsHold(model, state.blocks, problem, trial.state.contacts, d)) {
             if (arcs == mostArcs) return Attempt::TooLong;
-            guess = d;
+            guess = solution = d;
             options.path = &guess;
             ++arcs;
             continue;

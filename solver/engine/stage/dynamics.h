@@ -23,6 +23,7 @@ struct DynamicPace {
     double dt = 0.0;  // to be tried next [s]; 0: the longest
     double lastMove = 0.0;  // of the last step [m]
     double roundedUp = 0.0;  // what the stage's time has too much [s]
+    bool sweepsFirst = false;  // the last step took sweeps over the contact forces: the next may begin with them
 };
 
 /// Keeps nothing from step to step but its settings.

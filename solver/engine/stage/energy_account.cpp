@@ -8,6 +8,7 @@
 #include "solver/engine/damping.h"
 #include "solver/engine/stage/step_build.h"
 #include "solver/engine/step/friction_limits.h"
+#include "solver/engine/step/step_forces.h"
 #include "solver/engine/time/mass.h"
 
 #include <algorithm>

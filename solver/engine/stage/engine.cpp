@@ -35,19 +35,19 @@ constexpr double stiffest = 1e4;
 /// Solves again under multipliers until contacts neither penetrate nor slip elastically.
 void settleMultipliers(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d,
                        const SolveSettings& settings, SolveReport& report) {
-    double error = multiplierError(engine.model, state, problem, d), before = error, raised = 1.0;
+    double error = multiplierError(engine.model, state, problem, d), errorBefore = error, raised = 1.0;
     for (int update = 0; report.converged && error > 1.0; ++update) {
-        const bool raise = update > 0 && error > slowUpdate * before && raised < stiffest;
+        const bool raise = update > 0 && error > slowUpdate * errorBefore && raised < stiffest;
         raised *= raise ? stiffer : 1.0;
         takeMultipliers(state, problem, d, raise ? stiffer : 1.0);
         const SolveReport next = engine.solver.solve(problem, d, settings, engine.stopAsked);
         const int passes = report.passes + std::max(1, next.passes);
-        const int factored = report.factorizations + next.factorizations;
+        const StepWork before = report.work;
         report = next;
         report.passes = passes;
-        report.factorizations = factored;
+        report.work += before;
         report.converged = report.converged && update < mostUpdates;
-        before = std::exchange(error, multiplierError(engine.model, state, problem, d));
+        errorBefore = std::exchange(error, multiplierError(engine.model, state, problem, d));
     }
     if (report.converged) keepMultipliers(engine.model, state, problem, d);
 }
@@ -58,12 +58,12 @@ SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen:
     const Analysis& analysis = engine.model.analysis;
     const bool openClose = analysis.iteration == Iteration::OpenClose && !needs.convex;
     const int passes = (openClose ? 1 : needs.patience) * analysis.maxPasses;
-    const SolveSettings settings{needs.tolerance, passes, needs.farthest, openClose};
+    const SolveSettings settings{needs.tolerance, passes, needs.farthest, openClose, needs.sweepsFirst};
     SolveReport report = engine.solver.solve(problem, d, settings, engine.stopAsked);
     if (usesMultipliers(engine.model)) settleMultipliers(engine, problem, state, d, settings, report);
     ++engine.health.steps;
     engine.health.passes += std::max(1, report.passes);
-    engine.health.factorizations += report.factorizations;
+    engine.health.work += report.work;
     engine.newest.passes = report.passes;
     engine.newest.worst = blockOfBody(engine.model, report.worst);
     for (const LimitPair& pair : problem.limitPairs) {

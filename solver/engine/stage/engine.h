@@ -9,6 +9,7 @@
 #include "solver/engine/model/loads.h"
 #include "solver/engine/model/state.h"
 #include "solver/engine/step/step_problem.h"
+#include "solver/engine/step/step_solver.h"
 #include "solver/results/results.h"
 
 #include <functional>
@@ -62,6 +63,7 @@ struct StepNeeds {
     int patience = 1;  // times the scene's passes, in the convex form
     double farthest = std::numeric_limits<double>::infinity();  // move of a body at which it is given up [m]
     bool convex = false;  // whatever iteration the scene asks for
+    bool* sweepsFirst = nullptr;  // as of `SolveSettings`
 };
 
 /// Solves one step and counts it. Friction limits used are kept in the state's contacts.

@@ -9,6 +9,7 @@
 #include "solver/engine/stage/step_accept.h"
 #include "solver/engine/stage/step_build.h"
 #include "solver/engine/step/friction_limits.h"
+#include "solver/engine/step/step_forces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,7 @@ private:
             return Outcome::Balanced;
         }
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
-        report_ = solveStep(engine_, problem, state_, d, {tolerance_, morePasses, lostShare * moveLimit_, false});
+        report_ = solveStep(engine_, problem, state_, d, {.tolerance = tolerance_, .patience = morePasses, .farthest = lostShare * moveLimit_});
         if (report_.stopped) return Outcome::Stopped;
         const double move = report_.converged || report_.lost ? largestMove(model_, problem, d) : 0.0;
         if (!report_.converged || move > moveLimit_) return shorten(move);

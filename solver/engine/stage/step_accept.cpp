@@ -4,6 +4,7 @@
 
 #include "solver/engine/bolt/motion.h"
 #include "solver/engine/stage/carriers.h"
+#include "solver/engine/step/step_forces.h"
 
 namespace keyblock {
 namespace {

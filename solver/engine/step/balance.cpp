@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/step/balance.h"
 
+#include "solver/engine/step/step_forces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,38 +18,6 @@ constexpr double ofOneBody = 10.0;  // times the tolerance: how far off a single
 template <class Vector>
 auto part(const StepProblem& problem, const Vector& x, int body) {
     return x.segment(problem.first(body), problem.width(body));
-}
-
-/// Force of a link's share in one of its bodies, moments and strains turned into forces [N per unit of force].
-double pull(const StepProblem& problem, int body, const Vector6& g) {
-    return g.head(problem.width(body)).cwiseProduct(part(problem, problem.weight, body)).norm();
-}
-
-/// Summed forces of loads and links on every body, and what the links' digits leave of them [N].
-void forcesAtPlay(const StepProblem& problem, const Eigen::VectorXd& d, std::vector<double>& forces,
-                  std::vector<double>& noise) {
-    std::vector<double> strains;
-    linkStrains(problem, d, strains);
-    forces = problem.ownForce;
-    noise.assign(forces.size(), 0.0);
-    for (std::size_t i = 0; i < strains.size(); ++i) {
-        const Link& link = problem.links[i];
-        const LawResponse r = respond(problem, link, strains[i]);
-        if (r.force == 0.0 && r.tangent == 0.0) continue;
-        const int wa = problem.width(link.a);
-        double size = std::abs(link.strain) + link.ga.head(wa).cwiseAbs().dot(part(problem, d, link.a).cwiseAbs());
-        if (link.b >= 0)
-            size += link.gb.head(problem.width(link.b)).cwiseAbs().dot(part(problem, d, link.b).cwiseAbs());
-        const double force = link.law.share * std::abs(r.force);
-        const double lost = digits * link.law.share * (r.tangent * size + std::abs(r.force));
-        const auto add = [&](int body, const Vector6& g) {
-            const double share = pull(problem, body, g);
-            forces[static_cast<std::size_t>(body)] += share * force;
-            noise[static_cast<std::size_t>(body)] += share * lost;
-        };
-        add(link.a, link.ga);
-        if (link.b >= 0) add(link.b, link.gb);
-    }
 }
 
 /// True where nothing of a body is free to move.
@@ -67,24 +37,61 @@ double ownNoise(const StepProblem& problem, const Eigen::VectorXd& d, int body) 
 
 }  // namespace
 
-Balance::Balance(const StepProblem& problem, const Eigen::VectorXd& d, int passes)
-    : problem_(&problem), d_(&d), passes_(passes), net_(netForce(problem, d)) {
-    problem.moves ? judgeBodies() : judgeScene();
+Balance::Balance(const StepProblem& problem, const LinkRows& rows, const Trial& trial, int passes, double tolerance)
+    : problem_(&problem), rows_(&rows), trial_(&trial), passes_(passes) {
+    problem.moves ? judgeBodies(tolerance) : judgeScene();
 }
 
 void Balance::judgeScene() {
-    reference_ = referenceForce(*problem_, *d_, net_);
-    residual_ = residualNorm(*problem_, net_, &worst_) / reference_;
+    reference_ = referenceForce(*problem_, *trial_);
+    residual_ = residualNorm(*problem_, trial_->net, &worst_) / reference_;
 }
 
-void Balance::judgeBodies() {
-    forcesAtPlay(*problem_, *d_, forces_, noise_);
+void Balance::judgeBodies(double tolerance) {
+    addUpForces();
+    compareBodies();
+    if (passes_ < refined || residual_ <= tolerance) return;
+    addUpNoise();
+    compareBodies();
+}
+
+/// Summed forces of loads and links on every body.
+void Balance::addUpForces() {
+    forces_ = problem_->ownForce;
+    for (std::size_t i = 0; i < rows_->count(); ++i) {
+        if (trial_->laws[i].force == 0.0) continue;
+        const Link& link = problem_->links[i];
+        const double force = link.law.share * std::abs(trial_->laws[i].force);
+        forces_[static_cast<std::size_t>(link.a)] += rows_->pullOnA(i) * force;
+        if (link.b >= 0) forces_[static_cast<std::size_t>(link.b)] += rows_->pullOnB(i) * force;
+    }
+}
+
+/// What the digits of the links leave of them.
+void Balance::addUpNoise() {
+    noise_.assign(forces_.size(), 0.0);
+    const Eigen::VectorXd& d = trial_->d;
+    for (std::size_t i = 0; i < rows_->count(); ++i) {
+        const LawResponse& r = trial_->laws[i];
+        if (r.force == 0.0 && r.tangent == 0.0) continue;
+        const Link& link = problem_->links[i];
+        const double* g = rows_->gradient(i);
+        double size = std::abs(link.strain);
+        for (int k = 0; k < 6; ++k) size += std::abs(g[k] * d[rows_->firstOfA(i) + k]);
+        for (int k = 0; k < 6; ++k) size += std::abs(g[6 + k] * d[rows_->firstOfB(i) + k]);
+        const double lost = digits * link.law.share * (r.tangent * size + std::abs(r.force));
+        noise_[static_cast<std::size_t>(link.a)] += rows_->pullOnA(i) * lost;
+        if (link.b >= 0) noise_[static_cast<std::size_t>(link.b)] += rows_->pullOnB(i) * lost;
+    }
+}
+
+void Balance::compareBodies() {
     double allLeft = 0.0, allForces = 0.0, largest = 0.0, worst = -1.0;
     for (int body = 0; body < problem_->blocks + problem_->nodes; ++body) {
         if (isDriven(*problem_, body)) continue;
         const auto at = static_cast<std::size_t>(body);
         allForces += forces_[at] * forces_[at];
-        const double left = bodyResidual(*problem_, net_, body), ratio = left / (ofOneBody * forces_[at]);
+        const double left = bodyResidual(*problem_, trial_->net, body), ratio = left / (ofOneBody * forces_[at]);
         if (ratio > worst) {
             worst = ratio;
             worst_ = body;
@@ -99,18 +106,17 @@ void Balance::judgeBodies() {
 
 /// A first solve leaves more than digits where springs are stiff; the second takes that away.
 double Balance::noiseOf(int body) const {
-    if (passes_ > 0 && passes_ < refined) return 0.0;
-    const double own = ownNoise(*problem_, *d_, body);
-    return passes_ == 0 ? own : own + noise_[static_cast<std::size_t>(body)];
+    if (passes_ == 0) return ownNoise(*problem_, trial_->d, body);
+    return noise_.empty() ? 0.0 : ownNoise(*problem_, trial_->d, body) + noise_[static_cast<std::size_t>(body)];
 }
 
 bool Balance::within(double tolerance) const {
     if (problem_->moves || passes_ < refined) return residual_ <= tolerance;
-    return residual_ <= std::max(tolerance, roundOffForce(*problem_, *d_) / reference_);
+    return residual_ <= std::max(tolerance, roundOffForce(*problem_, trial_->d) / reference_);
 }
 
 double Balance::slack(int body, double tolerance) const {
-    if (!problem_->moves) return std::max(tolerance * reference_, roundOffForce(*problem_, *d_));
+    if (!problem_->moves) return std::max(tolerance * reference_, roundOffForce(*problem_, trial_->d));
     const auto at = static_cast<std::size_t>(body);
     return std::max(tolerance * forces_[at], noiseOf(body));
 }

@@ -7,20 +7,18 @@
 // a change of its velocity (theory, "Tolerance").
 #pragma once
 
-#include "solver/engine/step/step_problem.h"
+#include "solver/engine/step/trial.h"
 
 namespace keyblock {
 
-/// What does not balance at a displacement, and what it is compared with. Looks at problem and displacement, which
-/// have to stay as they are.
+/// What does not balance at a trial, and what it is compared with. Looks at problem, rows and trial, which have to stay
+/// as they are.
 class Balance {
 public:
     /// \param passes made so far: what is left may be round-off from the second on; before the first, only that of
     /// inertia and loads.
-    Balance(const StepProblem& problem, const Eigen::VectorXd& d, int passes);
-
-    /// Net force on every unknown, as `netForce` gives it.
-    const Eigen::VectorXd& net() const { return net_; }
+    /// \param tolerance of the forces at play: round-off is looked into only where more is left.
+    Balance(const StepProblem& problem, const LinkRows& rows, const Trial& trial, int passes, double tolerance);
 
     /// What is unbalanced over the forces at play; in motion that of the bodies that are off by more than round-off.
     double residual() const { return residual_; }
@@ -36,14 +34,17 @@ public:
 
 private:
     void judgeScene();
-    void judgeBodies();
+    void judgeBodies(double tolerance);
+    void compareBodies();
+    void addUpForces();
+    void addUpNoise();
     double noiseOf(int body) const;
 
     const StepProblem* problem_;
-    const Eigen::VectorXd* d_;
+    const LinkRows* rows_;
+    const Trial* trial_;
     int passes_;
-    Eigen::VectorXd net_;
-    std::vector<double> forces_, noise_;  // [N] per body in motion
+    std::vector<double> forces_, noise_;  // [N] per body in motion; noise_ empty: not looked into
     double reference_ = 0.0;  // [N] at rest
     double residual_ = 0.0;
     int worst_ = -1;

@@ -2,17 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/step/friction_limits.h"
 
-#include <Eigen/QR>
+#include "solver/engine/step/step_forces.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace keyblock {
 namespace {
-
-constexpr std::size_t remembered = 6;  // rounds
-constexpr int plainRounds = 3;  // most steps need no more
 
 double limitFrom(const LimitPair& pair, double force) {
     const double part = pair.factor * force;
@@ -23,66 +19,25 @@ double limitFrom(const LimitPair& pair, double force) {
     return pair.base;
 }
 
-Law& limitedLaw(StepProblem& problem, const LimitPair& pair) {
-    return problem.links[static_cast<std::size_t>(pair.limited)].law;
-}
-
-/// False for what is held as a preload.
-bool follows(const Law& limited, const LimitPair& pair) {
-    return limited.kind != LawKind::Constant || pair.rule == LimitPair::Rule::Push;
-}
-
-Eigen::VectorXd limitsOf(StepProblem& problem) {
-    Eigen::VectorXd limits(static_cast<Eigen::Index>(problem.limitPairs.size()));
-    Eigen::Index row = 0;
-    for (const LimitPair& pair : problem.limitPairs) limits[row++] = limitedLaw(problem, pair).limit;
-    return limits;
-}
-
 }  // namespace
+
+void setLimit(StepProblem& problem, const LimitPair& pair, double force) {
+    Law& limited = problem.links[static_cast<std::size_t>(pair.limited)].law;
+    // what is kept as a preload follows nothing
+    if (limited.kind == LawKind::Constant && pair.rule != LimitPair::Rule::Push) return;
+    const bool weighted = ofContact(problem.links[static_cast<std::size_t>(pair.from)].kind);
+    limited.limit = limitFrom(pair, weighted ? force / problem.contactShare : force);
+}
 
 void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d) {
     if (problem.limitPairs.empty()) return;
     std::vector<double> strains;
     linkStrains(problem, d, strains);
+    // under a mean force friction obeys the mean normal force, so that the impulses of an impact keep Coulomb's ratio
     for (const LimitPair& pair : problem.limitPairs) {
-        Law& limited = limitedLaw(problem, pair);
-        if (!follows(limited, pair)) continue;
-        const auto at = static_cast<std::size_t>(pair.from);
-        const Link& from = problem.links[at];
-        // under a mean force friction obeys the mean push, so that a knock's impulses keep Coulomb's ratio
-        const double force = respondOverStep(from.law, from.strain, strains[at], ruleOf(problem, from)).force;
-        limited.limit = limitFrom(pair, force);
+        const auto from = static_cast<std::size_t>(pair.from);
+        setLimit(problem, pair, respond(problem, problem.links[from], strains[from]).force);
     }
-}
-
-void LimitRounds::correct(StepProblem& problem, const Eigen::VectorXd& d) {
-    const Eigen::VectorXd used = limitsOf(problem);
-    correctFrictionLimits(problem, d);
-    Eigen::VectorXd allowed = limitsOf(problem);
-    Eigen::VectorXd change = allowed - used;
-    rounds_.push_back({std::move(allowed), std::move(change)});
-    if (rounds_.size() > remembered) rounds_.pop_front();
-    ++made_;
-}
-
-bool LimitRounds::mix(StepProblem& problem) {
-    if (made_ <= plainRounds) return false;
-    const auto earlier = static_cast<Eigen::Index>(rounds_.size()) - 1;
-    const Round& last = rounds_.back();
-    Eigen::MatrixXd changes(last.change.size(), earlier), steps(last.change.size(), earlier);
-    for (Eigen::Index i = 0; i < earlier; ++i) {
-        const Round &round = rounds_[static_cast<std::size_t>(i)], &next = rounds_[static_cast<std::size_t>(i) + 1];
-        changes.col(i) = next.change - round.change;
-        steps.col(i) = next.allowed - round.allowed;
-    }
-    const Eigen::VectorXd mixed = last.allowed - steps * changes.colPivHouseholderQr().solve(last.change);
-    Eigen::Index row = 0;
-    for (const LimitPair& pair : problem.limitPairs) {
-        const double limit = std::max(pair.base, mixed[row++]);
-        if (Law& limited = limitedLaw(problem, pair); follows(limited, pair)) limited.limit = limit;
-    }
-    return true;
 }
 
 }  // namespace keyblock

@@ -1,37 +1,19 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Friction limits follow normal forces, which follow friction limits. A step is
-// solved in rounds: each under fixed limits, which are then corrected. Taking them
-// over as they come need not end where blocks are wedged between steep joints: after
-// a few such rounds they are mixed from the last few (theory, "Friction in rounds").
+// Friction limits follow normal forces. Within a trial they are those of its own
+// normal forces; a direction of Newton's takes along how they change
+// (`CoupledFriction`), so that no limit lags behind.
 #pragma once
 
 #include "solver/engine/step/step_problem.h"
 
-#include <deque>
-
 namespace keyblock {
+
+/// Sets the limit of a pair from the force that its other link gives to the step's balance, before its share [N].
+void setLimit(StepProblem& problem, const LimitPair& pair, double force);
 
 /// Sets every limit that follows another force to what the forces at `d` allow.
 void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d);
-
-/// The rounds of one step.
-class LimitRounds {
-public:
-    /// Ends a round: sets the limits to what the forces at `d` allow.
-    void correct(StepProblem& problem, const Eigen::VectorXd& d);
-
-    /// Begins the next one where that did not balance: sets limits that would have changed least in the rounds so far,
-    /// as far as the change is linear in them (Anderson's mixing). \return false in the first rounds, which are plain.
-    bool mix(StepProblem& problem);
-
-private:
-    struct Round {
-        Eigen::VectorXd allowed, change;  // [N] per pair: by the forces, and less what was used
-    };
-    std::deque<Round> rounds_;  // the last few
-    int made_ = 0;
-};
 
 }  // namespace keyblock

@@ -7,7 +7,8 @@
 // cut. Kept as a reference for the convex step, whose mechanics are the same.
 #include "solver/engine/step/balance.h"
 #include "solver/engine/step/friction_limits.h"
-#include "solver/engine/step/step_problem.h"
+#include "solver/engine/step/step_forces.h"
+#include "solver/engine/step/step_solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,24 +69,38 @@ bool sameForces(const StepProblem& problem, const StepProblem& frozen, const std
     return true;
 }
 
+/// One linear step under the states that are held, from `d`. \return false where the matrix is singular.
+bool solveHeld(const StepProblem& frozen, const LinkRows& rows, StepMatrix& matrix, Eigen::VectorXd& d,
+               SolveReport& report) {
+    std::vector<double> strains, weights(rows.count());
+    linkStrains(frozen, d, strains);
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        weights[i] = frozen.links[i].law.share * respond(frozen, frozen.links[i], strains[i]).tangent;
+    const int loose = matrix.factor(frozen, rows, weights, report.work);
+    report.singular = loose >= 0;
+    if (report.singular) report.worst = bodyOf(frozen, loose);
+    else d += unpadded(matrix.solve(padded(netForce(frozen, d)), report.work));
+    return !report.singular;
+}
+
 }  // namespace
 
 SolveReport StepSolver::openClose(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                                   const std::function<bool()>& stopAsked) {
     SolveReport report;
+    const LinkRows rows(problem);
+    matrix_.begin(problem, rows);
     correctFrictionLimits(problem, d);
     std::vector<LinkState> states = judge(problem, d);
-    Eigen::VectorXd towards;
     for (report.passes = 1; report.passes <= settings.maxPasses; ++report.passes) {
         if (stopAsked && stopAsked()) {
             report.stopped = true;
             return report;
         }
         const StepProblem frozen = held(problem, states);
-        if (!direction(frozen, d, netForce(frozen, d), {}, report, towards)) return report;
-        d += towards;
-        correctFrictionLimits(problem, d);
-        const Balance balance(problem, d, mayBeRoundOff);
+        if (!solveHeld(frozen, rows, matrix_, d, report)) return report;
+        const Trial trial = trialAt(problem, rows, padded(d));
+        const Balance balance(problem, rows, trial, mayBeRoundOff, 0.0);
         report.residual = balance.residual();
         report.worst = balance.worst();
         if (!std::isfinite(report.residual)) return report;

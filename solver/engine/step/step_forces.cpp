@@ -4,12 +4,13 @@
 // Forces of a step at a trial displacement. Links are evaluated side by side,
 // each into its own place; sums run in the order of the links, so that the
 // number of threads never shows in a result.
-#include "solver/engine/step/step_problem.h"
+#include "solver/engine/step/step_forces.h"
 
 #include "solver/engine/step/parallel.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace keyblock {
 namespace {
@@ -31,6 +32,21 @@ Eigen::VectorXd linkForces(const StepProblem& problem, const Eigen::VectorXd& d,
         sum.segment(problem.first(link.b), wb) += forces[i] * link.gb.head(wb);
     }
     return sum;
+}
+
+/// \param forces of the links, shares included.
+double largestSum(const StepProblem& problem, const std::vector<double>& forces, const Eigen::VectorXd& net) {
+    double contact = 0.0, bolt = 0.0, reaction = 0.0;
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+        const LinkKind kind = problem.links[i].kind;
+        if (ofContact(kind)) contact += std::abs(forces[i]);
+        else if (kind == LinkKind::Glue) continue;  // within a block, like its stress
+        else if (kind == LinkKind::Support) reaction += std::abs(forces[i]);
+        else if (kind != LinkKind::Bend && kind != LinkKind::Shear && kind != LinkKind::Drag) bolt += std::abs(forces[i]);
+    }
+    for (int i = 0; i < problem.unknowns(); ++i)
+        if (problem.known[static_cast<std::size_t>(i)]) reaction += std::abs(net[i]) * problem.weight[i];
+    return std::max({problem.externalForce, reaction, contact, bolt, problem.floorForce});
 }
 
 double squaredResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body) {
@@ -93,17 +109,13 @@ Eigen::VectorXd contactForce(const StepProblem& problem, const Eigen::VectorXd& 
 double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net) {
     std::vector<double> forces;
     linkForces(problem, d, forces);
-    double contact = 0.0, bolt = 0.0, reaction = 0.0;
-    for (std::size_t i = 0; i < forces.size(); ++i) {
-        const LinkKind kind = problem.links[i].kind;
-        if (ofContact(kind)) contact += std::abs(forces[i]);
-        else if (kind == LinkKind::Glue) continue;  // within a block, like its stress
-        else if (kind == LinkKind::Support) reaction += std::abs(forces[i]);
-        else if (kind != LinkKind::Bend && kind != LinkKind::Shear && kind != LinkKind::Drag) bolt += std::abs(forces[i]);
-    }
-    for (int i = 0; i < problem.unknowns(); ++i)
-        if (problem.known[static_cast<std::size_t>(i)]) reaction += std::abs(net[i]) * problem.weight[i];
-    return std::max({problem.externalForce, reaction, contact, bolt, problem.floorForce});
+    return largestSum(problem, forces, net);
+}
+
+double referenceForce(const StepProblem& problem, const Trial& trial) {
+    std::vector<double> forces(trial.laws.size());
+    for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = problem.links[i].law.share * trial.laws[i].force;
+    return largestSum(problem, forces, trial.net);
 }
 
 double bodyResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body) {
@@ -119,6 +131,37 @@ double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net, int*
             largest = own;
             if (worst) *worst = body;
         }
+    }
+    return std::sqrt(sum);
+}
+
+double roundOffForce(const StepProblem& problem, const Eigen::VectorXd& d) {
+    constexpr double digits = 8.0 * std::numeric_limits<double>::epsilon();
+    double sum = 0.0;
+    for (const Link& link : problem.links) {
+        const int wa = problem.width(link.a);
+        double size = std::abs(link.strain) +
+                      link.ga.head(wa).cwiseAbs().dot(d.segment(problem.first(link.a), wa).cwiseAbs());
+        if (link.b >= 0) {
+            const int wb = problem.width(link.b);
+            size += link.gb.head(wb).cwiseAbs().dot(d.segment(problem.first(link.b), wb).cwiseAbs());
+        }
+        const double force = digits * link.law.share * link.law.stiffness * size * link.ga.head<2>().norm();
+        sum += force * force;
+    }
+    for (int i = 0; i < problem.blocks; ++i) {
+        const Vector6 size = problem.blockStiffness[static_cast<std::size_t>(i)].cwiseAbs() *
+                                 d.segment<6>(6 * i).cwiseAbs() + problem.load.segment<6>(6 * i).cwiseAbs();
+        sum += (digits * size.cwiseProduct(problem.weight.segment<6>(6 * i))).squaredNorm();
+    }
+    return std::sqrt(sum);
+}
+
+double placeNoise(const StepProblem& problem, double length) {
+    double sum = 0.0;
+    for (const Link& link : problem.links) {
+        const double force = link.law.share * link.law.stiffness * length * link.ga.head<2>().squaredNorm();
+        sum += force * force;
     }
     return std::sqrt(sum);
 }

@@ -4,17 +4,12 @@
 // One step as a minimisation. Blocks and bolt nodes are bodies with six or
 // three unknowns; everything between them is a link: one strain, linear in the
 // step's displacements, and one scalar law. The energy is convex and piecewise
-// quadratic, so Newton with an exact line search settles it (theory, "The step").
+// quadratic for given friction limits (theory, "The step").
 #pragma once
 
 #include "solver/engine/laws/step_law.h"
-#include "solver/engine/step/linear_system.h"
 #include "solver/engine/vector6.h"
 
-#include <functional>
-#include <limits>
-#include <span>
-#include <string>
 #include <vector>
 
 namespace keyblock {
@@ -34,7 +29,7 @@ struct Link {
     int part = -1;  // node or element of the bolt
 };
 
-/// A capped link's limit that follows the force F of another link (before shares); held while the energy is minimised.
+/// A capped link's limit that follows the force F of another link (before shares).
 struct LimitPair {
     enum class Rule {
         Push,  // base + factor·⟨−F⟩: a joint, by the tangent of its friction angle
@@ -70,24 +65,6 @@ struct StepProblem {
     int width(int body) const { return body < blocks ? 6 : 3; }
 };
 
-struct SolveSettings {
-    double tolerance = 1e-4;
-    int maxPasses = 40;
-    double farthest = std::numeric_limits<double>::infinity();  // move of a body at which it is given up [m]
-    bool openClose = false;  // by the classical iteration
-};
-
-struct SolveReport {
-    bool converged = false;
-    bool stopped = false;
-    bool lost = false;  // given up because a body went too far
-    double residual = 0.0;  // over the reference force
-    int passes = 0;
-    int factorizations = 0;
-    int worst = -1;  // body with the largest residual, or whose pivot vanished
-    bool singular = false;
-};
-
 inline bool ofContact(LinkKind kind) { return kind == LinkKind::Normal || kind == LinkKind::Friction; }
 
 /// The rule for a link: contacts keep energy where the rest follows generalized-α (theory, "Time").
@@ -103,66 +80,5 @@ inline LawResponse respond(const StepProblem& problem, const Link& link, double 
     if (problem.contactShare == 1.0 || !ofContact(link.kind)) return r;
     return {problem.contactShare * r.force, problem.contactShare * r.tangent};
 }
-
-/// Strain of every link at displacement `d`.
-void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vector<double>& strains);
-
-/// Net force on every unknown at `d` (external less internal), prescribed ones included: there it is minus the reaction.
-Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d);
-
-/// Forces of the contacts over the step on every unknown, as they act on the bodies.
-Eigen::VectorXd contactForce(const StepProblem& problem, const Eigen::VectorXd& d);
-
-/// Largest of the summed forces by kind: what residuals are compared with [N].
-double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net);
-
-/// Norm of the residual of the free unknowns [N], and the body with most of it.
-double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net, int* worst = nullptr);
-
-/// The same of one body [N].
-double bodyResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body);
-
-/// Force that round-off alone leaves unbalanced at `d`: its digits times the springs [N].
-double roundOffForce(const StepProblem& problem, const Eigen::VectorXd& d);
-
-/// Force that appears where every place is off by `length` [N].
-double placeNoise(const StepProblem& problem, double length);
-
-/// Shares of a law's stiffness that no tangent is taken as less than.
-struct LawFloor {
-    double bolts = 0.0, joints = 0.0;
-};
-
-/// Keeps what is worth keeping between steps: the pattern of the matrix and its symbolic factor.
-class StepSolver {
-public:
-    /// Finds the minimum from `d` (prescribed values are put in first) and leaves it there.
-    /// Friction limits are corrected from the normal forces until the true forces balance.
-    SolveReport solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
-                      const std::function<bool()>& stopAsked);
-
-    /// Entries of the last factor, zeros that it stores included.
-    double factorEntries() const { return system_.factorEntries(); }
-
-private:
-    SolveReport minimise(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
-                         const std::function<bool()>& stopAsked);
-    SolveReport openClose(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
-                          const std::function<bool()>& stopAsked);
-    /// Newton's direction from `d`, where the net force is `net`; no law is taken as softer than its
-    /// floor. \return false where the matrix is singular.
-    bool direction(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net,
-                   const LawFloor& floor, SolveReport& report, Eigen::VectorXd& towards);
-    void fixPattern(const StepProblem& problem);
-    void assemble(const StepProblem& problem, const std::vector<double>& strains, const LawFloor& floor);
-    int equationOf(int unknown) const { return equations_[static_cast<std::size_t>(unknown)]; }
-
-    LinearSystem system_;
-    std::vector<char> known_;
-    std::vector<std::pair<int, int>> pairs_;  // bodies that share an entry, sorted
-    std::vector<int> equations_;  // per unknown; −1 where prescribed
-    std::vector<int> unknownOf_;  // per equation
-    std::vector<std::array<int, 36>> slots_;  // per pair
-};
 
 }  // namespace keyblock

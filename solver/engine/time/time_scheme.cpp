@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/time/time_scheme.h"
 
-#include "solver/engine/step/step_problem.h"
+#include "solver/engine/step/step_forces.h"
 #include "solver/engine/time/mass.h"
 
 #include <Eigen/Cholesky>

@@ -12,6 +12,7 @@
 
 #include "solver/engine/bolt/topology.h"
 #include "solver/engine/stage/dynamics.h"
+#include "solver/engine/step/step_forces.h"
 #include "solver/verify/scenes.h"
 
 #include <gtest/gtest.h>

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 namespace keyblock {
 namespace {
 
@@ -24,6 +26,8 @@ struct Flight {
     LoadPoint at;
     StepProblem problem;
     Eigen::VectorXd guess;
+    std::optional<LinkRows> rows;
+    Trial trial;
 
     Flight(double density, double first, double second) : model(makeModel(scene(density))), state(makeState(model)) {
         state.blocks[0].velocity[1] = first;
@@ -33,6 +37,12 @@ struct Flight {
         guess = Eigen::VectorXd::Zero(problem.unknowns());
         guess[1] = first * dt;
         guess[7] = second * dt;
+    }
+
+    Balance balance() {
+        rows.emplace(problem);
+        trial = trialAt(problem, *rows, padded(guess));
+        return Balance(problem, *rows, trial, 0, 1e-4);
     }
 
     static Scene scene(double density) {
@@ -48,10 +58,10 @@ struct Flight {
 TEST(Balance, KnowsNoSpeedAndNoMass) {
     for (const double density : {1e-3, 2700.0, 1e9})
         for (const double speed : {0.0, 1.0, 1e5}) {
-            const Flight flight(density, speed, -speed);
+            Flight flight(density, speed, -speed);
             const double mass = density * 100.0, least = 1e-12 * 10e9 * 10.0;  // [kg], [N]
             const double expected = mass * gravity / (mass * gravity + least);
-            EXPECT_NEAR(Balance(flight.problem, flight.guess, 0).residual(), expected, 1e-6 * expected + 1e-9)
+            EXPECT_NEAR(flight.balance().residual(), expected, 1e-6 * expected + 1e-9)
                 << density << ' ' << speed;
         }
 }
@@ -60,11 +70,11 @@ TEST(Balance, KnowsNoSpeedAndNoMass) {
 TEST(Balance, SeesTheLightBody) {
     Flight flight(2700.0, 0.0, -100.0);
     flight.guess[7] -= 0.5 * gravity * dt * dt;  // the mountain falls as it should
-    const Balance without(flight.problem, flight.guess, 0);
+    const Balance without = flight.balance();
     EXPECT_NEAR(without.residual(), 0.1, 1e-4);  // a single body may be off by ten times the tolerance
     EXPECT_EQ(without.worst(), 0);
     flight.guess[1] -= 0.5 * gravity * dt * dt;
-    EXPECT_LT(Balance(flight.problem, flight.guess, 0).residual(), 1e-9);
+    EXPECT_LT(flight.balance().residual(), 1e-9);
 }
 
 /// Where nothing acts, digits are all that a fast block is off by.
@@ -72,9 +82,9 @@ TEST(Balance, TakesRoundOffForBalance) {
     Flight flight(2700.0, 1e3 / 3.0, -1e4 / 7.0);
     flight.at.gravity = 0.0;
     flight.problem = buildStep(flight.model, flight.state, flight.loads, flight.at, {Inertia::Shi, dt});
-    EXPECT_TRUE(Balance(flight.problem, flight.guess, 0).within(1e-10));
+    EXPECT_TRUE(flight.balance().within(1e-10));
     flight.guess[1] *= 1.0 + 1e-12;
-    EXPECT_FALSE(Balance(flight.problem, flight.guess, 0).within(1e-10));
+    EXPECT_FALSE(flight.balance().within(1e-10));
 }
 
 }  // namespace

@@ -8,8 +8,11 @@
 #include "solver/engine/setup/make_model.h"
 #include "solver/engine/stage/step_build.h"
 #include "solver/engine/step/friction_limits.h"
+#include "solver/engine/step/step_forces.h"
+#include "solver/engine/step/step_solver.h"
 #include "solver/verify/scenes.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -92,52 +95,58 @@ TEST(StepSolver, ConvergedMeansTheTrueForcesBalance) {
     EXPECT_LE(residualNorm(step.problem, net), 1e-9 * referenceForce(step.problem, step.d, net));
 }
 
-/// One joint whose push, and so its limit, answers to the limit that it was given by a straight line of slope `slope`.
-class Answering {
-public:
-    explicit Answering(double slope) : slope_(slope) {
-        problem_.blocks = 1;
-        problem_.links.resize(2);
-        for (Link& link : problem_.links) link.a = 0, link.law.kind = LawKind::Gap, link.law.stiffness = 1.0;
-        problem_.links[0].ga[0] = 1.0;
-        problem_.links[1].law.kind = LawKind::Capped;
-        problem_.limitPairs = {{1, 0, 1.0}};
+/// One block between springs of its own, with a joint that pushes against it and slides: its normal force answers to its
+/// friction, as between steep joints of a wedge.
+struct SlidingJoint {
+    StepProblem problem;
+    Eigen::Vector2d normal{-1.0, 0.0}, tangent{0.0, 0.0};
+    static constexpr double spring = 1e6, penalty = 1e8, factor = 0.9;  // [N/m], of both bodies; tan φ
+
+    explicit SlidingJoint(double angle) {
+        tangent = {std::cos(angle), std::sin(angle)};
+        problem.blocks = 1;
+        problem.blockStiffness = {spring * Matrix6::Identity()};
+        problem.load = Eigen::VectorXd::Zero(6);
+        problem.load.head<2>() << 2e3, 5e3;
+        problem.known.assign(6, 0);
+        problem.value = Eigen::VectorXd::Zero(6);
+        problem.weight = Eigen::VectorXd::Ones(6);
+        problem.floorForce = 1e-9;
+        problem.moves = true;
+        problem.ownForce = {1e3};
+        problem.links.resize(2);
+        Link &n = problem.links[0], &t = problem.links[1];
+        n.a = t.a = 0;
+        n.kind = LinkKind::Normal;
+        t.kind = LinkKind::Friction;
+        n.ga.head<2>() = normal;
+        t.ga.head<2>() = tangent;
+        n.law.kind = LawKind::Gap;
+        t.law.kind = LawKind::Capped;
+        n.law.stiffness = t.law.stiffness = penalty;
+        problem.limitPairs = {{1, 0, factor}};
     }
 
-    double limit() const { return problem_.links[1].law.limit; }
-
-    /// A round: what the forces allow is 10 + slope·limit.
-    void round(LimitRounds& rounds) {
-        Eigen::VectorXd d = Eigen::VectorXd::Zero(6);
-        d[0] = -(10.0 + slope_ * limit());
-        rounds.correct(problem_, d);
-        rounds.mix(problem_);
+    /// Where the block comes to while the joint pushes and slides forwards: a linear system without symmetry.
+    Eigen::Vector2d sliding() const {
+        Eigen::Matrix2d a = spring * Eigen::Matrix2d::Identity() + penalty * normal * normal.transpose();
+        a -= factor * penalty * tangent * normal.transpose();
+        return a.lu().solve(problem.load.head<2>());
     }
-
-private:
-    double slope_;
-    StepProblem problem_;
 };
 
-/// Plain rounds go off where the slope is over one; mixed ones find 10 / (1 − slope), a straight line's exactly.
-TEST(LimitRounds, FindTheLimitThatAnswersToItself) {
-    for (const double slope : {-3.0, -1.0, -0.9, 0.5, 0.9}) {
-        Answering joint(slope);
-        LimitRounds rounds;
-        for (int i = 0; i < 6; ++i) joint.round(rounds);
-        EXPECT_NEAR(joint.limit(), 10.0 / (1.0 - slope), 1e-9) << slope;
-    }
-}
-
-/// The first rounds are plain: what they settle is as it would be without mixing.
-TEST(LimitRounds, BeginPlainly) {
-    Answering joint(-0.5);
-    LimitRounds rounds;
-    double limit = 0.0;
-    for (int i = 0; i < 3; ++i) {
-        joint.round(rounds);
-        limit = 10.0 - 0.5 * limit;
-        EXPECT_EQ(joint.limit(), limit) << i;
+TEST(StepSolver, FrictionFollowsTheNormalForceWithinTheStep) {
+    for (const double angle : {0.4, 0.8, 1.2, 1.5707963267948966, 2.0, 2.6}) {
+        SlidingJoint joint(angle);
+        const Eigen::Vector2d expected = joint.sliding();
+        if (joint.normal.dot(expected) >= 0.0) continue;  // it opens
+        Eigen::VectorXd d = Eigen::VectorXd::Zero(6);
+        const SolveReport report = StepSolver().solve(joint.problem, d, {.tolerance = 1e-10}, {});
+        ASSERT_TRUE(report.converged) << angle;
+        EXPECT_LE(report.passes, 6) << angle;
+        const double carried = -joint.penalty * joint.normal.dot(d.head<2>());
+        EXPECT_NEAR(joint.problem.links[1].law.limit, joint.factor * carried, 1e-9 * carried) << angle;
+        EXPECT_LE((d.head<2>() - expected).norm(), 1e-8 * expected.norm()) << angle;
     }
 }
 

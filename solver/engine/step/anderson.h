@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Anderson's mixing (1965) of a fixed-point iteration: from what the last rounds
+// changed it takes the combination of them that would have changed least, as far as
+// the change is linear.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <vector>
+
+namespace keyblock {
+
+class AndersonMixing {
+public:
+    explicit AndersonMixing(int remembered);
+
+    /// Takes a round from `before` to `after`, and sets `after` to where the next had best begin.
+    /// \return false in the first round, and where the iteration went astray and begins again: `after` is as it was.
+    bool mix(const std::vector<double>& before, std::vector<double>& after);
+
+private:
+    void remember(const Eigen::VectorXd& after, const Eigen::VectorXd& change);
+
+    int remembered_;
+    int kept_ = 0, newest_ = -1;  // differences of successive rounds: how many, and the column of the newest
+    Eigen::MatrixXd changes_, places_;  // a column per difference: of the changes, and of where they led
+    Eigen::MatrixXd products_;  // of the columns of `changes_` with each other
+    Eigen::VectorXd lastAfter_, lastChange_;
+    double lastSize_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace keyblock

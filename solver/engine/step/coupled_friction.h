@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Newton's direction where friction slides. A sliding force changes with its normal
+// force, which makes the matrix unsymmetric: the symmetric part is factored, and a
+// few steps of GMRES (Saad and Schultz 1986) bring in the rest (theory, "The step").
+#pragma once
+
+#include "solver/engine/step/step_matrix.h"
+#include "solver/engine/step/trial.h"
+
+namespace keyblock {
+
+struct Direction {
+    Eigen::VectorXd displacement;  // padded
+    bool slides = false;  // friction slides: no energy falls along it for certain
+    bool coupled = true;  // friction limits follow along it; else they stay as they are
+};
+
+/// Solves (A + C)·x = net force of `at`, where A is the matrix that was factored last for the tangents there and C is
+/// how sliding friction follows its normal forces; to a hundredth of the net force. Padded, zero where prescribed.
+/// Where that is not reached, or leads uphill, C is left out.
+Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, const Trial& at, StepMatrix& matrix,
+                           StepWork& work);
+
+}  // namespace keyblock

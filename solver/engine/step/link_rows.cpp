@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/step/link_rows.h"
+
+#include "solver/engine/step/parallel.h"
+
+#include <cmath>
+
+namespace keyblock {
+namespace {
+
+constexpr std::size_t linksATask = 4096;
+
+template <class One>
+void forAll(std::size_t count, const One& one) {
+    if (count < 2 * linksATask) {
+        for (std::size_t i = 0; i < count; ++i) one(i);
+        return;
+    }
+    inParallel(count, linksATask, one);
+}
+
+}  // namespace
+
+LinkRows::LinkRows(const StepProblem& problem)
+    : gradients_(12 * problem.links.size(), 0.0), start_(problem.links.size()),
+      first_(problem.links.size()), pulls_(problem.links.size()) {
+    const Eigen::VectorXd weight = padded(problem.weight);
+    const auto pull = [&](const double* g, int first) {
+        double sum = 0.0;
+        for (int k = 0; k < 6; ++k) sum += g[k] * g[k] * weight[first + k] * weight[first + k];
+        return std::sqrt(sum);
+    };
+    for (std::size_t i = 0; i < count(); ++i) {
+        const Link& link = problem.links[i];
+        start_[i] = link.strain + link.shift;
+        first_[i] = {problem.first(link.a), link.b >= 0 ? problem.first(link.b) : problem.unknowns()};
+        for (int k = 0; k < problem.width(link.a); ++k) gradients_[12 * i + k] = link.ga[k];
+        for (int k = 0; link.b >= 0 && k < problem.width(link.b); ++k) gradients_[12 * i + 6 + k] = link.gb[k];
+        pulls_[i] = {pull(gradient(i), first_[i].a), pull(gradient(i) + 6, first_[i].b)};
+    }
+}
+
+void LinkRows::rates(const Eigen::VectorXd& x, std::vector<double>& result) const {
+    result.resize(count());
+    forAll(count(), [&](std::size_t i) { result[i] = rate(i, x.data()); });
+}
+
+void LinkRows::strains(const Eigen::VectorXd& d, std::vector<double>& result) const {
+    result.resize(count());
+    forAll(count(), [&](std::size_t i) { result[i] = start_[i] + rate(i, d.data()); });
+}
+
+Eigen::VectorXd padded(const Eigen::VectorXd& x) {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(x.size() + LinkRows::padding);
+    result.head(x.size()) = x;
+    return result;
+}
+
+Eigen::VectorXd unpadded(const Eigen::VectorXd& x) { return x.head(x.size() - LinkRows::padding); }
+
+}  // namespace keyblock

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/step/trial.h"
+
+#include "solver/engine/step/friction_limits.h"
+
+#include <utility>
+
+namespace keyblock {
+namespace {
+
+/// Laws and forces at the strains that are there already.
+void judge(StepProblem& problem, const LinkRows& rows, Trial& trial) {
+    trial.laws.resize(rows.count());
+    const auto respondAt = [&](std::size_t i) { trial.laws[i] = respond(problem, problem.links[i], trial.strains[i]); };
+    for (std::size_t i = 0; i < rows.count(); ++i) respondAt(i);
+    for (const LimitPair& pair : problem.limitPairs) {
+        setLimit(problem, pair, trial.laws[static_cast<std::size_t>(pair.from)].force);
+        respondAt(static_cast<std::size_t>(pair.limited));
+    }
+    trial.net = padded(problem.load) - bodyProduct(problem, trial.d);
+    for (std::size_t i = 0; i < rows.count(); ++i)
+        if (const double force = problem.links[i].law.share * trial.laws[i].force; force != 0.0)
+            rows.add(i, -force, trial.net.data());
+}
+
+}  // namespace
+
+Trial trialAt(StepProblem& problem, const LinkRows& rows, Eigen::VectorXd d) {
+    Trial trial;
+    trial.d = std::move(d);
+    rows.strains(trial.d, trial.strains);
+    judge(problem, rows, trial);
+    return trial;
+}
+
+void advance(StepProblem& problem, const LinkRows& rows, const Eigen::VectorXd& direction,
+             const std::vector<double>& rates, double length, Trial& trial) {
+    trial.d += length * direction;
+    for (std::size_t i = 0; i < rates.size(); ++i) trial.strains[i] += length * rates[i];
+    judge(problem, rows, trial);
+}
+
+Eigen::VectorXd bodyProduct(const StepProblem& problem, const Eigen::VectorXd& x) {
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(x.size());
+    for (int i = 0; i < problem.blocks; ++i)
+        force.segment<6>(6 * i).noalias() = problem.blockStiffness[static_cast<std::size_t>(i)] * x.segment<6>(6 * i);
+    for (int i = 0; i < problem.nodes; ++i) {
+        const int at = problem.first(problem.blocks + i);
+        force.segment<3>(at) = problem.nodeStiffness[static_cast<std::size_t>(i)].cwiseProduct(x.segment<3>(at));
+    }
+    return force;
+}
+
+}  // namespace keyblock

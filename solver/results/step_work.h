@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The work of solving a step, counted and never timed: the same run gives the same
+// counts on every machine.
+#pragma once
+
+namespace keyblock {
+
+/// Operations spent on solving. One measure of all of them is `workOf`.
+struct StepWork {
+    long factorizations = 0;  // matrices made for a solve: factored in full, or by rank updates
+    long fullFactorizations = 0;
+    long ranks = 0;  // of the rank updates
+    long solves = 0;  // back-substitutions
+    long products = 0;  // matrix–vector products, and sweeps over all strains or forces
+    long sweeps = 0;  // Gauss–Seidel sweeps over the contact forces
+
+    StepWork& operator+=(const StepWork& other) {
+        factorizations += other.factorizations;
+        fullFactorizations += other.fullFactorizations;
+        ranks += other.ranks;
+        solves += other.solves;
+        products += other.products;
+        sweeps += other.sweeps;
+        return *this;
+    }
+    bool operator==(const StepWork&) const = default;
+};
+
+/// The work in units of one full factorization, by what each operation costs at a thousand blocks.
+inline double workOf(const StepWork& w) {
+    return static_cast<double>(w.fullFactorizations) + 0.006 * static_cast<double>(w.ranks) +
+           0.07 * static_cast<double>(w.solves) + 0.01 * static_cast<double>(w.products) +
+           0.035 * static_cast<double>(w.sweeps);
+}
+
+}  // namespace keyblock

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sweeps over the contact forces: the step that they find is the one that Newton's
+// method finds, under every rule for the forces of a step.
+#include "solver/engine/step/dual_sweeps.h"
+
+#include "solver/engine/contact/search.h"
+#include "solver/engine/setup/make_model.h"
+#include "solver/engine/stage/step_build.h"
+#include "solver/engine/step/balance.h"
+#include "solver/engine/step/step_solver.h"
+#include "solver/verify/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace keyblock {
+namespace {
+
+/// A wall that begins to slide and tilt from rest, its joints without history.
+StepProblem slidingWall(const Model& model, const StepOptions& options) {
+    State state = makeState(model);
+    state.contacts = findContacts(model, state.blocks, {}, 0.01, true);
+    for (std::size_t i = 0; i < state.blocks.size(); ++i)
+        if (!model.blocks[i].fixed) state.blocks[i].velocity[0] = 0.01 * static_cast<double>(i);
+    LoadPoint at;
+    at.gravity = 1.0;
+    return buildStep(model, state, Loads{}, at, options);
+}
+
+/// Three boxes on three, half a box apart, on a fixed base.
+Model wallModel() {
+    Scene scene = emptyScene(10e9, 0.2, 20.0);
+    scene.analysis.gravity = {4.0, -9.0};
+    scene.blocks = {boxBlock("base", {-1, -1}, {5, 0})};
+    for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 3; ++column)
+            scene.blocks.push_back(boxBlock("box", {column + 0.5 * row, row}, {column + 0.5 * row + 1.0, row + 1.0}));
+    Support support;
+    support.blockAt = Point(0.0, -0.5);
+    scene.supports = {support};
+    return makeModel(scene);
+}
+
+TEST(DualSweeps, FindTheStatesOfTheStep) {
+    const Model model = wallModel();
+    for (const Inertia inertia : {Inertia::Shi, Inertia::BackwardEuler, Inertia::Newmark, Inertia::GeneralizedAlpha}) {
+        StepOptions options{inertia, 1e-3};
+        options.rhoInf = 0.8;
+        StepProblem problem = slidingWall(model, options);
+        const LinkRows rows(problem);
+        StepMatrix matrix;
+        matrix.begin(problem, rows);
+        DualSweeps sweeps(problem, rows, DualSweeps::carriedForces(problem, rows));
+        ASSERT_TRUE(sweeps.possible());
+        StepWork work;
+        Trial trial = trialAt(problem, rows, Eigen::VectorXd::Zero(problem.unknowns() + LinkRows::padding));
+        const double before = Balance(problem, rows, trial, 0, 1e-4).residual();
+        for (int round = 0; round < 3; ++round) {
+            const auto d = sweeps.solve(trial, matrix, work);
+            ASSERT_TRUE(d.has_value());
+            trial = trialAt(problem, rows, *d);
+        }
+        EXPECT_GT(work.sweeps, 0);
+        // forces settle to 3e-5 in a round
+        EXPECT_LT(Balance(problem, rows, trial, 2, 1e-4).residual(), 1e-2 * before) << static_cast<int>(inertia);
+
+        StepProblem again = slidingWall(model, options);
+        Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
+        ASSERT_TRUE(StepSolver().solve(again, d, {.tolerance = 1e-9}, {}).converged) << static_cast<int>(inertia);
+        EXPECT_LE((unpadded(trial.d) - d).norm(), 1e-3 * d.norm()) << static_cast<int>(inertia);
+    }
+}
+
+TEST(DualSweeps, AreNotPossibleWithoutMass) {
+    Scene scene = emptyScene(10e9, 0.2, 30.0);
+    scene.materials[0].second.density = 0.0;
+    scene.blocks = {boxBlock("box", {0, 0}, {1, 1})};
+    const Model model = makeModel(scene);
+    StepProblem problem = slidingWall(model, {Inertia::Shi, 1e-3});
+    const LinkRows rows(problem);
+    EXPECT_FALSE(DualSweeps(problem, rows, DualSweeps::carriedForces(problem, rows)).possible());
+}
+
+}  // namespace
+}  // namespace keyblock
