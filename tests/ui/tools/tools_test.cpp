@@ -120,7 +120,8 @@ TEST(Tools, FromAnEmptySceneToAPattern) {
     place.choose("pattern");
     place.click({2.55, 0.0});
     place.move({-2.55, 0.0});
-    EXPECT_TRUE(place.desk->tool().commitText().contains("8")) << place.desk->tool().commitText().toStdString();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return place.desk->tool().commitText().contains("8"); }))  // the X server's time
+        << place.desk->tool().commitText().toStdString();
     place.click({-2.55, 0.0});
     place.key(Qt::Key_Return);
     ASSERT_EQ(place.scene().boltPatterns.size(), 1u);
