@@ -213,7 +213,9 @@ DualSweeps::Straight DualSweeps::straight(std::size_t i) const {
     return {force_[i], respond(problem_, link, strain_[i]).tangent, strain_[i], 0.0};
 }
 
-std::optional<Eigen::VectorXd> DualSweeps::solve(const Trial& from, StepMatrix& matrix, StepWork& work) {
+/// Links of bolt nodes give what they give at `from`; with the loads and prescribed moves that is what does not change
+/// while the contact forces are swept.
+void DualSweeps::holdTheRest(const Trial& from) {
     outer_ = padded(problem_.load);
     Eigen::VectorXd moves = Eigen::VectorXd::Zero(outer_.size());
     for (int i = 0; i < problem_.unknowns(); ++i)
@@ -225,43 +227,55 @@ std::optional<Eigen::VectorXd> DualSweeps::solve(const Trial& from, StepMatrix& 
         strain_[i] = from.strains[i];
         rows_.add(i, -problem_.links[i].law.share * force_[i], outer_.data());
     }
-    sweepUntilSettled(work);
+}
 
-    std::vector<Straight> laws(rows_.count());
-    std::vector<double> weights(rows_.count());
-    for (std::size_t i = 0; i < rows_.count(); ++i) {
-        laws[i] = swept_[i] ? straight(i) : Straight{force_[i], from.laws[i].tangent, strain_[i], 0.0};
-        weights[i] = problem_.links[i].law.share * laws[i].tangent;
-    }
-    if (matrix.factor(problem_, rows_, weights, work) >= 0) {
+/// Takes every law as straight in the state that its force says, and factors the matrix of that.
+/// \return false where it is singular.
+bool DualSweeps::straighten(const Trial& from, StepMatrix& matrix, StepWork& work) {
+    laws_.resize(rows_.count());
+    for (std::size_t i = 0; i < rows_.count(); ++i)
+        laws_[i] = swept_[i] ? straight(i) : Straight{force_[i], from.laws[i].tangent, strain_[i], 0.0};
+    const auto factored = [&](double least) {
+        std::vector<double> weights(rows_.count());
         for (std::size_t i = 0; i < rows_.count(); ++i) {
             const Law& law = problem_.links[i].law;
-            laws[i].tangent = std::max(laws[i].tangent, leastHold * law.stiffness);
-            weights[i] = law.share * laws[i].tangent;
+            laws_[i].tangent = std::max(laws_[i].tangent, least * law.stiffness);
+            weights[i] = law.share * laws_[i].tangent;
         }
-        if (matrix.factor(problem_, rows_, weights, work) >= 0) return std::nullopt;
+        return matrix.factor(problem_, rows_, weights, work) < 0;
+    };
+    return factored(0.0) || factored(leastHold);
+}
+
+/// Forces of the straight laws at `strains`, kept within what the laws can give; what slides follows its limit.
+void DualSweeps::takeForces(const std::vector<double>& strains) {
+    for (std::size_t i = 0; i < rows_.count(); ++i) force_[i] = laws_[i].at(strains[i]);
+    clip(force_);
+    for (const Visit& visit : order_) {
+        const auto i = static_cast<std::size_t>(visit.link);
+        if (laws_[i].sliding == 0.0) continue;
+        laws_[i].force = laws_[i].sliding * weightOf(problem_.links[i]) * problem_.links[i].law.limit;
+        force_[i] = laws_[i].force;
     }
-    Trial now = from;
+}
+
+std::optional<Eigen::VectorXd> DualSweeps::solve(const Trial& from, StepMatrix& matrix, StepWork& work) {
+    holdTheRest(from);
+    sweepUntilSettled(work);
+    if (!straighten(from, matrix, work)) return std::nullopt;
+    Eigen::VectorXd d = from.d;
+    std::vector<double> strains = from.strains;
     for (int correction = 0; correction <= limitCorrections; ++correction) {
-        now.net = padded(problem_.load) - bodyProduct(problem_, now.d);
-        for (std::size_t i = 0; i < rows_.count(); ++i) {
-            const double force = laws[i].force + laws[i].tangent * (now.strains[i] - laws[i].strain);
-            if (force != 0.0) rows_.add(i, -problem_.links[i].law.share * force, now.net.data());
-        }
-        now.d += matrix.solve(now.net, work);
-        rows_.strains(now.d, now.strains);
-        work.products += 2;
+        Eigen::VectorXd net = padded(problem_.load) - bodyProduct(problem_, d);
         for (std::size_t i = 0; i < rows_.count(); ++i)
-            force_[i] = laws[i].force + laws[i].tangent * (now.strains[i] - laws[i].strain);
-        clip(force_);
-        for (const Visit& visit : order_) {
-            const auto i = static_cast<std::size_t>(visit.link);
-            if (laws[i].sliding == 0.0) continue;
-            laws[i].force = laws[i].sliding * weightOf(problem_.links[i]) * problem_.links[i].law.limit;
-            force_[i] = laws[i].force;
-        }
+            if (const double force = laws_[i].at(strains[i]); force != 0.0)
+                rows_.add(i, -problem_.links[i].law.share * force, net.data());
+        d += matrix.solve(net, work);
+        rows_.strains(d, strains);
+        work.products += 2;
+        takeForces(strains);
     }
-    return now.d;
+    return d;
 }
 
 }  // namespace keyblock

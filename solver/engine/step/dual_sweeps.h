@@ -33,8 +33,8 @@ public:
     /// True where every body can be moved by its own stiffness alone, which the sweeps need.
     bool possible() const { return possible_; }
 
-    /// Sweeps from the forces of the last time (first: those that the links carry before the step), then solves once
-    /// for the displacement under the states that the forces say. Friction limits are left to the next judgement.
+    /// Sweeps from the forces of the last time (at first those given), then solves for the displacement under the states
+    /// that the forces say. Friction limits are left to the next judgement.
     /// \param from where the step was judged last; its forces of bolts are kept.
     /// \return the displacement (padded), or nothing where the matrix is singular.
     std::optional<Eigen::VectorXd> solve(const Trial& from, StepMatrix& matrix, StepWork& work);
@@ -43,10 +43,12 @@ private:
     struct Visit {
         int link = -1, pair = -1;  // pair: row of limitPairs that limits the link; −1: none
     };
-    /// What a law is taken as while the states stay: force + tangent·(strain − its strain)
+    /// What a law is taken as while the states stay.
     struct Straight {
         double force = 0.0, tangent = 0.0, strain = 0.0;
         double sliding = 0.0;  // ±1 where the force is ± the limit
+
+        double at(double e) const { return force + tangent * (e - strain); }
     };
 
     void findOrder();
@@ -57,7 +59,10 @@ private:
     void sweepUntilSettled(StepWork& work);
     void clip(std::vector<double>& forces);
     void limit(int pair);
+    void holdTheRest(const Trial& from);
     Straight straight(std::size_t link) const;
+    bool straighten(const Trial& from, StepMatrix& matrix, StepWork& work);
+    void takeForces(const std::vector<double>& strains);
     double weightOf(const Link& link) const { return ofContact(link.kind) ? problem_.contactShare : 1.0; }
 
     StepProblem& problem_;
@@ -70,6 +75,7 @@ private:
     std::vector<double> yields_;  // K⁻¹·g of every link, twelve entries
     std::vector<double> compliance_;  // share·gᵀK⁻¹g of every link
     std::vector<double> force_, strain_;  // of every link, before its share, and where its law gives it
+    std::vector<Straight> laws_;  // of every link, after the last sweep
     Eigen::VectorXd outer_;  // loads and forces of links that are not swept, less those of prescribed moves
 };
 
