@@ -33,7 +33,7 @@ constexpr double arcStep = 1e-3;  // over the given step: shorter ones are taken
 constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
 constexpr int preloadRounds = 4;
 constexpr int preloadTries = 12;  // what was found by then is a fair start
-constexpr double preloadCut = 0.1;  // of the pseudo-step, where friction does not settle in it
+constexpr double preloadCut = 0.01;  // of the pseudo-step, where friction does not settle in it: the scene moves anyway
 
 /// At its zero point, or past it and carrying.
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
@@ -225,7 +225,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
     Eigen::VectorXd guess = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model.blocks.size()) + 3 * model.nodes);
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         guess.segment<6>(6 * static_cast<Eigen::Index>(i)) = dt * state.blocks[i].velocity;
-    Eigen::VectorXd path = guess, solution;
+    Eigen::VectorXd path = guess, start = guess;  // a step that is done again starts from its last solution
     for (int paths = 0, arcs = 0;;) {
         trial.state = state;
         trial.state.contacts = findContacts(model, state.blocks, state.contacts,
@@ -233,7 +233,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
                                              &trial.state.energy.released});
         meetDilated(state, trial.state.contacts);
         StepProblem problem = buildStep(model, trial.state, loads_, at, options);
-        Eigen::VectorXd d = paths + arcs > 0 ? solution : guess;
+        Eigen::VectorXd d = start;
         const SolveReport report = solveStep(engine_, problem, trial.state, d,
                                              {.tolerance = model.analysis.tolerance, .sweepsFirst = &pace.sweepsFirst});
         worst_ = report.worst;
@@ -247,13 +247,13 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         }
         if (paths < mostPaths && move > pathShare * smallestSize(model) &&
             !entrancesHold(model, state.blocks, trial.state.contacts, 2.0 * margin + widestOpening(state), d)) {
-            path = solution = d;
+            path = start = d;
             ++paths;
             continue;
         }
         if (dt > arcStep * settings_.timeStep && !arcsHold(model, state.blocks, problem, trial.state.contacts, d)) {
             if (arcs == mostArcs) return Attempt::TooLong;
-            guess = solution = d;
+            guess = start = d;
             options.path = &guess;
             ++arcs;
             continue;
