@@ -28,7 +28,7 @@ struct LawFloor {
 };
 
 /// Where laws are flat, of open joints too, a step of Newton's goes far and is stopped early by the first law that is
-/// not: then laws are told stiffer than they are, until steps go through again.
+/// not: then laws are taken as stiffer than they are, until steps go through again.
 double nextFloor(double floor, double stepLength) {
     if (stepLength < 0.05) return std::clamp(10.0 * floor, lowestFloor, highestFloor);
     if (stepLength > 0.5) return floor > lowestFloor ? 0.1 * floor : 0.0;
