@@ -28,7 +28,8 @@ public:
     [[nodiscard]] int factor(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights,
                              StepWork& work);
 
-    /// Has the next factor made in full, whatever changes.
+    /// Has the next factor made in full, whatever changes: steps at rest resist some motions so little that the digits
+    /// which rank updates lose would show.
     void forget() { current_ = false; }
 
     /// Displacement under `force` by the last factor (both padded); prescribed unknowns get none.

@@ -69,7 +69,7 @@ inline bool ofContact(LinkKind kind) { return kind == LinkKind::Normal || kind =
 
 /// The rule for a link: contacts keep energy where the rest follows generalized-α (theory, "Time").
 inline StepRule ruleOf(const StepProblem& problem, const Link& link) {
-    if (link.law.rigid) return {};  // found anew for the end of the step, whatever it was at its start
+    if (link.law.rigid) return {};  // determined for the end of the step, whatever it was at its start
     if (problem.rule.rule == ForceRule::Blend && ofContact(link.kind)) return {ForceRule::Average, 0.5};
     return problem.rule;
 }

@@ -37,8 +37,8 @@ struct SolveReport {
 /// Keeps what is worth keeping between steps: the pattern of the matrix and its symbolic factor.
 class StepSolver {
 public:
-    /// Finds the minimum from the better of `d` and no displacement (prescribed values are put in first) and leaves it
-    /// in `d`, with the friction limits that belong to it in `problem`.
+    /// Balances the step from `d`, in motion from the better of `d` and no displacement (prescribed values are put in
+    /// first). Leaves the displacement in `d` and the friction limits that belong to it in `problem`.
     SolveReport solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                       const std::function<bool()>& stopAsked);
 
