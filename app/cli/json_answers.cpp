@@ -56,6 +56,7 @@ Json healthJson(const std::optional<RunHealth>& health) {
                 {"factorizations_mean", nullptr},
                 {"full_factorizations_mean", nullptr},
                 {"step_cuts", nullptr},
+                {"energy_cuts", nullptr},
                 {"max_penetration_ratio", nullptr},
                 {"balance_error", nullptr},
                 {"residual", nullptr}};
@@ -64,6 +65,7 @@ Json healthJson(const std::optional<RunHealth>& health) {
             {"factorizations_mean", health->factorizationsMean},
             {"full_factorizations_mean", health->fullFactorizationsMean},
             {"step_cuts", health->stepCuts},
+            {"energy_cuts", health->energyCuts},
             {"max_penetration_ratio", health->maxPenetrationRatio},
             {"balance_error", health->balanceError},
             {"residual", health->residual}};

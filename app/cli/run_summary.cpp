@@ -55,8 +55,8 @@ std::string healthLine(const std::vector<StageRecord>& records) {
     if (!health)
         return {};
     return "health  " + shown(health->passesMean) + " passes a step, " + std::to_string(health->stepCuts) +
-           " step cuts, deepest penetration " + shown(health->maxPenetrationRatio) + " of a block, residual " +
-           shown(health->residual) + ", energy balance error " + shown(health->balanceError) + "\n";
+           " step cuts, " + std::to_string(health->energyCuts) + " energy cuts, deepest penetration " +
+           shown(health->maxPenetrationRatio) + " of a block, residual " + shown(health->residual) + ", energy balance error " + shown(health->balanceError) + "\n";
 }
 
 std::string measuredText(const Measurement& measurement) {
@@ -139,6 +139,7 @@ std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records) {
         solved += health.steps;
         work += health.work;
         total.stepCuts += health.stepCuts;
+        total.energyCuts += health.energyCuts;
         total.maxPenetrationRatio = std::max(total.maxPenetrationRatio, health.maxPenetrationRatio);
         total.residual = std::max(total.residual, health.maxResidual);
         if (std::abs(health.balanceError) > std::abs(total.balanceError))

@@ -20,6 +20,7 @@ struct RunHealth {
     double passesMean = 0.0;  // a step
     double workMean = 0.0, factorizationsMean = 0.0, fullFactorizationsMean = 0.0;  // a solved step
     long stepCuts = 0;
+    long energyCuts = 0;
     double maxPenetrationRatio = 0.0;
     double balanceError = 0.0;
     double residual = 0.0;

@@ -10,7 +10,7 @@ namespace keyblock::run_schema {
 inline constexpr int applicationId = 0x4B42524E;
 
 /// Rises with every change that an older program would misread.
-inline constexpr int version = 4;
+inline constexpr int version = 5;
 
 inline constexpr const char* tables = R"(
 CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL);
@@ -18,8 +18,8 @@ CREATE TABLE columns (payload TEXT, position INTEGER, name TEXT, unit TEXT, mean
     PRIMARY KEY (payload, position));
 CREATE TABLE stages (stage INTEGER PRIMARY KEY, name TEXT, kind TEXT,
     outcome TEXT, time REAL, steps INTEGER, message TEXT, blocks BLOB,
-    passes INTEGER, step_cuts INTEGER, factorizations INTEGER, full_factorizations INTEGER, ranks INTEGER,
-    solves INTEGER, products INTEGER, sweeps INTEGER,
+    passes INTEGER, step_cuts INTEGER, energy_cuts INTEGER, factorizations INTEGER,
+    full_factorizations INTEGER, ranks INTEGER, solves INTEGER, products INTEGER, sweeps INTEGER,
     max_penetration_ratio REAL, max_residual REAL, balance_error REAL, health_steps INTEGER);
 CREATE TABLE events (event INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, kind TEXT,
     bolt INTEGER, node INTEGER, element INTEGER, block INTEGER, other_block INTEGER, x REAL, y REAL,

@@ -66,17 +66,18 @@ StageRecord stageAt(const sqlite::Statement& row, const Scene& scene, std::size_
     result.message = row.text(4);
     for (const double block : known(row.doubles(5)))
         result.blocks.push_back(storedIndex(block, blocks));
-    result.health.steps = static_cast<long>(row.integer(17));
+    result.health.steps = static_cast<long>(row.integer(18));
     result.health.passes = static_cast<long>(row.integer(6));
     result.health.stepCuts = static_cast<long>(row.integer(7));
+    result.health.energyCuts = static_cast<long>(row.integer(8));
     StepWork& work = result.health.work;
-    int column = 8;
+    int column = 9;
     for (long* count : {&work.factorizations, &work.fullFactorizations, &work.ranks, &work.solves, &work.products,
                         &work.sweeps})
         *count = static_cast<long>(row.integer(column++));
-    result.health.maxPenetrationRatio = row.real(14);
-    result.health.maxResidual = row.real(15);
-    result.health.balanceError = row.real(16);
+    result.health.maxPenetrationRatio = row.real(15);
+    result.health.maxResidual = row.real(16);
+    result.health.balanceError = row.real(17);
     return record;
 }
 
@@ -135,7 +136,7 @@ std::vector<StageRecord> RunStore::stages() const {
         std::vector<StageRecord> records;
         sqlite::Statement statement(database_,
                                     "SELECT stage, outcome, time, steps, message, blocks, passes, step_cuts, "
-                                    "factorizations, full_factorizations, ranks, solves, products, sweeps, "
+                                    "energy_cuts, factorizations, full_factorizations, ranks, solves, products, sweeps, "
                                     "max_penetration_ratio, max_residual, balance_error, health_steps "
                                     "FROM stages ORDER BY stage");
         while (statement.next())

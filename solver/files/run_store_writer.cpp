@@ -142,8 +142,8 @@ void putInPlace(const fs::path& part, const fs::path& path, bool overwrite) {
 
 constexpr const char* insertStage = "INSERT INTO stages (stage, name, kind) VALUES (?,?,?)";
 constexpr const char* endStage =
-    "UPDATE stages SET outcome=?, time=?, steps=?, message=?, blocks=?, passes=?, step_cuts=?, factorizations=?, "
-    "full_factorizations=?, ranks=?, solves=?, products=?, sweeps=?, max_penetration_ratio=?, max_residual=?, balance_error=?, health_steps=? WHERE stage=?";
+    "UPDATE stages SET outcome=?, time=?, steps=?, message=?, blocks=?, passes=?, step_cuts=?, energy_cuts=?, "
+    "factorizations=?, full_factorizations=?, ranks=?, solves=?, products=?, sweeps=?, max_penetration_ratio=?, max_residual=?, balance_error=?, health_steps=? WHERE stage=?";
 constexpr const char* insertEvent = "INSERT INTO events VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
 constexpr const char* insertHistory = "INSERT INTO history VALUES (?,?,?,?,?)";
 constexpr const char* insertFrame = "INSERT INTO frames VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
@@ -159,8 +159,8 @@ void forgetWhatFollows(sqlite::Database& database, const Checkpoint& from) {
     clear("DELETE FROM frames WHERE frame>?", from.written.frames);
     clear("DELETE FROM stages WHERE stage>=?", from.begun ? from.stage + 1 : from.stage);
     clear("UPDATE stages SET outcome=NULL, time=NULL, steps=NULL, message=NULL, blocks=NULL, passes=NULL, "
-          "step_cuts=NULL, factorizations=NULL, full_factorizations=NULL, ranks=NULL, solves=NULL, products=NULL, "
-          "sweeps=NULL, max_penetration_ratio=NULL, max_residual=NULL, balance_error=NULL, "
+          "step_cuts=NULL, energy_cuts=NULL, factorizations=NULL, full_factorizations=NULL, ranks=NULL, "
+          "solves=NULL, products=NULL, sweeps=NULL, max_penetration_ratio=NULL, max_residual=NULL, balance_error=NULL, "
           "health_steps=NULL WHERE stage=?", from.stage);
 }
 
@@ -317,6 +317,7 @@ void RunStoreWriter::stageEnds(const StageResult& result) {
         open.stageEnd.bind(wordOf(result.outcome)).bind(result.time).bind(std::int64_t{result.steps});
         open.stageEnd.bind(result.message).bind(std::span<const double>(blocks));
         open.stageEnd.bind(std::int64_t{health.passes}).bind(std::int64_t{health.stepCuts});
+        open.stageEnd.bind(std::int64_t{health.energyCuts});
         const StepWork& work = health.work;
         for (const long count : {work.factorizations, work.fullFactorizations, work.ranks, work.solves, work.products,
                                  work.sweeps})

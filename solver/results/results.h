@@ -154,6 +154,7 @@ struct Health {
     long steps = 0;
     long passes = 0;
     long stepCuts = 0;
+    long energyCuts = 0;  // steps made shorter because their energy did not balance; not among `stepCuts`
     StepWork work;
     double maxPenetrationRatio = 0.0;  // deepest penetration over the size of the block
     double maxResidual = 0.0;  // largest accepted unbalanced force over the forces at play

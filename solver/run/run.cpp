@@ -355,7 +355,7 @@ private:
         progress.passes = engine_.health.passes;
         progress.events = now_.written.events;
         progress.residual = engine_.health.maxResidual;
-        progress.stepCuts = engine_.health.stepCuts;
+        progress.stepCuts = engine_.health.stepCuts + engine_.health.energyCuts;
         progress.step = engine_.newest;
         control_.progress(progress);
     }

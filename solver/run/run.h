@@ -22,7 +22,7 @@ struct Progress {
     long passes = 0;
     long events = 0;
     double residual = 0.0;
-    long stepCuts = 0;  // of the stage
+    long stepCuts = 0;  // of the stage, those for the energy among them
     StepHealth step;  // the newest
 };
 

@@ -63,7 +63,7 @@ TEST_F(Runs, InfoHasTheKeysOfTheContract) {
     EXPECT_EQ(info.at("stages").at(0).at("time_s"), 1.0);
     EXPECT_GE(info.at("stages").at(0).at("steps").get<int>(), 10);
     EXPECT_GE(info.at("frames").get<int>(), 10);
-    for (const char* key : {"passes_mean", "step_cuts", "max_penetration_ratio", "balance_error", "residual"})
+    for (const char* key : {"passes_mean", "step_cuts", "energy_cuts", "max_penetration_ratio", "balance_error", "residual"})
         EXPECT_TRUE(info.at("health").at(key).is_number()) << key;
 }
 

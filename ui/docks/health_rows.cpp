@@ -80,7 +80,7 @@ HealthRows healthAt(const LiveRun& run, int stage, double time) {
         const auto& health = record->result.health;
         const double steps = static_cast<double>(std::max(1L, health.steps));
         rows[0].value = static_cast<double>(health.passes) / steps;
-        rows[1].value = 100.0 * static_cast<double>(health.stepCuts) / steps;
+        rows[1].value = 100.0 * static_cast<double>(health.stepCuts + health.energyCuts) / steps;
         rows[2].value = health.maxPenetrationRatio;
         rows[4].value = health.maxResidual;
     }

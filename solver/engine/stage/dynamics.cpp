@@ -11,6 +11,7 @@
 #include "solver/engine/stage/resticks.h"
 #include "solver/engine/stage/step_accept.h"
 #include "solver/engine/stage/step_build.h"
+#include "solver/engine/stage/step_energy.h"
 #include "solver/engine/step/step_forces.h"
 #include "solver/engine/time/mass.h"
 
@@ -30,6 +31,10 @@ constexpr int mostPaths = 2;  // times that a step is done again because it does
 constexpr double arcShare = 1e-2;  // of the forces at play: what the turning of blocks may add to a contact's
 constexpr int mostArcs = 2;  // times that a step is done again because it adds more, before it is cut
 constexpr double arcStep = 1e-3;  // over the given step: shorter ones are taken as they are
+constexpr double closeEnergy = 1e-3;  // of what a step loses: what its balance may leave over at the first solution
+constexpr double mostEnergy = 1e-2;  // the same, before the step is cut
+constexpr double energyCut = 0.5;
+constexpr double energyStep = 1.0 / 16.0;  // over the given step: no step is cut to less for its energy
 constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
 constexpr int preloadRounds = 4;
 constexpr int preloadTries = 12;  // what was found by then is a fair start
@@ -265,7 +270,14 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         moveOn(model, trial.state, problem, d, options);
         acceptStep(model, trial.state, problem, d);
         trial.residual = report.residual;
-        return Attempt::Settled;
+        if (energyCut * dt < energyStep * settings_.timeStep) return Attempt::Settled;
+        const StepEnergy energy = energyOfStep(model, state, trial.state);
+        if (!options.path && energy.leavesMoreThan(closeEnergy)) {
+            guess = start = d;
+            options.path = &guess;
+            continue;
+        }
+        return energy.leavesMoreThan(mostEnergy) ? Attempt::Unbalanced : Attempt::Settled;
     }
 }
 
@@ -290,6 +302,12 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
             StepEnding failed{Ending::Failed, "no time step settles near " + nameOfBody(model, worst_), {}};
             if (blockOfBody(model, worst_) >= 0) failed.blocks.push_back(worst_);
             return failed;
+        }
+        if (attempted == Attempt::Unbalanced) {
+            ++engine_.health.energyCuts;
+            dt *= energyCut;
+            pace.dt = dt;
+            continue;
         }
         const auto worst = worstLimit(heldLimits(model, trial.state), 0.0);
         const double ratio = worst ? worst->ratio : 0.0;

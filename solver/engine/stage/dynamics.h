@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Dynamic stages: steps of one scheme of time integration. A step that does
-// not settle is cut and later grown again; one in which something reaches its
-// limit ends there, and that is released before the next.
+// not settle, or whose energy does not balance, is cut and later grown again; one
+// in which something reaches its limit ends there, and that is released before the next.
 #pragma once
 
 #include "solver/engine/stage/engine.h"
@@ -44,7 +44,7 @@ private:
         State state;
         double residual = 0.0;
     };
-    enum class Attempt { Settled, TooLong, Stopped };
+    enum class Attempt { Settled, TooLong, Unbalanced, Stopped };
     Attempt attempt(const State& state, double time, double dt, DynamicPace& pace, Trial& trial);
     StepEnding preload(State& state);
     void drive(State& state) const;

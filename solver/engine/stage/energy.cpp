@@ -37,26 +37,28 @@ StoredEnergy storedEnergy(const Model& model, const State& state) {
     return energy;
 }
 
-double accountedEnergy(const Model& model, const State& state) {
-    const StoredEnergy stored = storedEnergy(model, state);
-    const EnergyLedger& e = state.energy;
-    return kineticEnergy(model, state) + stored.strain + stored.contact + stored.bolt + e.friction + e.plastic +
-           e.released + e.damped - e.external;
-}
-
 Energy energyOf(const Model& model, const State& state) {
     const StoredEnergy stored = storedEnergy(model, state);
     const EnergyLedger& ledger = state.energy;
     Energy e{kineticEnergy(model, state), stored.strain, stored.contact, stored.bolt, ledger.friction,
              ledger.plastic, ledger.released, ledger.damped, ledger.external, 0.0};
+    e.balanceError = (state.startEnergy - accountedEnergy(e)) / largestEnergy(model, state, e);
+    return e;
+}
+
+double accountedEnergy(const Energy& e) {
+    return e.kinetic + e.strain + e.contact + e.bolt + e.friction + e.plastic + e.released + e.damped - e.external;
+}
+
+double accountedEnergy(const Model& model, const State& state) { return accountedEnergy(energyOf(model, state)); }
+
+double largestEnergy(const Model& model, const State& state, const Energy& e) {
     double largest = std::abs(state.startEnergy);
     for (const BlockModel& block : model.blocks)
         largest = std::max(largest, roundOffEnergy * block.youngsModulus * block.area * model.thickness);
     for (double term : {e.kinetic, e.strain, e.contact, e.bolt, e.friction, e.plastic, e.released, e.damped, e.external})
         largest = std::max(largest, std::abs(term));
-    const double left = state.startEnergy - accountedEnergy(model, state);
-    e.balanceError = left / largest;
-    return e;
+    return largest;
 }
 
 }  // namespace keyblock

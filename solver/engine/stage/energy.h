@@ -16,6 +16,10 @@ StoredEnergy storedEnergy(const Model& model, const State& state);
 Energy energyOf(const Model& model, const State& state);
 
 /// Everything stored, moving and used, less the work of the loads [J]: constant where the energies balance.
+double accountedEnergy(const Energy& e);
 double accountedEnergy(const Model& model, const State& state);
+
+/// Largest term so far, with which errors of the balance are compared [J].
+double largestEnergy(const Model& model, const State& state, const Energy& e);
 
 }  // namespace keyblock
