@@ -6,7 +6,7 @@
 // the impact loses. And rock at rest, whose steps are never cut for it.
 #include "solver/run/run.h"
 #include "solver/verify/scenes.h"
-#include "tests/properties/wall.h"
+#include "wall.h"
 
 #include <gtest/gtest.h>
 
@@ -71,17 +71,19 @@ TEST_P(Impacts, LeaveLittleEnergyUnaccountedFor) {
     for (const double phase : {0.0, 0.2, 0.4, 0.6, 0.8}) {
         const Results results = runInMemory(strikingStone(scheme, tilt, phase));
         ASSERT_EQ(results.stages.at(0).outcome, Outcome::Duration) << results.stages[0].message;
-        EXPECT_LE(results.stages[0].health.energyCuts, steps / 20) << phase;
         const Energy &first = results.frames.front().energy, &last = results.frames.back().energy;
         const double lost = lostOf(last) - lostOf(first), left = accountedOf(last) - accountedOf(first);
-        if (scheme != Integration::Newmark) {
+        // a scheme that keeps energy loses nothing but friction: what is left over is compared with what strikes
+        const bool keeps = scheme == Integration::Newmark;
+        if (!keeps) {
             EXPECT_GT(lost, 0.1 * first.kinetic) << phase;
+            EXPECT_LE(results.stages[0].health.energyCuts, steps / 20) << phase;
         }
-        EXPECT_LE(std::abs(left), 1e-2 * lost) << phase;
+        EXPECT_LE(std::abs(left), keeps ? 1e-3 * first.kinetic : 1e-2 * lost) << phase;
         for (std::size_t i = 1; i < results.frames.size(); ++i) {
             const Energy &before = results.frames[i - 1].energy, &after = results.frames[i].energy;
             EXPECT_LE(std::abs(accountedOf(after) - accountedOf(before)),
-                      std::max(1e-2 * (lostOf(after) - lostOf(before)), 2e-5 * first.kinetic))
+                      std::max(1e-2 * (lostOf(after) - lostOf(before)), (keeps ? 1e-3 : 2e-5) * first.kinetic))
                 << "phase " << phase << " at " << results.frames[i].time;
         }
     }

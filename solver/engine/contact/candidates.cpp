@@ -69,7 +69,8 @@ bool isBehindSliver(const BlockModel& block, const std::vector<Point>& corners, 
     return false;
 }
 
-std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, int b) {
+/// The edges that a corner is in front of. \param byPath true where another path, of up to the margin, may face others
+std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, int b, bool& byPath) {
     const std::vector<Point>& own = search.blocks[a].corners;
     const std::vector<Point>& other = search.blocks[b].corners;
     const Point& p = own[corner];
@@ -85,12 +86,15 @@ std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, 
         const double gap = edge.outward.dot(from), along = edge.along.dot(from);
         const double alongEnd = along + edge.along.dot(moves);
         if (gap > search.margin || gap < -deepest * search.model.blocks[b].size) continue;
-        if (std::max(along, alongEnd) < -over || std::min(along, alongEnd) > edge.length + over) continue;
+        const bool faces = std::max(along, alongEnd) >= -over && std::min(along, alongEnd) <= edge.length + over;
+        const double room = over + search.margin;
+        if (!faces && (along < -room || along > edge.length + room)) continue;
         if (!facesEdge(own, search.model.blocks[a].inner, corner, edge)) continue;
         // A top corner of a brick on a wide slab faces the slab's bottom edge too, from above the slab.
         if (gap < -over && locate(other, p, over) == Side::Outside) continue;
         if (gap < -over && isBehindSliver(search.model.blocks[b], other, edge, p, over)) continue;
-        faced.push_back({turn, gap, along, gap + edge.outward.dot(moves), edge});
+        byPath = byPath || along < -over || along > edge.length + over;
+        if (faces) faced.push_back({turn, gap, along, gap + edge.outward.dot(moves), edge});
     }
     return faced;
 }
@@ -216,15 +220,19 @@ double CandidateSearch::slack(int a, int b) const {
     return slackShare * std::min(model.blocks[a].size, model.blocks[b].size) + model.tolerance;
 }
 
-void CandidateSearch::addCorner(int a, int corner, int b, std::vector<Contact>& found) const {
-    const std::vector<Faced> faced = facedEdges(*this, a, corner, b);
+bool CandidateSearch::addCorner(int a, int corner, int b, std::vector<Contact>& found) const {
+    bool byPath = false;
+    const std::vector<Faced> faced = facedEdges(*this, a, corner, b, byPath);
     const Entrance entrance(*this, a, corner, b);
     for (const Faced& one : faced) {
         const bool beaten = std::any_of(faced.begin(), faced.end(), [&](const Faced& other) {
             return other.turn != one.turn && !faceEachOther(one.edge, other.edge) && entrance.by(other, one);
         });
         if (!beaten && !entrance.grazes(one)) found.push_back(contactOf(*this, a, corner, b, one));
+        const double fromEnd = std::min(std::abs(one.along), std::abs(one.edge.length - one.along));
+        byPath = byPath || fromEnd <= slack(a, b);
     }
+    return byPath || faced.size() > 1;
 }
 
 const Contact* sameContact(const std::vector<Contact>& contacts, const Contact& contact) {

@@ -53,7 +53,8 @@ struct CandidateSearch {
     double slack(int a, int b) const;
 
     /// Adds the contacts of corner `corner` of A with the edges of B by which it comes in.
-    void addCorner(int a, int corner, int b, std::vector<Contact>& found) const;
+    /// \return true where these may be others on another path, on which bodies move by up to the margin to each other
+    bool addCorner(int a, int corner, int b, std::vector<Contact>& found) const;
 };
 
 /// The contact's own entry in a sorted list; null where it has none.

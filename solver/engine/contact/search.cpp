@@ -34,10 +34,27 @@ BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks,
     return pairs;
 }
 
-std::vector<Contact> candidatesOf(const CandidateSearch& search, int a, int b) {
+std::vector<Contact> candidatesOf(const CandidateSearch& search, int a, int b,
+                                  std::vector<FoundCorners::Corner>* corners) {
     std::vector<Contact> found;
     for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)})
-        for (int corner : search.model.blocks[first].turns) search.addCorner(first, corner, second, found);
+        for (int corner : search.model.blocks[first].turns) {
+            const auto count = static_cast<std::ptrdiff_t>(found.size());
+            const bool byPath = search.addCorner(first, corner, second, found);
+            if (!corners || (!byPath && count == static_cast<std::ptrdiff_t>(found.size()))) continue;
+            corners->push_back({first, corner, second, byPath, {}});
+            if (!byPath) corners->back().found.assign(found.begin() + count, found.end());
+        }
+    return found;
+}
+
+/// The same on another path.
+std::vector<Contact> candidatesAgain(const CandidateSearch& search, const std::vector<FoundCorners::Corner>& corners) {
+    std::vector<Contact> found;
+    for (const FoundCorners::Corner& c : corners) {
+        if (c.byPath) search.addCorner(c.a, c.corner, c.b, found);
+        else found.insert(found.end(), c.found.begin(), c.found.end());
+    }
     return found;
 }
 
@@ -80,6 +97,65 @@ void forEachPair(std::size_t count, const One& one) {
     inParallel(count, pairsATask, one);
 }
 
+std::vector<Contact> joined(const std::vector<std::vector<Contact>>& perPair) {
+    std::vector<Contact> contacts;
+    for (const auto& found : perPair) contacts.insert(contacts.end(), found.begin(), found.end());
+    if (!std::is_sorted(contacts.begin(), contacts.end(), comesBefore))
+        std::sort(contacts.begin(), contacts.end(), comesBefore);
+    return contacts;
+}
+
+/// Whether all near corners move by no more than the margin to each other's blocks.
+bool staysNear(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift,
+               double margin) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        if (drift[i].turn == 0.0 && 2.0 * drift[i].shift.norm() <= margin) continue;
+        double reach = 0.0;
+        for (const Point& corner : blocks[i].corners) reach = std::max(reach, (corner - blocks[i].centroid).norm());
+        reach += model.blocks[i].size + 2.0 * margin;  // a corner near an edge of this block, or past its end
+        if (2.0 * (drift[i].shift.norm() + std::abs(drift[i].turn) * reach) > margin) return false;
+    }
+    return true;
+}
+
+/// The contacts on another path from where the blocks are, as a search would find them. Those of `before` are copies.
+std::vector<Contact> contactsOn(const Model& model, const std::vector<BlockMotion>& blocks,
+                                const std::vector<Contact>& before, const FoundCorners& corners,
+                                const std::vector<Drift>& drift) {
+    const Standings standings(model, blocks, before);
+    const CandidateSearch search{model, blocks, before, drift, standings, corners.margin};
+    std::vector<std::vector<Contact>> perPair(corners.pairs.size());
+    forEachPair(perPair.size(), [&](std::size_t i) {
+        perPair[i] = candidatesAgain(search, corners.pairs[i]);
+        dropDoubles(search, perPair[i]);
+        for (Contact& contact : perPair[i]) {
+            if (const Contact* old = sameContact(before, contact)) contact = *old;
+            else giveHistory(model, blocks, before, false, contact);
+        }
+    });
+    std::vector<Contact> contacts = joined(perPair);
+    handOver(model, blocks, before, false, contacts);
+    dropHeldCorners(model, contacts);
+    return contacts;
+}
+
+/// Whether no contact of one list that closes on the path is missing in the other.
+bool sameEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance,
+                   const std::vector<Contact>& contacts, const std::vector<Contact>& now) {
+    const auto entersUnseen = [&](const Contact& c, const std::vector<Contact>& others) {
+        if (c.bonded || sameContact(others, c)) return false;
+        const Point& corner = blocks[c.blockA].corners[c.corner];
+        const auto moved = [&](int block) {
+            return Point(drift[block].shift + drift[block].turn * turnLeft(corner - blocks[block].centroid));
+        };
+        const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
+        const Point from = corner - edge.start + moved(c.blockA) - moved(c.blockB);
+        return edge.outward.dot(from) < c.gapOffset - tolerance;
+    };
+    return std::none_of(now.begin(), now.end(), [&](const Contact& c) { return entersUnseen(c, contacts); }) &&
+           std::none_of(contacts.begin(), contacts.end(), [&](const Contact& c) { return entersUnseen(c, now); });
+}
+
 }  // namespace
 
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
@@ -90,15 +166,15 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     const CandidateSearch search{model, blocks, before, drift, standings, asked.margin};
     std::vector<std::vector<Contact>> perPair(pairs.size());
     std::vector<double> lost(pairs.size(), 0.0);
+    if (asked.corners) *asked.corners = {asked.margin, std::vector<std::vector<FoundCorners::Corner>>(pairs.size())};
     forEachPair(pairs.size(), [&](std::size_t i) {
         std::vector<Contact>& found = perPair[i];
-        found = candidatesOf(search, pairs[i].first, pairs[i].second);
+        found = candidatesOf(search, pairs[i].first, pairs[i].second,
+                             asked.corners ? &asked.corners->pairs[i] : nullptr);
         dropDoubles(search, found);
         for (Contact& contact : found) lost[i] += giveHistory(model, blocks, before, asked.first, contact);
     });
-    std::vector<Contact> contacts;
-    for (const auto& found : perPair) contacts.insert(contacts.end(), found.begin(), found.end());
-    std::sort(contacts.begin(), contacts.end(), comesBefore);
+    std::vector<Contact> contacts = joined(perPair);
     const double ended = handOver(model, blocks, before, asked.underWay, contacts);
     if (asked.released) *asked.released += std::accumulate(lost.begin(), lost.end(), ended);
     dropHeldCorners(model, contacts);
@@ -107,25 +183,22 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, double margin, bool first) {
-    return findContacts(model, blocks, before, {margin, first, false, nullptr, nullptr});
+    return findContacts(model, blocks, before, {margin, first, false, nullptr, nullptr, nullptr});
+}
+
+bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
+                   const FoundCorners& found, const Eigen::VectorXd& path) {
+    const std::vector<Drift> drift = driftOf(blocks, &path);
+    if (!staysNear(model, blocks, drift, found.margin)) return entrancesHold(model, blocks, contacts, found.margin, path);
+    const std::vector<Contact> now = contactsOn(model, blocks, contacts, found, drift);
+    return sameEntrances(blocks, drift, model.tolerance, contacts, now);
 }
 
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
                    double margin, const Eigen::VectorXd& path) {
-    const std::vector<Contact> now = findContacts(model, blocks, contacts, {margin, false, false, &path, nullptr});
-    const std::vector<Drift> drift = driftOf(blocks, &path);
-    const auto entersUnseen = [&](const Contact& c, const std::vector<Contact>& others) {
-        if (c.bonded || sameContact(others, c)) return false;
-        const Point& corner = blocks[c.blockA].corners[c.corner];
-        const auto moved = [&](int block) {
-            return Point(drift[block].shift + drift[block].turn * turnLeft(corner - blocks[block].centroid));
-        };
-        const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
-        const Point from = corner - edge.start + moved(c.blockA) - moved(c.blockB);
-        return edge.outward.dot(from) < c.gapOffset - model.tolerance;
-    };
-    return std::none_of(now.begin(), now.end(), [&](const Contact& c) { return entersUnseen(c, contacts); }) &&
-           std::none_of(contacts.begin(), contacts.end(), [&](const Contact& c) { return entersUnseen(c, now); });
+    const std::vector<Contact> now =
+        findContacts(model, blocks, contacts, {margin, false, false, &path, nullptr, nullptr});
+    return sameEntrances(blocks, driftOf(blocks, &path), model.tolerance, contacts, now);
 }
 
 }  // namespace keyblock

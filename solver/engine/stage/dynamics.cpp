@@ -34,7 +34,7 @@ constexpr double arcStep = 1e-3;  // over the given step: shorter ones are taken
 constexpr double closeEnergy = 1e-3;  // of what a step loses: what its balance may leave over at the first solution
 constexpr double mostEnergy = 1e-2;  // the same, before the step is cut
 constexpr double energyCut = 0.5;
-constexpr double energyStep = 1.0 / 16.0;  // over the given step: no step is cut to less for its energy
+constexpr double energyStep = 1.0 / 64.0;  // over the given step: no step is cut to less for its energy
 constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
 constexpr int preloadRounds = 4;
 constexpr int preloadTries = 12;  // what was found by then is a fair start
@@ -233,9 +233,10 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
     Eigen::VectorXd path = guess, start = guess;  // a step that is done again starts from its last solution
     for (int paths = 0, arcs = 0;;) {
         trial.state = state;
+        FoundCorners corners;
         trial.state.contacts = findContacts(model, state.blocks, state.contacts,
                                             {2.0 * margin + widestOpening(state), false, false, &path,
-                                             &trial.state.energy.released});
+                                             &trial.state.energy.released, &corners});
         meetDilated(state, trial.state.contacts);
         StepProblem problem = buildStep(model, trial.state, loads_, at, options);
         Eigen::VectorXd d = start;
@@ -251,7 +252,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
             continue;
         }
         if (paths < mostPaths && move > pathShare * smallestSize(model) &&
-            !entrancesHold(model, state.blocks, trial.state.contacts, 2.0 * margin + widestOpening(state), d)) {
+            !entrancesHold(model, state.blocks, trial.state.contacts, corners, d)) {
             path = start = d;
             ++paths;
             continue;
