@@ -164,7 +164,7 @@ StageResult ended(int stage, Outcome outcome, double time, long steps) {
     result.outcome = outcome;
     result.time = time;
     result.steps = steps;
-    result.health = {steps, 3 * steps, 1, {2 * steps, steps, 5, 4 * steps, 9 * steps, 7}, 1e-7, 9e-5, 1e-6};
+    result.health = {steps, 3 * steps, 1, 2, {2 * steps, steps, 5, 4 * steps, 9 * steps, 7}, 1e-7, 9e-5, 1e-6};
     return result;
 }
 
