@@ -31,6 +31,7 @@ constexpr int fewestRounds = 2;  // of timing, after one that fixes the pattern
 // of time).
 constexpr double passesAnIncrement = 3.0, passesARelease = 7.0, passesATimeStep = 1.3;
 constexpr double passesARockSearch = 200.0, passesARockStep = 8.0;
+constexpr int slidingIncrements = 12, flowingIncrements = 50;  // chosen for a stage in which joints slide, bolts flow
 constexpr double releasedShare = 0.7;  // of what can let go
 constexpr int rock = 20;  // free blocks with three contacts each that may slide: so many are jointed rock
 
@@ -118,6 +119,8 @@ private:
 struct Nature {
     int releases = 0;  // that may come one after another
     bool jointed = false;  // rock whose joints may slide
+    bool slides = false;  // a joint may
+    bool flows = false;  // a bolt may debond or yield
     bool shears = false;  // a joint may shear steel that forms hinges
 };
 
@@ -137,6 +140,10 @@ Nature natureOf(const Model& model, const State& start, const CensusCounts& coun
         return limit.kind == LimitKind::Bond || limit.kind == LimitKind::Yield;
     }));
     const auto slides = [](const Contact& c) { return !c.bonded; };
+    nature.slides = std::any_of(start.contacts.begin(), start.contacts.end(), slides);
+    nature.flows = std::any_of(limits.begin(), limits.end(), [](const Limit& limit) {
+        return limit.kind == LimitKind::Bond || limit.kind == LimitKind::Yield;
+    });
     const int free = counts.blocks - counts.cells - counts.fixed;
     nature.jointed =
         free >= rock && std::count_if(start.contacts.begin(), start.contacts.end(), slides) >= 3 * free;
@@ -169,6 +176,14 @@ StageCost dynamicCost(double steps, const Nature& nature) {
     return cost;
 }
 
+/// Expected increments of a static stage in which the load changes. Where they are chosen, they follow what can happen
+/// in the scene, and the frames that it asks for.
+int likelyIncrements(const Scene& scene, const Stage& stage, const Nature& nature) {
+    if (stage.increments) return *stage.increments;
+    const int frames = static_cast<int>(std::ceil(1.0 / framesEvery(scene, stage).value_or(1.0)));
+    return std::max(frames, nature.flows ? flowingIncrements : nature.slides ? slidingIncrements : 1);
+}
+
 /// The stages one after another, as the run's loop asks for their increments; walls of excavated rock count as a load
 /// that changes.
 void addStages(const Scene& scene, const Model& model, State state, const Nature& nature, CostEstimate& estimate) {
@@ -181,9 +196,9 @@ void addStages(const Scene& scene, const Model& model, State state, const Nature
         StageCost cost;
         if (stage.kind == StageKind::Static) {
             walls = walls || !stage.excavate.empty();
-            if (!stage.excavate.empty() || (walls && stage.relaxation))
-                stage.increments = stage.increments.value_or(usualIncrements);
-            const auto increments = static_cast<double>(incrementTimes(stage, loads).size());
+            if (loads.varies() || !stage.excavate.empty() || (walls && stage.relaxation))
+                stage.increments = likelyIncrements(scene, stage, nature);
+            const auto increments = static_cast<double>(incrementTimes(scene, stage, loads).size());
             cost = staticCost(increments, nature, increments > 1.0);
         } else {
             cost = dynamicCost(stage.duration / dynamicSettings(scene, stage).timeStep, nature);
@@ -224,7 +239,7 @@ std::optional<CostEstimate> estimateCost(const Scene& scene, const Model& model,
         estimate.secondsMost += stage.most * each;
         steps += stage.steps;
     }
-    const double others = startSeconds + frameSeconds * std::min<double>(steps, scene.output.frames);
+    const double others = startSeconds + frameSeconds * std::min<double>(steps, scene.output.frames.value_or(defaultFrames));
     estimate.seconds += others;
     estimate.secondsLeast = 0.5 * (estimate.secondsLeast + others);
     estimate.secondsMost = 2.0 * (estimate.secondsMost + others);

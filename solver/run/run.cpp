@@ -104,7 +104,7 @@ private:
 
     /// What of a stage follows from the scene and the checkpoint.
     void enterStage() {
-        times_ = isStatic() ? incrementTimes(stage(), loads_) : std::vector<double>{};
+        times_ = isStatic() ? incrementTimes(scene_, stage(), loads_) : std::vector<double>{};
     }
 
     StepEnding beginStage() {
@@ -187,12 +187,25 @@ private:
         const StepEnding ending = moveStatic(engine_, now_.state, loads_.loads(), loadsBefore(), loadsAfter(),
                                              staticSettings(scene_, stage()), *this, now_.within);
         now_.time = loadsReached().time;
-        if (ending.ending != Ending::Done || !now_.within.over()) return ending;
-        ++now_.increment;
-        now_.within = {};
+        if (ending.ending != Ending::Done || now_.within.releasing) return ending;
+        if (now_.within.over()) nextIncrement();
+        else if (stage().increments || now_.increment == 0) return ending;
         lookAround();
         keepFrame(false);
         return ending;
+    }
+
+    /// Lengths that were chosen hold until the load turns.
+    void nextIncrement() {
+        const std::vector<double> turns = loads_.turns();
+        const double time = times_[increment()];
+        const bool turned = now_.increment == 0 || std::any_of(turns.begin(), turns.end(), [&](double turn) {
+            return std::abs(turn - time) < 1e-12;
+        });
+        const ChosenLength chosen = turned ? ChosenLength{} : now_.within.chosen;
+        now_.within = {};
+        now_.within.chosen = chosen;
+        ++now_.increment;
     }
 
     bool stageOver() const {
@@ -309,8 +322,8 @@ private:
         const bool due = last ? clock.keptStep != now_.state.step || clock.keptStage != now_.stage
                               : now_.time >= clock.next * (1.0 - 1e-12);
         if (!due) return;
-        const double every = scene_.output.every.value_or(duration() * static_cast<double>(scene_.stages.size()) /
-                                                          std::max(1, scene_.output.frames));
+        const double every = framesEvery(scene_, stage())
+                                 .value_or(duration() * static_cast<double>(scene_.stages.size()) / defaultFrames);
         clock.next = (std::floor(now_.time * (1.0 + 1e-12) / every) + 1.0) * every;
         clock.keptStep = now_.state.step;
         clock.keptStage = now_.stage;

@@ -30,6 +30,7 @@ StaticSettings staticSettings(const Scene& scene, const Stage& stage) {
     StaticSettings settings;
     settings.unbalanced = stage.until.unbalanced.value_or(std::min(settings.unbalanced, scene.analysis.tolerance));
     settings.maxSteps = stage.until.maxSteps.value_or(settings.maxSteps);
+    settings.chosen = !stage.increments;
     return settings;
 }
 
@@ -52,12 +53,20 @@ std::vector<BoundarySide> viscousSides(const Stage& stage) {
     return sides;
 }
 
-std::vector<double> incrementTimes(const Stage& stage, const StageLoads& loads) {
+std::optional<double> framesEvery(const Scene& scene, const Stage& stage) {
+    if (scene.output.every || !scene.output.frames) return scene.output.every;
+    const double duration = stage.kind == StageKind::Static ? 1.0 : stage.duration;
+    return duration * static_cast<double>(scene.stages.size()) / *scene.output.frames;
+}
+
+std::vector<double> incrementTimes(const Scene& scene, const Stage& stage, const StageLoads& loads) {
     std::vector<double> times{0.0};
     if (!loads.varies() && !stage.increments) return times;
-    const int count = stage.increments.value_or(usualIncrements);
+    const int count = stage.increments.value_or(1);
     for (int i = 1; i <= count; ++i) times.push_back(static_cast<double>(i) / count);
     for (double turn : loads.turns()) times.push_back(turn);
+    const double every = stage.increments ? 1.0 : framesEvery(scene, stage).value_or(1.0);
+    for (int i = 1; i * every < 1.0; ++i) times.push_back(i * every);
     std::sort(times.begin(), times.end());
     times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < 1e-12; }),
                 times.end());

@@ -9,19 +9,21 @@
 #include "solver/engine/stage/statics.h"
 #include "solver/run/stage_loads.h"
 
+#include <optional>
 #include <vector>
 
 namespace keyblock {
-
-/// Increments of a static stage in which something changes, where it gives no number.
-inline constexpr int usualIncrements = 100;
 
 StaticSettings staticSettings(const Scene& scene, const Stage& stage);
 DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
 
 /// Pseudo-times at which the increments of a static stage end: 0 for what it puts on at once, then the increments, with
-/// every turn of a table among them. \param loads begun for that stage.
-std::vector<double> incrementTimes(const Stage& stage, const StageLoads& loads);
+/// every turn of a table among them. Where the stage gives no number, its increments are chosen while it runs and end at
+/// these times at least: where a table turns, and where `output` asks for a frame. \param loads begun for that stage.
+std::vector<double> incrementTimes(const Scene& scene, const Stage& stage, const StageLoads& loads);
+
+/// Time between the frames of a stage, of its own time; null: `output` leaves it to the program.
+std::optional<double> framesEvery(const Scene& scene, const Stage& stage);
 
 /// Viscous sides of a stage. \pre the scene was checked without errors.
 std::vector<BoundarySide> viscousSides(const Stage& stage);

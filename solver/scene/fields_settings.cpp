@@ -141,8 +141,13 @@ const Structure& structureOf(const Output*) {
         "What a run keeps.",
         defaultsOf<Output>(),
         {
-            row<&Output::frames>("frames", "Frames kept over the whole run.", {.range = within(1, 100000)}),
-            row<&Output::every>("every", "Time between frames, in place of `frames`.",
+            row<&Output::frames>("frames",
+                                 "Frames kept over the whole run, as many in each stage. Null: 200 at most; a static "
+                                 "stage whose 'increments' are null has one at the end of each increment.",
+                                 {.range = within(1, 100000)}),
+            row<&Output::every>("every",
+                                "Time between frames, in place of 'frames'. A static stage whose 'increments' are null "
+                                "has frames and history rows at exactly the pseudo-times that either asks for.",
                                 {.unit = "s, or pseudo-time of a static stage", .range = above(0)}),
         }};
     return structure;

@@ -197,7 +197,10 @@ const Structure& structureOf(const Stage*) {
                                            "this stage."),
             row<&Stage::continueAfterCollapse>("continue", "Whether the next stage runs after a collapse of this one."),
             row<&Stage::until>("until", "When equilibrium is found.", {.only = staticOnly}),
-            row<&Stage::increments>("increments", "Parts of pseudo-time 0 … 1; null: chosen by the program.",
+            row<&Stage::increments>("increments",
+                                    "Equal parts of pseudo-time 0 … 1. Null: chosen by what happens in them; one where "
+                                    "no joint slides or opens and no bolt flows or fails, at least ten where joints "
+                                    "do, at least fifty where bolts flow.",
                                     {.range = within(1, 1e6), .only = staticOnly}),
             row<&Stage::relaxation>("relaxation",
                                     "Share of the forces that excavated rock gave to its walls which is released "

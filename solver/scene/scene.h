@@ -476,11 +476,14 @@ struct Monitor {
 };
 
 struct Output {
-    int frames = 200;  // over the whole run
+    std::optional<int> frames;  // over the whole run; null: at most `defaultFrames`
     std::optional<double> every;  // [s] of dynamic time or pseudo-time; overrides `frames`
 
     bool operator==(const Output&) const = default;
 };
+
+/// Frames over the whole run at most, where a scene does not ask for any number.
+inline constexpr int defaultFrames = 200;
 
 /// Where a run ends even if its stages do not.
 struct RunLimits {

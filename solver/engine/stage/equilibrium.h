@@ -17,6 +17,7 @@ namespace keyblock {
 struct StaticSettings {
     double unbalanced = 1e-4;  // over the reference force
     int maxSteps = 400;  // pseudo-steps of one search for equilibrium
+    bool chosen = false;  // lengths of increments follow what happens in them
 };
 
 /// Loads before the search, at which the state is in equilibrium, and those under which it looks for one.

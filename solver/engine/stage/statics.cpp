@@ -6,10 +6,13 @@
 #include "solver/engine/bolt/topology.h"
 #include "solver/engine/stage/limit_search.h"
 #include "solver/engine/stage/limits.h"
+#include "solver/engine/stage/path_review.h"
 #include "solver/engine/stage/resticks.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -23,6 +26,14 @@ constexpr int mostTries = 60;  // to locate an event
 constexpr double narrowest = 1e-12;  // of an increment, when one is
 constexpr double locateShare = 1e-4;  // an event is located at least to this share of its limit
 
+// Of increments that the program chooses, in pseudo-time.
+constexpr double longestBent = 0.1;  // in which joints slide, open or close: as many points draw their curves
+constexpr double longestFlow = 0.02;  // in which bolts flow
+constexpr double shortestChosen = 2.5e-3;  // whatever happens on the way, but that there is no equilibrium
+constexpr double finestChosen = 1e-5;  // before a collapse is believed
+constexpr long fewPasses = 12;  // that show whether nothing slides over a long increment
+constexpr long manyPasses = 150;  // two halves are hardly dearer
+
 /// One move within an increment.
 class Move {
 public:
@@ -32,7 +43,7 @@ public:
           progress_(progress) {}
 
     StepEnding make() {
-        StepEnding ending = progress_.releasing ? releaseOne() : loadOn();
+        StepEnding ending = progress_.releasing ? releaseOne() : isChosen() ? loadByChoice() : loadOn();
         if (ending.ending != Ending::Done) return ending;
         progress_.releasing = limit().has_value();
         if (!progress_.releasing) lockOffPlates(engine_.model, state_);
@@ -40,9 +51,21 @@ public:
     }
 
 private:
+    /// An equilibrium farther along the path of the load.
+    struct Reached {
+        State state;
+        double share = 0.0;
+        bool atLimit = false;  // the first limit was located here
+    };
+
     StepEnding equilibrium(State& state, double to) {
         return findEquilibrium(engine_, state, loads_, {reached(), between(a_, b_, to)}, settings_);
     }
+
+    bool isChosen() const { return settings_.chosen && span() > 0.0; }
+
+    /// In pseudo-time.
+    double span() const { return b_.time - a_.time; }
 
     LoadPoint reached() const { return between(a_, b_, progress_.done); }
 
@@ -66,15 +89,102 @@ private:
                 if (ending.ending == Ending::NoEquilibrium) state_ = std::move(trial);
                 return ending;
             }
-            progress_.least = 1.0 + reachedShare;
-            if (!worstLimit(heldLimits(engine_.model, trial), progress_.least)) {
-                accept(std::move(trial), to);
-            } else {
-                ending = toFirstLimit(std::move(trial), to);
-                progress_.least = 1.0 - locateShare;  // the one that was located
-            }
-            return ending.ending == Ending::Done ? followUnlessAtLimit() : ending;
+            Reached next{std::move(trial), to};
+            ending = toFirstLimit(next);
+            if (ending.ending != Ending::Done) return ending;
+            accept(std::move(next));
+            return followUnlessAtLimit();
         }
+    }
+
+    /// On as far as what happens on the way allows, and at most to the first limit.
+    StepEnding loadByChoice() {
+        for (;;) {
+            const double to = nextShare();
+            const double length = (to - progress_.done) * span();
+            Reached next{state_, to};
+            StepEnding ending = equilibriumWithin(next.state, to, patienceFor(length));
+            const bool found = ending.ending == Ending::Done;
+            if (found) ending = toFirstLimit(next);
+            if (isTooDear(ending, length) || (ending.ending == Ending::NoEquilibrium && isTooFar(length))) {
+                shorten(length, ending.ending);
+                continue;
+            }
+            if (ending.ending != Ending::Done) {
+                if (ending.ending == Ending::NoEquilibrium && !found) state_ = std::move(next.state);
+                return ending;
+            }
+            if (!take(std::move(next))) continue;
+            return followUnlessAtLimit();
+        }
+    }
+
+    /// Equal parts of what is left, none longer than is tried next.
+    double nextShare() const {
+        const double left = (1.0 - progress_.done) * span();
+        const double longest = std::min(progress_.chosen.next, span() / piecesOfMotion());
+        const double parts = std::ceil(left / longest * (1.0 - 1e-9));
+        return parts <= 1.0 ? 1.0 : progress_.done + (1.0 - progress_.done) / parts;
+    }
+
+    /// Accepts what was reached, unless too much happened on the way: then a shorter increment is next.
+    bool take(Reached next) {
+        ChosenLength& chosen = progress_.chosen;
+        const double length = (next.share - progress_.done) * span();
+        const PathReview review =
+            reviewPath(engine_.model, state_, next.state, chosen.last > 0.0 ? length / chosen.last : 0.0);
+        const double longest = review.straight ? 1.0 : review.boltsFlow ? longestFlow : longestBent;
+        const bool tooLong = length > longest * (1.0 + 1e-9) || review.error > 1.0;
+        if (tooLong && length > shortestChosen * (1.0 + 1e-9)) {
+            chosen.next = std::max(shortestChosen, std::min(longest, review.error > 1.0 ? 0.5 * length : length));
+            return false;
+        }
+        if (chosen.grows && 4.0 * review.error <= 1.0) chosen.next = std::max(chosen.next, 2.0 * length);
+        chosen.next = std::min(chosen.next, longest);
+        chosen.last = length;
+        accept(std::move(next));
+        return true;
+    }
+
+    /// Passes after which a shorter increment is tried first.
+    static long patienceFor(double length) {
+        if (length > longestBent * (1.0 + 1e-9)) return fewPasses;
+        return length > shortestChosen * (1.0 + 1e-9) ? manyPasses : std::numeric_limits<long>::max();
+    }
+
+    /// The search for equilibrium ends as `Stopped` once it has taken more passes than it may.
+    StepEnding equilibriumWithin(State& state, double to, long passes) {
+        left_ = passes;
+        const std::function<bool()> asked = engine_.stopAsked;
+        engine_.stopAsked = [this, &asked] { return left_-- <= 0 || (asked && asked()); };
+        StepEnding ending = equilibrium(state, to);
+        engine_.stopAsked = asked;
+        return ending;
+    }
+
+    /// True where the search was given up, or did not settle, and a shorter increment may do better.
+    bool isTooDear(const StepEnding& ending, double length) const {
+        if (length <= shortestChosen * (1.0 + 1e-9)) return false;
+        return ending.ending == Ending::Failed || (ending.ending == Ending::Stopped && left_ < 0);
+    }
+
+    /// True where there may be an equilibrium nearer than so far away. Once there was none, the first question is whether
+    /// there is one under next to no more load: what slides under that slides under any share of it.
+    bool isTooFar(double length) {
+        if (length <= finestChosen || isSameLoad(a_, b_)) return false;
+        if (!progress_.chosen.grows) return true;
+        State trial = state_;
+        const double nearest = std::min(1.0, progress_.done + finestChosen / span());
+        return equilibrium(trial, nearest).ending != Ending::NoEquilibrium;
+    }
+
+    /// Increments do not grow any more once one of usual length was too long.
+    void shorten(double length, Ending ending) {
+        ChosenLength& chosen = progress_.chosen;
+        const bool probed = ending != Ending::NoEquilibrium && length > longestBent * (1.0 + 1e-9);
+        chosen.next = probed ? longestBent : 0.5 * length;
+        if (ending != Ending::NoEquilibrium) chosen.next = std::max(shortestChosen, chosen.next);
+        chosen.grows = chosen.grows && probed;
     }
 
     /// Where there is no equilibrium at the end of a load that has not begun yet: is there one under next to nothing
@@ -93,13 +203,14 @@ private:
         return std::max(1.0, std::ceil(longest / longestMoveOf(engine_.model)));
     }
 
-    void accept(State trial, double to) {
-        reportResticks(engine_.model, ifSliding(state_), trial, reached().time, -1, observer_);
+    void accept(Reached next) {
+        reportResticks(engine_.model, ifSliding(state_), next.state, reached().time, -1, observer_);
+        progress_.least = next.atLimit ? 1.0 - locateShare : 1.0 + reachedShare;
         progress_.passed.clear();
         progress_.lastRelease = -1;
-        state_ = std::move(trial);
+        state_ = std::move(next.state);
         ++state_.step;
-        progress_.done = to;
+        progress_.done = next.share;
     }
 
     /// What was found at its limit is released first: under new tributary lengths it may be under its limit again.
@@ -122,9 +233,12 @@ private:
         return {};
     }
 
-    /// Cuts the increment where the first limit is reached: `over` is the state at `to`, past it.
-    StepEnding toFirstLimit(State over, double to) {
-        LimitSearch search(progress_.done, heldLimits(engine_.model, state_), to, heldLimits(engine_.model, over));
+    /// Cuts the increment where the first limit is reached, if one is passed.
+    StepEnding toFirstLimit(Reached& over) {
+        std::vector<Limit> atEnd = heldLimits(engine_.model, over.state);
+        if (!worstLimit(atEnd, 1.0 + reachedShare)) return {};
+        over.atLimit = true;
+        LimitSearch search(progress_.done, heldLimits(engine_.model, state_), over.share, std::move(atEnd));
         for (int tries = 0;; ++tries) {
             const double middle = search.next();
             State trial = state_;
@@ -136,15 +250,14 @@ private:
             const bool exact = std::abs(off) <= reachedShare;
             const bool goodEnough = std::abs(off) <= locateShare && tries > 12;
             if (exact || goodEnough) {
-                accept(std::move(trial), middle);
+                over.state = std::move(trial);
+                over.share = middle;
                 return {};
             }
-            if (off > 0.0) over = std::move(trial);
+            if (off > 0.0) over.state = std::move(trial);
             search.take(middle, std::move(limits), off > 0.0);
-            if (tries > mostTries || search.width() <= narrowest) {  // the limit is passed in a jump
-                accept(std::move(over), search.high());
-                return {};
-            }
+            over.share = search.high();
+            if (tries > mostTries || search.width() <= narrowest) return {};  // the limit is passed in a jump
         }
     }
 
@@ -154,6 +267,7 @@ private:
         const Limit released = worstLimit(limits, progress_.least).value();
         noteCauses(limits);
         progress_.least = 1.0 - tieShare;
+        progress_.chosen.last = 0.0;
         const double time = reached().time;
         progress_.lastRelease =
             releaseAndReport(engine_.model, state_, released, time, causeOf(released), observer_);
@@ -202,6 +316,7 @@ private:
     const StaticSettings& settings_;
     StepObserver& observer_;
     IncrementProgress& progress_;
+    long left_ = 0;  // passes of a search that may be given up
 };
 
 }  // namespace

@@ -16,6 +16,13 @@ struct PassedLimit {
     long cause = -1;
 };
 
+/// How much load is put on at once where the program chooses; lengths in pseudo-time.
+struct ChosenLength {
+    double next = 1.0;  // is tried next
+    double last = 0.0;  // was taken last; 0: the load begins or turns here, or something has failed since
+    bool grows = true;  // until a search found no equilibrium or took too long
+};
+
 /// How far an increment of load is; with the state it is all that the next move depends on.
 struct IncrementProgress {
     double done = 0.0;  // share of the increment
@@ -24,12 +31,13 @@ struct IncrementProgress {
     double least = 0.0;  // of a limit, to be released
     std::vector<PassedLimit> passed;  // at this load
     long lastRelease = -1;  // number of the last event at this load; −1: none yet
+    ChosenLength chosen;
 
     bool over() const { return done >= 1.0 && !releasing; }
 };
 
-/// One move along the load path from `a` to `b`: the load continues, as far as the first limit at most, or one
-/// thing fails; equilibrium is found after either. On any ending the state is the last equilibrium found, or, for
+/// One move along the load path from `a` to `b`: the load continues, as far as the first limit at most, and where
+/// `settings.chosen` as far as what happens on the way allows; or one thing fails; equilibrium is found after either. On any ending the state is the last equilibrium found, or, for
 /// `NoEquilibrium`, where the moving blocks had got to.
 StepEnding moveStatic(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
                       const StaticSettings& settings, StepObserver& observer, IncrementProgress& progress);

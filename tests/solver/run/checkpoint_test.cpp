@@ -93,6 +93,12 @@ void expectTheSameFromEveryCheckpoint(const Scene& scene, std::size_t atLeast) {
 
 TEST(Checkpoints, AStaticRunGoesOnBetweenItsReleases) { expectTheSameFromEveryCheckpoint(tearing(), 4); }
 
+TEST(Checkpoints, ChosenIncrementsGoOn) {
+    Scene scene = tearing();
+    scene.stages[0].increments.reset();
+    expectTheSameFromEveryCheckpoint(scene, 3);
+}
+
 TEST(Checkpoints, ADynamicRunGoesOn) { expectTheSameFromEveryCheckpoint(sliding(1.5), 4); }
 
 TEST(Checkpoints, ARunOfManyStagesGoesOn) { expectTheSameFromEveryCheckpoint(staged(), 6); }
