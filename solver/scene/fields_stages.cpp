@@ -199,8 +199,8 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::until>("until", "When equilibrium is found.", {.only = staticOnly}),
             row<&Stage::increments>("increments",
                                     "Equal parts of pseudo-time 0 … 1. Null: chosen by what happens in them; one where "
-                                    "no joint slides or opens and no bolt flows or fails, at least ten where joints "
-                                    "do, at least fifty where bolts flow.",
+                                    "no joint slides or opens and no bolt flows or fails, a tenth of the stage at most "
+                                    "where joints begin or stop to slide or open, a fiftieth where bolts flow.",
                                     {.range = within(1, 1e6), .only = staticOnly}),
             row<&Stage::relaxation>("relaxation",
                                     "Share of the forces that excavated rock gave to its walls which is released "

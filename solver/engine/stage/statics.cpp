@@ -31,7 +31,7 @@ constexpr double longestBent = 0.1;  // in which joints slide, open or close: as
 constexpr double longestFlow = 0.02;  // in which bolts flow
 constexpr double shortestChosen = 2.5e-3;  // whatever happens on the way, but that there is no equilibrium
 constexpr double finestChosen = 1e-5;  // before a collapse is believed
-constexpr long fewPasses = 12;  // that show whether nothing slides over a long increment
+constexpr long fewPasses = 8;  // that show whether nothing slides over a long increment
 constexpr long manyPasses = 150;  // two halves are hardly dearer
 
 /// One move within an increment.

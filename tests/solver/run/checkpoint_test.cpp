@@ -96,7 +96,7 @@ TEST(Checkpoints, AStaticRunGoesOnBetweenItsReleases) { expectTheSameFromEveryCh
 TEST(Checkpoints, ChosenIncrementsGoOn) {
     Scene scene = tearing();
     scene.stages[0].increments.reset();
-    expectTheSameFromEveryCheckpoint(scene, 3);
+    expectTheSameFromEveryCheckpoint(scene, 2);
 }
 
 TEST(Checkpoints, ADynamicRunGoesOn) { expectTheSameFromEveryCheckpoint(sliding(1.5), 4); }

@@ -69,21 +69,26 @@ TEST(Increments, BoxThatSticksTakesOne) {
     EXPECT_NEAR(chosen.frames.back().blocks[1].displacement.x(), moved, 1e-4 * std::abs(moved));
 }
 
-TEST(Increments, SlidingBoxHasTenRowsAndItsFriction) {
+/// Once it slides, forces and displacements follow straight lines again, and increments grow.
+TEST(Increments, SlidingBoxHasItsFriction) {
     const Results results = runInMemory(draggedBox(0.01));
-    EXPECT_GE(frameTimes(results, 1).size(), 10u);
+    const std::vector<double> times = frameTimes(results, 1);
+    EXPECT_GE(times.size(), 4u);
+    EXPECT_LE(times.at(1), 0.1) << "while it begins to slide";
     EXPECT_NEAR(frictionOf(results.frames.back()), weight * std::tan(30.0 * test::degree), 1e-3 * weight);
-    EXPECT_DOUBLE_EQ(results.frames.back().blocks[1].displacement.x(), 0.01);
+    EXPECT_NEAR(results.frames.back().blocks[1].displacement.x(), 0.01, 1e-12);
 }
 
+/// One increment is never dearer than ten; where it is given up for shorter ones, it was tried for eight iterations.
 TEST(Increments, CostNoMoreThanTenEqualOnes) {
+    const double trial = 8 * 1.2;  // factorizations, with what belongs to an iteration
     for (Scene scene : {pushedBox(0.2 * weight, 45.0), pushedBox(0.5 * weight, 30.0), draggedBox(0.01)}) {
         const double chosen = workOfPush(scene);
         scene.stages[1].increments = 1;
         const double one = workOfPush(scene);
         scene.stages[1].increments = 10;
         const double ten = workOfPush(scene);
-        EXPECT_LE(chosen, 1.2 * ten);
+        EXPECT_LE(chosen, 1.2 * ten + trial);
         EXPECT_LE(one, 1.2 * ten);
     }
 }
