@@ -46,6 +46,7 @@ public:
             Link& added = problem_.links.emplace_back();
             added.kind = kind;
             added.owner = index;
+            added.features = (static_cast<std::uint64_t>(c.corner + 1) << 32) + static_cast<std::uint64_t>(c.edge);
             added.a = c.blockA;
             added.b = c.blockB;
             added.ga = ta.transpose() * direction;

@@ -57,8 +57,9 @@ void settleMultipliers(Engine& engine, StepProblem& problem, State& state, Eigen
 SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, const StepNeeds& needs) {
     const Analysis& analysis = engine.model.analysis;
     const bool openClose = analysis.iteration == Iteration::OpenClose && !needs.convex;
-    const int passes = (openClose ? 1 : needs.patience) * analysis.maxPasses;
-    const SolveSettings settings{needs.tolerance, passes, needs.farthest, openClose, needs.sweepsFirst};
+    const int ofScene = (openClose ? 1 : needs.patience) * analysis.maxPasses;
+    const int passes = needs.maxPasses > 0 ? needs.maxPasses : ofScene;
+    const SolveSettings settings{needs.tolerance, passes, needs.farthest, openClose, needs.again, needs.sweepsFirst};
     SolveReport report = engine.solver.solve(problem, d, settings, engine.stopAsked);
     if (usesMultipliers(engine.model)) settleMultipliers(engine, problem, state, d, settings, report);
     ++engine.health.steps;

@@ -61,8 +61,10 @@ long releaseAndReport(const Model& model, State& state, const Limit& limit, doub
 struct StepNeeds {
     double tolerance = 1e-4;  // over the forces at play
     int patience = 1;  // times the scene's passes, in the convex form
+    int maxPasses = 0;  // instead of the scene's, where above zero
     double farthest = std::numeric_limits<double>::infinity();  // move of a body at which it is given up [m]
     bool convex = false;  // whatever iteration the scene asks for
+    bool again = false;  // as of `SolveSettings`
     bool* sweepsFirst = nullptr;  // as of `SolveSettings`
 };
 

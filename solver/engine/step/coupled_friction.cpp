@@ -5,12 +5,15 @@
 #include <Eigen/QR>
 
 #include <cmath>
+#include <utility>
 
 namespace keyblock {
 namespace {
 
 constexpr int mostDirections = 8;  // of GMRES
-constexpr double exactEnough = 1e-2;  // of the force
+constexpr double farEnough = 3e-2, nearEnough = 1e-2;  // of the force, where friction slides, far from balance and near
+constexpr double near = 3e-3;  // residual
+constexpr double roundOff = 1e-8;  // of the force, where nothing slides
 constexpr double slidingTangent = 1e-3;  // of a law's stiffness: under less it slides
 constexpr double exhausted = 1e-14;  // of the first residual: GMRES has found the exact answer
 
@@ -41,38 +44,65 @@ void freeOnly(const StepProblem& problem, Eigen::VectorXd& x) {
         if (problem.known[static_cast<std::size_t>(i)]) x[i] = 0.0;
 }
 
-/// C·x
-Eigen::VectorXd coupling(const StepProblem& problem, const LinkRows& rows, const std::vector<Sliding>& sliding,
-                         const Eigen::VectorXd& x, StepWork& work) {
-    ++work.products;
-    Eigen::VectorXd force = Eigen::VectorXd::Zero(x.size());
-    for (const Sliding& s : sliding)
-        if (const double rate = rows.rate(s.from, x.data()); rate != 0.0)
-            rows.add(s.limited, s.factor * rate, force.data());
-    freeOnly(problem, force);
-    return force;
-}
+/// The matrix of the step, with how sliding friction follows its normal forces: A + C.
+class CoupledMatrix {
+public:
+    CoupledMatrix(const StepProblem& problem, const LinkRows& rows, const StepMatrix& matrix,
+                  std::vector<Sliding> sliding, StepWork& work)
+        : problem_(problem), rows_(rows), matrix_(matrix), sliding_(std::move(sliding)), work_(work) {}
+
+    bool slides() const { return !sliding_.empty(); }
+
+    /// (A + C)·x where the factor gives x under `force`.
+    Eigen::VectorXd times(const Eigen::VectorXd& x, const Eigen::VectorXd& force) {
+        ++work_.products;
+        Eigen::VectorXd sum = force;
+        if (matrix_.exact()) {
+            for (const Sliding& s : sliding_) add(s, rows_.rate(s.from, x.data()), sum);
+        } else {
+            sum = matrix_.product(problem_, rows_, x, rates_);
+            for (const Sliding& s : sliding_) add(s, rates_[s.from], sum);
+        }
+        freeOnly(problem_, sum);
+        return sum;
+    }
+
+private:
+    void add(const Sliding& s, double rate, Eigen::VectorXd& sum) const {
+        if (rate != 0.0) rows_.add(s.limited, s.factor * rate, sum.data());
+    }
+
+    const StepProblem& problem_;
+    const LinkRows& rows_;
+    const StepMatrix& matrix_;
+    std::vector<Sliding> sliding_;
+    StepWork& work_;
+    std::vector<double> rates_;
+};
 
 }  // namespace
 
 Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, const Trial& at, StepMatrix& matrix,
-                           StepWork& work) {
+                           double residual, StepWork& work) {
     Eigen::VectorXd net = at.net;
     freeOnly(problem, net);
     Eigen::VectorXd x = matrix.solve(net, work);
-    const std::vector<Sliding> sliding = slidingLinks(problem, at);
-    if (sliding.empty()) return {x};
-    // (1 + C·A⁻¹)·u = −C·x by GMRES, and then x += A⁻¹·u
-    const Eigen::VectorXd start = -coupling(problem, rows, sliding, x, work);
-    const double first = start.norm(), enough = exactEnough * net.norm();
-    if (!(first > enough)) return {x, true};
+    CoupledMatrix coupled(problem, rows, matrix, slidingLinks(problem, at), work);
+    const bool slides = coupled.slides();
+    if (matrix.exact() && !slides) return {x};
+    // with M the matrix of the factor: (A + C)·M⁻¹·u = what x leaves of the net force, by GMRES, and then x += M⁻¹·u
+    const Eigen::VectorXd start = net - coupled.times(x, net);
+    const double share = !slides ? roundOff : residual > near ? farEnough : nearEnough;
+    const double first = start.norm(), enough = share * net.norm();
+    if (!(first > enough)) return {x, slides};
     std::vector<Eigen::VectorXd> basis{start / first}, solved;
     Eigen::MatrixXd h = Eigen::MatrixXd::Zero(mostDirections + 1, mostDirections);
     Eigen::VectorXd weights;
+    double left = first;
     bool done = false;
     for (int k = 0; k < mostDirections && !done; ++k) {
         solved.push_back(matrix.solve(basis.back(), work));
-        Eigen::VectorXd next = basis.back() + coupling(problem, rows, sliding, solved.back(), work);
+        Eigen::VectorXd next = coupled.times(solved.back(), basis.back());
         for (int j = 0; j <= k; ++j) {
             h(j, k) = basis[static_cast<std::size_t>(j)].dot(next);
             next -= h(j, k) * basis[static_cast<std::size_t>(j)];
@@ -82,13 +112,15 @@ Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, con
         right[0] = first;
         const auto part = h.topLeftCorner(k + 2, k + 1);
         weights = part.colPivHouseholderQr().solve(right);
-        done = (right - part * weights).norm() <= enough || h(k + 1, k) < exhausted * first;
+        left = (right - part * weights).norm();
+        done = left <= enough || h(k + 1, k) < exhausted * first;
         basis.push_back(next / h(k + 1, k));
     }
+    if (!done && !matrix.exact()) matrix.forget();
     Eigen::VectorXd sum = x;
     for (Eigen::Index k = 0; k < weights.size(); ++k) sum += weights[k] * solved[static_cast<std::size_t>(k)];
-    if (done && sum.dot(net) > 0.0) return {sum, true};
-    return {x, true, false};
+    if ((done || left <= farEnough * net.norm()) && sum.dot(net) > 0.0) return {sum, slides};
+    return {x, slides, false};
 }
 
 }  // namespace keyblock

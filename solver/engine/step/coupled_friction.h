@@ -17,10 +17,11 @@ struct Direction {
     bool coupled = true;  // friction limits follow along it; else they stay as they are
 };
 
-/// Solves (A + C)·x = net force of `at`, where A is the matrix that was factored last for the tangents there and C is
-/// how sliding friction follows its normal forces; to a hundredth of the net force. Padded, zero where prescribed.
-/// Where that is not reached, or leads uphill, C is left out.
+/// Solves (A + C)·x = net force of `at`, where A is the matrix of the step for the tangents there, of which `matrix` holds
+/// a factor or nearly one, and C is how sliding friction follows its normal forces. Where friction slides, to a few
+/// hundredths of the net force, which is closer the nearer `at` is to balance (`residual`); else to round-off. Padded, zero
+/// where prescribed. Where that is not reached, or leads uphill, C is left out.
 Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, const Trial& at, StepMatrix& matrix,
-                           StepWork& work);
+                           double residual, StepWork& work);
 
 }  // namespace keyblock

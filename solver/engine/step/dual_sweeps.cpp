@@ -17,7 +17,7 @@ namespace {
 
 constexpr int mostRounds = 40;  // of a sweep forward and one backward
 constexpr double settled = 3e-5;  // change of the forces in a round over the forces
-constexpr int remembered = 8;  // rounds that are mixed
+constexpr int remembered = 6;  // rounds that are mixed
 constexpr double slides = 1.0 - 1e-9;  // of its limit
 constexpr int limitCorrections = 2;  // of sliding forces, by the normal forces of the solution before
 constexpr double leastHold = 1e-4;  // of a law's stiffness, where nothing else holds a body

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/step/step_matrix.h"
 
+#include "solver/engine/step/trial.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace keyblock {
 namespace {
 
-constexpr double sameWeight = 1e-9;  // relative: so near to each other two weights are one
+constexpr double sameBody = 1e-3;  // relative: a factor with bodies this close is kept
 
 std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
     std::vector<std::pair<int, int>> pairs;
@@ -41,21 +43,37 @@ int StepMatrix::pairOf(int first, int second) const {
     return static_cast<int>(found - pairs_.begin());
 }
 
+bool StepMatrix::keepsPattern(const StepProblem& problem, const std::vector<std::pair<int, int>>& pairs) const {
+    return problem.known == known_ && static_cast<std::size_t>(problem.blocks) == blocks_.size() &&
+           std::includes(pairs_.begin(), pairs_.end(), pairs.begin(), pairs.end());
+}
+
 void StepMatrix::begin(const StepProblem& problem, const LinkRows& rows) {
-    std::vector<std::pair<int, int>> pairs = bodyPairs(problem);
-    const bool same = problem.known == known_ &&
-                      std::includes(pairs_.begin(), pairs_.end(), pairs.begin(), pairs.end());
-    if (!same) fixPattern(problem, std::move(pairs));
-    current_ = false;
-    linkPairs_.resize(rows.count());
-    for (std::size_t i = 0; i < rows.count(); ++i) {
-        const Link& link = problem.links[i];
-        linkPairs_[i] = {pairOf(link.a, link.a), link.b >= 0 ? pairOf(link.b, link.b) : -1,
-                         link.b >= 0 ? pairOf(link.a, link.b) : -1};
+    exact_ = false;
+    const bool sameLinks = links_.begin(problem, rows);
+    if (!sameLinks || known_ != problem.known) {
+        std::vector<std::pair<int, int>> pairs = bodyPairs(problem);
+        if (!keepsPattern(problem, pairs)) fixPattern(problem, std::move(pairs));
+        findLinkPairs(problem);
     }
+    current_ = current_ && keepsBodies(problem);
+}
+
+void StepMatrix::findLinkPairs(const StepProblem& problem) {
+    linkPairs_.clear();
+    for (const Link& link : problem.links)
+        linkPairs_.push_back({pairOf(link.a, link.a), link.b >= 0 ? pairOf(link.b, link.b) : -1,
+                              link.b >= 0 ? pairOf(link.a, link.b) : -1});
+}
+
+bool StepMatrix::keepsBodies(const StepProblem& problem) const {
+    const auto close = [](const auto& a, const auto& b) { return (a - b).norm() <= sameBody * b.norm(); };
+    return std::equal(blocks_.begin(), blocks_.end(), problem.blockStiffness.begin(), problem.blockStiffness.end(), close) &&
+           std::equal(nodes_.begin(), nodes_.end(), problem.nodeStiffness.begin(), problem.nodeStiffness.end(), close);
 }
 
 void StepMatrix::fixPattern(const StepProblem& problem, std::vector<std::pair<int, int>> pairs) {
+    current_ = false;
     known_ = problem.known;
     pairs_ = std::move(pairs);
     equations_.assign(static_cast<std::size_t>(problem.unknowns() + LinkRows::padding), -1);
@@ -119,58 +137,60 @@ void StepMatrix::assemble(const StepProblem& problem, const LinkRows& rows, std:
 
 int StepMatrix::factor(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights,
                        StepWork& work) {
-    if (current_ && std::equal(weights.begin(), weights.end(), inFactor_.begin(), inFactor_.end())) return -1;
-    ++work.factorizations;
-    if (update(rows, weights, work)) return -1;
+    weights_.assign(weights.begin(), weights.end());
+    if (current_ && update(rows, weights, work)) return -1;
     return factorInFull(problem, rows, weights, work);
 }
 
 int StepMatrix::factorInFull(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights,
                              StepWork& work) {
+    ++work.factorizations;
     ++work.fullFactorizations;
     assemble(problem, rows, weights);
-    current_ = false;
+    current_ = exact_ = false;
     if (const int loose = system_.factor(); loose >= 0) return unknownOf_[static_cast<std::size_t>(loose)];
-    inFactor_.assign(weights.begin(), weights.end());
-    current_ = true;
+    blocks_ = problem.blockStiffness;
+    nodes_ = problem.nodeStiffness;
+    links_.renew(rows, weights);
+    current_ = exact_ = true;
     return -1;
 }
 
+/// \return false where that takes more than a full factor, or fails.
 bool StepMatrix::update(const LinkRows& rows, std::span<const double> weights, StepWork& work) {
-    if (!current_) return false;
-    std::vector<int> stiffer, softer;
-    std::vector<double> more, less;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        const double change = weights[i] - inFactor_[i];
-        if (std::abs(change) <= sameWeight * std::max(weights[i], inFactor_[i])) continue;
-        (change > 0.0 ? stiffer : softer).push_back(static_cast<int>(i));
-        (change > 0.0 ? more : less).push_back(std::abs(change));
-    }
-    const std::size_t ranks = stiffer.size() + softer.size();
-    if (ranks > static_cast<std::size_t>(system_.worthwhileRanks())) return false;
-    work.ranks += static_cast<long>(ranks);
-    const bool done = system_.addRanks(columnsOf(rows, stiffer, more)) &&
-                      system_.takeRanks(columnsOf(rows, softer, less));
-    current_ = done;
-    if (done) inFactor_.assign(weights.begin(), weights.end());
-    return done;
+    const FactoredLinks::Changes changes = links_.changesTo(rows, weights);
+    if (changes.count() == 0) return true;
+    if (changes.count() > static_cast<std::size_t>(system_.worthwhileRanks())) return false;
+    ++work.factorizations;
+    work.ranks += static_cast<long>(changes.count());
+    current_ = system_.addRanks(columnsOf(changes.add)) && system_.takeRanks(columnsOf(changes.take));
+    if (current_) links_.change(rows, weights);
+    return current_;
 }
 
-std::vector<SparseColumn> StepMatrix::columnsOf(const LinkRows& rows, std::span<const int> links,
-                                                std::span<const double> changes) const {
+/// What a link adds to the matrix, c·cᵀ, by its column c.
+std::vector<SparseColumn> StepMatrix::columnsOf(std::span<const FactoredLink> links) const {
     std::vector<SparseColumn> columns(links.size());
     for (std::size_t c = 0; c < links.size(); ++c) {
-        const auto i = static_cast<std::size_t>(links[c]);
-        const double root = std::sqrt(changes[c]), *g = rows.gradient(i);
+        const double root = std::sqrt(links[c].weight);
         const auto put = [&](int first, const double* entries) {
             for (int k = 0; k < 6; ++k)
                 if (const int row = equations_[static_cast<std::size_t>(first + k)]; row >= 0 && entries[k] != 0.0)
                     columns[c].emplace_back(row, root * entries[k]);
         };
-        put(rows.firstOfA(i), g);
-        put(rows.firstOfB(i), g + 6);
+        put(links[c].firstA, links[c].gradient.data());
+        put(links[c].firstB, links[c].gradient.data() + 6);
     }
     return columns;
+}
+
+Eigen::VectorXd StepMatrix::product(const StepProblem& problem, const LinkRows& rows, const Eigen::VectorXd& x,
+                                    std::vector<double>& rates) const {
+    rows.rates(x, rates);
+    Eigen::VectorXd force = bodyProduct(problem, x);
+    for (std::size_t i = 0; i < weights_.size(); ++i)
+        if (weights_[i] > 0.0) rows.add(i, weights_[i] * rates[i], force.data());
+    return force;
 }
 
 Eigen::VectorXd StepMatrix::solve(const Eigen::VectorXd& force, StepWork& work) {

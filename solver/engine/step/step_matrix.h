@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The matrix of a step, inertia and elasticity of the bodies and a rank for every
-// link that resists: K + Σ wᵢ gᵢ gᵢᵀ. Where few weights differ from those in the
-// factor it is updated rank by rank, else made again in full; counted work decides,
-// never a clock.
+// link that resists: K + Σ wᵢ gᵢ gᵢᵀ. Its factor is kept within the step and, in
+// motion, from step to step. Where few links differ from those in the factor it is
+// updated rank by rank, else made again in full; counted work decides, never a clock.
+// A factor that was kept holds gradients that have turned a little since, so its
+// solutions need a few iterations (`coupledDirection`).
 #pragma once
 
+#include "solver/engine/step/factored_links.h"
 #include "solver/engine/step/linear_system.h"
 #include "solver/engine/step/link_rows.h"
 #include "solver/results/step_work.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,7 +24,7 @@ namespace keyblock {
 
 class StepMatrix {
 public:
-    /// Begins a step: pattern and order are kept from the last one where they hold all of its links.
+    /// Begins a step: pattern, order and factor are kept from the last one where they hold for this one too.
     void begin(const StepProblem& problem, const LinkRows& rows);
 
     /// Makes the factor for these weights, one per link and none negative [N/m].
@@ -28,9 +32,22 @@ public:
     [[nodiscard]] int factor(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights,
                              StepWork& work);
 
-    /// Has the next factor made in full, whatever changes: steps at rest resist some motions so little that the digits
-    /// which rank updates lose would show.
+    /// Weight of a link in the present factor [N/m]; none without a factor.
+    std::optional<double> weightInFactor(std::size_t link) const {
+        return current_ ? std::optional(links_.weight(link)) : std::nullopt;
+    }
+
+    /// True where the factor is that of the matrix, except for round-off.
+    bool exact() const { return exact_; }
+
+    /// Has the next factor made in full, whatever changes: because this one has grown too poor, or because a step at
+    /// rest resists some motions so little that the digits which rank updates lose would show.
     void forget() { current_ = false; }
+
+    /// The matrix for the last weights times `x` (both padded); rows of prescribed unknowns have no meaning.
+    /// Leaves the links' strains under `x` in `rates`.
+    Eigen::VectorXd product(const StepProblem& problem, const LinkRows& rows, const Eigen::VectorXd& x,
+                            std::vector<double>& rates) const;
 
     /// Displacement under `force` by the last factor (both padded); prescribed unknowns get none.
     /// \pre `factor` returned −1.
@@ -42,14 +59,16 @@ public:
 private:
     using Slots = std::array<int, 36>;
 
+    bool keepsPattern(const StepProblem& problem, const std::vector<std::pair<int, int>>& pairs) const;
     void fixPattern(const StepProblem& problem, std::vector<std::pair<int, int>> pairs);
     void findSlots(const StepProblem& problem);
+    void findLinkPairs(const StepProblem& problem);
+    bool keepsBodies(const StepProblem& problem) const;
     void assemble(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights);
     int factorInFull(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights,
                      StepWork& work);
     bool update(const LinkRows& rows, std::span<const double> weights, StepWork& work);
-    std::vector<SparseColumn> columnsOf(const LinkRows& rows, std::span<const int> links,
-                                        std::span<const double> changes) const;
+    std::vector<SparseColumn> columnsOf(std::span<const FactoredLink> links) const;
     int pairOf(int first, int second) const;
 
     LinearSystem system_;
@@ -59,8 +78,12 @@ private:
     std::vector<int> unknownOf_;  // per equation
     std::vector<Slots> slots_;  // per pair: of its 6 × 6 entries in the lower triangle; −1: not stored
     std::vector<std::array<int, 3>> linkPairs_;  // rows of `pairs_`: a with itself, b with itself, both
-    bool current_ = false;  // the factor is of this step
-    std::vector<double> inFactor_;  // weights of its links there
+    bool current_ = false;  // there is a factor that can be updated
+    bool exact_ = false;
+    FactoredLinks links_;
+    std::vector<Matrix6> blocks_;  // stiffness of the bodies in the factor
+    std::vector<Eigen::Vector3d> nodes_;
+    std::vector<double> weights_;  // given last
     std::vector<double> right_, left_;
 };
 

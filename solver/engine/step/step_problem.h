@@ -10,6 +10,7 @@
 #include "solver/engine/laws/step_law.h"
 #include "solver/engine/vector6.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace keyblock {
@@ -27,6 +28,7 @@ struct Link {
     Law law;
     int owner = -1;  // contact, or bolt
     int part = -1;  // node or element of the bolt
+    std::uint64_t features = 0;  // of a contact: its corner and edge, by which it is found again in the next step
 };
 
 /// A capped link's limit that follows the force F of another link (before shares).

@@ -13,7 +13,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double stall = 0.3;  // a line search that goes less far has met the wrong states
+constexpr double stall = 0.2;  // a line search that goes less far has met the wrong states
 constexpr double improves = 0.2;  // of the residual: a full step that leaves no more, or balances, needs no line search
 constexpr int patience = 20;  // iterations after which one that balances worse is made shorter, lest they go in a circle
 constexpr double shortest = 1.0 / 50.0;  // step that is tried then
@@ -74,6 +74,7 @@ public:
 private:
     /// The better of the two starts: shaking from step to step says nothing of where a block comes to rest.
     void begin(Eigen::VectorXd guess) {
+        if (settings_.again) return judge(trialAt(problem_, rows_, std::move(guess)));
         Eigen::VectorXd still = guess;
         for (int i = 0; i < problem_.unknowns(); ++i)
             if (!problem_.known[static_cast<std::size_t>(i)]) still[i] = 0.0;
@@ -81,9 +82,14 @@ private:
         judge(trialAt(problem_, rows_, std::move(still)));
         if (same) return;
         const double atRest = report_.residual;
+        const std::vector<double> limits = limitsOf(problem_);
         Trial rest = std::move(trial_);
         judge(trialAt(problem_, rows_, std::move(guess)));
-        if (!(report_.residual < atRest)) judge(trialAt(problem_, rows_, std::move(rest.d)));
+        if (!(report_.residual < atRest)) {
+            setLimits(problem_, limits);
+            trial_ = std::move(rest);
+            judge();
+        }
         sweeps_ = mayKeepSweeping() && *settings_.sweepsFirst && report_.residual > easy;
     }
 
@@ -140,7 +146,7 @@ private:
     /// One step of Newton's: all of it where that balances better, else as far as the line search lets it go.
     void step() {
         if (!factor()) return;
-        const Direction direction = coupledDirection(problem_, rows_, trial_, matrix_, report_.work);
+        const Direction direction = coupledDirection(problem_, rows_, trial_, matrix_, report_.residual, report_.work);
         std::vector<double> rates;
         rows_.rates(direction.displacement, rates);
         ++report_.work.products;
@@ -170,12 +176,22 @@ private:
         if (mayKeepSweeping()) *settings_.sweepsFirst = true;
     }
 
+    /// A contact that barely touches or barely does not: its state matters less than a change of the factor.
+    bool isIndifferent(std::size_t i) const {
+        const Link& link = problem_.links[i];
+        if (link.law.kind != LawKind::Gap) return false;
+        const double force = link.law.share * std::abs(link.law.stiffness * (trial_.strains[i] - link.law.offset));
+        const auto minor = [&](int body) { return body < 0 || force <= balance_->slack(body, settings_.tolerance); };
+        return minor(link.a) && minor(link.b);
+    }
+
     bool factor() {
         std::vector<double> weights(rows_.count());
         const auto take = [&](double least) {
             for (std::size_t i = 0; i < weights.size(); ++i) {
                 const Law& law = problem_.links[i].law;
                 weights[i] = law.share * std::max(trial_.laws[i].tangent, least * law.stiffness);
+                if (isIndifferent(i)) weights[i] = matrix_.weightInFactor(i).value_or(weights[i]);
             }
             return matrix_.factor(problem_, rows_, weights, report_.work);
         };

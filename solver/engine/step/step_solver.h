@@ -20,6 +20,7 @@ struct SolveSettings {
     int maxPasses = 40;
     double farthest = std::numeric_limits<double>::infinity();  // move of a body at which it is given up [m]
     bool openClose = false;  // by the classical iteration
+    bool again = false;  // the step has been solved before for nearly the same contacts: begin where that ended
     bool* sweepsFirst = nullptr;  // in motion: whether the last step took sweeps; told for the next
 };
 

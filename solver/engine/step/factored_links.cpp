@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/step/factored_links.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace keyblock {
+namespace {
+
+constexpr double sameWeight = 1e-9;  // relative: closer than this, two weights are equal
+constexpr double sameGradient = 1e-4;  // squared, relative: a link that has turned further is replaced
+
+/// Identifies a link from step to step; contacts by their features, because their numbers change.
+std::uint64_t keyOf(const Link& link) {
+    std::uint64_t key = 0;
+    const auto mix = [&](std::uint64_t part) {
+        key = (key ^ part) * 0x9E3779B97F4A7C15u;
+        key ^= key >> 29;
+    };
+    mix(static_cast<std::uint64_t>(link.kind));
+    mix(static_cast<std::uint64_t>(link.a + 1));
+    mix(static_cast<std::uint64_t>(link.b + 1));
+    mix(ofContact(link.kind) ? link.features : static_cast<std::uint64_t>(link.owner + 1));
+    mix(static_cast<std::uint64_t>(link.part + 1));
+    return key;
+}
+
+/// Rows in the order of their keys; equal keys keep theirs.
+std::vector<std::pair<std::uint64_t, int>> byKey(const std::vector<std::uint64_t>& keys) {
+    std::vector<std::pair<std::uint64_t, int>> rows;
+    rows.reserve(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) rows.emplace_back(keys[i], static_cast<int>(i));
+    std::sort(rows.begin(), rows.end());
+    return rows;
+}
+
+FactoredLink asNow(const LinkRows& rows, std::size_t i, double weight) {
+    FactoredLink link{weight, rows.firstOfA(i), rows.firstOfB(i), {}};
+    std::copy_n(rows.gradient(i), 12, link.gradient.begin());
+    return link;
+}
+
+bool isAsNow(const FactoredLink& link, const LinkRows& rows, std::size_t i, double weight) {
+    if (std::abs(weight - link.weight) > sameWeight * std::max(weight, link.weight)) return false;
+    if (weight == 0.0) return true;
+    double turned = 0.0, size = 0.0;
+    for (std::size_t k = 0; k < 12; ++k) {
+        const double g = rows.gradient(i)[k], off = g - link.gradient[k];
+        turned += off * off;
+        size += g * g;
+    }
+    return turned <= sameGradient * size;
+}
+
+}  // namespace
+
+bool FactoredLinks::begin(const StepProblem& problem, const LinkRows& rows) {
+    std::vector<std::uint64_t> keys;
+    keys.reserve(problem.links.size());
+    for (const Link& link : problem.links) keys.push_back(keyOf(link));
+    if (keys == keys_) return true;
+    const auto before = byKey(keys_), now = byKey(keys);
+    std::vector<FactoredLink> links(rows.count());
+    auto next = now.begin();
+    for (const auto& [key, row] : before) {
+        while (next != now.end() && next->first < key) ++next;
+        const FactoredLink& link = links_[static_cast<std::size_t>(row)];
+        if (next != now.end() && next->first == key) links[static_cast<std::size_t>((next++)->second)] = link;
+        else if (link.weight > 0.0) ended_.push_back(link);
+    }
+    links_ = std::move(links);
+    keys_ = std::move(keys);
+    return false;
+}
+
+FactoredLinks::Changes FactoredLinks::changesTo(const LinkRows& rows, std::span<const double> weights) const {
+    Changes changes;
+    changes.take = ended_;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        if (isAsNow(links_[i], rows, i, weights[i])) continue;
+        if (links_[i].weight > 0.0) changes.take.push_back(links_[i]);
+        if (weights[i] > 0.0) changes.add.push_back(asNow(rows, i, weights[i]));
+    }
+    return changes;
+}
+
+void FactoredLinks::change(const LinkRows& rows, std::span<const double> weights) {
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        if (!isAsNow(links_[i], rows, i, weights[i])) links_[i] = asNow(rows, i, weights[i]);
+    ended_.clear();
+}
+
+void FactoredLinks::renew(const LinkRows& rows, std::span<const double> weights) {
+    for (std::size_t i = 0; i < weights.size(); ++i) links_[i] = asNow(rows, i, weights[i]);
+    ended_.clear();
+}
+
+}  // namespace keyblock

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The factor of one step serves the next: links are found again whatever their order,
+// those that end or turn are replaced, and what the factor does not know any more is
+// corrected to round-off.
+#include "solver/engine/step/coupled_friction.h"
+#include "solver/engine/step/factored_links.h"
+#include "solver/engine/step/step_matrix.h"
+#include "solver/engine/step/trial.h"
+
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace keyblock {
+namespace {
+
+constexpr int bodies = 4;
+
+/// A contact between two neighbours in a row of bodies; its direction is turned by `angle` [rad].
+Link between(int a, int corner, double angle) {
+    Link link;
+    link.kind = LinkKind::Normal;
+    link.a = a;
+    link.b = a + 1;
+    link.features = static_cast<std::uint64_t>(corner);
+    const double c = std::cos(angle), s = std::sin(angle);
+    link.ga << c, s, 0.3 * corner, 0.1, 0.0, 0.0;
+    link.gb = -link.ga;
+    link.law = {LawKind::Linear, 1e6 * (1.0 + corner), 0.0, 0.0, nullptr, {}, 1.0, false};
+    return link;
+}
+
+StepProblem rowOfBodies(std::vector<Link> links) {
+    StepProblem problem;
+    problem.blocks = bodies;
+    problem.blockStiffness.assign(bodies, 1e3 * Matrix6::Identity());
+    problem.links = std::move(links);
+    problem.known.assign(6 * bodies, 0);
+    problem.value = Eigen::VectorXd::Zero(6 * bodies);
+    problem.weight = Eigen::VectorXd::Ones(6 * bodies);
+    problem.load = Eigen::VectorXd::LinSpaced(6 * bodies, 1.0, 2.0);
+    problem.moves = true;
+    problem.ownForce.assign(bodies, 1.0);
+    return problem;
+}
+
+std::vector<Link> links(double angle) {
+    std::vector<Link> all;
+    for (int a = 0; a + 1 < bodies; ++a)
+        for (int corner = 1; corner <= 2; ++corner) all.push_back(between(a, corner, angle));
+    return all;
+}
+
+std::vector<double> weightsOf(const StepProblem& problem) {
+    std::vector<double> weights;
+    for (const Link& link : problem.links) weights.push_back(link.law.stiffness);
+    return weights;
+}
+
+Eigen::VectorXd exactly(const StepProblem& problem) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(6 * bodies, 6 * bodies) * 1e3;
+    for (const Link& link : problem.links) {
+        Eigen::VectorXd g = Eigen::VectorXd::Zero(6 * bodies);
+        g.segment<6>(6 * link.a) = link.ga;
+        g.segment<6>(6 * link.b) = link.gb;
+        matrix += link.law.stiffness * g * g.transpose();
+    }
+    return matrix.ldlt().solve(problem.load);
+}
+
+TEST(FactoredLinks, AreFoundAgainInAnotherOrder) {
+    FactoredLinks factored;
+    const StepProblem first = rowOfBodies(links(0.0));
+    const LinkRows rows(first);
+    EXPECT_FALSE(factored.begin(first, rows));
+    factored.renew(rows, weightsOf(first));
+    std::vector<Link> turnedRound = links(0.0);
+    std::reverse(turnedRound.begin(), turnedRound.end());
+    const StepProblem second = rowOfBodies(turnedRound);
+    const LinkRows after(second);
+    EXPECT_FALSE(factored.begin(second, after));
+    EXPECT_EQ(factored.changesTo(after, weightsOf(second)).count(), 0u);
+    EXPECT_TRUE(factored.begin(second, after));
+}
+
+TEST(FactoredLinks, EndAppearAndTurnOneByOne) {
+    FactoredLinks factored;
+    const StepProblem first = rowOfBodies(links(0.0));
+    const LinkRows rows(first);
+    factored.begin(first, rows);
+    factored.renew(rows, weightsOf(first));
+    std::vector<Link> later = links(0.0);
+    later[0] = between(0, 7, 0.0);  // one ends, another appears
+    later[3] = between(1, 2, 0.1);  // one has turned far: it is taken out and put in
+    later[4] = between(2, 1, 1e-3);  // one has turned next to nothing
+    const StepProblem second = rowOfBodies(later);
+    const LinkRows after(second);
+    factored.begin(second, after);
+    const FactoredLinks::Changes changes = factored.changesTo(after, weightsOf(second));
+    EXPECT_EQ(changes.add.size(), 2u);
+    EXPECT_EQ(changes.take.size(), 2u);
+    factored.change(after, weightsOf(second));
+    EXPECT_EQ(factored.changesTo(after, weightsOf(second)).count(), 0u);
+}
+
+TEST(StepMatrix, KeptFromAnEarlierStepSolvesToRoundOff) {
+    StepMatrix matrix;
+    StepWork work;
+    for (const double angle : {0.0, 2e-3, 4e-3, 6e-3}) {
+        StepProblem problem = rowOfBodies(links(angle));
+        const LinkRows rows(problem);
+        matrix.begin(problem, rows);
+        ASSERT_LT(matrix.factor(problem, rows, weightsOf(problem), work), 0);
+        EXPECT_EQ(matrix.exact(), angle == 0.0);
+        const Trial start = trialAt(problem, rows, padded(Eigen::VectorXd::Zero(6 * bodies)));
+        const Direction direction = coupledDirection(problem, rows, start, matrix, 1.0, work);
+        const Eigen::VectorXd exact = exactly(problem);
+        EXPECT_LE((unpadded(direction.displacement) - exact).norm(), 1e-6 * exact.norm()) << angle;
+    }
+    EXPECT_EQ(work.factorizations, 1);
+}
+
+TEST(StepMatrix, KeptFactorFollowsAWeightThatChanges) {
+    StepMatrix matrix;
+    StepWork work;
+    StepProblem problem = rowOfBodies(links(0.0));
+    const LinkRows rows(problem);
+    matrix.begin(problem, rows);
+    ASSERT_LT(matrix.factor(problem, rows, weightsOf(problem), work), 0);
+    problem.links[2].law.stiffness *= 3.0;
+    matrix.begin(problem, rows);
+    ASSERT_LT(matrix.factor(problem, rows, weightsOf(problem), work), 0);
+    const Trial start = trialAt(problem, rows, padded(Eigen::VectorXd::Zero(6 * bodies)));
+    const Direction direction = coupledDirection(problem, rows, start, matrix, 1.0, work);
+    const Eigen::VectorXd exact = exactly(problem);
+    EXPECT_LE((unpadded(direction.displacement) - exact).norm(), 1e-6 * exact.norm());
+}
+
+}  // namespace
+}  // namespace keyblock
