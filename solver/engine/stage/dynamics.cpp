@@ -8,6 +8,7 @@
 #include "solver/engine/contact/springs.h"
 #include "solver/engine/stage/energy_account.h"
 #include "solver/engine/stage/limits.h"
+#include "solver/engine/stage/preload.h"
 #include "solver/engine/stage/resticks.h"
 #include "solver/engine/stage/step_accept.h"
 #include "solver/engine/stage/step_build.h"
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace keyblock {
 namespace {
@@ -35,56 +35,6 @@ constexpr double closeEnergy = 1e-3;  // of what a step loses: what its balance 
 constexpr double mostEnergy = 1e-2;  // the same, before the step is cut
 constexpr double energyCut = 0.5;
 constexpr double energyStep = 1.0 / 64.0;  // over the given step: no step is cut to less for its energy
-constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
-constexpr int preloadRounds = 4;
-constexpr int preloadTries = 12;  // what was found by then is a fair start
-constexpr double preloadCut = 0.01;  // of the pseudo-step, where friction does not settle in it: the scene moves anyway
-
-/// At its zero point, or past it and carrying.
-bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
-
-/// Only touching contacts act while preload is sought; bolts and supports keep the force they have.
-void keepTouching(const Model& model, const State& state, StepProblem& problem) {
-    for (Link& link : problem.links) {
-        if (link.kind == LinkKind::Support || link.kind == LinkKind::Glue) continue;
-        if (link.kind == LinkKind::Normal || link.kind == LinkKind::Friction) {
-            if (touches(model, state.contacts[static_cast<std::size_t>(link.owner)])) continue;
-            link.law = {};
-        } else {
-            const double force = respond(link.law, link.strain).force;
-            link.law.kind = LawKind::Constant;
-            link.law.limit = force;
-        }
-    }
-}
-
-/// Moves the contacts' zero points and the blocks' stress so that they carry the forces found, with nothing moved. What
-/// friction could not hold is not kept: it would fail at once, with an energy that came from nowhere.
-void takePreload(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d) {
-    std::vector<double> strains;
-    linkStrains(problem, d, strains);
-    double push = 0.0;
-    for (std::size_t i = 0; i < strains.size(); ++i) {
-        const Link& link = problem.links[i];
-        if (link.law.stiffness <= 0.0) continue;
-        const double force = respond(link.law, strains[i]).force;
-        if (link.kind == LinkKind::Normal) {
-            carryNormal(model, state.contacts[static_cast<std::size_t>(link.owner)], link.strain, -force);
-            push = std::max(0.0, -force);
-        }
-        if (link.kind == LinkKind::Friction) {
-            Contact& c = state.contacts[static_cast<std::size_t>(link.owner)];
-            const double most = c.bonded ? std::abs(force) : frictionOf(model, c) * push;
-            carryShear(model, c, link.strain, std::clamp(force, -most, most));
-        }
-        if (link.kind == LinkKind::Glue)
-            state.glue[static_cast<std::size_t>(link.owner)].offset[static_cast<std::size_t>(link.part)] =
-                link.strain - force / link.law.stiffness;
-    }
-    for (std::size_t i = 0; i < model.blocks.size(); ++i)
-        state.blocks[i].preStress +=
-            model.blocks[i].elasticity * d.segment<3>(6 * static_cast<Eigen::Index>(i) + 3);
-}
 
 /// Whether contacts carry what they would carry where the blocks really come to, on arcs and not on straight ways.
 bool arcsHold(const Model& model, const std::vector<BlockMotion>& from, const StepProblem& problem,
@@ -125,36 +75,6 @@ DynamicStage::DynamicStage(Engine& engine, const Loads& loads, std::function<Loa
                            DynamicSettings settings)
     : engine_(engine), loads_(loads), loadsAt_(std::move(loadsAt)), settings_(settings) {}
 
-StepEnding DynamicStage::preload(State& state) {
-    const Model& model = engine_.model;
-    const bool fresh = std::any_of(state.contacts.begin(), state.contacts.end(), [&](const Contact& c) {
-        return touches(model, c) && c.normalForce == 0.0 && c.shearForce == 0.0;
-    });
-    if (!fresh) return {};
-    double mass = 0.0, stiffness = std::numeric_limits<double>::max();
-    for (const BlockModel& block : model.blocks) mass = std::max(mass, block.mass);
-    for (const Contact& c : state.contacts) stiffness = std::min(stiffness, contactSprings(model, c).normal);
-    if (mass <= 0.0) return {};
-    double dt = std::sqrt(2.0 * mass / (preloadInertia * stiffness));
-    State trial = state;
-    for (int round = 0, tries = 0; round < preloadRounds && tries < preloadTries; ++tries) {
-        StepProblem problem = buildStep(model, trial, loads_, loadsAt_(0.0), {Inertia::Static, dt, round == 0});
-        keepTouching(model, trial, problem);
-        Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
-        const SolveReport report =
-            solveStep(engine_, problem, trial, d, {.tolerance = model.analysis.tolerance, .convex = true});
-        if (report.stopped) return {Ending::Stopped, "", {}};
-        if (!report.converged) {
-            dt *= preloadCut;
-            continue;
-        }
-        ++round;
-        takePreload(model, trial, problem, d);
-    }
-    state = std::move(trial);
-    return {};
-}
-
 /// What a motion prescribes moves at its first slope from the start, at the cost of what drives it.
 void DynamicStage::drive(State& state) const {
     const LoadPoint first = loadsAt_(0.0), next = loadsAt_(settings_.timeStep);
@@ -171,16 +91,15 @@ void DynamicStage::drive(State& state) const {
 StepEnding DynamicStage::begin(State& state) {
     const Model& model = engine_.model;
     state.acceleration.clear();
-    const StepEnding ending = preload(state);
-    if (ending.ending != Ending::Done) return ending;
+    if (!takePreload(engine_, state, loads_, loadsAt_(0.0), settings_.timeStep)) return {Ending::Stopped, "", {}};
     drive(state);
-    if (!carriesAccelerations(settings_.scheme)) return ending;
+    if (!carriesAccelerations(settings_.scheme)) return {};
     const StepProblem problem =
         buildStep(model, state, loads_, loadsAt_(0.0), {Inertia::None, 1.0, false, 1.0, settings_.damping});
     const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
     const Eigen::VectorXd first = byMass(model, problem, netForce(problem, still) - contactForce(problem, still));
     state.acceleration.assign(first.data(), first.data() + first.size());
-    return ending;
+    return {};
 }
 
 /// What all forces but those of contacts give the bodies where they are, at rest; nothing where it is not asked for.
@@ -231,7 +150,8 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         guess.segment<6>(6 * static_cast<Eigen::Index>(i)) = dt * state.blocks[i].velocity;
     Eigen::VectorXd path = guess, start = guess;  // a step that is done again starts from its last solution
-    for (int paths = 0, arcs = 0;;) {
+    bool again = false;
+    for (int paths = 0, arcs = 0;; again = true) {
         trial.state = state;
         FoundCorners corners;
         trial.state.contacts = findContacts(model, state.blocks, state.contacts,
@@ -241,7 +161,9 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         StepProblem problem = buildStep(model, trial.state, loads_, at, options);
         Eigen::VectorXd d = start;
         const SolveReport report = solveStep(engine_, problem, trial.state, d,
-                                             {.tolerance = model.analysis.tolerance, .sweepsFirst = &pace.sweepsFirst});
+                                             {.tolerance = model.analysis.tolerance,
+                                              .again = again,
+                                              .sweepsFirst = &pace.sweepsFirst});
         worst_ = report.worst;
         if (report.stopped) return Attempt::Stopped;
         if (!report.converged) return Attempt::TooLong;
@@ -249,6 +171,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         if (move > margin) {  // something may have been met that was not looked for
             margin = 2.0 * move;
             if (margin > 0.25 * smallestSize(model) && !state.contacts.empty()) return Attempt::TooLong;
+            start = d;
             continue;
         }
         if (paths < mostPaths && move > pathShare * smallestSize(model) &&

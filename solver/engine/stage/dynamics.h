@@ -46,7 +46,6 @@ private:
     };
     enum class Attempt { Settled, TooLong, Unbalanced, Stopped };
     Attempt attempt(const State& state, double time, double dt, DynamicPace& pace, Trial& trial);
-    StepEnding preload(State& state);
     void drive(State& state) const;
     Eigen::VectorXd heldAccelerations(const State& state) const;
     void forget(const Eigen::VectorXd& held, State& state) const;
