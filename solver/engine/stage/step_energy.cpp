@@ -4,17 +4,19 @@
 
 #include "solver/engine/stage/energy.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keyblock {
 namespace {
 
-constexpr double countsFrom = 1e-5;  // of the largest energy: less is no error of a step
+constexpr double countsFrom = 1e-5;  // of the largest energy: a step that loses less is no impact, and less left over is no error of it
 
 }  // namespace
 
 bool StepEnergy::leavesMoreThan(double share) const {
-    return std::abs(left) > share * lost && std::abs(left) > countsFrom * scale;
+    const double least = countsFrom * scale;
+    return lost > least && std::abs(left) > std::max(share * lost, least);
 }
 
 StepEnergy energyOfStep(const Model& model, const State& before, const State& after) {

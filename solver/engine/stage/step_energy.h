@@ -16,7 +16,7 @@ struct StepEnergy {
     double lost = 0.0;  // by friction, plastic flow, damping, the scheme and what was released [J]
     double scale = 0.0;  // largest energy of the run so far [J]
 
-    /// True where more is left over than `share` of what was lost, in an amount that counts in the scene.
+    /// True where more is left over than `share` of what was lost, both in amounts that count in the scene.
     bool leavesMoreThan(double share) const;
 };
 
