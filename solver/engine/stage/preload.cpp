@@ -17,7 +17,8 @@ namespace {
 constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
 constexpr int preloadRounds = 4;
 constexpr double preloadTolerance = 1e-3;  // of a scene that moves: its first step solves for the rest
-constexpr int preloadPasses = 12;  // iterations with friction: a scene that finds no rest in these moves
+constexpr int preloadPasses = 12;  // iterations with friction: a scene that is far from rest after these moves
+constexpr double nearRest = 1e-3;  // residual
 
 /// At its zero point, or past it and carrying.
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
@@ -103,7 +104,10 @@ bool takePreload(Engine& engine, State& state, const Loads& loads, const LoadPoi
         StepProblem problem = buildStep(model, trial, loads, first, options);
         keepTouching(model, trial, problem);
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
-        const SolveReport report = solveStep(engine, problem, trial, d, needs);
+        SolveReport report = solveStep(engine, problem, trial, d, needs);
+        const bool slow = options.inertia == Inertia::Static && !report.converged && report.residual <= nearRest;
+        if (slow && !report.stopped)
+            report = solveStep(engine, problem, trial, d, {.tolerance = needs.tolerance, .convex = true});
         if (report.stopped) return false;
         if (report.converged) keepForces(model, trial, problem, d);
         if (options.inertia != Inertia::Static) break;

@@ -12,6 +12,10 @@ namespace {
 
 constexpr double countsFrom = 1e-5;  // of the largest energy: a step that loses less is no impact, and less left over is no error of it
 
+bool isInContact(const State& state) {
+    return std::any_of(state.contacts.begin(), state.contacts.end(), [](const Contact& c) { return c.normalForce > 0.0; });
+}
+
 }  // namespace
 
 bool StepEnergy::leavesMoreThan(double share) const {
@@ -20,6 +24,7 @@ bool StepEnergy::leavesMoreThan(double share) const {
 }
 
 StepEnergy energyOfStep(const Model& model, const State& before, const State& after) {
+    if (!isInContact(before) && !isInContact(after)) return {};
     const Energy a = energyOf(model, before), b = energyOf(model, after);
     // generalized-α may give back in one place what it takes in another: each term counts by its amount
     const double lost = std::abs(b.friction - a.friction) + std::abs(b.plastic - a.plastic) +

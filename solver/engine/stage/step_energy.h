@@ -20,6 +20,7 @@ struct StepEnergy {
     bool leavesMoreThan(double share) const;
 };
 
+/// Nothing where no contact pushes: there is no impact.
 /// \param before as the step began, before its contacts were sought. \param after as it was accepted.
 StepEnergy energyOfStep(const Model& model, const State& before, const State& after);
 
