@@ -16,9 +16,10 @@ namespace {
 
 constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
 constexpr int preloadRounds = 4;
-constexpr double preloadTolerance = 1e-3;  // of a scene that moves: its first step solves for the rest
+constexpr double rough = 10.0;  // times the tolerance, in a scene that moves: its first step solves for the rest
 constexpr int preloadPasses = 12;  // iterations with friction: a scene that is far from rest after these moves
-constexpr double nearRest = 1e-3;  // residual
+constexpr double nearRest = 1e-3;  // residual from which rest is sought with all iterations
+constexpr double restful = 1e-7;  // residual that is then enough, whatever the tolerance: contacts hold such a scene
 
 /// At its zero point, or past it and carrying.
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
@@ -107,7 +108,7 @@ bool takePreload(Engine& engine, State& state, const Loads& loads, const LoadPoi
         SolveReport report = solveStep(engine, problem, trial, d, needs);
         const bool slow = options.inertia == Inertia::Static && !report.converged && report.residual <= nearRest;
         if (slow && !report.stopped)
-            report = solveStep(engine, problem, trial, d, {.tolerance = needs.tolerance, .convex = true});
+            report = solveStep(engine, problem, trial, d, {.tolerance = std::max(restful, needs.tolerance), .convex = true});
         if (report.stopped) return false;
         if (report.converged) keepForces(model, trial, problem, d);
         if (options.inertia != Inertia::Static) break;
@@ -115,7 +116,7 @@ bool takePreload(Engine& engine, State& state, const Loads& loads, const LoadPoi
         needs.maxPasses = std::min(model.analysis.maxPasses, preloadPasses);
         if (!report.converged) {
             options = {Inertia::Shi, timeStep};
-            needs = {.tolerance = std::max(preloadTolerance, needs.tolerance), .convex = true};
+            needs = {.tolerance = rough * model.analysis.tolerance, .convex = true};
         }
     }
     takeVelocities(state, trial);
