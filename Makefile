@@ -84,6 +84,7 @@ asan tsan: packages
 bench: packages
 	$(call build,headless)
 	build/headless/tests/bench/keyblock_bench
+	build/headless/tests/bench/keyblock_increments_bench
 
 MINUTES ?= 60
 TARGET ?= scene

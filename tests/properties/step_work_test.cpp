@@ -8,35 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-
 namespace keyblock {
 namespace {
-
-Scene settledWall(int columns, int rows) {
-    Scene scene = brickWall({.columns = columns, .rows = rows});
-    scene.analysis.tolerance = 1e-4;
-    scene.analysis.penaltyRatio = 40.0;
-    scene.materials[0].second.poissonsRatio = 0.2;
-    Stage settle;
-    settle.name = "settle";
-    scene.stages.insert(scene.stages.begin(), settle);
-    return scene;
-}
-
-Scene tiltedWall(int columns, int rows) {
-    Scene scene = settledWall(columns, rows);
-    Stage& tilted = scene.stages.back();
-    StrengthChange& weaker = tilted.set.emplace_back();
-    weaker.jointMaterial = "joint";
-    weaker.frictionAngle = 20.0;
-    Acceleration along;
-    along.record = {{0.0, 1.0}, {1.0, 1.0}};
-    along.factor = 9.81 * std::sin(25.0 * std::numbers::pi / 180.0);
-    tilted.bodyAcceleration = along;
-    return scene;
-}
 
 Health healthAfter(Scene scene, double duration) {
     scene.stages.back().duration = duration;

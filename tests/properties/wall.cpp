@@ -3,6 +3,8 @@
 #include "wall.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace keyblock {
 
@@ -63,6 +65,30 @@ Scene brickWall(const WallSetting& setting) {
     stage.timeStep = setting.timeStep;
     scene.stages = {stage};
     scene.output.frames = 1;
+    return scene;
+}
+
+Scene settledWall(int columns, int rows, double duration) {
+    Scene scene = brickWall({.columns = columns, .rows = rows, .duration = duration});
+    scene.analysis.tolerance = 1e-4;
+    scene.analysis.penaltyRatio = 40.0;
+    scene.materials[0].second.poissonsRatio = 0.2;
+    Stage settle;
+    settle.name = "settle";
+    scene.stages.insert(scene.stages.begin(), settle);
+    return scene;
+}
+
+Scene tiltedWall(int columns, int rows, double duration) {
+    Scene scene = settledWall(columns, rows, duration);
+    Stage& tilted = scene.stages.back();
+    StrengthChange& weaker = tilted.set.emplace_back();
+    weaker.jointMaterial = "joint";
+    weaker.frictionAngle = 20.0;
+    Acceleration along;
+    along.record = {{0.0, 1.0}, {1.0, 1.0}};
+    along.factor = 9.81 * std::sin(25.0 * std::numbers::pi / 180.0);
+    tilted.bodyAcceleration = along;
     return scene;
 }
 

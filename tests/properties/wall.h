@@ -21,6 +21,12 @@ struct WallSetting {
 /// One dynamic stage of `duration`; pass tolerance 1e-10.
 Scene brickWall(const WallSetting& setting);
 
+/// A wall that settles in a static stage and then stays for `duration` in a dynamic one; the program's own tolerance.
+Scene settledWall(int columns, int rows, double duration = 0.1);
+
+/// The same, with a friction angle of 20° and an acceleration of g·sin 25° along the wall in the dynamic stage.
+Scene tiltedWall(int columns, int rows, double duration = 0.1);
+
 /// The scene with every coordinate of a block or support moved by `by` [m].
 Scene moved(Scene scene, const Point& by);
 
