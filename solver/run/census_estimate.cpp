@@ -30,7 +30,7 @@ constexpr int fewestRounds = 2;  // of timing, after one that fixes the pattern
 // from jointed rock of 110 to 1,000 blocks under gravity (40 to 360 a search, one that collapses some 1e4; 4 to 14 a step
 // of time).
 constexpr double passesAnIncrement = 3.0, passesARelease = 7.0, passesATimeStep = 1.3;
-constexpr double passesARockSearch = 200.0, passesARockStep = 8.0;
+constexpr double passesARockSearch = 200.0, passesARockStep = 4.0;
 constexpr int slidingIncrements = 12, flowingIncrements = 50;  // chosen for a stage in which joints slide, bolts flow
 constexpr double releasedShare = 0.7;  // of what can let go
 constexpr int rock = 20;  // free blocks with three contacts each that may slide: so many are jointed rock
@@ -172,7 +172,7 @@ StageCost dynamicCost(double steps, const Nature& nature) {
     cost.steps = steps;
     cost.passes = steps * (nature.jointed ? passesARockStep : passesATimeStep);
     cost.least = 0.9 * steps;
-    cost.most = (nature.jointed ? 6.0 : 3.0) * cost.passes;
+    cost.most = (nature.jointed ? 12.0 : 3.0) * cost.passes;
     return cost;
 }
 
@@ -219,7 +219,7 @@ void addAssumptions(const Nature& nature, CostEstimate& estimate) {
                                  "7 passes each.");
     say(nature.shears, "Bolts are pulled; where joints shear them until hinges form, it takes up to 50 times as long.");
     say(nature.jointed, "Rock whose joints slide takes 200 passes to come to rest, and may take 200 times that or "
-                        "none; in motion 8 passes a step, and up to 50.");
+                        "none; in motion 4 passes a step, and up to 50.");
 }
 
 }  // namespace
