@@ -10,16 +10,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace keyblock {
 namespace {
 
-constexpr double preloadInertia = 1e-7;  // over the contact springs, while preload is sought
-constexpr int preloadRounds = 4;
-constexpr double rough = 10.0;  // times the tolerance, in a scene that moves: its first step solves for the rest
-constexpr int preloadPasses = 12;  // iterations with friction: a scene that is far from rest after these moves
+constexpr double restInertia = 1e-7;  // over the contact springs, while rest is sought
+constexpr int restRounds = 4;
+constexpr int quickPasses = 12;  // iterations with friction after which a scene far from rest is taken to move
 constexpr double nearRest = 1e-3;  // residual from which rest is sought with all iterations
-constexpr double restful = 1e-7;  // residual that is then enough, whatever the tolerance: contacts hold such a scene
+constexpr double restTolerance = 1e-7;  // at least, in that second search
+constexpr double movingTolerance = 10.0;  // times the scene's: its first step solves for the rest
 
 /// At its zero point, or past it and carrying.
 bool touches(const Model& model, const Contact& c) { return c.gap - c.gapOffset <= 10.0 * model.tolerance; }
@@ -67,59 +68,93 @@ void keepForces(const Model& model, State& state, const StepProblem& problem, co
             model.blocks[i].elasticity * d.segment<3>(6 * static_cast<Eigen::Index>(i) + 3);
 }
 
-void stop(State& state) {
+void setAtRest(State& state) {
     for (BlockMotion& block : state.blocks) block.velocity.setZero();
     for (BoltMotion& bolt : state.bolts)
         for (BoltNode& node : bolt.nodes) node.velocity.setZero();
 }
 
-void takeVelocities(const State& from, State& to) {
+void restoreVelocities(const State& from, State& to) {
     for (std::size_t i = 0; i < from.blocks.size(); ++i) to.blocks[i].velocity = from.blocks[i].velocity;
     for (std::size_t b = 0; b < from.bolts.size(); ++b)
         for (std::size_t n = 0; n < from.bolts[b].nodes.size(); ++n)
             to.bolts[b].nodes[n].velocity = from.bolts[b].nodes[n].velocity;
 }
 
-/// Pseudo-step whose inertia is soft compared with the softest contact [s]; 0 where nothing has mass.
-double preloadStep(const Model& model, const State& state) {
+/// Pseudo-step whose inertia is small compared with the softest contact [s]; 0 where nothing has mass.
+double restStep(const Model& model, const State& state) {
     double mass = 0.0, stiffness = std::numeric_limits<double>::max();
     for (const BlockModel& block : model.blocks) mass = std::max(mass, block.mass);
     for (const Contact& c : state.contacts) stiffness = std::min(stiffness, contactSprings(model, c).normal);
-    return std::sqrt(2.0 * mass / (preloadInertia * stiffness));
+    return std::sqrt(2.0 * mass / (restInertia * stiffness));
+}
+
+/// Seeks the forces of one round, and keeps them where it converges.
+class PreloadSearch {
+public:
+    PreloadSearch(Engine& engine, State& state, const Loads& loads, const LoadPoint& first)
+        : engine_(engine), state_(state), loads_(loads), first_(first) {}
+
+    /// A round at rest. With friction, a scene that is near rest after a few iterations gets all of them.
+    SolveReport atRest(double dt, bool frictionLocked) {
+        begin({Inertia::Static, dt, frictionLocked});
+        const Analysis& analysis = engine_.model.analysis;
+        const int passes = frictionLocked ? 0 : std::min(analysis.maxPasses, quickPasses);
+        const SolveReport report = solve(analysis.tolerance, passes);
+        if (report.converged || report.stopped || report.residual > nearRest) return report;
+        return solve(std::max(restTolerance, analysis.tolerance), 0);
+    }
+
+    /// The scene's first step from rest.
+    SolveReport moving(double timeStep) {
+        begin({Inertia::Shi, timeStep});
+        return solve(movingTolerance * engine_.model.analysis.tolerance, 0);
+    }
+
+private:
+    void begin(const StepOptions& options) {
+        problem_ = buildStep(engine_.model, state_, loads_, first_, options);
+        keepTouching(engine_.model, state_, problem_);
+        d_ = Eigen::VectorXd::Zero(problem_.unknowns());
+    }
+
+    SolveReport solve(double tolerance, int maxPasses) {
+        const SolveReport report = solveStep(engine_, problem_, state_, d_,
+                                             {.tolerance = tolerance, .maxPasses = maxPasses, .convex = true});
+        if (report.converged) keepForces(engine_.model, state_, problem_, d_);
+        return report;
+    }
+
+    Engine& engine_;
+    State& state_;
+    const Loads& loads_;
+    const LoadPoint& first_;
+    StepProblem problem_;
+    Eigen::VectorXd d_;
+};
+
+bool isFresh(const Model& model, const State& state) {
+    return std::any_of(state.contacts.begin(), state.contacts.end(), [&](const Contact& c) {
+        return touches(model, c) && c.normalForce == 0.0 && c.shearForce == 0.0;
+    });
 }
 
 }  // namespace
 
 bool takePreload(Engine& engine, State& state, const Loads& loads, const LoadPoint& first, double timeStep) {
-    const Model& model = engine.model;
-    const bool fresh = std::any_of(state.contacts.begin(), state.contacts.end(), [&](const Contact& c) {
-        return touches(model, c) && c.normalForce == 0.0 && c.shearForce == 0.0;
-    });
-    const double dt = fresh ? preloadStep(model, state) : 0.0;
+    const double dt = isFresh(engine.model, state) ? restStep(engine.model, state) : 0.0;
     if (dt == 0.0) return true;
     State trial = state;
-    stop(trial);
-    StepOptions options{Inertia::Static, dt, true};
-    StepNeeds needs{.tolerance = model.analysis.tolerance, .convex = true};
-    for (int round = 0; round < preloadRounds; ++round) {
-        StepProblem problem = buildStep(model, trial, loads, first, options);
-        keepTouching(model, trial, problem);
-        Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
-        SolveReport report = solveStep(engine, problem, trial, d, needs);
-        const bool slow = options.inertia == Inertia::Static && !report.converged && report.residual <= nearRest;
-        if (slow && !report.stopped)
-            report = solveStep(engine, problem, trial, d, {.tolerance = std::max(restful, needs.tolerance), .convex = true});
+    setAtRest(trial);
+    PreloadSearch search(engine, trial, loads, first);
+    bool rests = true;
+    for (int round = 0; round < restRounds && rests; ++round) {
+        const SolveReport report = search.atRest(dt, round == 0);
         if (report.stopped) return false;
-        if (report.converged) keepForces(model, trial, problem, d);
-        if (options.inertia != Inertia::Static) break;
-        options.frictionLocked = false;
-        needs.maxPasses = std::min(model.analysis.maxPasses, preloadPasses);
-        if (!report.converged) {
-            options = {Inertia::Shi, timeStep};
-            needs = {.tolerance = rough * model.analysis.tolerance, .convex = true};
-        }
+        rests = report.converged;
     }
-    takeVelocities(state, trial);
+    if (!rests && search.moving(timeStep).stopped) return false;
+    restoreVelocities(state, trial);
     state = std::move(trial);
     return true;
 }
