@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How much work a step in motion takes, counted and never timed: a wall of 1,053
-// blocks at rest, and one of 266 that slides and topples. No step is cut.
+// blocks at rest, one of 266 that slides and topples, and the drift without bolts.
+// No step is cut.
+#include "solver/files/scene_file.h"
 #include "solver/run/run.h"
 #include "wall.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace keyblock {
 namespace {
@@ -29,9 +33,25 @@ void expectWork(const Scene& scene, double mostWork, double mostFactorizations) 
     EXPECT_LE(static_cast<double>(all.work.factorizations - first.work.factorizations) / solves, mostFactorizations);
 }
 
-TEST(StepWork, OfAWallAtRestIsLessThanOneFactorization) { expectWork(settledWall(40, 26), 1.0, 1.2); }
+TEST(StepWork, WallAtRestTakesLessThanOneFactorization) { expectWork(settledWall(40, 26), 1.0, 1.2); }
 
-TEST(StepWork, OfAWallThatSlidesIsThatOfAFewFactorizations) { expectWork(tiltedWall(20, 13), 5.0, 3.5); }
+TEST(StepWork, SlidingWallTakesFiveFactorizationsAtMost) { expectWork(tiltedWall(20, 13), 5.0, 3.5); }
+
+TEST(StepWork, UnboltedDriftTakesThreeFactorizationsAtMostAndBalancesItsEnergy) {
+    const SceneReading reading = readSceneFile(KEYBLOCK_SAMPLES_DIR "/drift-unbolted.json");
+    ASSERT_TRUE(reading.scene);
+    long solves = 0;
+    StepWork work;
+    for (const StageResult& stage : runInMemory(*reading.scene).stages) {
+        solves += stage.health.steps;
+        work += stage.health.work;
+        EXPECT_EQ(stage.health.stepCuts, 0);
+        EXPECT_LE(std::abs(stage.health.balanceError), 5e-4);
+    }
+    ASSERT_GT(solves, 600);
+    EXPECT_LE(workOf(work), 3.0 * static_cast<double>(solves));
+    EXPECT_LE(static_cast<double>(work.factorizations), 2.5 * static_cast<double>(solves));
+}
 
 }  // namespace
 }  // namespace keyblock
