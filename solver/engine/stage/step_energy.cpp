@@ -10,7 +10,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double countsFrom = 1e-5;  // of the largest energy: a step that loses less is no impact, and less left over is no error of it
+constexpr double countsFrom = 1e-5;  // of the largest energy: smaller losses are no impact, smaller leftovers no error
 
 bool isInContact(const State& state) {
     return std::any_of(state.contacts.begin(), state.contacts.end(), [](const Contact& c) { return c.normalForce > 0.0; });

@@ -11,8 +11,8 @@ namespace keyblock {
 namespace {
 
 constexpr int mostDirections = 8;  // of GMRES
-constexpr double farEnough = 3e-2, nearEnough = 1e-2;  // of the force, where friction slides, far from balance and near
-constexpr double near = 3e-3;  // residual
+constexpr double looseTolerance = 3e-2, tightTolerance = 1e-2;  // of the force, where friction slides
+constexpr double nearBalance = 3e-3;  // residual from which the tight one holds
 constexpr double roundOff = 1e-8;  // of the force, where nothing slides
 constexpr double slidingTangent = 1e-3;  // of a law's stiffness: under less it slides
 constexpr double exhausted = 1e-14;  // of the first residual: GMRES has found the exact answer
@@ -92,7 +92,7 @@ Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, con
     if (matrix.exact() && !slides) return {x};
     // with M the matrix of the factor: (A + C)·M⁻¹·u = what x leaves of the net force, by GMRES, and then x += M⁻¹·u
     const Eigen::VectorXd start = net - coupled.times(x, net);
-    const double share = !slides ? roundOff : residual > near ? farEnough : nearEnough;
+    const double share = !slides ? roundOff : residual > nearBalance ? looseTolerance : tightTolerance;
     const double first = start.norm(), enough = share * net.norm();
     if (!(first > enough)) return {x, slides};
     std::vector<Eigen::VectorXd> basis{start / first}, solved;
@@ -119,7 +119,7 @@ Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, con
     if (!done && !matrix.exact()) matrix.forget();
     Eigen::VectorXd sum = x;
     for (Eigen::Index k = 0; k < weights.size(); ++k) sum += weights[k] * solved[static_cast<std::size_t>(k)];
-    if ((done || left <= farEnough * net.norm()) && sum.dot(net) > 0.0) return {sum, slides};
+    if ((done || left <= looseTolerance * net.norm()) && sum.dot(net) > 0.0) return {sum, slides};
     return {x, slides, false};
 }
 
