@@ -15,9 +15,9 @@
 namespace keyblock {
 namespace {
 
-constexpr int mostRounds = 40;  // of a sweep forward and one backward
-constexpr double settled = 3e-5;  // change of the forces in a round over the forces
-constexpr int remembered = 6;  // rounds that are mixed
+constexpr int mostSweeps = 40;
+constexpr double settled = 1e-5;  // change of the forces in a sweep over the forces
+constexpr int remembered = 6;  // sweeps that are mixed
 constexpr double slides = 1.0 - 1e-9;  // of its limit
 constexpr int limitCorrections = 2;  // of sliding forces, by the normal forces of the solution before
 constexpr double leastHold = 1e-4;  // of a law's stiffness, where nothing else holds a body
@@ -71,11 +71,9 @@ void DualSweeps::findOrder() {
     for (std::size_t i = 0; i < rows_.count(); ++i) {
         const Law& law = problem_.links[i].law;
         if (!swept_[i] || pairOf[i] >= 0 || (law.stiffness == 0.0 && law.kind != LawKind::Constant)) continue;
-        groups_.push_back(static_cast<int>(order_.size()));
         order_.push_back({static_cast<int>(i), -1});
         if (const int next = follower[i]; next >= 0) order_.push_back({next, pairOf[static_cast<std::size_t>(next)]});
     }
-    groups_.push_back(static_cast<int>(order_.size()));
 }
 
 void DualSweeps::findCompliances() {
@@ -147,26 +145,23 @@ double DualSweeps::settle(std::size_t i, double free) {
     return force;
 }
 
-void DualSweeps::sweep(Eigen::VectorXd& d, bool forward, double& change, double& size) {
-    const auto groups = static_cast<int>(groups_.size()) - 1;
-    for (int g = 0; g < groups; ++g) {
-        const auto group = static_cast<std::size_t>(forward ? g : groups - 1 - g);
-        for (int at = groups_[group]; at < groups_[group + 1]; ++at) {
-            const Visit& visit = order_[static_cast<std::size_t>(at)];
-            const auto i = static_cast<std::size_t>(visit.link);
-            limit(visit.pair);
-            const double free = rows_.start(i) + rows_.rate(i, d.data()) + compliance_[i] * force_[i];
-            const double force = settle(i, free), more = force - force_[i];
-            change += more * more;
-            size += force * force;
-            if (more == 0.0) continue;
-            force_[i] = force;
-            const double moves = -problem_.links[i].law.share * more, *y = &yields_[12 * i];
-            double *a = d.data() + rows_.firstOfA(i), *b = d.data() + rows_.firstOfB(i);
-            for (int k = 0; k < 6; ++k) a[k] += moves * y[k];
-            for (int k = 0; k < 6; ++k) b[k] += moves * y[6 + k];
-        }
+DualSweeps::Change DualSweeps::sweep(Eigen::VectorXd& d) {
+    Change sum;
+    for (const Visit& visit : order_) {
+        const auto i = static_cast<std::size_t>(visit.link);
+        limit(visit.pair);
+        const double free = rows_.start(i) + rows_.rate(i, d.data()) + compliance_[i] * force_[i];
+        const double force = settle(i, free), more = force - force_[i];
+        sum.changed += more * more;
+        sum.forces += force * force;
+        if (more == 0.0) continue;
+        force_[i] = force;
+        const double moves = -problem_.links[i].law.share * more, *y = &yields_[12 * i];
+        double *a = d.data() + rows_.firstOfA(i), *b = d.data() + rows_.firstOfB(i);
+        for (int k = 0; k < 6; ++k) a[k] += moves * y[k];
+        for (int k = 0; k < 6; ++k) b[k] += moves * y[6 + k];
     }
+    return sum;
 }
 
 /// Keeps mixed forces within what their laws can give.
@@ -189,13 +184,11 @@ void DualSweeps::sweepUntilSettled(StepWork& work) {
     Eigen::VectorXd d = Eigen::VectorXd::Zero(problem_.unknowns() + LinkRows::padding);
     place(d);
     AndersonMixing mixing(remembered);
-    for (int round = 0; round < mostRounds; ++round) {
+    for (int made = 1;; ++made) {
         const std::vector<double> before = force_;
-        double change = 0.0, size = 0.0;
-        sweep(d, true, change, size);
-        sweep(d, false, change, size);
-        work.sweeps += 2;
-        if (!(change > settled * settled * size) || round + 1 == mostRounds) return;
+        const Change sum = sweep(d);
+        ++work.sweeps;
+        if (!(sum.changed > settled * settled * sum.forces) || made == mostSweeps) return;
         if (!mixing.mix(before, force_)) continue;
         clip(force_);
         place(d);

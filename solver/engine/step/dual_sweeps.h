@@ -6,10 +6,10 @@
 // so the forces say which contacts hold and which slide where Newton's line search
 // only stumbles from one change of state to the next.
 //
-// Gauss–Seidel sweeps over the links, forward and backward, each force set to what
-// its law gives where the bodies yield by their own inertia and elasticity, friction
-// limited by the present normal force (Jourdan, Alart and Jean 1998); successive
-// rounds are combined by Anderson's mixing (1965). The bodies balance at every
+// Gauss–Seidel sweeps over the links, each force set to what its law gives where the
+// bodies yield by their own inertia and elasticity, friction limited by the present
+// normal force (Jourdan, Alart and Jean 1998); successive sweeps, all in one
+// direction, are combined by Anderson's mixing (1965). The bodies balance at every
 // moment. Links of bolt nodes, which weigh too little to be held that way, keep the
 // force they have at the trial that the sweeps start from.
 #pragma once
@@ -51,10 +51,15 @@ private:
         double at(double e) const { return force + tangent * (e - strain); }
     };
 
+    /// Squares of the forces and of their changes, summed over a sweep.
+    struct Change {
+        double changed = 0.0, forces = 0.0;
+    };
+
     void findOrder();
     void findCompliances();
     void place(Eigen::VectorXd& d) const;
-    void sweep(Eigen::VectorXd& d, bool forward, double& change, double& size);
+    Change sweep(Eigen::VectorXd& d);
     double settle(std::size_t link, double free);
     void sweepUntilSettled(StepWork& work);
     void clip(std::vector<double>& forces);
@@ -69,7 +74,6 @@ private:
     const LinkRows& rows_;
     bool possible_ = true;
     std::vector<Visit> order_;  // normal force before its friction
-    std::vector<int> groups_;  // rows of `order_` at which what belongs together begins, and the end
     std::vector<char> swept_;  // per link; 0: of a bolt node
     std::vector<Matrix6> inverse_;  // per block; rows and columns of prescribed unknowns are zero
     std::vector<double> yields_;  // K⁻¹·g of every link, twelve entries

@@ -14,11 +14,14 @@ namespace keyblock {
 namespace {
 
 constexpr double stall = 0.2;  // a line search that goes less far has met the wrong states
+constexpr double astray = 2.0;  // times the residual before: so has a step that leaves more
 constexpr double improves = 0.2;  // of the residual: a full step that leaves no more, or balances, needs no line search
 constexpr int patience = 20;  // iterations after which one that balances worse is made shorter, lest they go in a circle
 constexpr double shortest = 1.0 / 50.0;  // step that is tried then
 constexpr int mostSweeps = 8, mostUseless = 2;  // times that sweeps are tried in a step, and in vain
-constexpr double easy = 5e-3;  // residual of a start from which Newton needs no sweeps
+constexpr double easy = 2e-3;  // residual from which Newton needs no sweeps
+constexpr double farFromBalance = 1e-2;  // residual from which Newton's line search soon stalls
+constexpr double helps = 0.1;  // of the residual before: sweeps that leave less may go on
 constexpr double leastHold = 1e-6;  // of a law's stiffness, where nothing holds a body
 
 std::vector<double> limitsOf(const StepProblem& problem) {
@@ -117,7 +120,7 @@ private:
     }
 
     void iterate() {
-        if (swept_) takeBackUselessSweeps();
+        if (swept_) judgeSweeps();
         if (sweeps_ && tries_ < mostSweeps) sweep();
         else step();
     }
@@ -135,9 +138,13 @@ private:
         swept_ = d.has_value();
     }
 
-    void takeBackUselessSweeps() {
+    /// Sweeps that help but have not come far enough go on; those that balance worse are taken back.
+    void judgeSweeps() {
         swept_ = false;
-        if (report_.residual <= residualBefore_) return;
+        if (report_.residual <= residualBefore_) {
+            sweeps_ = report_.residual > farFromBalance && report_.residual < helps * residualBefore_;
+            return;
+        }
         judge(trialAt(problem_, rows_, std::move(beforeSweeps_.d)));
         if (++useless_ >= mostUseless) tries_ = mostSweeps;
         if (mayKeepSweeping()) *settings_.sweepsFirst = false;
@@ -171,7 +178,8 @@ private:
             if (report_.residual < least) best = shorter, least = report_.residual;
         }
         if (report_.residual > least) go(best);
-        if (length >= stall || tries_ >= mostSweeps) return;
+        const bool strays = report_.residual > std::max(astray * before, easy);
+        if ((length >= stall && !strays) || tries_ >= mostSweeps) return;
         sweeps_ = true;
         if (mayKeepSweeping()) *settings_.sweepsFirst = true;
     }
