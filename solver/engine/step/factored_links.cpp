@@ -9,7 +9,8 @@
 namespace keyblock {
 namespace {
 
-constexpr double sameWeight = 1e-9;  // relative: closer than this, two weights are equal
+constexpr double equalWeight = 1e-9;  // relative: closer than this, two weights are equal
+constexpr double sameWeight = 1e-2;  // relative: a link whose weight has changed by less keeps the one it has
 constexpr double sameGradient = 1e-4;  // squared, relative: a link that has turned further is replaced
 
 /// Identifies a link from step to step; contacts by their features, because their numbers change.
@@ -42,8 +43,14 @@ FactoredLink asNow(const LinkRows& rows, std::size_t i, double weight) {
     return link;
 }
 
+/// Difference of two weights over the larger.
+double off(double a, double b) {
+    const double larger = std::max(a, b);
+    return larger > 0.0 ? std::abs(a - b) / larger : 0.0;
+}
+
 bool isAsNow(const FactoredLink& link, const LinkRows& rows, std::size_t i, double weight) {
-    if (std::abs(weight - link.weight) > sameWeight * std::max(weight, link.weight)) return false;
+    if (off(weight, link.weight) > sameWeight) return false;
     if (weight == 0.0) return true;
     double turned = 0.0, size = 0.0;
     for (std::size_t k = 0; k < 12; ++k) {
@@ -79,7 +86,10 @@ FactoredLinks::Changes FactoredLinks::changesTo(const LinkRows& rows, std::span<
     Changes changes;
     changes.take = ended_;
     for (std::size_t i = 0; i < weights.size(); ++i) {
-        if (isAsNow(links_[i], rows, i, weights[i])) continue;
+        if (isAsNow(links_[i], rows, i, weights[i])) {
+            changes.rounded = changes.rounded || off(links_[i].weight, weights[i]) > equalWeight;
+            continue;
+        }
         if (links_[i].weight > 0.0) changes.take.push_back(links_[i]);
         if (weights[i] > 0.0) changes.add.push_back(asNow(rows, i, weights[i]));
     }

@@ -27,6 +27,7 @@ class FactoredLinks {
 public:
     struct Changes {
         std::vector<FactoredLink> add, take;
+        bool rounded = false;  // a weight that is nearly that of the factor is left as it is there
         std::size_t count() const { return add.size() + take.size(); }
     };
 

@@ -159,6 +159,7 @@ int StepMatrix::factorInFull(const StepProblem& problem, const LinkRows& rows, s
 /// \return false where that takes more than a full factor, or fails.
 bool StepMatrix::update(const LinkRows& rows, std::span<const double> weights, StepWork& work) {
     const FactoredLinks::Changes changes = links_.changesTo(rows, weights);
+    exact_ = exact_ && !changes.rounded;
     if (changes.count() == 0) return true;
     if (changes.count() > static_cast<std::size_t>(system_.worthwhileRanks())) return false;
     ++work.factorizations;
