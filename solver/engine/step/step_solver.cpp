@@ -184,10 +184,11 @@ private:
         if (mayKeepSweeping()) *settings_.sweepsFirst = true;
     }
 
-    /// A contact that barely touches or barely does not: its state matters less than a change of the factor.
+    /// A contact that barely touches or barely does not, or whose friction is as small: its state matters less than a
+    /// change of the factor.
     bool isIndifferent(std::size_t i) const {
         const Link& link = problem_.links[i];
-        if (link.law.kind != LawKind::Gap) return false;
+        if (link.law.kind != LawKind::Gap && link.kind != LinkKind::Friction) return false;
         const double force = link.law.share * std::abs(link.law.stiffness * (trial_.strains[i] - link.law.offset));
         const auto minor = [&](int body) { return body < 0 || force <= balance_->slack(body, settings_.tolerance); };
         return minor(link.a) && minor(link.b);
