@@ -51,6 +51,8 @@ DualSweeps::DualSweeps(StepProblem& problem, const LinkRows& rows, std::vector<d
     : problem_(problem), rows_(rows), force_(std::move(carried)), strain_(rows.count()) {
     findCompliances();
     findOrder();
+    possible_ = possible_ && std::any_of(problem.links.begin(), problem.links.end(),
+                                         [](const Link& link) { return ofContact(link.kind); });
     for (std::size_t i = 0; i < rows_.count(); ++i) strain_[i] = rows_.start(i);
 }
 

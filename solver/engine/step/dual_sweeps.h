@@ -30,7 +30,8 @@ public:
     /// Forces that the links carry where the step begins, under the friction limits that they have, before shares [N].
     static std::vector<double> carriedForces(const StepProblem& problem, const LinkRows& rows);
 
-    /// True where every body can be moved by its own stiffness alone, which the sweeps need.
+    /// True where there are contacts whose states the sweeps can find, and every body can be moved by its own stiffness
+    /// alone, which they need.
     bool possible() const { return possible_; }
 
     /// Sweeps from the forces of the last time (at first those given), then solves for the displacement under the states
