@@ -73,7 +73,9 @@ PathWork pathWork(const Law& law, const PathStart& start, double after) {
     const double end = respond(law, after).force, way = after - start.strain;
     PathWork path{end, 0.0};
     double used = usedWork(law, start.force, end, start.strain, after);
+    double first = start.force;  // that acts as the path begins
     if (law.kind == LawKind::Capped && law.stiffness > 0.0) {
+        if (!law.rigid) first = std::clamp(start.force, -start.limit, start.limit);
         const double sign = end < 0.0 ? -1.0 : 1.0;
         const double trial = sign * law.stiffness * (after - law.offset);
         const double room = start.limit - sign * start.force;
@@ -86,7 +88,7 @@ PathWork pathWork(const Law& law, const PathStart& start, double after) {
                          : path.slipForce * ((after - end / law.stiffness) - law.offset);  // as the lock moves
     }
     const double stored = storedEnergy(law, end) - storedEnergy(law, start.force);
-    path.surplus = law.share * (0.5 * (start.force + end) * way - stored - used);
+    path.surplus = law.share * (0.5 * (first + end) * way - stored - used);
     return path;
 }
 

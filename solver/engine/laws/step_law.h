@@ -50,7 +50,7 @@ struct PathStart {
 /// start's to the law's own.
 struct PathWork {
     double slipForce = 0.0;  // mean force while it slid; the force at the end where it did not
-    double surplus = 0.0;  // trapezium of the forces at both ends, less what was stored and used; times share [J]
+    double surplus = 0.0;  // trapezium of the forces that act at both ends, less what was stored and used; times share [J]
 };
 PathWork pathWork(const Law& law, const PathStart& start, double after);
 

@@ -126,12 +126,14 @@ bool StaticAccount::isMet(const Link& link, const State& end) const {
 double StaticAccount::trapeziumOfEnded(const State& end, const Eigen::VectorXd& moved) const {
     StepProblem problem = stepForLinks(model_);
     addContactLinks(model_, start_, false, problem);
+    correctFrictionLimits(problem, Eigen::VectorXd::Zero(problem.unknowns()));
     double sum = 0.0;
     for (const Link& link : problem.links) {
         const Contact& c = start_.contacts[static_cast<std::size_t>(link.owner)];
         if (sameContact(end.contacts, c)) continue;
         const double way = link.ga.dot(moved.segment<6>(6 * link.a)) + link.gb.dot(moved.segment<6>(6 * link.b));
-        sum += 0.5 * (link.kind == LinkKind::Normal ? -c.normalForce : c.shearForce) * way;
+        const double shear = link.law.rigid ? c.shearForce : std::clamp(c.shearForce, -link.law.limit, link.law.limit);
+        sum += 0.5 * (link.kind == LinkKind::Normal ? -c.normalForce : shear) * way;
     }
     return sum;
 }
