@@ -192,10 +192,13 @@ double handOver(const Model& model, const std::vector<BlockMotion>& blocks, cons
         }
         const ContactForces now = underWay ? forcesNow(model, blocks, old) : accepted(old);
         if (now.normal <= 0.0 && old.normalForce <= 0.0) continue;
-        lost += contactEnergy(model, blocks, old);
         Contact* heir = heirOf(model, blocks, old, found);
+        const bool known =
+            heir && (sameContact(before, *heir) || std::find(heirs.begin(), heirs.end(), heir) != heirs.end());
+        // met and left on the way to an equilibrium: what stands beside it carries the force from here on
+        if (known && underWay && old.normalForce <= 0.0) continue;
+        lost += contactEnergy(model, blocks, old);
         if (!heir) continue;
-        const bool known = sameContact(before, *heir) || std::find(heirs.begin(), heirs.end(), heir) != heirs.end();
         if (known) lost += contactEnergy(model, blocks, *heir);  // a contact that hands over to itself had none accounted for
         else heirs.push_back(heir);
         inherit(model, blocks, old, now, *heir);
