@@ -57,9 +57,8 @@ void settleMultipliers(Engine& engine, StepProblem& problem, State& state, Eigen
 SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, const StepNeeds& needs) {
     const Analysis& analysis = engine.model.analysis;
     const bool openClose = analysis.iteration == Iteration::OpenClose && !needs.convex;
-    const int ofScene = (openClose ? 1 : needs.patience) * analysis.maxPasses;
-    const int passes = needs.maxPasses > 0 ? needs.maxPasses : ofScene;
-    const SolveSettings settings{needs.tolerance, passes, needs.farthest, openClose, needs.again, needs.sweepsFirst};
+    const int passes = needs.maxPasses > 0 ? needs.maxPasses : analysis.maxPasses;
+    const SolveSettings settings{needs.tolerance, passes, openClose, needs.again, needs.sweepsFirst};
     SolveReport report = engine.solver.solve(problem, d, settings, engine.stopAsked);
     if (usesMultipliers(engine.model)) settleMultipliers(engine, problem, state, d, settings, report);
     ++engine.health.steps;
@@ -82,20 +81,29 @@ double smallestSize(const Model& model) {
     return smallest;
 }
 
-double largestMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d) {
-    Eigen::VectorXd own = d;
-    for (int i = 0; i < problem.unknowns(); ++i)
-        if (problem.known[static_cast<std::size_t>(i)]) own[i] = 0.0;
+double blockMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d, std::size_t block) {
+    const auto first = 6 * static_cast<Eigen::Index>(block);
+    Vector6 own = d.segment<6>(first);
+    for (Eigen::Index k = 0; k < 6; ++k)
+        if (problem.known[static_cast<std::size_t>(first + k)]) own[k] = 0.0;
+    double reach = 0.0;
+    for (const Point& corner : model.blocks[block].shape) reach = std::max(reach, corner.norm());
+    return own.head<2>().norm() + (std::abs(own[2]) + own.tail<3>().cwiseAbs().maxCoeff()) * reach;
+}
+
+double nodeMove(const StepProblem& problem, const Eigen::VectorXd& d) {
     double largest = 0.0;
-    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-        const auto at = 6 * static_cast<Eigen::Index>(i);
-        double reach = 0.0;
-        for (const Point& corner : model.blocks[i].shape) reach = std::max(reach, corner.norm());
-        const double strain = own.segment<3>(at + 3).cwiseAbs().maxCoeff();
-        largest = std::max(largest, own.segment<2>(at).norm() + (std::abs(own[at + 2]) + strain) * reach);
+    for (int n = 0; n < problem.nodes; ++n) {
+        const int first = problem.first(problem.blocks + n);
+        if (!problem.known[static_cast<std::size_t>(first)]) largest = std::max(largest, d.segment<2>(first).norm());
     }
-    for (int n = 0; n < problem.nodes; ++n)
-        largest = std::max(largest, own.segment<2>(problem.first(problem.blocks + n)).norm());
+    return largest;
+}
+
+double largestMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d) {
+    double largest = nodeMove(problem, d);
+    for (std::size_t i = 0; i < model.blocks.size(); ++i)
+        largest = std::max(largest, blockMove(model, problem, d, i));
     return largest;
 }
 

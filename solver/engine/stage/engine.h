@@ -13,7 +13,6 @@
 #include "solver/results/results.h"
 
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -60,9 +59,7 @@ long releaseAndReport(const Model& model, State& state, const Limit& limit, doub
 /// How a step is to be solved, beside what the scene asks for.
 struct StepNeeds {
     double tolerance = 1e-4;  // over the forces at play
-    int patience = 1;  // times the scene's passes, in the convex form
     int maxPasses = 0;  // instead of the scene's, where above zero
-    double farthest = std::numeric_limits<double>::infinity();  // move of a body at which it is given up [m]
     bool convex = false;  // whatever iteration the scene asks for
     bool again = false;  // as of `SolveSettings`
     bool* sweepsFirst = nullptr;  // as of `SolveSettings`
@@ -74,7 +71,11 @@ SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen:
 /// √area of the smallest block [m].
 double smallestSize(const Model& model);
 
-/// Largest move of a corner or node by what is not prescribed in `d` [m].
+/// Largest move of a corner of a block, or of a node, by what is not prescribed in `d` [m].
+double blockMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d, std::size_t block);
+double nodeMove(const StepProblem& problem, const Eigen::VectorXd& d);
+
+/// The largest of these [m].
 double largestMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d);
 
 /// Block behind a body of a step, −1 for a node; and its name for a message.

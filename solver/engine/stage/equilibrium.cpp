@@ -6,6 +6,8 @@
 #include "solver/engine/contact/multipliers.h"
 #include "solver/engine/contact/search.h"
 #include "solver/engine/stage/energy_account.h"
+#include "solver/engine/stage/falls.h"
+#include "solver/engine/stage/rest.h"
 #include "solver/engine/stage/step_accept.h"
 #include "solver/engine/stage/step_build.h"
 #include "solver/engine/step/friction_limits.h"
@@ -14,25 +16,37 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace keyblock {
 namespace {
 
-constexpr double moveShare = 0.05;  // of the smallest block: the longest move of one pseudo-step
+constexpr double moveShare = 0.02;  // of a block's size: its longest move in one pseudo-step
+constexpr double mostMoveShare = 0.25;  // of the smallest block's: that of any
+constexpr double drivenShare = 0.05;  // of the smallest block's: the longest way that a motion drives a block in one search
 constexpr double softestInertia = 1e-11;  // regularisation over the stiffest spring
-constexpr double farShare = 2.0;  // of a block's own size: moved so far it has left its place
+constexpr double firstStep = 0.3;  // of the time in which what falls freely moves by the longest move
+constexpr double farShare = 1.0;  // of a block's own size: moved so far it has left its place
+constexpr double bookedShare = 0.02;  // of a block's size: a longer path is accepted in pieces
 constexpr double shortestStep = 1e-7;  // over the longest pseudo-step
+constexpr double solvedShare = 1e-3;  // of what may be left on a body at rest: so much a pseudo-step leaves of its balance
+constexpr double solvedUnrest = 0.01;  // of what is off balance where it begins, if that is more
+constexpr double solvedNode = 1e-6;  // of the forces at a node of a bolt: steel that flows shares its stretch by them
 constexpr double wellBalanced = 1e-9;  // residual over the reference force that needs no better
 constexpr double stillFalling = 0.1;  // of the residual before: so quick a fall is followed under the tolerance, too
+constexpr double easilyBalanced = 0.03;  // of what may be left on bodies: a tower sums up what is left on its blocks
+constexpr int easyPasses = 2;  // iterations for which that is worth a longer pseudo-step
 constexpr double pathShare = 1e-4;  // of the longest move: a longer one may come in by another edge than it seemed
 constexpr int mostPaths = 2;  // times that a pseudo-step is done again because it does
-constexpr double swingCut = 0.3;  // of a pseudo-step, where steps go to and fro
+constexpr double unsettledCut = 0.1;  // of a pseudo-step that does not settle
+constexpr double swingCut = 0.3;  // of one after which steps go to and fro
 constexpr double fadingSwing = 0.7;  // of the step before: such a swing dies out by itself
 constexpr double noSwing = 1e3;  // over round-off: shorter moves are noise
-constexpr double lostShare = 30.0;  // of the longest move: a body that flies so far while a step is solved is given up
-constexpr int morePasses = 5;  // times those of a step in motion: shorter pseudo-steps settle friction no sooner
 constexpr int lockedSteps = 2;  // pseudo-steps with friction locked, when joints take up the run's first forces
+
+/// How much longer the next pseudo-step may be after one that took so many iterations.
+double easeAfter(int passes) { return passes <= 8 ? 4.0 : passes <= 20 ? 2.0 : passes <= 30 ? 1.0 : 0.5; }
 
 double longestPseudoStep(const Model& model) {
     double mass = 0.0;
@@ -45,10 +59,12 @@ class Equilibrium {
 public:
     Equilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path, const StaticSettings& settings)
         : engine_(engine), model_(engine.model), state_(state), loads_(loads), at_(path.at), settings_(settings),
-          account_(engine.model, state, loads, path.before), places_(state.blocks),
+          account_(std::in_place, engine.model, state, loads, path.before), booked_(state.blocks),
+          falls_(engine.model, state.blocks, settings.body),
           moved_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model_.blocks.size()) + 3 * model_.nodes)),
           tolerance_(std::min(settings.unbalanced, engine.model.analysis.tolerance)),
-          moveLimit_(longestMoveOf(engine.model)), longest_(longestPseudoStep(engine.model)), dt_(longest_) {}
+          moveLimit_(mostMoveShare * smallestSize(engine.model)), driven_(path.before.motions != path.at.motions),
+          longest_(longestPseudoStep(engine.model)), dt_(firstPseudoStep()) {}
 
     StepEnding find() {
         for (int step = 0; step < settings_.maxSteps; ++step) {
@@ -56,7 +72,7 @@ public:
             if (outcome == Outcome::Balanced) return {};
             if (outcome == Outcome::Stopped) return {Ending::Stopped, "", {}};
             if (outcome == Outcome::Unsettled) return unsettled();
-            if (outcome == Outcome::Moved && !farBlocks().empty()) break;
+            if (outcome == Outcome::Moved && (!farBlocks().empty() || (collapses() && !settings_.followsFalls))) break;
         }
         return moving();
     }
@@ -64,24 +80,41 @@ public:
 private:
     enum class Outcome { Balanced, Moved, Repeat, Stopped, Unsettled };
 
+    /// What moves in a pseudo-step [m].
+    struct Moves {
+        std::vector<double> blocks;  // of the corner that moves most
+        double largest = 0.0;  // of a block or node
+        double overLimit = 0.0;  // over what it may move
+    };
+
     /// One pseudo-step from where the blocks are, unless they are balanced there. `Repeat`: nothing has moved, and the
     /// next one is shorter or knows its path.
     Outcome tryStep(int step) {
         searchContacts(paths_ > 0 ? &path_ : nullptr);
         const bool lock = taken_ < lockedSteps && state_.step == 0 && unloaded(state_);
+        if (lock && !locked_) dt_ = longest_;  // nothing slides, so that no step is too long
+        if (!lock && locked_) {
+            dt_ = firstPseudoStep();
+            lastStep_.resize(0);
+        }
+        locked_ = lock;
         StepProblem problem = buildStep(model_, state_, loads_, at_, {Inertia::Static, dt_, lock});
-        if (!lock && balanced(problem, step)) {
+        if (balanced(problem, step) && !lock) {
             accept(problem);
             countAccepted(engine_, state_, residual_);
             return Outcome::Balanced;
         }
+        if (isLongPath()) return bookPath(problem);
+        problem.mayLeave = mayLeave();
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
-        report_ = solveStep(engine_, problem, state_, d, {.tolerance = tolerance_, .patience = morePasses, .farthest = lostShare * moveLimit_});
+        if (lastStep_.size() > 0) d = std::pow(dt_ / lastDt_, 2) * lastStep_;  // what falls goes on falling
+        report_ = solveStep(engine_, problem, state_, d, {.tolerance = tolerance_});
         if (report_.stopped) return Outcome::Stopped;
-        const double move = report_.converged || report_.lost ? largestMove(model_, problem, d) : 0.0;
-        if (!report_.converged || move > moveLimit_) return shorten(move);
-        if (entersElsewhere(d, move)) return Outcome::Repeat;
-        take(d, move, lock);
+        if (!report_.converged) return shorten(unsettledCut);
+        const Moves moves = movesOf(problem, d);
+        if (moves.overLimit > 1.0) return shorten(std::clamp(0.9 / std::sqrt(moves.overLimit), 0.01, 0.9));
+        if (entersElsewhere(d, moves.largest)) return Outcome::Repeat;
+        take(d, moves);
         return Outcome::Moved;
     }
 
@@ -96,14 +129,30 @@ private:
 
     /// History and energy of the path, from the forces where the bodies are.
     void accept(StepProblem& problem) {
-        account_.add(state_, at_, moved_, problem);
+        account_->add(state_, at_, moved_, problem);
         acceptStep(model_, state_, problem, Eigen::VectorXd::Zero(problem.unknowns()));
     }
 
+    /// What moves so far follows its path: friction turns with it, and work is a sum over its pieces.
+    bool isLongPath() const {
+        for (std::size_t i = 0; i < booked_.size(); ++i)
+            if ((state_.blocks[i].centroid - booked_[i].centroid).norm() > bookedShare * model_.blocks[i].size) return true;
+        return false;
+    }
+
+    /// Accepts the path so far, though nothing balances yet.
+    Outcome bookPath(StepProblem& problem) {
+        accept(problem);
+        booked_ = state_.blocks;
+        moved_.setZero();
+        account_.emplace(model_, state_, loads_, at_);
+        return Outcome::Repeat;
+    }
+
     /// A step that did not settle, or went too far, is repeated with a shorter one, down to the shortest.
-    Outcome shorten(double move) {
+    Outcome shorten(double share) {
         ++engine_.health.stepCuts;
-        dt_ *= move > moveLimit_ ? std::clamp(0.9 * std::sqrt(moveLimit_ / move), 0.01, 0.9) : 0.3;
+        dt_ *= share;
         return dt_ >= shortestStep * longest_ ? Outcome::Repeat : Outcome::Unsettled;
     }
 
@@ -118,15 +167,34 @@ private:
         return true;
     }
 
-    void take(const Eigen::VectorXd& d, double move, bool locked) {
+    void take(const Eigen::VectorXd& d, const Moves& moves) {
         paths_ = 0;
         ++taken_;
         moveBodies(model_, state_, d);
         moved_ += d;
-        if (!locked) lastMove_ = move;
+        falls_.note(moves.blocks, dt_, rest_.own);
         drifts_ = lastStep_.size() > 0 && d.dot(lastStep_) > 0.5 * d.norm() * lastStep_.norm();
-        dt_ = swings(d, move) ? swingCut * dt_ : longer(move);
+        lastDt_ = dt_;
+        if (!locked_) {
+            lastMove_ = moves.largest;
+            dt_ = swings(d, moves.largest) ? swingCut * dt_ : nextStep(moves.overLimit);
+        }
         lastStep_ = d;
+    }
+
+    /// True where every block that does not balance falls; shown by a pseudo-step half as long.
+    bool collapses() {
+        const auto all = [&](auto shown) {
+            return std::all_of(unrest_.restless.begin(), unrest_.restless.end(), [&](int body) {
+                const int block = blockOfBody(model_, body);
+                return block < 0 || shown(block);
+            });
+        };
+        const bool falling = !unrest_.restless.empty() && all([&](int i) { return falls_.falls(state_.blocks, i); });
+        if (falling && halved_) return all([&](int i) { return falls_.sameWhateverTheStep(i); });
+        if (falling) dt_ *= 0.5;
+        halved_ = falling;
+        return false;
     }
 
     /// Even the shortest step does not settle.
@@ -145,9 +213,12 @@ private:
         return named(Ending::NoEquilibrium, "", mostMoved());
     }
 
-    /// An ending that names the blocks that have left their place; where there is none, `block`.
+    /// An ending that names the blocks that fall or have left their place; where there is none, `block`.
     StepEnding named(Ending ending, std::string message, int block) const {
         StepEnding result{ending, std::move(message), farBlocks()};
+        for (int i = 0; i < static_cast<int>(model_.blocks.size()); ++i)
+            if (falls_.falls(state_.blocks, i) && !std::count(result.blocks.begin(), result.blocks.end(), i))
+                result.blocks.push_back(i);
         if (result.blocks.empty() && block >= 0) result.blocks.push_back(block);
         return result;
     }
@@ -159,16 +230,21 @@ private:
     }
 
     bool balanced(StepProblem& problem, int step) {
-        for (int i = 0; i < problem.unknowns(); ++i)
-            if (problem.known[static_cast<std::size_t>(i)] && std::abs(problem.value[i]) > roundOff()) return false;
         const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
         correctFrictionLimits(problem, still);
         const Eigen::VectorXd net = netForce(problem, still);
+        rest_ = restForces(model_, state_, problem);
+        unrest_ = farthestFromRest(model_, state_, problem, rest_, net, settings_.body);
+        for (int i = 0; i < problem.unknowns(); ++i)
+            if (problem.known[static_cast<std::size_t>(i)] && std::abs(problem.value[i]) > roundOff()) return false;
         const double reference = referenceForce(problem, still, net);
         const double before = std::exchange(residual_, residualNorm(problem, net) / reference);
         if (usesMultipliers(model_) && multiplierError(model_, state_, problem, still) > 1.0) return false;
         if (residual_ > settings_.unbalanced) return step > 0 && dt_ >= longest_ && isNoise(problem, net, before);
-        return residual_ <= wellBalanced || residual_ > stillFalling * before;  // no longer worth a pseudo-step
+        if (unrest_.beyond > 1.0) return false;
+        if (residual_ <= wellBalanced) return true;
+        const bool easy = dt_ < longest_ && report_.passes <= easyPasses;
+        return residual_ > stillFalling * before && !(easy && unrest_.beyond > easilyBalanced);  // not worth another step
     }
 
     /// What is left is due to round-off of the coordinates: it falls no more, and nothing drifts.
@@ -178,10 +254,42 @@ private:
         return stalls && !drifts_ && residualNorm(problem, net) <= placeNoise(problem, 0.25 * roundOff());
     }
 
-    /// The next pseudo-step: twice as long, but not so long that what falls freely would go too far in it.
-    double longer(double move) const {
-        const double room = move > 0.0 ? std::sqrt(0.9 * moveLimit_ / move) : 2.0;
-        return std::min(std::clamp(room, 1.0, 2.0) * dt_, longest_);
+    /// The next pseudo-step: longer after one that was easily solved, but not so long that what falls freely would go too
+    /// far in it.
+    double nextStep(double moveOverLimit) const {
+        const double ease = easeAfter(report_.passes);
+        const double room = moveOverLimit > 0.0 ? std::sqrt(0.9 / moveOverLimit) : ease;
+        return std::min(std::min(room, ease) * dt_, longest_);
+    }
+
+    /// Under gravity short enough for what is loose; but no inertia may resist what a motion drives.
+    double firstPseudoStep() const {
+        const double gravity = driven_ ? 0.0 : model_.gravity.norm();
+        return gravity > 0.0 ? std::min(longest_, firstStep * std::sqrt(2.0 * moveLimit_ / gravity)) : longest_;
+    }
+
+    Moves movesOf(const StepProblem& problem, const Eigen::VectorXd& d) const {
+        Moves moves;
+        moves.largest = nodeMove(problem, d);
+        moves.overLimit = moves.largest / moveLimit_;
+        for (std::size_t i = 0; i < model_.blocks.size(); ++i) {
+            const double move = blockMove(model_, problem, d, i);
+            moves.blocks.push_back(move);
+            moves.largest = std::max(moves.largest, move);
+            const double own = driven_ ? moveLimit_ : moveShare * model_.blocks[i].size;
+            moves.overLimit = std::max(moves.overLimit, move / std::min(moveLimit_, own));
+        }
+        return moves;
+    }
+
+    /// Force that a pseudo-step may leave on each body [N].
+    std::vector<double> mayLeave() const {
+        std::vector<double> left;
+        const double unrest = usesMultipliers(model_) ? 0.0 : std::min(1.0, unrest_.share);  // they want exact forces
+        const double share = std::max(solvedShare * settings_.body, solvedUnrest * unrest);
+        for (std::size_t i = 0; i < rest_.own.size(); ++i)
+            left.push_back((i < model_.blocks.size() ? share : solvedNode) * rest_.own[i]);
+        return left;
     }
 
     /// Steps to and fro that do not get shorter: what turns with the bodies is stiffer or softer than a step can see.
@@ -196,11 +304,10 @@ private:
 
     std::vector<int> farBlocks() const {
         std::vector<int> far;
-        for (std::size_t i = 0; i < places_.size(); ++i) {
+        for (int i = 0; i < static_cast<int>(model_.blocks.size()); ++i) {
             const bool driven = std::any_of(loads_.motions.begin(), loads_.motions.end(),
-                                            [&](const PrescribedMotion& m) { return m.block == static_cast<int>(i); });
-            const double moved = (state_.blocks[i].centroid - places_[i].centroid).norm();
-            if (!driven && moved > farShare * model_.blocks[i].size) far.push_back(static_cast<int>(i));
+                                            [&](const PrescribedMotion& m) { return m.block == i; });
+            if (!driven && falls_.moved(state_.blocks, i) > farShare) far.push_back(i);
         }
         return far;
     }
@@ -209,11 +316,11 @@ private:
     int mostMoved() const {
         int most = -1;
         double farthest = 0.0;
-        for (std::size_t i = 0; i < places_.size(); ++i) {
-            const double moved = (state_.blocks[i].centroid - places_[i].centroid).norm() / model_.blocks[i].size;
+        for (int i = 0; i < static_cast<int>(model_.blocks.size()); ++i) {
+            const double moved = falls_.moved(state_.blocks, i);
             if (moved <= farthest) continue;
             farthest = moved;
-            most = static_cast<int>(i);
+            most = i;
         }
         return most;
     }
@@ -224,12 +331,18 @@ private:
     const Loads& loads_;
     const LoadPoint& at_;
     const StaticSettings& settings_;
-    const StaticAccount account_;
-    const std::vector<BlockMotion> places_;  // at the start
+    std::optional<StaticAccount> account_;  // of the path since it was booked last
+    std::vector<BlockMotion> booked_;  // the blocks then
+    Falls falls_;
     Eigen::VectorXd moved_;  // since then, summed over the pseudo-steps
     double tolerance_;
     double moveLimit_;
-    double longest_, dt_;
+    bool driven_;  // by a prescribed motion
+    double longest_, dt_, lastDt_ = 0.0;
+    RestForces rest_;  // when last judged
+    Unrest unrest_;
+    bool locked_ = false;  // friction, in the last pseudo-step
+    bool halved_ = false;  // the pseudo-step that comes is half as long, to prove a fall
     Eigen::VectorXd path_;  // of the step that is repeated
     int paths_ = 0;  // times that it was
     int taken_ = 0;
@@ -247,6 +360,6 @@ StepEnding findEquilibrium(Engine& engine, State& state, const Loads& loads, con
     return Equilibrium(engine, state, loads, path, settings).find();
 }
 
-double longestMoveOf(const Model& model) { return moveShare * smallestSize(model); }
+double longestMoveOf(const Model& model) { return drivenShare * smallestSize(model); }
 
 }  // namespace keyblock

@@ -16,8 +16,10 @@ namespace keyblock {
 
 struct StaticSettings {
     double unbalanced = 1e-4;  // over the reference force
+    double body = 1e-3;  // of its weight, unbalanced on a block
     int maxSteps = 400;  // pseudo-steps of one search for equilibrium
     bool chosen = false;  // lengths of increments follow what happens in them
+    bool followsFalls = true;  // what falls is followed over its own size, else only as far as shows that it does
 };
 
 /// Loads before the search, at which the state is in equilibrium, and those under which it looks for one.
@@ -30,7 +32,7 @@ struct LoadPath {
 StepEnding findEquilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path,
                            const StaticSettings& settings);
 
-/// The longest move of one pseudo-step [m].
+/// The longest way that a prescribed motion may go in one search [m].
 double longestMoveOf(const Model& model);
 
 }  // namespace keyblock

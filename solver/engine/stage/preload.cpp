@@ -17,7 +17,7 @@ namespace {
 
 constexpr double restInertia = 1e-7;  // over the contact springs, while rest is sought
 constexpr int restRounds = 4;
-constexpr int quickPasses = 12;  // iterations with friction after which a scene far from rest is taken to move
+constexpr int quickPasses = 3;  // iterations with friction after which a scene far from rest is taken to move
 constexpr double nearRest = 1e-3;  // residual from which rest is sought with all iterations
 constexpr double restTolerance = 1e-7;  // at least, in that second search
 constexpr double movingTolerance = 10.0;  // times the scene's: its first step solves for the rest

@@ -30,9 +30,7 @@ constexpr double locateShare = 1e-4;  // an event is located at least to this sh
 constexpr double longestBent = 0.1;  // in which joints slide, open or close: as many points draw their curves
 constexpr double longestFlow = 0.02;  // in which bolts flow
 constexpr double shortestChosen = 2.5e-3;  // whatever happens on the way, but that there is no equilibrium
-constexpr double finestChosen = 1e-5;  // before a collapse is believed
-constexpr long fewPasses = 8;  // that show whether nothing slides over a long increment
-constexpr long manyPasses = 150;  // two halves are hardly dearer
+constexpr long fewPasses = 16;  // that show whether nothing slides over a long increment
 
 /// One move within an increment.
 class Move {
@@ -58,8 +56,10 @@ private:
         bool atLimit = false;  // the first limit was located here
     };
 
-    StepEnding equilibrium(State& state, double to) {
-        return findEquilibrium(engine_, state, loads_, {reached(), between(a_, b_, to)}, settings_);
+    StepEnding equilibrium(State& state, double to, bool followsFalls = true) {
+        StaticSettings settings = settings_;
+        settings.followsFalls = followsFalls;
+        return findEquilibrium(engine_, state, loads_, {reached(), between(a_, b_, to)}, settings);
     }
 
     bool isChosen() const { return settings_.chosen && span() > 0.0; }
@@ -148,8 +148,7 @@ private:
 
     /// Passes after which a shorter increment is tried first.
     static long patienceFor(double length) {
-        if (length > longestBent * (1.0 + 1e-9)) return fewPasses;
-        return length > shortestChosen * (1.0 + 1e-9) ? manyPasses : std::numeric_limits<long>::max();
+        return isLong(length) ? fewPasses : std::numeric_limits<long>::max();
     }
 
     /// The search for equilibrium ends as `Stopped` once it has taken more passes than it may.
@@ -157,7 +156,7 @@ private:
         left_ = passes;
         const std::function<bool()> asked = engine_.stopAsked;
         engine_.stopAsked = [this, &asked] { return left_-- <= 0 || (asked && asked()); };
-        StepEnding ending = equilibrium(state, to);
+        StepEnding ending = equilibrium(state, to, passes == std::numeric_limits<long>::max());
         engine_.stopAsked = asked;
         return ending;
     }
@@ -168,21 +167,17 @@ private:
         return ending.ending == Ending::Failed || (ending.ending == Ending::Stopped && left_ < 0);
     }
 
-    /// True where there may be an equilibrium nearer than so far away. Once there was none, the first question is whether
-    /// there is one under next to no more load: what slides under that slides under any share of it.
-    bool isTooFar(double length) {
-        if (length <= finestChosen || isSameLoad(a_, b_)) return false;
-        if (!progress_.chosen.grows) return true;
-        State trial = state_;
-        const double nearest = std::min(1.0, progress_.done + finestChosen / span());
-        return equilibrium(trial, nearest).ending != Ending::NoEquilibrium;
-    }
+    /// Longer than those in which something happens.
+    static bool isLong(double length) { return length > longestBent * (1.0 + 1e-9); }
+
+    /// True where there may be an equilibrium nearer than so far away.
+    bool isTooFar(double length) const { return isLong(length) && !isSameLoad(a_, b_); }
 
     /// Increments do not grow any more once one of usual length was too long.
     void shorten(double length, Ending ending) {
         ChosenLength& chosen = progress_.chosen;
-        const bool probed = ending != Ending::NoEquilibrium && length > longestBent * (1.0 + 1e-9);
-        chosen.next = probed ? longestBent : 0.5 * length;
+        const bool probed = ending != Ending::NoEquilibrium && isLong(length);
+        chosen.next = isLong(length) ? longestBent : 0.5 * length;
         if (ending != Ending::NoEquilibrium) chosen.next = std::max(shortestChosen, chosen.next);
         chosen.grows = chosen.grows && probed;
     }

@@ -110,7 +110,7 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
                           linksANode * static_cast<std::size_t>(model.nodes));
     problem.openings = at.openings;
     problem.moves = options.inertia != Inertia::Static && options.inertia != Inertia::None;
-    if (problem.moves) problem.ownForce = ownForces(model, problem, external);
+    problem.ownForce = ownForces(model, problem, external);
     for (const Carrier* carrier : carriers) carrier->addLinks({model, state, loads, options}, problem);
     return problem;
 }

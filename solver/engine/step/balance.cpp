@@ -39,18 +39,9 @@ double ownNoise(const StepProblem& problem, const Eigen::VectorXd& d, int body) 
 
 Balance::Balance(const StepProblem& problem, const LinkRows& rows, const Trial& trial, int passes, double tolerance)
     : problem_(&problem), rows_(&rows), trial_(&trial), passes_(passes) {
-    problem.moves ? judgeBodies(tolerance) : judgeScene();
-}
-
-void Balance::judgeScene() {
-    reference_ = referenceForce(*problem_, *trial_);
-    residual_ = residualNorm(*problem_, trial_->net, &worst_) / reference_;
-}
-
-void Balance::judgeBodies(double tolerance) {
     addUpForces();
     compareBodies();
-    if (passes_ < refined || residual_ <= tolerance) return;
+    if (passes_ < refined || within(tolerance)) return;
     addUpNoise();
     compareBodies();
 }
@@ -87,6 +78,7 @@ void Balance::addUpNoise() {
 
 void Balance::compareBodies() {
     double allLeft = 0.0, allForces = 0.0, largest = 0.0, worst = -1.0;
+    beyond_ = 0.0;
     for (int body = 0; body < problem_->blocks + problem_->nodes; ++body) {
         if (isDriven(*problem_, body)) continue;
         const auto at = static_cast<std::size_t>(body);
@@ -97,6 +89,7 @@ void Balance::compareBodies() {
             worst_ = body;
         }
         if (left <= noiseOf(body)) continue;
+        if (!problem_->mayLeave.empty()) beyond_ = std::max(beyond_, left / problem_->mayLeave[at]);
         allLeft += left * left;
         largest = std::max(largest, ratio);
     }
@@ -110,15 +103,13 @@ double Balance::noiseOf(int body) const {
     return noise_.empty() ? 0.0 : ownNoise(*problem_, trial_->d, body) + noise_[static_cast<std::size_t>(body)];
 }
 
-bool Balance::within(double tolerance) const {
-    if (problem_->moves || passes_ < refined) return residual_ <= tolerance;
-    return residual_ <= std::max(tolerance, roundOffForce(*problem_, trial_->d) / reference_);
-}
+bool Balance::within(double tolerance) const { return residual_ <= tolerance && beyond_ <= 1.0; }
 
 double Balance::slack(int body, double tolerance) const {
-    if (!problem_->moves) return std::max(tolerance * reference_, roundOffForce(*problem_, trial_->d));
     const auto at = static_cast<std::size_t>(body);
-    return std::max(tolerance * forces_[at], noiseOf(body));
+    const double passes = tolerance * forces_[at];
+    const double may = problem_->mayLeave.empty() ? passes : std::min(passes, problem_->mayLeave[at]);
+    return std::max(may, noiseOf(body));
 }
 
 }  // namespace keyblock

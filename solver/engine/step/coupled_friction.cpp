@@ -10,8 +10,9 @@
 namespace keyblock {
 namespace {
 
-constexpr int mostDirections = 8;  // of GMRES
+constexpr int mostDirections = 8, mostAtRest = 16;  // of GMRES, in motion and at rest
 constexpr double looseTolerance = 3e-2, tightTolerance = 1e-2;  // of the force, where friction slides
+constexpr double restTolerance = 1e-4;  // of the force, where friction slides at rest: what is left there drifts
 constexpr double nearBalance = 3e-3;  // residual from which the tight one holds
 constexpr double roundOff = 1e-8;  // of the force, where nothing slides
 constexpr double slidingTangent = 1e-3;  // of a law's stiffness: under less it slides
@@ -92,15 +93,18 @@ Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, con
     if (matrix.exact() && !slides) return {x};
     // with M the matrix of the factor: (A + C)·M⁻¹·u = what x leaves of the net force, by GMRES, and then x += M⁻¹·u
     const Eigen::VectorXd start = net - coupled.times(x, net);
-    const double share = !slides ? roundOff : residual > nearBalance ? looseTolerance : tightTolerance;
+    const bool rests = !problem.mayLeave.empty();
+    const double inMotion = residual > nearBalance ? looseTolerance : tightTolerance;
+    const double share = !slides ? roundOff : rests ? restTolerance : inMotion;
+    const int most = rests ? mostAtRest : mostDirections;
     const double first = start.norm(), enough = share * net.norm();
     if (!(first > enough)) return {x, slides};
     std::vector<Eigen::VectorXd> basis{start / first}, solved;
-    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(mostDirections + 1, mostDirections);
+    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(most + 1, most);
     Eigen::VectorXd weights;
     double left = first;
     bool done = false;
-    for (int k = 0; k < mostDirections && !done; ++k) {
+    for (int k = 0; k < most && !done; ++k) {
         solved.push_back(matrix.solve(basis.back(), work));
         Eigen::VectorXd next = coupled.times(solved.back(), basis.back());
         for (int j = 0; j <= k; ++j) {

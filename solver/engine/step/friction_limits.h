@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Friction limits follow normal forces. In motion every trial has the limits of its
-// own normal forces, and Newton's direction includes how they change
-// (coupled_friction.h); at rest they are corrected in rounds (limit_rounds.h).
+// Friction limits follow normal forces. Every trial has the limits of its own normal
+// forces, and Newton's direction includes how they change (coupled_friction.h).
 #pragma once
 
 #include "solver/engine/step/step_problem.h"

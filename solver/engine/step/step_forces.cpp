@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace keyblock {
 namespace {
@@ -131,28 +130,6 @@ double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net, int*
             largest = own;
             if (worst) *worst = body;
         }
-    }
-    return std::sqrt(sum);
-}
-
-double roundOffForce(const StepProblem& problem, const Eigen::VectorXd& d) {
-    constexpr double digits = 8.0 * std::numeric_limits<double>::epsilon();
-    double sum = 0.0;
-    for (const Link& link : problem.links) {
-        const int wa = problem.width(link.a);
-        double size = std::abs(link.strain) +
-                      link.ga.head(wa).cwiseAbs().dot(d.segment(problem.first(link.a), wa).cwiseAbs());
-        if (link.b >= 0) {
-            const int wb = problem.width(link.b);
-            size += link.gb.head(wb).cwiseAbs().dot(d.segment(problem.first(link.b), wb).cwiseAbs());
-        }
-        const double force = digits * link.law.share * link.law.stiffness * size * link.ga.head<2>().norm();
-        sum += force * force;
-    }
-    for (int i = 0; i < problem.blocks; ++i) {
-        const Vector6 size = problem.blockStiffness[static_cast<std::size_t>(i)].cwiseAbs() *
-                                 d.segment<6>(6 * i).cwiseAbs() + problem.load.segment<6>(6 * i).cwiseAbs();
-        sum += (digits * size.cwiseProduct(problem.weight.segment<6>(6 * i))).squaredNorm();
     }
     return std::sqrt(sum);
 }

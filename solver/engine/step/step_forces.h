@@ -30,9 +30,6 @@ double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net, int*
 /// The same of one body [N].
 double bodyResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body);
 
-/// Force that round-off alone leaves unbalanced at `d`: its digits times the springs [N].
-double roundOffForce(const StepProblem& problem, const Eigen::VectorXd& d);
-
 /// Force that appears where every place is off by `length` [N].
 double placeNoise(const StepProblem& problem, double length);
 

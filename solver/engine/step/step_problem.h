@@ -59,8 +59,9 @@ struct StepProblem {
     double floorForce = 0.0;  // [N] smallest reference force
     std::vector<double> openings;  // of joints where the step ends: LoadPoint::openings
     double externalForce = 0.0;  // summed |external| [N]
-    bool moves = false;  // a step in motion: every body is judged by its own forces
-    std::vector<double> ownForce;  // per body in motion: of its loads, and a floor [N]
+    bool moves = false;  // a step in motion
+    std::vector<double> ownForce;  // per body: of its loads, and a floor [N]
+    std::vector<double> mayLeave;  // per body, at most unbalanced [N]; empty: judged by the forces at play alone
 
     int unknowns() const { return 6 * blocks + 3 * nodes; }
     int first(int body) const { return body < blocks ? 6 * body : 6 * blocks + 3 * (body - blocks); }

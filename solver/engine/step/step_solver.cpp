@@ -39,17 +39,6 @@ void setLimits(StepProblem& problem, const std::vector<double>& limits) {
 
 }  // namespace
 
-double farthestMove(const StepProblem& problem, const Eigen::VectorXd& d) {
-    double farthest = 0.0;
-    for (int body = 0; body < problem.blocks + problem.nodes; ++body) {
-        const int at = problem.first(body);
-        const auto known = problem.known.begin() + at;
-        if (known[0] || known[1]) continue;
-        farthest = std::max(farthest, d.segment<2>(at).norm());
-    }
-    return farthest;
-}
-
 int bodyOf(const StepProblem& problem, int unknown) {
     return unknown < 6 * problem.blocks ? unknown / 6 : problem.blocks + (unknown - 6 * problem.blocks) / 3;
 }
@@ -62,6 +51,7 @@ public:
         : problem_(problem), matrix_(matrix), settings_(settings), stopAsked_(stopAsked), rows_(problem) {
         matrix_.begin(problem, rows_);
         carried_ = DualSweeps::carriedForces(problem_, rows_);
+        if (rests()) tries_ = mostSweeps;  // with next to no inertia sweeps find nothing that Newton's method does not
     }
 
     SolveReport from(Eigen::VectorXd& d) {
@@ -97,6 +87,7 @@ private:
     }
 
     bool mayKeepSweeping() const { return settings_.sweepsFirst; }
+    bool rests() const { return !problem_.mayLeave.empty(); }
 
     void judge(Trial trial) {
         trial_ = std::move(trial);
@@ -114,9 +105,7 @@ private:
         report_.stopped = stopAsked_ && stopAsked_();
         const double tolerance = report_.passes == 0 ? std::min(quietStart, settings_.tolerance) : settings_.tolerance;
         report_.converged = !report_.stopped && balance_->within(tolerance);
-        report_.lost = !report_.converged && farthestMove(problem_, trial_.d) > settings_.farthest;
-        return report_.stopped || report_.converged || report_.lost || report_.singular ||
-               !std::isfinite(report_.residual);
+        return report_.stopped || report_.converged || report_.singular || !std::isfinite(report_.residual);
     }
 
     void iterate() {
@@ -167,7 +156,7 @@ private:
         };
         const std::vector<double> limits = limitsOf(problem_);
         go(1.0);
-        if (report_.residual <= std::max(improves * before, settings_.tolerance)) return;
+        if (report_.residual <= std::max(improves * before, rests() ? 0.0 : settings_.tolerance)) return;
         setLimits(problem_, limits);
         const double length = lineSearch(problem_, from, direction.displacement, rates, direction.coupled);
         if (length < 1.0) go(length);
@@ -232,7 +221,6 @@ SolveReport StepSolver::solve(StepProblem& problem, Eigen::VectorXd& d, const So
     for (int i = 0; i < problem.unknowns(); ++i)
         if (problem.known[static_cast<std::size_t>(i)]) d[i] = problem.value[i];
     if (settings.openClose) return openClose(problem, d, settings, stopAsked);
-    if (!problem.moves) return inRounds(problem, d, settings, stopAsked);
     return Newton(problem, matrix_, settings, stopAsked).from(d);
 }
 

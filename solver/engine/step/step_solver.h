@@ -1,24 +1,21 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Solves a step in motion by Newton's method with friction limits that follow their
-// normal forces, an exact line search, and sweeps over the contact forces where the
-// line search finds no way through the changing states; a step at rest in rounds of
-// given limits (theory, "The step").
+// Solves a step by Newton's method with friction limits that follow their normal
+// forces and an exact line search; in motion also by sweeps over the contact forces
+// where the line search finds no way through the changing states (theory, "The step").
 #pragma once
 
 #include "solver/engine/step/dual_sweeps.h"
 #include "solver/engine/step/step_matrix.h"
 
 #include <functional>
-#include <limits>
 
 namespace keyblock {
 
 struct SolveSettings {
     double tolerance = 1e-4;
     int maxPasses = 40;
-    double farthest = std::numeric_limits<double>::infinity();  // move of a body at which it is given up [m]
     bool openClose = false;  // by the classical iteration
     bool again = false;  // the step has been solved before for nearly the same contacts: begin where that ended
     bool* sweepsFirst = nullptr;  // in motion: whether the last step took sweeps; told for the next
@@ -27,7 +24,6 @@ struct SolveSettings {
 struct SolveReport {
     bool converged = false;
     bool stopped = false;
-    bool lost = false;  // given up because a body went too far
     double residual = 0.0;  // over the reference force
     int passes = 0;  // iterations
     StepWork work;
@@ -38,7 +34,7 @@ struct SolveReport {
 /// Keeps what is worth keeping between steps: the pattern of the matrix and its symbolic factor.
 class StepSolver {
 public:
-    /// Balances the step from `d`, in motion from the better of `d` and no displacement (prescribed values are put in
+    /// Balances the step from the better of `d` and no displacement (prescribed values are put in
     /// first). Leaves the displacement in `d` and the friction limits that belong to it in `problem`.
     SolveReport solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                       const std::function<bool()>& stopAsked);
@@ -49,8 +45,6 @@ public:
 private:
     class Newton;
 
-    SolveReport inRounds(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
-                         const std::function<bool()>& stopAsked);
     SolveReport openClose(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                           const std::function<bool()>& stopAsked);
 
@@ -58,9 +52,6 @@ private:
 };
 
 inline constexpr double quietStart = 1e-9;  // a start this well balanced needs no solve
-
-/// Longest translation by what is not prescribed [m].
-double farthestMove(const StepProblem& problem, const Eigen::VectorXd& d);
 
 /// Body that an unknown belongs to.
 int bodyOf(const StepProblem& problem, int unknown);

@@ -160,12 +160,12 @@ TEST(Energies, ACollapseKeepsTheBooks) {
 /// all the way, and those that stood on the top are there no more. All that is left is what the loads did, damped.
 TEST(Energies, AFallOffAnEdgeKeepsTheBooks) {
     Scene scene = boxOnBase(0.0, 10e9);
-    scene.blocks[1] = boxBlock("box", {0, 0}, {1.5, 0.4});
+    scene.blocks[1] = boxBlock("box", {-1.65, 0}, {-0.15, 0.4});
     scene.analysis.tolerance = 1e-4;
     Stage push;
     push.name = "push";
     Load load;
-    load.blockAt = Point(0.5, 0.1);
+    load.blockAt = Point(-0.5, 0.1);
     load.force = {-500.0, 0.0};
     load.table = {{0.0, 0.0}, {1.0, 1.0}};
     push.loads = {load};

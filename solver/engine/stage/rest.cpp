@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/stage/rest.h"
+
+#include "solver/engine/step/step_forces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace keyblock {
+namespace {
+
+constexpr double ofAllForces = 1e-3;  // what a block's strains, a single cell and a plate may leave of all forces on them
+constexpr double ofNode = 1e-4;  // what a node of a bolt may leave of the forces there
+constexpr double smallestStrain = 1e-12;  // forces under that of such a strain count as none
+constexpr double digits = 4.0 * std::numeric_limits<double>::epsilon();
+
+/// Largest coordinate of a block from the model's origin [m].
+double largestCoordinate(const State& state) {
+    double largest = 0.0;
+    for (const BlockMotion& block : state.blocks) largest = std::max(largest, block.centroid.cwiseAbs().maxCoeff());
+    return largest;
+}
+
+double leastForce(const Model& model, const BlockModel& block) {
+    return smallestStrain * block.youngsModulus * block.size * model.thickness;
+}
+
+/// Links on each body.
+struct LinkSums {
+    std::vector<double> all;  // summed forces [N]
+    std::vector<double> rock, others;  // largest force of a contact or glue, and of anything else [N]
+    std::vector<double> springs;  // Σ k² [N²/m²]
+
+    explicit LinkSums(const StepProblem& problem) {
+        const auto bodies = static_cast<std::size_t>(problem.blocks + problem.nodes);
+        all = rock = others = springs = std::vector<double>(bodies, 0.0);
+        for (const Link& link : problem.links) {
+            add(problem, link, link.a, link.ga);
+            if (link.b >= 0) add(problem, link, link.b, link.gb);
+        }
+    }
+
+    void add(const StepProblem& problem, const Link& link, int body, const Vector6& gradient) {
+        const int width = problem.width(body);
+        const auto weight = problem.weight.segment(problem.first(body), width);
+        const double pull = link.law.share * gradient.head(width).cwiseProduct(weight).norm();
+        const double force = pull * std::abs(respond(problem, link, link.strain + link.shift).force);
+        const double spring = pull * link.law.stiffness * gradient.head<2>().norm();
+        const auto at = static_cast<std::size_t>(body);
+        double& largest = ofContact(link.kind) || link.kind == LinkKind::Glue ? rock[at] : others[at];
+        largest = std::max(largest, force);
+        all[at] += force;
+        springs[at] += spring * spring;
+    }
+};
+
+/// Weight of a block; without gravity the largest of what acts on it from outside, else the largest contact force.
+double ownForceOf(const Model& model, const StepProblem& problem, const LinkSums& sums, std::size_t block) {
+    const BlockModel& b = model.blocks[block];
+    const double weight = b.mass * model.gravity.norm(), least = leastForce(model, b);
+    if (weight > 0.0) return weight;
+    const double outside = std::max(problem.ownForce[block] - least, sums.others[block]);
+    return outside > least ? outside : std::max(sums.rock[block], least);
+}
+
+/// A node that carries next to nothing is judged by the largest force in its bolt, or by a share of the lightest block:
+/// all that is left at nodes in a block is left on the block.
+void addNodeForces(const BoltModel& bolt, double lightest, const std::vector<double>& all, std::vector<double>& own) {
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(own.size());
+    const double largest = std::max(*std::max_element(first, first + static_cast<std::ptrdiff_t>(bolt.s.size())),
+                                    lightest / static_cast<double>(bolt.s.size()));
+    for (std::size_t n = 0; n < bolt.s.size(); ++n) {
+        const double here = all[own.size()];
+        own.push_back(here > ofNode * largest ? here : largest);
+    }
+}
+
+/// What does not balance on a body, or on a block of several cells, about its centre.
+struct Left {
+    Point force{0.0, 0.0};  // [N]
+    double moment = 0.0;  // [N m]
+};
+
+class Judge {
+public:
+    Judge(const Model& model, const State& state, const StepProblem& problem, const RestForces& forces,
+          const Eigen::VectorXd& net, double share)
+        : model_(model), state_(state), problem_(problem), forces_(forces), net_(net), share_(share) {}
+
+    Unrest judge() {
+        for (std::size_t rock = 0; rock + 1 < model_.firstOf.size(); ++rock) judgeRock(model_.firstOf[rock], model_.firstOf[rock + 1]);
+        for (int block = 0; block < problem_.blocks; ++block) judgeAlone(block);
+        for (int node = problem_.blocks; node < problem_.blocks + problem_.nodes; ++node)
+            compare(node, bodyResidual(problem_, net_, node), forces_.own[at(node)], ofNode, forces_.noise[at(node)]);
+        return worst_;
+    }
+
+private:
+    static std::size_t at(int body) { return static_cast<std::size_t>(body); }
+
+    double free(Eigen::Index row) const { return problem_.known[static_cast<std::size_t>(row)] ? 0.0 : net_[row]; }
+
+    Left leftOn(int block) const {
+        const Point& axis = state_.blocks[at(block)].axis;
+        const Eigen::Index row = 6 * static_cast<Eigen::Index>(block);
+        return {free(row) * axis + free(row + 1) * turnLeft(axis), free(row + 2)};
+    }
+
+    /// A block, or all its cells as one: what glue does not balance between them is none of its weight.
+    void judgeRock(int first, int end) {
+        double mass = 0.0, own = 0.0, noise = 0.0, area = 0.0;
+        Point middle{0.0, 0.0};
+        for (int block = first; block < end; ++block) {
+            const double m = model_.blocks[at(block)].mass;
+            middle += m * state_.blocks[at(block)].centroid;
+            mass += m;
+            own += forces_.own[at(block)];
+            noise += forces_.noise[at(block)];
+            area += model_.blocks[at(block)].area;
+        }
+        if (model_.blocks[at(first)].plateOf >= 0) return;
+        middle /= mass;
+        Left sum;
+        for (int block = first; block < end; ++block) {
+            const Left left = leftOn(block);
+            const Point arm = state_.blocks[at(block)].centroid - middle;
+            sum.force += left.force;
+            sum.moment += left.moment + arm.x() * left.force.y() - arm.y() * left.force.x();
+        }
+        compare(first, std::max(sum.force.norm(), std::abs(sum.moment) / std::sqrt(area)), own, share_, noise);
+    }
+
+    /// The strains of a block; all of a cell or a plate.
+    void judgeAlone(int block) {
+        const BlockModel& b = model_.blocks[at(block)];
+        const Eigen::Index row = 6 * static_cast<Eigen::Index>(block);
+        const double strains = Point(free(row + 3), free(row + 4)).norm() + std::abs(free(row + 5));
+        double left = strains / b.size;
+        if (b.cell || b.plateOf >= 0) left = bodyResidual(problem_, net_, block);
+        compare(block, left, forces_.all[at(block)], ofAllForces, forces_.noise[at(block)]);
+    }
+
+    void compare(int body, double left, double reference, double share, double noise) {
+        if (!(left > 0.0)) return;
+        const double beyond = left / std::max(share * reference, noise);
+        if (beyond > 1.0) worst_.restless.push_back(body);
+        if (worst_.body >= 0 && beyond <= worst_.beyond) return;
+        worst_.body = body;
+        worst_.share = share_ / share * left / reference;
+        worst_.beyond = beyond;
+    }
+
+    const Model& model_;
+    const State& state_;
+    const StepProblem& problem_;
+    const RestForces& forces_;
+    const Eigen::VectorXd& net_;
+    double share_;
+    Unrest worst_;
+};
+
+}  // namespace
+
+RestForces restForces(const Model& model, const State& state, const StepProblem& problem) {
+    RestForces forces;
+    const LinkSums sums(problem);
+    const double place = largestCoordinate(state);
+    for (double squares : sums.springs) forces.noise.push_back(digits * place * std::sqrt(squares));
+    forces.all = sums.all;
+    for (std::size_t i = 0; i < forces.all.size(); ++i) forces.all[i] += problem.ownForce[i];
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        const BlockModel& block = model.blocks[i];
+        const double stress = frameStress(block, state.blocks[i]).cwiseAbs().maxCoeff();
+        forces.all[i] += stress * block.size * model.thickness;
+        const double own = ownForceOf(model, problem, sums, i);
+        forces.own.push_back(block.plateOf >= 0 ? std::max(own, forces.all[i]) : own);
+    }
+    const double lightest = *std::min_element(forces.own.begin(), forces.own.end());
+    for (const BoltModel& bolt : model.bolts) addNodeForces(bolt, lightest, forces.all, forces.own);
+    return forces;
+}
+
+Unrest farthestFromRest(const Model& model, const State& state, const StepProblem& problem, const RestForces& forces,
+                        const Eigen::VectorXd& net, double share) {
+    return Judge(model, state, problem, forces, net, share).judge();
+}
+
+}  // namespace keyblock

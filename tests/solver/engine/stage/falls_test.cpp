@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What counts as falling while rest is sought: a block that no pseudo-step slows
+// down, after a way that no strain accounts for.
+#include "solver/engine/stage/falls.h"
+
+#include "solver/engine/setup/make_model.h"
+#include "solver/verify/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace keyblock {
+namespace {
+
+constexpr double weight = 2700.0 * gravity;  // of a block of 1 m × 1 m
+
+Scene oneBlock() {
+    Scene scene = emptyScene(10e9, 0.2, 30.0);
+    scene.blocks = {boxBlock("block", {0, 0}, {1, 1})};
+    return scene;
+}
+
+/// A block that is seen for some pseudo-steps and has then moved by a share of its size.
+struct Watched {
+    Model model = makeModel(oneBlock());
+    std::vector<BlockMotion> blocks = makeState(model).blocks;
+    Falls falls{model, blocks, 1e-3};
+
+    /// \param acceleration of a pseudo-step, over gravity; its length [s] is that of no other.
+    void see(int steps, const std::function<double(int)>& acceleration) {
+        for (int step = 0; step < steps; ++step) {
+            const double dt = 1e-3 * (1.0 + step % 3);
+            falls.note({0.5 * acceleration(step) * gravity * dt * dt}, dt, {weight});
+        }
+    }
+
+    bool fallsAfter(double way) {
+        blocks[0].centroid.y() -= way * model.blocks[0].size;
+        const bool found = falls.falls(blocks, 0);
+        blocks[0].centroid.y() += way * model.blocks[0].size;
+        return found;
+    }
+};
+
+TEST(Falls, ABlockThatNothingSlowsDownFalls) {
+    Watched free;
+    free.see(11, [](int) { return 1.0; });
+    EXPECT_FALSE(free.fallsAfter(0.09));
+    EXPECT_TRUE(free.fallsAfter(0.11));
+    EXPECT_TRUE(free.falls.sameWhateverTheStep(0));
+}
+
+TEST(Falls, ABlockThatIsCaughtDoesNot) {
+    Watched caught;
+    caught.see(30, [](int step) { return std::pow(0.99, step); });
+    EXPECT_FALSE(caught.fallsAfter(0.8));
+}
+
+/// Slower than ten times what equilibrium allows, it has to go half of its size first; slower than that, it rests.
+TEST(Falls, ASlowBlockHasToGoFurther) {
+    Watched slow;
+    slow.see(20, [](int) { return 5e-3; });
+    EXPECT_FALSE(slow.fallsAfter(0.4));
+    EXPECT_TRUE(slow.fallsAfter(0.6));
+    Watched creeping;
+    creeping.see(20, [](int) { return 0.9e-3; });
+    EXPECT_FALSE(creeping.fallsAfter(0.9));
+}
+
+TEST(Falls, TenPseudoStepsShowNothing) {
+    Watched early;
+    early.see(10, [](int) { return 1.0; });
+    EXPECT_FALSE(early.fallsAfter(0.9));
+}
+
+/// An acceleration that depends on the length of the step is that of a spring, not of a fall.
+TEST(Falls, TheLengthOfTheStepMustNotMatter) {
+    Watched pulled;
+    pulled.see(12, [](int step) { return step == 11 ? 0.7 : 1.0; });
+    EXPECT_FALSE(pulled.falls.sameWhateverTheStep(0));
+}
+
+}  // namespace
+}  // namespace keyblock
