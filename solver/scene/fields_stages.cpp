@@ -83,9 +83,13 @@ const Structure& structureOf(const Until*) {
                                     "Unbalanced force over reference force at equilibrium; null: 1e-4, or `tolerance` "
                                     "of the analysis where that is less.",
                                     {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
+            row<&Until::body>("body",
+                              "Unbalanced force on a block, or moment over its size, over its own weight at equilibrium; "
+                              "without gravity over its load, or the largest force on it.",
+                              {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
             row<&Until::maxSteps>("max_steps",
-                                  "Pseudo-steps after which an equilibrium is given up, the increment halved and, at "
-                                  "its finest, the stage ended as a collapse; null: 400.",
+                                  "Pseudo-steps after which the search for an equilibrium is given up and the stage "
+                                  "ends as a collapse; null: 400.",
                                   {.range = within(1, 1e9)}),
         }};
     return structure;

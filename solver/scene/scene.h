@@ -293,6 +293,7 @@ struct StrengthChange {
 /// When a static stage is at equilibrium, and when it gives up looking for it.
 struct Until {
     std::optional<double> unbalanced;  // unbalanced force over reference force; null: 1e-4, or the pass tolerance if less
+    double body = 1e-3;  // of its own weight, unbalanced on a block
     std::optional<int> maxSteps;  // pseudo-steps per equilibrium; null: chosen by the program
 
     bool operator==(const Until&) const = default;

@@ -24,6 +24,7 @@ const QHash<QString, QString>& ownLabels() {
         {"reference_y", Texts::tr("Reference height")}, {"gradient_y", Texts::tr("Change upwards")},
         {"far_end", Texts::tr("Far end")}, {"sub_blocks", Texts::tr("Cells")},
         {"in_situ_stress", Texts::tr("In-situ stress")}, {"unbalanced", Texts::tr("Unbalanced force")},
+        {"body", Texts::tr("Unbalanced on a block")},
         {"set", Texts::tr("Strength changes")}, {"fix", Texts::tr("Held")}, {"way", Texts::tr("Way round")},
         {"max_steps", Texts::tr("Most steps")}, {"max_passes", Texts::tr("Most passes")},
         {"like", Texts::tr("Derived from")}, {"min_area", Texts::tr("Least area")},

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A static stage is at equilibrium only where every block is, whatever else presses
+// in the scene; and where one falls, the stage says so.
+#include "solver/run/run.h"
+
+#include "solver/verify/readings.h"
+#include "solver/verify/scenes.h"
+#include "tests/solver/run/small_stages.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace keyblock {
+namespace {
+
+/// A wedge 1 m wide in the roof of a section `size` m wide, all held but the wedge, under 5 MPa across.
+Scene roofWedge(double halfAngle, double frictionAngle, double size) {
+    Scene scene = emptyScene(10e9, 0.2, frictionAngle);
+    const Point apex(0.0, 0.5 / std::tan(halfAngle * test::degree));
+    const double left = -0.5 * size, right = 0.5 * size, top = size;
+    scene.blocks = {boxBlock("left", {}, {}), boxBlock("right", {}, {}), boxBlock("wedge", {}, {})};
+    scene.blocks[0].points = {{left, 0.0}, {-0.5, 0.0}, apex, {0.0, top}, {left, top}};
+    scene.blocks[1].points = {{0.5, 0.0}, {right, 0.0}, {right, top}, {0.0, top}, apex};
+    scene.blocks[2].points = {{-0.5, 0.0}, {0.5, 0.0}, apex};
+    for (const double x : {0.9 * left, 0.9 * right}) {
+        Support held;
+        held.blockAt = Point(x, 0.5);
+        scene.supports.push_back(held);
+    }
+    scene.inSituStress.emplace().sxx = -5e6;
+    scene.analysis.gravity = {0.0, -gravity};
+    scene.stages = {test::settle()};
+    return scene;
+}
+
+TEST(Equilibrium, AWedgeUnderStressFallsWhereItsFacesAreSteeperThanFriction) {
+    for (const double size : {15.0, 40.0}) {
+        const StageResult stage = runInMemory(roofWedge(34.0, 5.0, size)).stages.at(0);
+        EXPECT_EQ(stage.outcome, Outcome::Collapse) << size;
+        EXPECT_EQ(stage.blocks, std::vector<int>{2}) << size;
+        EXPECT_LT(std::abs(stage.health.balanceError), 0.01) << size;
+    }
+}
+
+/// The weight, shared by both faces, is all that changes along them.
+TEST(Equilibrium, AWedgeUnderStressHoldsWhereFrictionIsSteeper) {
+    const Solved solved = solve(roofWedge(5.0, 30.0, 15.0));
+    EXPECT_EQ(solved.results.stages.at(0).outcome, Outcome::Equilibrium);
+    double up = 0.0;
+    for (const ContactFrame& c : solved.results.frames.back().contacts) {
+        const Point along(std::sin(5.0 * test::degree), std::cos(5.0 * test::degree));
+        up += std::abs(c.shearForce) * along.y() - std::abs(c.normalForce) * along.x();
+    }
+    const double weight = 2700.0 * gravity * 0.25 / std::tan(5.0 * test::degree);
+    EXPECT_NEAR(up, weight, 2e-3 * weight);
+}
+
+/// The weight of what is held is no measure for what slides on it.
+TEST(Equilibrium, ABlockSlidesOnALongSlopeWithoutFriction) {
+    Scene scene = test::boxOnBase(45.0, 0.0);
+    scene.blocks = {boxBlock("base", {-350, -100}, {350, 0}), boxBlock("box", {0, 0}, {0.5, 0.25})};
+    scene.stages = {test::settle()};
+    const StageResult stage = runInMemory(scene).stages.at(0);
+    EXPECT_EQ(stage.outcome, Outcome::Collapse);
+    EXPECT_EQ(stage.blocks, std::vector<int>{1});
+}
+
+/// What a user allows on a block is what is left on it at most.
+TEST(Equilibrium, WhatMayBeLeftOnABlockIsASetting) {
+    Scene scene = test::boxOnBase(0.0, 30.0);
+    scene.stages = {test::settle()};
+    scene.stages[0].until.unbalanced = 0.1;
+    for (const double body : {1e-1, 1e-3, 1e-6}) {
+        scene.stages[0].until.body = body;
+        const Solved solved = solve(scene);
+        double thrust = 0.0;
+        for (const ContactFrame& c : solved.results.frames.back().contacts) thrust += c.normalForce;
+        const double weight = 2700.0 * gravity;
+        EXPECT_NEAR(thrust, weight, body * weight);
+    }
+}
+
+}  // namespace
+}  // namespace keyblock
