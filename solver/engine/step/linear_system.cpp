@@ -6,6 +6,9 @@
 // a scene takes the same way on every run. LLᵀ rather than LDLᵀ because it stops at
 // the first pivot that is not positive, which is how a loose block is found.
 //
+// The matrix is stored in the order in which its unknowns are eliminated, so that a
+// factorization reads it where it lies; CHOLMOD would permute a copy each time.
+//
 // Threads are kept out on purpose. CHOLMOD's own are nested in ours and slow a
 // thousand blocks down fivefold; OpenBLAS would split sums by the number of cores.
 #include "solver/engine/step/linear_system.h"
@@ -19,6 +22,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <numeric>
 
 namespace keyblock {
 
@@ -29,6 +33,12 @@ constexpr double pivotFloor = 16.0 * std::numeric_limits<double>::epsilon();
 
 /// Ranks that are worth an update, over the operations per entry of a factor: 91 of them at a thousand blocks.
 constexpr double rankShare = 0.6;
+
+/// Neighbouring supernodes of no more columns than this are merged whatever zeros they share, or where these are a
+/// small part. Larger than CHOLMOD's own, because a block has six columns: with fewer supernodes less time goes into
+/// calls of the BLAS for small matrices.
+constexpr std::size_t mergedColumns[] = {12, 24, 48};
+constexpr double mergedZeros[] = {0.8, 0.2, 0.1};
 
 void useOneThread() {
     static const bool done = [] {
@@ -43,7 +53,7 @@ void useOneThread() {
 
 struct LinearSystem::Detail {
     cholmod_common common{};
-    cholmod_sparse* matrix = nullptr;  // lower triangle, rows sorted within each column
+    cholmod_sparse* matrix = nullptr;  // lower triangle in the order of elimination, rows sorted within each column
     cholmod_factor* factor = nullptr;
     cholmod_factor* updated = nullptr;  // its simplicial LDLᵀ with ranks added and taken; none: it is `factor`
     cholmod_dense* workX = nullptr;  // kept between solutions: nothing is allocated in a loop of a million steps
@@ -51,15 +61,18 @@ struct LinearSystem::Detail {
     cholmod_dense* workE = nullptr;
     std::vector<double> residual;
     std::vector<double> correction;
-    std::vector<int> inverse;  // place in the order of elimination, per unknown
+    std::vector<double> ordered;  // right side in the order of elimination
+    std::vector<int> order;  // unknowns in the order of elimination
+    std::vector<int> place;  // of every unknown in that order
 
     Detail() {
         useOneThread();
         cholmod_start(&common);
         common.print = 0;
         common.nmethods = 1;
-        common.method[0].ordering = CHOLMOD_AMD;
         common.supernodal = CHOLMOD_AUTO;
+        std::ranges::copy(mergedColumns, common.nrelax);
+        std::ranges::copy(mergedZeros, common.zrelax);
         common.final_ll = 1;
         common.quick_return_if_not_posdef = 1;
     }
@@ -90,8 +103,15 @@ struct LinearSystem::Detail {
         if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
     }
 
-    /// Column pointers and rows of the lower triangle without repeats, in time proportional to the entries.
+    /// Column pointers and rows of the lower triangle in the present order without repeats, in time proportional to the
+    /// entries.
     void buildPattern(int n, std::span<const std::pair<int, int>> pairs);
+
+    /// Analyses the pattern in the order in which it is stored, or in one that AMD finds.
+    void analyseBy(int ordering);
+
+    /// Takes over the order that the analysis found.
+    void takeOrder();
 
     /// Calls `visit(column, pivot)` with every diagonal value of L, columns in the order of elimination.
     template <class Visit>
@@ -100,9 +120,8 @@ struct LinearSystem::Detail {
     /// Column of L whose pivot is lost in round-off, or −1.
     int lostPivot() const;
 
-    int unknownOfColumn(std::size_t column) const {
-        return static_cast<const int*>(factor->Perm)[std::min(column, factor->n - 1)];
-    }
+    int unknownOfColumn(std::size_t column) const { return order[std::min(column, order.size() - 1)]; }
+    int placeOf(int unknown) const { return place[static_cast<std::size_t>(unknown)]; }
 
     void backSubstitute(std::span<const double> rhs, std::span<double> x);
 
@@ -116,14 +135,16 @@ struct LinearSystem::Detail {
 void LinearSystem::Detail::buildPattern(int n, std::span<const std::pair<int, int>> pairs) {
     const std::size_t count = static_cast<std::size_t>(n);
     std::vector<int> start(count + 1, 0);
-    for (const auto& [i, j] : pairs) ++start[static_cast<std::size_t>(std::min(i, j)) + 1];
+    for (const auto& [i, j] : pairs) ++start[static_cast<std::size_t>(std::min(placeOf(i), placeOf(j))) + 1];
     for (std::size_t k = 0; k < count; ++k) start[k + 1] += start[k] + 1;  // and the diagonal
 
     std::vector<int> row(static_cast<std::size_t>(start[count]));
     std::vector<int> next(start.begin(), start.end() - 1);
-    const auto put = [&](int i, int j) { row[static_cast<std::size_t>(next[static_cast<std::size_t>(j)]++)] = i; };
+    const auto put = [&](int i, int j) {
+        row[static_cast<std::size_t>(next[static_cast<std::size_t>(std::min(i, j))]++)] = std::max(i, j);
+    };
     for (int k = 0; k < n; ++k) put(k, k);
-    for (const auto& [i, j] : pairs) put(std::max(i, j), std::min(i, j));
+    for (const auto& [i, j] : pairs) put(placeOf(i), placeOf(j));
 
     std::vector<int> unique(count + 1, 0);
     auto end = row.begin();
@@ -136,11 +157,26 @@ void LinearSystem::Detail::buildPattern(int n, std::span<const std::pair<int, in
     }
 
     const std::size_t entryCount = static_cast<std::size_t>(unique[count]);
+    cholmod_free_sparse(&matrix, &common);
     matrix = cholmod_allocate_sparse(count, count, entryCount, 1, 1, -1, CHOLMOD_REAL, &common);
     requireMemory();
     std::copy(unique.begin(), unique.end(), columns());
     std::copy(row.begin(), end, rows());
     std::fill_n(entries(), entryCount, 0.0);
+}
+
+void LinearSystem::Detail::analyseBy(int ordering) {
+    common.method[0].ordering = ordering;
+    common.postorder = ordering != CHOLMOD_NATURAL;
+    cholmod_free_factor(&factor, &common);
+    factor = cholmod_analyze(matrix, &common);
+    requireMemory();
+}
+
+void LinearSystem::Detail::takeOrder() {
+    const auto* found = static_cast<const int*>(factor->Perm);
+    order.assign(found, found + factor->n);
+    for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
 }
 
 template <class Visit>
@@ -165,22 +201,24 @@ int LinearSystem::Detail::lostPivot() const {
     int lost = -1;
     forEachPivot([&](std::size_t column, double pivot) {
         // The diagonal of A stands first in its column; !(…) catches NaN as well.
-        const double diagonal = entries()[columns()[unknownOfColumn(column)]];
+        const double diagonal = entries()[columns()[column]];
         if (lost < 0 && !(pivot * pivot > pivotFloor * diagonal)) lost = static_cast<int>(column);
     });
     return lost;
 }
 
 void LinearSystem::Detail::backSubstitute(std::span<const double> rhs, std::span<double> x) {
+    for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = rhs[static_cast<std::size_t>(order[k])];
     cholmod_dense b{};
-    b.nrow = b.d = b.nzmax = rhs.size();
+    b.nrow = b.d = b.nzmax = ordered.size();
     b.ncol = 1;
-    b.x = const_cast<double*>(rhs.data());  // CHOLMOD only reads it
+    b.x = ordered.data();
     b.xtype = CHOLMOD_REAL;
     b.dtype = CHOLMOD_DOUBLE;
     cholmod_solve2(CHOLMOD_A, updated ? updated : factor, &b, nullptr, &workX, nullptr, &workY, &workE, &common);
     requireMemory();
-    std::copy_n(static_cast<const double*>(workX->x), x.size(), x.begin());
+    const auto* found = static_cast<const double*>(workX->x);
+    for (std::size_t k = 0; k < order.size(); ++k) x[static_cast<std::size_t>(order[k])] = found[k];
 }
 
 cholmod_sparse* LinearSystem::Detail::permuted(std::span<const SparseColumn> columns) {
@@ -188,9 +226,6 @@ cholmod_sparse* LinearSystem::Detail::permuted(std::span<const SparseColumn> col
     for (const SparseColumn& column : columns) entryCount += column.size();
     cholmod_sparse* result = cholmod_allocate_sparse(factor->n, columns.size(), entryCount, 1, 1, 0, CHOLMOD_REAL, &common);
     requireMemory();
-    const auto* order = static_cast<const int*>(factor->Perm);
-    inverse.resize(factor->n);
-    for (std::size_t k = 0; k < factor->n; ++k) inverse[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
     auto* start = static_cast<int*>(result->p);
     auto* row = static_cast<int*>(result->i);
     auto* value = static_cast<double*>(result->x);
@@ -198,7 +233,7 @@ cholmod_sparse* LinearSystem::Detail::permuted(std::span<const SparseColumn> col
     for (std::size_t c = 0; c < columns.size(); ++c) {
         start[c] = at;
         SparseColumn sorted = columns[c];
-        for (auto& entry : sorted) entry.first = inverse[static_cast<std::size_t>(entry.first)];
+        for (auto& entry : sorted) entry.first = placeOf(entry.first);
         std::sort(sorted.begin(), sorted.end());
         for (const auto& [i, x] : sorted) row[at] = i, value[at++] = x;
     }
@@ -236,9 +271,14 @@ void LinearSystem::analyse(int n, std::span<const std::pair<int, int>> entries) 
     Detail& d = *detail_;
     useOneThread();
     d.release();
+    d.place.resize(static_cast<std::size_t>(n));
+    std::iota(d.place.begin(), d.place.end(), 0);
     d.buildPattern(n, entries);
-    d.factor = cholmod_analyze(d.matrix, &d.common);
-    d.requireMemory();
+    d.analyseBy(CHOLMOD_AMD);
+    d.takeOrder();
+    d.buildPattern(n, entries);
+    d.analyseBy(CHOLMOD_NATURAL);
+    d.ordered.resize(static_cast<std::size_t>(n));
     d.residual.resize(static_cast<std::size_t>(n));
     d.correction.resize(static_cast<std::size_t>(n));
 }
@@ -247,8 +287,8 @@ int LinearSystem::size() const { return detail_->size(); }
 
 int LinearSystem::slot(int i, int j) const {
     const Detail& d = *detail_;
-    const int row = std::max(i, j);
-    const int column = std::min(i, j);
+    const int row = std::max(d.placeOf(i), d.placeOf(j));
+    const int column = std::min(d.placeOf(i), d.placeOf(j));
     const int* begin = d.rows() + d.columns()[column];
     const int* end = d.rows() + d.columns()[column + 1];
     const int* place = std::lower_bound(begin, end, row);
@@ -302,10 +342,10 @@ void LinearSystem::multiply(std::span<const double> x, std::span<double> y) cons
     std::ranges::fill(y, 0.0);
     for (int column = 0; column < d.size(); ++column) {
         const int diagonal = d.columns()[column];
-        const std::size_t j = static_cast<std::size_t>(column);
+        const auto j = static_cast<std::size_t>(d.unknownOfColumn(static_cast<std::size_t>(column)));
         double sum = d.entries()[diagonal] * x[j];
         for (int k = diagonal + 1; k < d.columns()[column + 1]; ++k) {
-            const std::size_t i = static_cast<std::size_t>(d.rows()[k]);
+            const auto i = static_cast<std::size_t>(d.unknownOfColumn(static_cast<std::size_t>(d.rows()[k])));
             y[i] += d.entries()[k] * x[j];
             sum += d.entries()[k] * x[i];
         }
