@@ -15,24 +15,29 @@ constexpr double digits = 8.0 * std::numeric_limits<double>::epsilon();
 constexpr int refined = 2;  // passes: the second solves for what round-off left of the first
 constexpr double ofOneBody = 10.0;  // times the tolerance: how far off a single body may be
 
-template <class Vector>
-auto part(const StepProblem& problem, const Vector& x, int body) {
-    return x.segment(problem.first(body), problem.width(body));
-}
-
 /// True where nothing of a body is free to move.
 bool isDriven(const StepProblem& problem, int body) {
     const auto first = problem.known.begin() + problem.first(body);
     return std::all_of(first, first + problem.width(body), [](char known) { return known != 0; });
 }
 
-/// What the digits of loads and inertia leave on a body [N].
-double ownNoise(const StepProblem& problem, const Eigen::VectorXd& d, int body) {
-    const Eigen::VectorXd size = part(problem, d, body).cwiseAbs();
-    Eigen::VectorXd sum = part(problem, problem.load, body).cwiseAbs();
-    if (body < problem.blocks) sum += problem.blockStiffness[static_cast<std::size_t>(body)].cwiseAbs() * size;
-    else sum += problem.nodeStiffness[static_cast<std::size_t>(body - problem.blocks)].cwiseProduct(size);
-    return digits * sum.cwiseProduct(part(problem, problem.weight, body)).norm();
+/// What the digits of loads and inertia leave on every body [N].
+std::vector<double> ownNoise(const StepProblem& problem, const Eigen::VectorXd& d) {
+    std::vector<double> noise;
+    noise.reserve(static_cast<std::size_t>(problem.blocks + problem.nodes));
+    for (const Matrix6& stiffness : problem.blockStiffness) {
+        const int at = problem.first(static_cast<int>(noise.size()));
+        const Vector6 size = d.segment<6>(at).cwiseAbs();
+        const Vector6 sum = problem.load.segment<6>(at).cwiseAbs() + stiffness.cwiseAbs() * size;
+        noise.push_back(digits * sum.cwiseProduct(problem.weight.segment<6>(at)).norm());
+    }
+    for (const Eigen::Vector3d& stiffness : problem.nodeStiffness) {
+        const int at = problem.first(static_cast<int>(noise.size()));
+        const Eigen::Vector3d size = d.segment<3>(at).cwiseAbs();
+        const Eigen::Vector3d sum = problem.load.segment<3>(at).cwiseAbs() + stiffness.cwiseProduct(size);
+        noise.push_back(digits * sum.cwiseProduct(problem.weight.segment<3>(at)).norm());
+    }
+    return noise;
 }
 
 }  // namespace
@@ -40,6 +45,7 @@ double ownNoise(const StepProblem& problem, const Eigen::VectorXd& d, int body) 
 Balance::Balance(const StepProblem& problem, const LinkRows& rows, const Trial& trial, int passes, double tolerance)
     : problem_(&problem), rows_(&rows), trial_(&trial), passes_(passes) {
     addUpForces();
+    if (passes_ == 0) noise_ = ownNoise(*problem_, trial_->d);
     compareBodies();
     if (passes_ < refined || within(tolerance)) return;
     addUpNoise();
@@ -58,9 +64,9 @@ void Balance::addUpForces() {
     }
 }
 
-/// What the digits of the links leave of them.
+/// What digits leave of them. A first solve leaves more where springs are stiff; the second takes that away.
 void Balance::addUpNoise() {
-    noise_.assign(forces_.size(), 0.0);
+    noise_ = ownNoise(*problem_, trial_->d);
     const Eigen::VectorXd& d = trial_->d;
     for (std::size_t i = 0; i < rows_->count(); ++i) {
         const LawResponse& r = trial_->laws[i];
@@ -97,11 +103,7 @@ void Balance::compareBodies() {
     if (!std::isfinite(allLeft)) residual_ = allLeft;
 }
 
-/// A first solve leaves more than digits where springs are stiff; the second takes that away.
-double Balance::noiseOf(int body) const {
-    if (passes_ == 0) return ownNoise(*problem_, trial_->d, body);
-    return noise_.empty() ? 0.0 : ownNoise(*problem_, trial_->d, body) + noise_[static_cast<std::size_t>(body)];
-}
+double Balance::noiseOf(int body) const { return noise_.empty() ? 0.0 : noise_[static_cast<std::size_t>(body)]; }
 
 bool Balance::within(double tolerance) const { return residual_ <= tolerance && beyond_ <= 1.0; }
 
