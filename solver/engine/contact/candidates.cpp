@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/contact/candidates.h"
 
-#include "geometry/polygon.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,10 +54,8 @@ bool faceEachOther(const Edge& first, const Edge& second) {
 }
 
 /// The corner is on the other side of a sliver, whose thickness is no penetration by this edge.
-bool isBehindSliver(const BlockModel& block, const std::vector<Point>& corners, const Edge& edge, const Point& p,
-                    double over) {
-    for (int turn = 0; turn < static_cast<int>(block.turns.size()); ++turn) {
-        const Edge side = runOf(block, corners, turn);
+bool isBehindSliver(const std::vector<Edge>& sides, const Edge& edge, const Point& p, double over) {
+    for (const Edge& side : sides) {
         const Point from = p - side.start;
         const double along = side.along.dot(from);
         if (side.outward.dot(edge.outward) < sliver && std::abs(side.outward.dot(from)) <= over && along >= -over &&
@@ -75,24 +71,25 @@ std::vector<Faced> facedEdges(const CandidateSearch& search, int a, int corner, 
     const std::vector<Point>& other = search.blocks[b].corners;
     const Point& p = own[corner];
     const Point moves = driftAt(search.blocks[a], search.drift[a], p) - driftAt(search.blocks[b], search.drift[b], p);
-    const double over = search.slack(a, b);
+    const double over = search.slack(a, b), room = over + search.margin;
     std::vector<Faced> faced;
-    for (int turn = 0; turn < static_cast<int>(search.model.blocks[b].turns.size()); ++turn) {
+    const Outline& outline = search.outlines[b];
+    if (!meets(grown(outline.box, 2.0 * room + moves.norm()), {p, p})) return faced;
+    for (int turn = 0; turn < static_cast<int>(outline.runs.size()); ++turn) {
         const std::vector<char>& inner = search.model.blocks[b].inner;
         const auto first = static_cast<std::size_t>(search.model.blocks[b].turns[static_cast<std::size_t>(turn)]);
         if (!inner.empty() && inner[first]) continue;  // no face: glued to the next cell
-        const Edge edge = runOf(search.model.blocks[b], other, turn);
+        const Edge& edge = outline.runs[static_cast<std::size_t>(turn)];
         const Point from = p - edge.start;
         const double gap = edge.outward.dot(from), along = edge.along.dot(from);
         const double alongEnd = along + edge.along.dot(moves);
         if (gap > search.margin || gap < -deepest * search.model.blocks[b].size) continue;
         const bool faces = std::max(along, alongEnd) >= -over && std::min(along, alongEnd) <= edge.length + over;
-        const double room = over + search.margin;
         if (!faces && (along < -room || along > edge.length + room)) continue;
         if (!facesEdge(own, search.model.blocks[a].inner, corner, edge)) continue;
         // A top corner of a brick on a wide slab faces the slab's bottom edge too, from above the slab.
         if (gap < -over && locate(other, p, over) == Side::Outside) continue;
-        if (gap < -over && isBehindSliver(search.model.blocks[b], other, edge, p, over)) continue;
+        if (gap < -over && isBehindSliver(outline.runs, edge, p, over)) continue;
         byPath = byPath || along < -over || along > edge.length + over;
         if (faces) faced.push_back({turn, gap, along, gap + edge.outward.dot(moves), edge});
     }
@@ -140,7 +137,7 @@ public:
             if (std::abs(at) > over_) continue;
             Faced next;
             next.turn = neighbour;
-            next.edge = runOf(search_.model.blocks[b_], search_.blocks[b_].corners, neighbour);
+            next.edge = search_.outlines[b_].runs[static_cast<std::size_t>(neighbour)];
             const std::vector<Point>& own = search_.blocks[a_].corners;
             const Point from = own[corner_] - next.edge.start;
             next.gap = next.edge.outward.dot(from), next.along = next.edge.along.dot(from);
@@ -185,6 +182,18 @@ std::vector<Drift> driftOf(const std::vector<BlockMotion>& blocks, const Eigen::
         drift[i] = {d[0] * blocks[i].axis + d[1] * turnLeft(blocks[i].axis), d[2]};
     }
     return drift;
+}
+
+std::vector<Outline> outlinesOf(const Model& model, const std::vector<BlockMotion>& blocks) {
+    std::vector<Outline> outlines(blocks.size());
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        outlines[i].box = boxOf(blocks[i].corners);
+        const int count = static_cast<int>(model.blocks[i].turns.size());
+        outlines[i].runs.reserve(static_cast<std::size_t>(count));
+        for (int turn = 0; turn < count; ++turn)
+            outlines[i].runs.push_back(runOf(model.blocks[i], blocks[i].corners, turn));
+    }
+    return outlines;
 }
 
 Standings::Standings(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts)

@@ -7,6 +7,7 @@
 // sliding where the next block's face is flush with it.
 #pragma once
 
+#include "geometry/polygon.h"
 #include "solver/engine/model/edge.h"
 #include "solver/engine/model/state.h"
 
@@ -22,6 +23,14 @@ struct Drift {
 
 /// Drift of every block. \param path displacement of the step, six unknowns a block; none: at rest.
 std::vector<Drift> driftOf(const std::vector<BlockMotion>& blocks, const Eigen::VectorXd* path);
+
+/// Where a block is: the straight pieces that begin at the corners of its list `turns`, in a box.
+struct Outline {
+    Box box;
+    std::vector<Edge> runs;
+};
+
+std::vector<Outline> outlinesOf(const Model& model, const std::vector<BlockMotion>& blocks);
 
 /// Where corners press: of each carrying contact the corner, and the ends of the edge that it rests on.
 class Standings {
@@ -46,6 +55,7 @@ struct CandidateSearch {
     const std::vector<BlockMotion>& blocks;
     const std::vector<Contact>& before;
     const std::vector<Drift>& drift;
+    const std::vector<Outline>& outlines;
     const Standings& standings;
     double margin;
 

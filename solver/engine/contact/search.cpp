@@ -20,11 +20,12 @@ constexpr std::size_t pairsATask = 64;
 
 using BlockPairs = std::vector<std::pair<int, int>>;
 
-BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks, double margin) {
+BlockPairs nearPairs(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Outline>& outlines,
+                     double margin) {
     std::vector<Box> boxes;
-    boxes.reserve(blocks.size());
+    boxes.reserve(outlines.size());
     const double room = 0.5 * margin + model.tolerance;
-    for (const BlockMotion& block : blocks) boxes.push_back(grown(boxOf(block.corners), room));
+    for (const Outline& outline : outlines) boxes.push_back(grown(outline.box, room));
     BlockPairs pairs = BoxGrid(std::move(boxes)).meetingPairs();
     std::erase_if(pairs, [&](const auto& p) {
         const bool still = model.blocks[p.first].fixed && model.blocks[p.second].fixed;
@@ -122,8 +123,9 @@ bool staysNear(const Model& model, const std::vector<BlockMotion>& blocks, const
 std::vector<Contact> contactsOn(const Model& model, const std::vector<BlockMotion>& blocks,
                                 const std::vector<Contact>& before, const FoundCorners& corners,
                                 const std::vector<Drift>& drift) {
+    const std::vector<Outline> outlines = outlinesOf(model, blocks);
     const Standings standings(model, blocks, before);
-    const CandidateSearch search{model, blocks, before, drift, standings, corners.margin};
+    const CandidateSearch search{model, blocks, before, drift, outlines, standings, corners.margin};
     std::vector<std::vector<Contact>> perPair(corners.pairs.size());
     forEachPair(perPair.size(), [&](std::size_t i) {
         perPair[i] = candidatesAgain(search, corners.pairs[i]);
@@ -160,10 +162,11 @@ bool sameEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Dri
 
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, const ContactSearch& asked) {
-    const BlockPairs pairs = nearPairs(model, blocks, asked.margin);
+    const std::vector<Outline> outlines = outlinesOf(model, blocks);
+    const BlockPairs pairs = nearPairs(model, blocks, outlines, asked.margin);
     const Standings standings(model, blocks, before);
     const std::vector<Drift> drift = driftOf(blocks, asked.path);
-    const CandidateSearch search{model, blocks, before, drift, standings, asked.margin};
+    const CandidateSearch search{model, blocks, before, drift, outlines, standings, asked.margin};
     std::vector<std::vector<Contact>> perPair(pairs.size());
     std::vector<double> lost(pairs.size(), 0.0);
     if (asked.corners) *asked.corners = {asked.margin, std::vector<std::vector<FoundCorners::Corner>>(pairs.size())};

@@ -13,12 +13,13 @@ Eigen::Matrix2d rotation(double angle) {
     return (Eigen::Matrix2d() << c, -s, s, c).finished();
 }
 
-/// R(θ)·(I + ε): takes a place of the block's first shape to where it is, from the centroid.
-Eigen::Matrix2d deformation(const BlockMotion& m) {
-    Eigen::Matrix2d stretch;
-    stretch << 1.0 + m.strain[0], 0.5 * m.strain[2], 0.5 * m.strain[2], 1.0 + m.strain[1];
-    return rotation(m.angle) * stretch;
+/// I + ε
+Eigen::Matrix2d stretch(const BlockMotion& m) {
+    return (Eigen::Matrix2d() << 1.0 + m.strain[0], 0.5 * m.strain[2], 0.5 * m.strain[2], 1.0 + m.strain[1]).finished();
 }
+
+/// R(θ)·(I + ε): takes a place of the block's first shape to where it is, from the centroid.
+Eigen::Matrix2d deformation(const BlockMotion& m) { return rotation(m.angle) * stretch(m); }
 
 }  // namespace
 
@@ -39,7 +40,7 @@ Point materialPlace(const BlockMotion& motion, const Point& x) {
 Eigen::Matrix<double, 2, 6> displacementMatrix(const BlockMotion& motion, const Point& x) {
     const Point d = x - motion.centroid;
     const Eigen::Matrix2d r = rotation(motion.angle);
-    const Point own = materialPlace(motion, x);  // strains stretch the first shape
+    const Point own = (r * stretch(motion)).inverse() * d;  // strains stretch the first shape
     Eigen::Matrix<double, 2, 6> t;
     t.col(0) = motion.axis;
     t.col(1) = turnLeft(motion.axis);
