@@ -16,31 +16,22 @@ std::vector<std::pair<int, int>> bodyPairs(const StepProblem& problem) {
     std::vector<std::pair<int, int>> pairs;
     pairs.reserve(static_cast<std::size_t>(problem.blocks + problem.nodes) + problem.links.size());
     for (int body = 0; body < problem.blocks + problem.nodes; ++body) pairs.emplace_back(body, body);
-    for (const Link& link : problem.links)
-        if (link.b >= 0) pairs.emplace_back(std::max(link.a, link.b), std::min(link.a, link.b));
+    for (const Link& link : problem.links) {
+        const std::pair pair(std::max(link.a, link.b), std::min(link.a, link.b));
+        if (link.b >= 0 && pair != pairs.back()) pairs.push_back(pair);  // links of two bodies come together
+    }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
 }
 
-/// Adds w·p·qᵀ to the 6 × 6 entries of a pair.
-template <class Slots>
-void addOuter(double w, const double* p, const double* q, const Slots& slots, std::span<double> values) {
-    for (int i = 0; i < 6; ++i) {
-        const double wp = w * p[i];
-        if (wp == 0.0) continue;
-        for (int j = 0; j < 6; ++j)
-            if (const int slot = slots[static_cast<std::size_t>(6 * i + j)]; slot >= 0)
-                values[static_cast<std::size_t>(slot)] += wp * q[j];
-    }
-}
-
 }  // namespace
 
-int StepMatrix::pairOf(int first, int second) const {
-    const auto found = std::lower_bound(pairs_.begin(), pairs_.end(),
-                                        std::pair(std::max(first, second), std::min(first, second)));
-    return static_cast<int>(found - pairs_.begin());
+int StepMatrix::pairOf(int a, int b) const {
+    const auto [second, first] = std::minmax(a, b);
+    const auto begin = pairs_.begin() + (first > 0 ? own_[static_cast<std::size_t>(first - 1)] + 1 : 0);
+    const auto end = pairs_.begin() + own_[static_cast<std::size_t>(first)] + 1;
+    return static_cast<int>(std::lower_bound(begin, end, std::pair(first, second)) - pairs_.begin());
 }
 
 bool StepMatrix::keepsPattern(const StepProblem& problem, const std::vector<std::pair<int, int>>& pairs) const {
@@ -61,9 +52,7 @@ void StepMatrix::begin(const StepProblem& problem, const LinkRows& rows) {
 
 void StepMatrix::findLinkPairs(const StepProblem& problem) {
     linkPairs_.clear();
-    for (const Link& link : problem.links)
-        linkPairs_.push_back({pairOf(link.a, link.a), link.b >= 0 ? pairOf(link.b, link.b) : -1,
-                              link.b >= 0 ? pairOf(link.a, link.b) : -1});
+    for (const Link& link : problem.links) linkPairs_.push_back(link.b >= 0 ? pairOf(link.a, link.b) : -1);
 }
 
 bool StepMatrix::keepsBodies(const StepProblem& problem) const {
@@ -76,6 +65,9 @@ void StepMatrix::fixPattern(const StepProblem& problem, std::vector<std::pair<in
     current_ = false;
     known_ = problem.known;
     pairs_ = std::move(pairs);
+    own_.clear();
+    for (std::size_t p = 0; p < pairs_.size(); ++p)
+        if (pairs_[p].first == pairs_[p].second) own_.push_back(static_cast<int>(p));
     equations_.assign(static_cast<std::size_t>(problem.unknowns() + LinkRows::padding), -1);
     unknownOf_.clear();
     for (int i = 0; i < problem.unknowns(); ++i) {
@@ -94,7 +86,7 @@ void StepMatrix::findSlots(const StepProblem& problem) {
             for (int j = 0; j < problem.width(pair.second); ++j) {
                 const int row = equations_[static_cast<std::size_t>(problem.first(pair.first) + i)];
                 const int col = equations_[static_cast<std::size_t>(problem.first(pair.second) + j)];
-                if (row >= 0 && col >= 0 && row >= col) visit(6 * i + j, row, col);
+                if (row >= 0 && col >= 0 && row >= col) visit(i + 6 * j, row, col);
             }
     };
     std::vector<std::pair<int, int>> entries;
@@ -110,29 +102,30 @@ void StepMatrix::findSlots(const StepProblem& problem) {
     }
 }
 
+/// Summed up pair by pair first, so that the sparse matrix is gone through once and not for every link.
 void StepMatrix::assemble(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights) {
-    system_.clear();
-    const auto values = system_.values();
-    const auto addOwn = [&](int body, const auto& block) {
-        const Slots& slots = slots_[static_cast<std::size_t>(pairOf(body, body))];
-        for (int i = 0; i < block.rows(); ++i)
-            for (int j = 0; j < block.cols(); ++j)
-                if (const int slot = slots[static_cast<std::size_t>(6 * i + j)]; slot >= 0)
-                    values[static_cast<std::size_t>(slot)] += block(i, j);
-    };
-    for (int i = 0; i < problem.blocks; ++i) addOwn(i, problem.blockStiffness[static_cast<std::size_t>(i)]);
+    sums_.assign(pairs_.size(), Matrix6::Zero());
+    const auto sumOf = [&](int pair) -> Matrix6& { return sums_[static_cast<std::size_t>(pair)]; };
+    const auto ownSum = [&](int body) -> Matrix6& { return sumOf(own_[static_cast<std::size_t>(body)]); };
+    for (int i = 0; i < problem.blocks; ++i) ownSum(i) = problem.blockStiffness[static_cast<std::size_t>(i)];
     for (int i = 0; i < problem.nodes; ++i)
-        addOwn(problem.blocks + i, Eigen::Matrix3d(problem.nodeStiffness[static_cast<std::size_t>(i)].asDiagonal()));
+        ownSum(problem.blocks + i).diagonal().head<3>() = problem.nodeStiffness[static_cast<std::size_t>(i)];
     for (std::size_t i = 0; i < weights.size(); ++i) {
         if (weights[i] == 0.0) continue;
-        const double *ga = rows.gradient(i), *gb = ga + 6;
-        const auto& [a, b, both] = linkPairs_[i];
-        addOuter(weights[i], ga, ga, slots_[static_cast<std::size_t>(a)], values);
-        if (b < 0) continue;
-        addOuter(weights[i], gb, gb, slots_[static_cast<std::size_t>(b)], values);
-        const bool aFirst = problem.links[i].a >= problem.links[i].b;
-        addOuter(weights[i], aFirst ? ga : gb, aFirst ? gb : ga, slots_[static_cast<std::size_t>(both)], values);
+        const Link& link = problem.links[i];
+        const Eigen::Map<const Vector6> ga(rows.gradient(i)), gb(rows.gradient(i) + 6);
+        const Vector6 wa = weights[i] * ga, wb = weights[i] * gb;
+        ownSum(link.a).noalias() += wa * ga.transpose();
+        if (link.b < 0) continue;
+        ownSum(link.b).noalias() += wb * gb.transpose();
+        if (link.a >= link.b) sumOf(linkPairs_[i]).noalias() += wa * gb.transpose();
+        else sumOf(linkPairs_[i]).noalias() += wb * ga.transpose();
     }
+    const auto values = system_.values();
+    for (std::size_t p = 0; p < pairs_.size(); ++p)
+        for (int k = 0; k < 36; ++k)
+            if (const int slot = slots_[p][static_cast<std::size_t>(k)]; slot >= 0)
+                values[static_cast<std::size_t>(slot)] = sums_[p](k % 6, k / 6);
 }
 
 int StepMatrix::factor(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights,

@@ -69,15 +69,17 @@ private:
                      StepWork& work);
     bool update(const LinkRows& rows, std::span<const double> weights, StepWork& work);
     std::vector<SparseColumn> columnsOf(std::span<const FactoredLink> links) const;
-    int pairOf(int first, int second) const;
+    int pairOf(int a, int b) const;
 
     LinearSystem system_;
     std::vector<char> known_;
     std::vector<std::pair<int, int>> pairs_;  // bodies that share an entry, sorted
     std::vector<int> equations_;  // per padded unknown; −1 where prescribed
     std::vector<int> unknownOf_;  // per equation
-    std::vector<Slots> slots_;  // per pair: of its 6 × 6 entries in the lower triangle; −1: not stored
-    std::vector<std::array<int, 3>> linkPairs_;  // rows of `pairs_`: a with itself, b with itself, both
+    std::vector<int> own_;  // per body: row of `pairs_` with itself
+    std::vector<Slots> slots_;  // per pair: of its 6 × 6 entries in the lower triangle, by columns; −1: not stored
+    std::vector<Matrix6> sums_;  // per pair: its entries
+    std::vector<int> linkPairs_;  // per link: row of `pairs_`; −1: of one body
     bool current_ = false;  // there is a factor that can be updated
     bool exact_ = false;
     FactoredLinks links_;
