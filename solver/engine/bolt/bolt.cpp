@@ -143,6 +143,7 @@ void addBoltLinks(const Model& model, const State& state, int index, StepProblem
 
 double boltEnergy(const Model& model, const State& state, int bolt) {
     StepProblem links = stepForLinks(model);
+    links.links.reserve(linksANode * state.bolts[bolt].nodes.size());
     addBoltLinks(model, state, bolt, links);
     return addLinkEnergy(links, 0.0);
 }

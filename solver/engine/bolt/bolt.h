@@ -9,6 +9,9 @@
 
 namespace keyblock {
 
+/// Links of a bolt per node, at most: four of its element, two to the rock, and room for the plate's.
+inline constexpr std::size_t linksANode = 7;
+
 /// Links of one bolt: shank, anchored points, plate; none where it is lost or absent.
 void addBoltLinks(const Model& model, const State& state, int bolt, StepProblem& problem);
 

@@ -5,6 +5,7 @@
 // from the carriers.
 #include "solver/engine/stage/step_build.h"
 
+#include "solver/engine/bolt/bolt.h"
 #include "solver/engine/stage/carriers.h"
 #include "solver/engine/time/mass.h"
 
@@ -14,7 +15,6 @@ namespace keyblock {
 namespace {
 
 constexpr double smallestStrain = 1e-12;  // forces under that of such a strain count as none
-constexpr std::size_t linksANode = 7;  // four of its element, two to the rock, and room for the plate's
 
 /// A force that strains a block by less than its digits can tell [N].
 double floorOf(const BlockModel& block, const Model& model) {
