@@ -18,17 +18,17 @@ namespace keyblock {
 enum class LinkKind { Normal, Friction, Glue, Support, AnchorNormal, AnchorSlip, Axial, Bend, Shear, Chord, PlateNormal, PlateShear,
                       Drag };
 
-/// strain(D) = strain + shift + ga·D[a] + gb·D[b]
+/// strain(D) = strain + shift + ga·D[a] + gb·D[b]; gradients come last, so that what loops over laws read lies together
 struct Link {
     LinkKind kind = LinkKind::Normal;
     int a = -1, b = -1;  // bodies; b may be −1
-    Vector6 ga = Vector6::Zero(), gb = Vector6::Zero();  // a node uses the first three
     double strain = 0.0;
     double shift = 0.0;  // added to the strain by what dilates over the step [m]
     Law law;
     int owner = -1;  // contact, or bolt
     int part = -1;  // node or element of the bolt
     std::uint64_t features = 0;  // of a contact: its corner and edge, by which it is found again in the next step
+    Vector6 ga = Vector6::Zero(), gb = Vector6::Zero();  // a node uses the first three
 };
 
 /// A capped link's limit that follows the force F of another link (before shares).
