@@ -15,7 +15,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int mostSweeps = 40;
+constexpr int mostSweeps = 36;
 constexpr double settled = 1e-5;  // change of the forces in a sweep over the forces
 constexpr int remembered = 6;  // sweeps that are mixed
 constexpr double slides = 1.0 - 1e-9;  // of its limit
