@@ -30,7 +30,7 @@ constexpr const char* cells = R"({
   ],
   "supports": [{"block_at": [0, -17], "fix": "all"}, {"block_at": [-17, 0], "fix": "all"}, {"block_at": [17, 0], "fix": "all"}],
   "stages": [{"name": "settle", "kind": "static"},
-             {"name": "dig", "kind": "dynamic", "duration": 0.07, "time_step": 0.001, "excavate": ["hole"]}],
+             {"name": "dig", "kind": "dynamic", "duration": 0.09, "time_step": 0.001, "excavate": ["hole"]}],
   "output": {"frames": 1}
 })";
 
