@@ -4,6 +4,9 @@
 
 #include "solver/engine/model/edge.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace keyblock {
 namespace {
 
@@ -72,9 +75,20 @@ LoadPoint between(const LoadPoint& a, const LoadPoint& b, double share) {
     return point;
 }
 
+double longestDrive(const LoadPoint& a, const LoadPoint& b) {
+    double longest = 0.0;
+    const auto add = [&](const std::vector<double>& from, const std::vector<double>& to) {
+        for (std::size_t i = 0; i < std::max(from.size(), to.size()); ++i)
+            longest = std::max(longest, std::abs((i < to.size() ? to[i] : 0.0) - (i < from.size() ? from[i] : 0.0)));
+    };
+    add(a.motions, b.motions);
+    add(a.openings, b.openings);
+    return longest;
+}
+
 bool isSameLoad(const LoadPoint& a, const LoadPoint& b) {
     return a.gravity == b.gravity && a.acceleration == b.acceleration && a.forces == b.forces &&
-           a.pressures == b.pressures && a.motions == b.motions && a.walls == b.walls;
+           a.pressures == b.pressures && a.walls == b.walls && longestDrive(a, b) == 0.0;
 }
 
 Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,

@@ -69,6 +69,9 @@ struct LoadPoint {
 /// \param share 0 at `a`, 1 at `b`.
 LoadPoint between(const LoadPoint& a, const LoadPoint& b, double share);
 
+/// The farthest that a prescribed motion or a joint that dilates goes between two load points [m].
+double longestDrive(const LoadPoint& a, const LoadPoint& b);
+
 /// True where the same acts at both, whenever that is.
 bool isSameLoad(const LoadPoint& a, const LoadPoint& b);
 

@@ -24,7 +24,8 @@ namespace {
 
 constexpr double moveShare = 0.02;  // of a block's size: its longest move in one pseudo-step
 constexpr double mostMoveShare = 0.25;  // of the smallest block's: that of any
-constexpr double drivenShare = 0.05;  // of the smallest block's: the longest way that a motion drives a block in one search
+constexpr double drivenShare = 0.05;  // of the smallest block's: how far a motion or dilation drives in one search
+constexpr double roomToDrive = 2.0;  // times as far, moves in one pseudo-step what is driven
 constexpr double softestInertia = 1e-11;  // regularisation over the stiffest spring
 constexpr double firstStep = 0.3;  // of the time in which what falls freely moves by the longest move
 constexpr double farShare = 1.0;  // of a block's own size: moved so far it has left its place
@@ -63,7 +64,8 @@ public:
           falls_(engine.model, state.blocks, settings.body),
           moved_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model_.blocks.size()) + 3 * model_.nodes)),
           tolerance_(std::min(settings.unbalanced, engine.model.analysis.tolerance)),
-          moveLimit_(mostMoveShare * smallestSize(engine.model)), driven_(path.before.motions != path.at.motions),
+          driven_(longestDrive(path.before, path.at) > 0.0),
+          moveLimit_(driven_ ? roomToDrive * longestMoveOf(engine.model) : mostMoveShare * smallestSize(engine.model)),
           longest_(longestPseudoStep(engine.model)), dt_(firstPseudoStep()) {}
 
     StepEnding find() {
@@ -104,7 +106,7 @@ private:
             countAccepted(engine_, state_, residual_);
             return Outcome::Balanced;
         }
-        if (isLongPath()) return bookPath(problem);
+        if (!driven_ && isLongPath()) return bookPath(problem);
         problem.mayLeave = mayLeave();
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
         if (lastStep_.size() > 0) d = std::pow(dt_ / lastDt_, 2) * lastStep_;  // what falls goes on falling
@@ -113,7 +115,7 @@ private:
         if (!report_.converged) return shorten(unsettledCut);
         const Moves moves = movesOf(problem, d);
         if (moves.overLimit > 1.0) return shorten(std::clamp(0.9 / std::sqrt(moves.overLimit), 0.01, 0.9));
-        if (entersElsewhere(d, moves.largest)) return Outcome::Repeat;
+        if (paths_ < mostPaths && entersElsewhere(d, moves.largest)) return keepPath(d);
         take(d, moves);
         return Outcome::Moved;
     }
@@ -156,15 +158,17 @@ private:
         return dt_ >= shortestStep * longest_ ? Outcome::Repeat : Outcome::Unsettled;
     }
 
-    /// True where a corner comes in by another edge than it was looked for; then the path of the step is kept for the
-    /// next search.
-    bool entersElsewhere(const Eigen::VectorXd& d, double move) {
-        const bool searchAgain = paths_ < mostPaths && move > pathShare * moveLimit_ &&
-                                 !entrancesHold(model_, state_.blocks, state_.contacts, searchMargin(), d);
-        if (!searchAgain) return false;
+    /// True where a corner comes in by another edge than it was looked for.
+    bool entersElsewhere(const Eigen::VectorXd& d, double move) const {
+        return move > pathShare * moveLimit_ &&
+               !entrancesHold(model_, state_.blocks, state_.contacts, searchMargin(), d);
+    }
+
+    /// The step is done again with contacts looked for along its path.
+    Outcome keepPath(const Eigen::VectorXd& d) {
         path_ = d;
         ++paths_;
-        return true;
+        return Outcome::Repeat;
     }
 
     void take(const Eigen::VectorXd& d, const Moves& moves) {
@@ -190,10 +194,14 @@ private:
                 return block < 0 || shown(block);
             });
         };
-        const bool falling = !unrest_.restless.empty() && all([&](int i) { return falls_.falls(state_.blocks, i); });
-        if (falling && halved_) return all([&](int i) { return falls_.sameWhateverTheStep(i); });
-        if (falling) dt_ *= 0.5;
-        halved_ = falling;
+        const bool blocks = std::any_of(unrest_.restless.begin(), unrest_.restless.end(),
+                                        [&](int body) { return blockOfBody(model_, body) >= 0; });
+        const bool falling = blocks && all([&](int i) { return falls_.falls(state_.blocks, i); });
+        if (std::exchange(halved_, false))
+            return falling && all([&](int i) { return falls_.sameWhateverTheStep(i); });
+        if (!falling) return false;
+        dt_ = std::min(dt_, 0.5 * lastDt_);
+        halved_ = true;
         return false;
     }
 
@@ -276,8 +284,8 @@ private:
             const double move = blockMove(model_, problem, d, i);
             moves.blocks.push_back(move);
             moves.largest = std::max(moves.largest, move);
-            const double own = driven_ ? moveLimit_ : moveShare * model_.blocks[i].size;
-            moves.overLimit = std::max(moves.overLimit, move / std::min(moveLimit_, own));
+            const double most = driven_ ? moveLimit_ : std::min(moveLimit_, moveShare * model_.blocks[i].size);
+            moves.overLimit = std::max(moves.overLimit, move / most);
         }
         return moves;
     }
@@ -336,8 +344,8 @@ private:
     Falls falls_;
     Eigen::VectorXd moved_;  // since then, summed over the pseudo-steps
     double tolerance_;
+    bool driven_;  // by a prescribed motion or a dilation
     double moveLimit_;
-    bool driven_;  // by a prescribed motion
     double longest_, dt_, lastDt_ = 0.0;
     RestForces rest_;  // when last judged
     Unrest unrest_;

@@ -6,8 +6,9 @@
 // A pseudo-step solves the step's minimisation from rest, with 2M/Δt² as a
 // regularisation; bodies move, geometry is taken afresh, and equilibrium is
 // judged on the true forces there, without that term. Laws are judged from the
-// state in which the increment began and accepted only at equilibrium, so the
-// path of the pseudo-steps leaves no trace.
+// state in which the increment began and accepted at equilibrium, so the path of the
+// pseudo-steps leaves no trace, except where a block moves far: its way is accepted
+// in pieces.
 #pragma once
 
 #include "solver/engine/stage/engine.h"

@@ -3,6 +3,7 @@
 #include "solver/engine/stage/falls.h"
 
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace keyblock {
@@ -18,6 +19,12 @@ constexpr double shortWay = 0.1, longWay = 0.5;  // of a block's size: after whi
 
 Falls::Falls(const Model& model, const std::vector<BlockMotion>& blocks, double share) : model_(model), share_(share) {
     for (const BlockMotion& block : blocks) places_.push_back(block.centroid);
+    for (std::size_t rock = 0; rock + 1 < model.firstOf.size(); ++rock) {
+        const auto first = model.blocks.begin() + model.firstOf[rock], end = model.blocks.begin() + model.firstOf[rock + 1];
+        const double area = std::accumulate(first, end, 0.0, [](double sum, const BlockModel& b) { return sum + b.area; });
+        sizes_.insert(sizes_.end(), static_cast<std::size_t>(end - first), std::sqrt(area));
+    }
+    for (std::size_t plate = sizes_.size(); plate < model.blocks.size(); ++plate) sizes_.push_back(model.blocks[plate].size);
 }
 
 void Falls::note(const std::vector<double>& moves, double dt, const std::vector<double>& own) {
@@ -44,7 +51,7 @@ bool Falls::sameWhateverTheStep(int block) const {
 
 double Falls::moved(const std::vector<BlockMotion>& blocks, int block) const {
     const auto at = static_cast<std::size_t>(block);
-    return (blocks[at].centroid - places_[at]).norm() / model_.blocks[at].size;
+    return (blocks[at].centroid - places_[at]).norm() / sizes_[at];
 }
 
 }  // namespace keyblock

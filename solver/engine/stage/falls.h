@@ -29,12 +29,14 @@ public:
     /// True where the last pseudo-step and the one before it, of another length, accelerated a block alike.
     bool sameWhateverTheStep(int block) const;
 
-    /// How far the centroid of a block has moved since the start, over the block's size.
+    /// How far the centroid of a block has moved since the start, over the block's size; of a cell over that of all cells of its
+    /// block.
     double moved(const std::vector<BlockMotion>& blocks, int block) const;
 
 private:
     const Model& model_;
     std::vector<Point> places_;  // of the centroids at the start [m]
+    std::vector<double> sizes_;  // √area of the blocks, of a cell that of the whole block [m]
     double share_;
     std::deque<std::vector<double>> accelerations_;  // in the last pseudo-steps, over what `own` would give the blocks
 };

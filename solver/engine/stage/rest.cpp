@@ -120,7 +120,6 @@ private:
             noise += forces_.noise[at(block)];
             area += model_.blocks[at(block)].area;
         }
-        if (model_.blocks[at(first)].plateOf >= 0) return;
         middle /= mass;
         Left sum;
         for (int block = first; block < end; ++block) {
