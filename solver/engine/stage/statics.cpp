@@ -30,6 +30,7 @@ constexpr double locateShare = 1e-4;  // an event is located at least to this sh
 constexpr double longestBent = 0.1;  // in which joints slide, open or close: as many points draw their curves
 constexpr double longestFlow = 0.02;  // in which bolts flow
 constexpr double shortestChosen = 2.5e-3;  // whatever happens on the way, but that there is no equilibrium
+constexpr double finestCollapse = 0.02;  // before a collapse is believed
 constexpr long fewPasses = 16;  // that show whether nothing slides over a long increment
 
 /// One move within an increment.
@@ -171,7 +172,7 @@ private:
     static bool isLong(double length) { return length > longestBent * (1.0 + 1e-9); }
 
     /// True where there may be an equilibrium nearer than so far away.
-    bool isTooFar(double length) const { return isLong(length) && !isSameLoad(a_, b_); }
+    bool isTooFar(double length) const { return length > finestCollapse * (1.0 + 1e-9) && !isSameLoad(a_, b_); }
 
     /// Increments do not grow any more once one of usual length was too long.
     void shorten(double length, Ending ending) {
@@ -190,12 +191,9 @@ private:
         return equilibrium(trial, finestIncrement * whole).ending != Ending::NoEquilibrium;
     }
 
-    /// Prescribed moves longer than a pseudo-step may be are taken in pieces.
+    /// Prescribed moves and dilations longer than a pseudo-step may be are taken in pieces.
     double piecesOfMotion() const {
-        double longest = 0.0;
-        for (std::size_t i = 0; i < b_.motions.size(); ++i)
-            longest = std::max(longest, std::abs(b_.motions[i] - a_.motions[i]));
-        return std::max(1.0, std::ceil(longest / longestMoveOf(engine_.model)));
+        return std::max(1.0, std::ceil(longestDrive(a_, b_) / longestMoveOf(engine_.model)));
     }
 
     void accept(Reached next) {

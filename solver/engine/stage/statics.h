@@ -37,8 +37,8 @@ struct IncrementProgress {
 };
 
 /// One move along the load path from `a` to `b`: the load continues, as far as the first limit at most, and where
-/// `settings.chosen` as far as what happens on the way allows; or one thing fails; equilibrium is found after either. On any ending the state is the last equilibrium found, or, for
-/// `NoEquilibrium`, where the moving blocks had got to.
+/// `settings.chosen` as far as what happens on the way allows; or one thing fails; equilibrium is found after either. On
+/// any ending the state is the last equilibrium found, or, for `NoEquilibrium`, where the moving blocks had got to.
 StepEnding moveStatic(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
                       const StaticSettings& settings, StepObserver& observer, IncrementProgress& progress);
 
