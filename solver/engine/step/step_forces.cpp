@@ -111,26 +111,13 @@ double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, cons
     return largestSum(problem, forces, net);
 }
 
-double referenceForce(const StepProblem& problem, const Trial& trial) {
-    std::vector<double> forces(trial.laws.size());
-    for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = problem.links[i].law.share * trial.laws[i].force;
-    return largestSum(problem, forces, trial.net);
-}
-
 double bodyResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body) {
     return std::sqrt(squaredResidual(problem, net, body));
 }
 
-double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net, int* worst) {
-    double sum = 0.0, largest = -1.0;
-    for (int body = 0; body < problem.blocks + problem.nodes; ++body) {
-        const double own = squaredResidual(problem, net, body);
-        sum += own;
-        if (own > largest) {
-            largest = own;
-            if (worst) *worst = body;
-        }
-    }
+double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net) {
+    double sum = 0.0;
+    for (int body = 0; body < problem.blocks + problem.nodes; ++body) sum += squaredResidual(problem, net, body);
     return std::sqrt(sum);
 }
 

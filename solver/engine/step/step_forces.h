@@ -22,10 +22,9 @@ Eigen::VectorXd contactForce(const StepProblem& problem, const Eigen::VectorXd& 
 
 /// Largest of the summed forces by kind: what residuals are compared with [N].
 double referenceForce(const StepProblem& problem, const Eigen::VectorXd& d, const Eigen::VectorXd& net);
-double referenceForce(const StepProblem& problem, const Trial& trial);
 
 /// Norm of the residual of the free unknowns [N], and the body with most of it.
-double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net, int* worst = nullptr);
+double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net);
 
 /// The same of one body [N].
 double bodyResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body);

@@ -40,8 +40,7 @@ public:
     /// True where the factor is that of the matrix, except for round-off.
     bool exact() const { return exact_; }
 
-    /// Has the next factor made in full, whatever changes: because this one has grown too poor, or because a step at
-    /// rest resists some motions so little that the digits which rank updates lose would show.
+    /// Has the next factor made in full, whatever changes: because this one has grown too poor.
     void forget() { current_ = false; }
 
     /// The matrix for the last weights times `x` (both padded); rows of prescribed unknowns have no meaning.

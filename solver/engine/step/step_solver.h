@@ -24,7 +24,7 @@ struct SolveSettings {
 struct SolveReport {
     bool converged = false;
     bool stopped = false;
-    double residual = 0.0;  // over the reference force
+    double residual = 0.0;  // over the forces at play
     int passes = 0;  // iterations
     StepWork work;
     int worst = -1;  // body with the largest residual, or whose pivot vanished
