@@ -29,7 +29,7 @@ Inertia inertiaOf(Integration integration) {
 StaticSettings staticSettings(const Scene& scene, const Stage& stage) {
     StaticSettings settings;
     settings.unbalanced = stage.until.unbalanced.value_or(std::min(settings.unbalanced, scene.analysis.tolerance));
-    settings.body = stage.until.body;
+    settings.body = stage.until.body.value_or(settings.body);
     settings.maxSteps = stage.until.maxSteps.value_or(settings.maxSteps);
     settings.chosen = !stage.increments;
     return settings;

@@ -84,12 +84,12 @@ const Structure& structureOf(const Until*) {
                                     "of the analysis where that is less.",
                                     {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
             row<&Until::body>("body",
-                              "Unbalanced force on a block, or moment over its size, over its own weight at equilibrium; "
-                              "without gravity over its load, or the largest force on it.",
+                              "Unbalanced force on a block, or moment over its size, over its own weight at equilibrium "
+                              "(without gravity over its load, or the largest force on it); null: 1e-3.",
                               {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
             row<&Until::maxSteps>("max_steps",
-                                  "Pseudo-steps after which the search for an equilibrium is given up and the stage "
-                                  "ends as a collapse; null: 400.",
+                                  "Pseudo-steps, repeated ones included, after which the search for an equilibrium "
+                                  "has found none; null: 400.",
                                   {.range = within(1, 1e9)}),
         }};
     return structure;

@@ -293,7 +293,7 @@ struct StrengthChange {
 /// When a static stage is at equilibrium, and when it gives up looking for it.
 struct Until {
     std::optional<double> unbalanced;  // unbalanced force over reference force; null: 1e-4, or the pass tolerance if less
-    double body = 1e-3;  // of its own weight, unbalanced on a block
+    std::optional<double> body;  // of its own weight, unbalanced on a block; null: 1e-3
     std::optional<int> maxSteps;  // pseudo-steps per equilibrium; null: chosen by the program
 
     bool operator==(const Until&) const = default;
@@ -352,7 +352,7 @@ struct BoltPlace {
     bool head = false;
     double s = 0.0;  // [m] from the far end, when not `head`
 
-    bool operator==(const BoltPlace&) const = default;
+    bool operator==(const BoltPlace& other) const { return head == other.head && (head || s == other.s); }
 };
 
 /// One entry of a bolt's anchor table: which nodes are real, and the law that holds them along the bolt.

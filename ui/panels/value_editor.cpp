@@ -107,6 +107,7 @@ QString automaticText(const FormRow& row, const FormContext& context) {
         return number(std::get<double>(peak), row, context);
     }
     if (key == "unbalanced") return number(std::min(1e-4, scene.analysis.tolerance), row, context);
+    if (key == "body") return number(1e-3, row, context);
     if (key == "max_steps") return number(400, row, context);
     return {};
 }
