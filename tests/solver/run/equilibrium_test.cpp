@@ -85,5 +85,81 @@ TEST(Equilibrium, WhatMayBeLeftOnABlockIsASetting) {
     }
 }
 
+/// A box 1 m wide that reaches 0.2 m over the end of a held floor, and perhaps a held wall behind it.
+Scene boxOverEdge(bool wall) {
+    Scene scene = emptyScene(10e9, 0.2, 30.0);
+    scene.analysis.tolerance = 1e-4;
+    scene.blocks = {boxBlock("box", {0, 0}, {1, 1}), boxBlock("floor", {-1, -1}, {0.8, 0})};
+    if (wall) scene.blocks.push_back(boxBlock("wall", {-1, 0}, {0, 1}));
+    for (const Point& at : {Point(0.0, -0.5), Point(-0.5, 0.5)}) {
+        Support held;
+        held.blockAt = at;
+        if (wall || at.y() < 0.0) scene.supports.push_back(held);
+    }
+    scene.analysis.gravity = {0.0, -gravity};
+    scene.stages = {test::settle(), test::settle()};
+    scene.stages[1].name = "drive";
+    return scene;
+}
+
+/// Pushed at its centre, with friction under it, it tips over the edge, but never into the floor.
+TEST(Equilibrium, ABoxThatIsDrivenOverAnEdgeStaysOutOfTheFloor) {
+    Scene scene = boxOverEdge(false);
+    Motion motion;
+    motion.blockAt = Point(0.5, 0.5);
+    motion.table = {{0.0, 0.0}, {1.0, 0.25}};
+    motion.rotation = Rotation::Free;
+    scene.stages[1].motions = {motion};
+    scene.stages[1].increments = 20;
+    const Results results = runInMemory(scene);
+    EXPECT_EQ(results.stages.at(1).outcome, Outcome::Equilibrium);
+    EXPECT_LT(std::abs(results.stages[1].health.balanceError), 0.01);
+    for (const Frame& frame : results.frames) EXPECT_GT(frame.blocks[0].centroid.y(), 0.499) << frame.time;
+}
+
+/// However long the increments are, the wall pushes the box by as much as its joint opens.
+TEST(Equilibrium, ADilationKeepsTheEnergyOnAWayOfAnyLength) {
+    for (const int increments : {5, 20}) {
+        Scene scene = boxOverEdge(true);
+        scene.jointMaterials.emplace_back("jack", scene.jointMaterials[0].second);
+        scene.jointMaterials[1].second.frictionAngle = 0.0;
+        scene.blocks[2].jointMaterial = "jack";
+        scene.stages[1].dilations = {Dilation{"jack", 0.25}};
+        scene.stages[1].increments = increments;
+        const Results results = runInMemory(scene);
+        EXPECT_EQ(results.stages.at(1).outcome, Outcome::Equilibrium) << increments;
+        EXPECT_LT(std::abs(results.stages[1].health.balanceError), 1e-3) << increments;
+        EXPECT_NEAR(results.frames.back().blocks[0].displacement.x(), 0.25, 1e-4) << increments;
+    }
+}
+
+/// What falls by less than its own size may come to rest; the size of a cell is none.
+TEST(Equilibrium, ABlockOfCellsMayFallFurtherThanACell) {
+    Scene scene = test::boxOnBase(0.0, 30.0);
+    scene.blocks[1] = boxBlock("box", {0, 0.3}, {1, 1.3});
+    scene.blocks[1].subBlocks = CellSettings{0.25};
+    scene.stages = {test::settle()};
+    const Results results = runInMemory(scene);
+    EXPECT_EQ(results.stages.at(0).outcome, Outcome::Equilibrium);
+    EXPECT_NEAR(results.frames.back().blocks[1].displacement.y(), -0.3, 1e-4);
+}
+
+/// A box that is pushed slides at W·tan φ; that is found to 0.02 of the load.
+TEST(Equilibrium, ALimitLoadIsFoundWithoutIncrements) {
+    Scene scene = test::boxOnBase(0.0, 30.0);
+    const double limit = 2700.0 * gravity * std::tan(30.0 * test::degree);
+    Load load;
+    load.blockAt = Point(0.5, 0.5);
+    load.at = Point(0.0, 0.1);
+    load.force = {1.2 * limit, 0.0};
+    load.table = {{0.0, 0.0}, {1.0, 1.0}};
+    scene.stages = {test::settle(), test::settle()};
+    scene.stages[1].name = "push";
+    scene.stages[1].loads = {load};
+    const Results results = runInMemory(scene);
+    EXPECT_EQ(results.stages.at(1).outcome, Outcome::Collapse);
+    EXPECT_NEAR(results.stages[1].time, 1.0 / 1.2, 0.02);
+}
+
 }  // namespace
 }  // namespace keyblock
