@@ -10,11 +10,6 @@ namespace {
 
 using Pair = WatchMemory::Pair;
 
-/// Cells of one block count as one: its first row stands for them.
-int wholeOf(const Model& model, int block) {
-    return model.blocks[block].cell ? model.firstOf[model.blocks[block].rock] : block;
-}
-
 std::pair<int, int> pairOf(const Model& model, const Contact& c) {
     return std::minmax(wholeOf(model, c.blockA), wholeOf(model, c.blockB));
 }
@@ -47,15 +42,6 @@ bool carried(const Model& model, const State& state, int block) {
                 wholeOf(model, bolt.slots[static_cast<std::size_t>(node.slot)].block) == block)
                 return true;
     return false;
-}
-
-/// √area of the block, with all its cells [m].
-double wholeSize(const Model& model, int first) {
-    if (!model.blocks[first].cell) return model.blocks[first].size;
-    const auto rock = static_cast<std::size_t>(model.blocks[first].rock);
-    double area = 0.0;
-    for (int cell = first; cell < model.firstOf[rock + 1]; ++cell) area += model.blocks[cell].area;
-    return std::sqrt(area);
 }
 
 }  // namespace

@@ -23,6 +23,22 @@ bool sameRock(const Model& model, int a, int b) {
     return first.cell && second.cell && first.rock == second.rock;
 }
 
+int wholeOf(const Model& model, int row) {
+    return model.blocks[row].cell ? model.firstOf[model.blocks[row].rock] : row;
+}
+
+int endOfWhole(const Model& model, int first) {
+    return model.blocks[first].cell ? model.firstOf[model.blocks[first].rock + 1] : first + 1;
+}
+
+double wholeArea(const Model& model, int first) {
+    double area = 0.0;
+    for (int row = first; row < endOfWhole(model, first); ++row) area += model.blocks[row].area;
+    return area;
+}
+
+double wholeSize(const Model& model, int first) { return std::sqrt(wholeArea(model, first)); }
+
 int rowHolding(const Model& model, int block, const Point& place) {
     const int first = model.firstOf[block], end = model.firstOf[block + 1];
     int beside = first;

@@ -176,6 +176,16 @@ inline int jointOfFace(const BlockModel& block, int edge) {
 /// True for one block, and for two cells of one.
 bool sameRock(const Model& model, int a, int b);
 
+/// Cells of one block count as one: the first row of the block that `row` is or is a cell of.
+int wholeOf(const Model& model, int row);
+
+/// One past the last row of the block, or of its cells, that begins at `first`.
+int endOfWhole(const Model& model, int first);
+
+/// Area of a block with all its cells [m²], and its square root [m]. \pre `first` as of `wholeOf`.
+double wholeArea(const Model& model, int first);
+double wholeSize(const Model& model, int first);
+
 /// The row of a block of the scene, or of its first cell, that holds `place` at the start. \pre one does.
 int rowHolding(const Model& model, int block, const Point& place);
 
