@@ -4,7 +4,7 @@
 # The commands a person types. Each does its own set-up: missing Debian packages
 # are installed first, and what is built already is not built again.
 .DEFAULT_GOAL := help
-.PHONY: help run show pictures test person kills asan tsan bench fuzz clean packages
+.PHONY: help run show pictures test person drifts kills asan tsan bench fuzz clean packages
 
 SHOWN := build/release/drift-bolted
 
@@ -14,6 +14,7 @@ help:
 	@echo "make pictures  make the pictures of the README anew"
 	@echo "make test   build and run all tests"
 	@echo "make person draw, bolt, run and export a drift in the window with real clicks and keys, on a screen of its own"
+	@echo "make drifts run random drifts and prove from their tables what the program says of them, SEED=7 or SEED=1-200"
 	@echo "make kills  a hundred runs killed at random moments and fifty stopped; resumed, they end with the same bytes; and thirty windows killed while editing, thirty of the program while it edits and runs, with real keys"
 	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
 	@echo "make tsan   the tests with several threads under the thread sanitizer"
@@ -67,6 +68,11 @@ person: packages
 	@sh resources/install/debian.sh readers
 	$(call build,release)
 	/usr/bin/python3 tests/person/drift.py build/release/keyblock-studio build/release/person
+
+drifts: packages
+	$(call build,release)
+	/usr/bin/python3 tests/drifts/drifts.py $(or $(SEED),1-20) --out build/release/drifts
+	/usr/bin/python3 tests/drifts/prove.py build/release/keyblock build/release/drifts $(or $(SEED),1-20)
 
 kills: packages
 	$(call build,dev)

@@ -1,0 +1,223 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: The Keyblock contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Proves the verdicts of static runs from their tables, without a line of the program's own.
+
+    prove.py PROGRAM DIR SEED [SEED ...]             the scenes DIR/SEED.json are run, and what comes to rest is proved
+    prove.py PROGRAM DIR --motion SEED [SEED ...]    the same scenes go on in motion, and the verdicts are compared
+
+A stage that ends in equilibrium, or displaced, is proved at its last frame: force and moment on every free block within
+2 % of its weight (from area, density and gravity), every contact pressed and within its friction, every bolt within its
+strength. In motion, what was at rest goes on for 1 s under the same loads and no block may move more than 5 mm; where a
+collapse was found, the last equilibrium is made again, the rest of the load put on over 0.3 s and followed for 1.5 s:
+every block that was named has to move more than 5 % of its size, and every block that does so before the first of them
+has moved by its own size has to be named.
+"""
+import argparse
+import copy
+import csv
+import io
+import json
+import math
+import pathlib
+import subprocess
+import sys
+
+from drifts import seeds_of
+
+SMALLEST = 0.01  # m2, blocks under it do not decide
+REST = 0.005  # m in 1 s
+
+
+def call(*words, codes=(0,)):
+    done = subprocess.run([str(w) for w in words], capture_output=True, text=True)
+    if done.returncode not in codes:
+        raise SystemExit(f"{' '.join(map(str, words))}: exit {done.returncode}\n{done.stderr}")
+    return done
+
+
+def table(program, run, name, *more):
+    out = run.with_suffix(f".{name}.csv")
+    call(program, "export", run, "--table", name, *more, "--out", out)
+    rows = list(csv.DictReader(io.StringIO(out.read_text())))
+    out.unlink()
+    return rows
+
+
+def info(program, run):
+    return json.loads(call(program, "info", run, "--json").stdout)
+
+
+def run_scene(program, scene, path):
+    path.with_suffix(".json").write_text(json.dumps(scene))
+    call(program, "run", path.with_suffix(".json"), "--out", path, "--overwrite", "--threads", 1, codes=(0, 5))
+    return info(program, path)
+
+
+def size(row):
+    return math.sqrt(float(row["area_m2"]))
+
+
+class Proof:
+    """What is wrong with the last frame of a stage, as lines of text."""
+
+    def __init__(self, program, run, scene, stage):
+        self.scene, self.faults = scene, []
+        at = ("--stage", stage, "--at", "last")
+        self.blocks = {row["block"]: row for row in table(program, run, "blocks", *at) if float(row["area_m2"] or 0) > 0}
+        self.contacts = table(program, run, "contacts", *at)
+        self.forces = table(program, run, "forces", *at)
+        self.bolts = table(program, run, "bolts", *at)
+
+    def weight(self, row):
+        material = next(iter(self.scene["materials"].values()))
+        return float(row["area_m2"]) * material["density"] * math.hypot(*self.scene["analysis"]["gravity"])
+
+    def balance(self):
+        """Own weight from the area, everything else from the table of forces, moments about the centroid made anew."""
+        worst = (0.0, "")
+        for name, row in self.blocks.items():
+            if float(row["area_m2"]) < SMALLEST:
+                continue
+            weight, x, y = self.weight(row), float(row["x_m"]), float(row["y_m"])
+            gravity = self.scene["analysis"]["gravity"]
+            fx = weight * gravity[0] / math.hypot(*gravity)
+            fy = weight * gravity[1] / math.hypot(*gravity)
+            moment = 0.0
+            for force in self.forces:
+                if force["block"] != name or force["source"] in ("weight", "inertia"):
+                    continue
+                px, py = float(force["fx_N"]), float(force["fy_N"])
+                fx, fy = fx + px, fy + py
+                arm = (float(force["x_m"]) - x) * py - (float(force["y_m"]) - y) * px
+                moment += arm if force["source"] == "contact" else float(force["moment_Nm"])
+            share = max(math.hypot(fx, fy), abs(moment) / size(row)) / weight
+            worst = max(worst, (share, name))
+            if share > 0.02:
+                self.faults.append(f"block {name}: {share:.3g} of its weight unbalanced")
+        return worst
+
+    def friction(self):
+        largest = max((abs(float(c["normal_force_N"])) for c in self.contacts), default=0.0)
+        for c in self.contacts:
+            normal, shear = float(c["normal_force_N"]), abs(float(c["shear_force_N"]))
+            tangent = math.tan(math.radians(self.scene["joint_materials"]["joint"]["friction_angle"]))
+            where = f"contact of {c['block_a']} and {c['block_b']}"
+            if normal < -1e-6 * largest:
+                self.faults.append(f"{where} pulls with {-normal:.3g} N")
+            if shear > normal * tangent * (1 + 1e-6) + 1e-9 * largest:
+                self.faults.append(f"{where} carries {shear:.6g} N across, its friction {normal * tangent:.6g} N")
+
+    def strength(self):
+        for bolt in self.bolts:
+            steel = STEEL.get(self.scene["bolt_patterns"][0]["type"]) if "bolt_patterns" in self.scene else None
+            if steel and abs(float(bolt["axial_force_N"] or 0)) > steel * (1 + 1e-3):
+                self.faults.append(f"bolt {bolt['bolt']} carries {bolt['axial_force_N']} N, its steel {steel:.4g} N")
+
+    def prove(self):
+        worst = self.balance()
+        self.friction()
+        self.strength()
+        return worst
+
+
+# Area times the largest stress of the steel [N], from the library's numbers.
+STEEL = {"d-bolt-20": 197920.4, "expansion-shell-17": 148050.0, "cone-bolt-17": 185881.6, "rebar-20": 197920.4, "split-set-47": 169860.0}
+
+
+def prove(program, folder, seed):
+    scene = json.loads((folder / f"{seed}.json").read_text())
+    run = folder / f"{seed}.kbrun"
+    told = run_scene(program, scene, folder / f"{seed}.kbrun")
+    outcomes = [stage["outcome"] for stage in told["stages"]]
+    worst, faults = (0.0, ""), []
+    for stage in told["stages"]:
+        if stage["outcome"] in ("equilibrium", "displaced"):
+            proof = Proof(program, run, scene, stage["name"])
+            worst = max(worst, proof.prove())
+            faults += [f"{stage['name']}: {fault}" for fault in proof.faults]
+    print(f"{seed:>4} {outcomes[-1]:<12} stands {told['verdict']['stands']!s:<6} worst {worst[0]:.2g} {worst[1]:<6} "
+          f"balance {told['health']['balance_error']:.1e}", *faults, sep="\n     ", flush=True)
+    return told, faults
+
+
+def motion(name, duration, **more):
+    return {"name": name, "kind": "dynamic", "duration": duration, "time_step": 1e-3, **more}
+
+
+def moves(program, run, start):
+    """Of every block, a row per frame since the stage `start` began: time, and how far its middle has gone."""
+    order, began = [stage["name"] for stage in info(program, run)["stages"]], {}
+    tracks, clock, before = {}, 0.0, None
+    for row in table(program, run, "blocks", "--at", "all"):
+        if order.index(row["stage"]) < order.index(start) or not float(row["area_m2"] or 0) > 0:
+            continue
+        if row["stage"] != before:
+            clock, before = (clock + began.get("last", 0.0) if before else 0.0), row["stage"]
+        began["last"] = float(row["time_s"])
+        place = (float(row["x_m"]), float(row["y_m"]))
+        first = tracks.setdefault(row["block"], {"place": place, "size": size(row), "area": float(row["area_m2"]), "way": []})
+        first["way"].append((clock + float(row["time_s"]), math.dist(place, first["place"])))
+    return tracks
+
+
+def reached(track, way):
+    return next((time for time, gone in track["way"] if gone > way), math.inf)
+
+
+def follow(program, folder, seed):
+    scene = json.loads((folder / f"{seed}.json").read_text())
+    told = run_scene(program, scene, folder / f"{seed}.kbrun")
+    last = told["stages"][-1]
+    moving = copy.deepcopy(scene)
+    moving["output"] = {"every": 0.02}
+    run = folder / f"{seed}-motion.kbrun"
+    if last["outcome"] == "equilibrium":
+        moving["stages"].append(motion("motion", 1.0))
+        run_scene(program, moving, run)
+        tracks = moves(program, run, "motion")
+        gone = {name: t["way"][-1][1] for name, t in tracks.items() if t["area"] >= SMALLEST}
+        worst = max(gone, key=gone.get)
+        agrees = gone[worst] <= REST
+        print(f"{seed:>4} equilibrium  block {worst} moved {1e3 * gone[worst]:.3g} mm in 1 s: {'agrees' if agrees else 'DIFFERS'}", flush=True)
+        return agrees
+    if last["outcome"] != "collapse":
+        print(f"{seed:>4} {last['outcome']}: not followed", flush=True)
+        return True
+    index = next(i for i, stage in enumerate(moving["stages"]) if stage["name"] == last["name"])
+    stage, share = moving["stages"][index], last["time_s"]
+    before = moving["stages"][index - 1].get("relaxation", 0.0) if "relaxation" in stage and index > 1 else 0.0
+    for earlier in moving["stages"][:index]:
+        before = max(before, earlier.get("relaxation", 0.0))
+    stage["relaxation"] = before + (stage.get("relaxation", 1.0) - before) * share
+    moving["stages"] = moving["stages"][: index + 1]
+    moving["stages"] += [motion("load", 0.3, relaxation=1), motion("motion", 1.5)]
+    again = run_scene(program, moving, run)
+    if again["stages"][index]["outcome"] != "equilibrium":
+        print(f"{seed:>4} collapse     the last equilibrium, at {share:.3g} of {last['name']}, is {again['stages'][index]['outcome']} when made again", flush=True)
+        return False
+    tracks = moves(program, run, "load")
+    named = {block["block"] for block in told["verdict"]["blocks"]}
+    still = [name for name in named if reached(tracks[name], 0.05 * tracks[name]["size"]) == math.inf]
+    first = min(reached(tracks[name], tracks[name]["size"]) for name in named)
+    unnamed = [name for name, t in tracks.items() if t["area"] >= SMALLEST and name not in named and reached(t, 0.05 * t["size"]) < first]
+    agrees = not still and not unnamed
+    print(f"{seed:>4} collapse     named {len(named)}, first gone after {first:.2f} s; still {still}, not named {unnamed}: {'agrees' if agrees else 'DIFFERS'}", flush=True)
+    return agrees
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("seeds", nargs="+")
+    parser.add_argument("--motion", action="store_true")
+    asked = parser.parse_args()
+    asked.seeds = seeds_of(asked.seeds)
+    if asked.motion:
+        wrong = sum(not follow(asked.program, asked.folder, seed) for seed in asked.seeds)
+        print(f"{len(asked.seeds)} followed, {wrong} differ")
+    else:
+        wrong = sum(bool(prove(asked.program, asked.folder, seed)[1]) for seed in asked.seeds)
+        print(f"{len(asked.seeds)} run, {wrong} not proved")
+    sys.exit(1 if wrong else 0)
