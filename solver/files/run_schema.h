@@ -10,7 +10,7 @@ namespace keyblock::run_schema {
 inline constexpr int applicationId = 0x4B42524E;
 
 /// Rises with every change that an older program would misread.
-inline constexpr int version = 5;
+inline constexpr int version = 6;
 
 inline constexpr const char* tables = R"(
 CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL);
@@ -20,7 +20,8 @@ CREATE TABLE stages (stage INTEGER PRIMARY KEY, name TEXT, kind TEXT,
     outcome TEXT, time REAL, steps INTEGER, message TEXT, blocks BLOB,
     passes INTEGER, step_cuts INTEGER, energy_cuts INTEGER, factorizations INTEGER,
     full_factorizations INTEGER, ranks INTEGER, solves INTEGER, products INTEGER, sweeps INTEGER,
-    max_penetration_ratio REAL, max_residual REAL, balance_error REAL, health_steps INTEGER);
+    max_penetration_ratio REAL, max_residual REAL, balance_error REAL, health_steps INTEGER,
+    unstable BLOB, farthest BLOB, loose BLOB, worst_block INTEGER, worst_share REAL, worst_force REAL);
 CREATE TABLE events (event INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, kind TEXT,
     bolt INTEGER, node INTEGER, element INTEGER, block INTEGER, other_block INTEGER, x REAL, y REAL,
     axial_force REAL, shear_force REAL, anchor_force REAL, slip REAL, history_row INTEGER, cause INTEGER);
@@ -37,7 +38,7 @@ CREATE TABLE checkpoint (key INTEGER PRIMARY KEY CHECK (key = 1), build TEXT NOT
 inline constexpr const char* layout =
     "Every BLOB holds little-endian IEEE 754 doubles, row after row. Table columns lists the values of a row by "
     "payload: blocks, corners, contacts, nodes and bolts of a frame; history of a history row; mechanism for "
-    "stages.blocks. Row n of bolts is the scene's bolt n; row n of blocks the n-th that is solved: the scene's, cells in "
+    "stages.blocks and stages.loose, unstable for stages.unstable and stages.farthest. Row n of bolts is the scene's bolt n; row n of blocks the n-th that is solved: the scene's, cells in "
     "place of those that are cut, then plates that are blocks. Stages, blocks, bolts, nodes, "
     "elements and rows of history count from 0; -1 marks an index that does not apply. events.history_row names the "
     "row just before an event, events.cause the number of the event, from 0, whose release set it over. A stage "

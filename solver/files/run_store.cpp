@@ -53,6 +53,16 @@ Event eventAt(const sqlite::Statement& row, const Scene& scene, std::size_t bloc
     return event;
 }
 
+/// \param values four a block, as table `columns` names them.
+std::vector<UnstableBlock> unstableBlocks(const std::vector<double>& values, std::size_t blocks) {
+    constexpr int modes = static_cast<int>(Movement::Follows) + 1;
+    std::vector<UnstableBlock> unstable;
+    for (std::size_t i = 0; i + 3 < values.size(); i += 4)
+        unstable.push_back({storedIndex(values[i], blocks),
+                            static_cast<Movement>(storedIndex(values[i + 1], modes)), values[i + 2], values[i + 3]});
+    return unstable;
+}
+
 StageRecord stageAt(const sqlite::Statement& row, const Scene& scene, std::size_t blocks) {
     StageRecord record;
     record.result.stage = indexBelow(row.integer(0), 0, scene.stages.size());
@@ -78,6 +88,12 @@ StageRecord stageAt(const sqlite::Statement& row, const Scene& scene, std::size_
     result.health.maxPenetrationRatio = row.real(15);
     result.health.maxResidual = row.real(16);
     result.health.balanceError = row.real(17);
+    result.unstable = unstableBlocks(known(row.doubles(19)), blocks);
+    if (const auto farthest = unstableBlocks(known(row.doubles(20)), blocks); !farthest.empty())
+        result.farthest = farthest.front();
+    for (const double block : known(row.doubles(21)))
+        result.loose.push_back(storedIndex(block, blocks));
+    result.health.worst = {indexBelow(row.integer(22), -1, blocks), row.real(23), row.real(24)};
     return record;
 }
 
@@ -137,7 +153,8 @@ std::vector<StageRecord> RunStore::stages() const {
         sqlite::Statement statement(database_,
                                     "SELECT stage, outcome, time, steps, message, blocks, passes, step_cuts, "
                                     "energy_cuts, factorizations, full_factorizations, ranks, solves, products, sweeps, "
-                                    "max_penetration_ratio, max_residual, balance_error, health_steps "
+                                    "max_penetration_ratio, max_residual, balance_error, health_steps, "
+                                    "unstable, farthest, loose, worst_block, worst_share, worst_force "
                                     "FROM stages ORDER BY stage");
         while (statement.next())
             records.push_back(stageAt(statement, scene_, names_.size()));

@@ -21,6 +21,7 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -93,6 +94,13 @@ void writeColumns(const sqlite::Database& database, const HistoryColumns& histor
     }
     insert.bind("mechanism").bind(std::int64_t{0}).bind("block").bind("")
         .bind("index of a block that moves or does not balance").run();
+    position = 0;
+    for (const auto& [name, unit, meaning] :
+         {std::array{"block", "", "index of a block that does not stand"},
+          std::array{"mode", "", "0 slides, 1 falls, 2 topples, 3 follows others"},
+          std::array{"moved", "m", "of the corner that went farthest, seen from what it touched when the stage began"},
+          std::array{"weight", "N", "of the whole thickness"}})
+        insert.bind("unstable").bind(position++).bind(name).bind(unit).bind(meaning).run();
 }
 
 void writeAbout(const sqlite::Database& database, const Scene& scene, const HistoryColumns& history) {
@@ -143,11 +151,21 @@ void putInPlace(const fs::path& part, const fs::path& path, bool overwrite) {
 constexpr const char* insertStage = "INSERT INTO stages (stage, name, kind) VALUES (?,?,?)";
 constexpr const char* endStage =
     "UPDATE stages SET outcome=?, time=?, steps=?, message=?, blocks=?, passes=?, step_cuts=?, energy_cuts=?, "
-    "factorizations=?, full_factorizations=?, ranks=?, solves=?, products=?, sweeps=?, max_penetration_ratio=?, max_residual=?, balance_error=?, health_steps=? WHERE stage=?";
+    "factorizations=?, full_factorizations=?, ranks=?, solves=?, products=?, sweeps=?, max_penetration_ratio=?, max_residual=?, balance_error=?, health_steps=?, "
+    "unstable=?, farthest=?, loose=?, worst_block=?, worst_share=?, worst_force=? WHERE stage=?";
 constexpr const char* insertEvent = "INSERT INTO events VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
 constexpr const char* insertHistory = "INSERT INTO history VALUES (?,?,?,?,?)";
 constexpr const char* insertFrame = "INSERT INTO frames VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
 constexpr const char* putCheckpoint = "INSERT OR REPLACE INTO checkpoint VALUES (1,?,?,?)";
+
+/// A row of four a block, as table `columns` names them.
+std::vector<double> numbersOf(const std::vector<UnstableBlock>& blocks) {
+    std::vector<double> numbers;
+    for (const UnstableBlock& one : blocks)
+        numbers.insert(numbers.end(),
+                       {static_cast<double>(one.block), static_cast<double>(one.mode), one.moved, one.weight});
+    return numbers;
+}
 
 /// Takes back what a run found after a checkpoint; frames and events count from 1, rows of history from 0.
 void forgetWhatFollows(sqlite::Database& database, const Checkpoint& from) {
@@ -161,7 +179,8 @@ void forgetWhatFollows(sqlite::Database& database, const Checkpoint& from) {
     clear("UPDATE stages SET outcome=NULL, time=NULL, steps=NULL, message=NULL, blocks=NULL, passes=NULL, "
           "step_cuts=NULL, energy_cuts=NULL, factorizations=NULL, full_factorizations=NULL, ranks=NULL, "
           "solves=NULL, products=NULL, sweeps=NULL, max_penetration_ratio=NULL, max_residual=NULL, balance_error=NULL, "
-          "health_steps=NULL WHERE stage=?", from.stage);
+          "health_steps=NULL, unstable=NULL, farthest=NULL, loose=NULL, worst_block=NULL, worst_share=NULL, worst_force=NULL "
+          "WHERE stage=?", from.stage);
 }
 
 }  // namespace
@@ -324,6 +343,13 @@ void RunStoreWriter::stageEnds(const StageResult& result) {
             open.stageEnd.bind(std::int64_t{count});
         open.stageEnd.bind(health.maxPenetrationRatio).bind(health.maxResidual).bind(health.balanceError);
         open.stageEnd.bind(std::int64_t{health.steps});
+        const std::vector<double> unstable = numbersOf(result.unstable);
+        const std::vector<double> farthest =
+            result.farthest.block < 0 ? std::vector<double>{} : numbersOf({result.farthest});
+        const std::vector<double> loose(result.loose.begin(), result.loose.end());
+        for (const std::vector<double>* numbers : {&unstable, &farthest, &loose})
+            open.stageEnd.bind(std::span<const double>(*numbers));
+        open.stageEnd.bind(std::int64_t{health.worst.block}).bind(health.worst.share).bind(health.worst.force);
         open.stageEnd.bind(std::int64_t{result.stage}).run();
         if (endsRun(scene_, result))
             open.database.run("DELETE FROM checkpoint");

@@ -147,7 +147,29 @@ struct HistoryColumns {
     bool operator==(const HistoryColumns&) const = default;
 };
 
-enum class Outcome { Equilibrium, Duration, Limit, Collapse, Stopped, Failed };
+enum class Outcome { Equilibrium, Duration, Limit, Collapse, Stopped, Failed, Displaced, Undecided };
+
+/// How a block goes that does not stand; `Follows`: others set it moving.
+enum class Movement { Slides, Falls, Topples, Follows };
+
+/// A block that does not stand, or is farthest from where it was.
+struct UnstableBlock {
+    int block = -1;  // row of the frames; of a block in cells the first
+    Movement mode = Movement::Slides;
+    double moved = 0.0;  // of the corner that went farthest, seen from what it touched when the stage began [m]
+    double weight = 0.0;  // [N] of the whole thickness
+
+    bool operator==(const UnstableBlock&) const = default;
+};
+
+/// The block or node farthest from balance at the last equilibrium of a static stage.
+struct WorstBalance {
+    int block = -1;  // row of the frames; −1: none was judged, or a node of a bolt
+    double share = 0.0;  // unbalanced force over the block's weight, or what stands for it
+    double force = 0.0;  // [N]
+
+    bool operator==(const WorstBalance&) const = default;
+};
 
 /// How well the numbers behaved over a stage.
 struct Health {
@@ -159,6 +181,7 @@ struct Health {
     double maxPenetrationRatio = 0.0;  // deepest penetration over the size of the block
     double maxResidual = 0.0;  // largest accepted unbalanced force over the forces at play
     double balanceError = 0.0;
+    WorstBalance worst;
 
     bool operator==(const Health&) const = default;
 };
@@ -177,8 +200,11 @@ struct StageResult {
     Outcome outcome = Outcome::Equilibrium;
     double time = 0.0;  // reached
     long steps = 0;
-    std::string message;  // of a collapse or a failure: which blocks or nodes, and what to do
+    std::string message;  // of what does not stand, a failure or no verdict: which blocks or nodes, and what to do
     std::vector<int> blocks;  // those that move or do not balance
+    std::vector<UnstableBlock> unstable;  // because of which the stage does not stand
+    UnstableBlock farthest;  // of those that decide, the one that moved most over its size; −1: none decides
+    std::vector<int> loose;  // let go in this stage, because they are too small to decide
     Health health;
 
     bool operator==(const StageResult&) const = default;

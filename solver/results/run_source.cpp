@@ -9,12 +9,14 @@
 
 namespace keyblock {
 
+bool endedUnstable(Outcome outcome) { return outcome == Outcome::Collapse || outcome == Outcome::Displaced; }
+
 bool endedAsPlanned(Outcome outcome) { return outcome == Outcome::Equilibrium || outcome == Outcome::Duration; }
 
 bool endsRun(const Scene& scene, const StageResult& result) {
     const auto stage = static_cast<std::size_t>(result.stage);
     const bool last = stage + 1 == scene.stages.size();
-    if (result.outcome == Outcome::Collapse)
+    if (endedUnstable(result.outcome))
         return last || !scene.stages[stage].continueAfterCollapse;
     return last && endedAsPlanned(result.outcome);
 }

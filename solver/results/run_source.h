@@ -52,6 +52,9 @@ bool endsRun(const Scene& scene, const StageResult& result);
 /// Whether nothing is left to do of a run.
 bool isFinished(const RunSource& run);
 
+/// Whether a static stage showed that something does not stay where it is: a collapse, or rest elsewhere.
+bool endedUnstable(Outcome outcome);
+
 /// Whether a stage came to where it was to come: to rest, or to the end of its time.
 bool endedAsPlanned(Outcome outcome);
 

@@ -15,8 +15,9 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> outcomeWords{"equilibrium", "duration", "limit",
-                                                       "collapse",    "stopped",  "failed"};
+constexpr std::array<std::string_view, 8> outcomeWords{"equilibrium", "duration", "limit",     "collapse",
+                                                       "stopped",     "failed",   "displaced", "undecided"};
+constexpr std::array<std::string_view, 4> movementWords{"slides", "falls", "topples", "follows"};
 constexpr std::array<std::string_view, 4> nodeStateWords{"bonded", "slipping", "gone", "free"};
 constexpr std::array<std::string_view, 4> contactStateWords{"open", "sliding", "locked", "bonded"};
 
@@ -37,6 +38,7 @@ bool holds(const std::vector<Item>& items, int index) {
 
 std::string_view wordOf(EventKind kind) { return eventKindWords[static_cast<std::size_t>(kind)]; }
 std::string_view wordOf(Outcome outcome) { return outcomeWords[static_cast<std::size_t>(outcome)]; }
+std::string_view wordOf(Movement mode) { return movementWords[static_cast<std::size_t>(mode)]; }
 std::string_view wordOf(NodeState state) { return nodeStateWords[static_cast<std::size_t>(state)]; }
 std::string_view wordOf(ContactState state) { return contactStateWords[static_cast<std::size_t>(state)]; }
 std::string_view wordOf(StageKind kind) { return stageKindWords[static_cast<std::size_t>(kind)]; }

@@ -15,7 +15,8 @@
 namespace keyblock {
 
 std::string_view wordOf(EventKind kind);  // joint-slip … collapse
-std::string_view wordOf(Outcome outcome);  // equilibrium, duration, limit, collapse, stopped, failed
+std::string_view wordOf(Outcome outcome);  // equilibrium, duration, limit, collapse, stopped, failed, displaced, undecided
+std::string_view wordOf(Movement mode);  // slides, falls, topples, follows
 std::string_view wordOf(NodeState state);  // bonded, slipping, gone, free
 std::string_view wordOf(ContactState state);  // open, sliding, locked, bonded
 std::string_view wordOf(StageKind kind);  // static, dynamic

@@ -9,6 +9,7 @@
 #include "solver/engine/stage/dynamics.h"
 #include "solver/engine/stage/statics.h"
 #include "solver/run/observation.h"
+#include "solver/run/stability.h"
 #include "solver/run/stage_loads.h"
 #include "solver/run/watch.h"
 
@@ -40,6 +41,7 @@ struct Checkpoint {
     LoadMemory loads;
     Reference reference;
     WatchMemory watch;
+    StageStart start;  // of the stage
     Health health;  // of the stage
     long firstStep = 0;  // when the stage began
     long passes = 0;  // of the stage, when the last checkpoint was kept

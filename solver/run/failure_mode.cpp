@@ -32,12 +32,6 @@ double sizeOf(const BlockState& block) {
 
 bool isThere(const BlockState& block) { return block.area > 0.0; }
 
-Movement movementOf(const Point& displacement, double rotation, double size, const Point& down) {
-    if (displacement.norm() < 2.0 * size * std::abs(rotation)) return Movement::Topples;
-    const bool falls = displacement.dot(down) > plumb * displacement.norm() * down.norm() && down.norm() > 0.0;
-    return falls ? Movement::Falls : Movement::Slides;
-}
-
 /// Displacement of the point of a block that was at `place`.
 Point way(const BlockState& before, const BlockState& after, const Point& place) {
     const Eigen::Rotation2Dd turn(after.rotation - before.rotation);
@@ -116,22 +110,10 @@ std::vector<MovingJoint> jointsBetween(const Frame& before, const Frame& after) 
 
 }  // namespace
 
-std::string_view wordOf(Movement movement) {
-    switch (movement) {
-        case Movement::Slides: return "slides";
-        case Movement::Falls: return "falls";
-        case Movement::Topples: break;
-    }
-    return "topples";
-}
-
-double farthestMovement(const Frame& before, const Frame& after) {
-    double farthest = 0.0;
-    for (std::size_t i = 0; i < after.blocks.size(); ++i)
-        if (isThere(before.blocks[i]) && isThere(after.blocks[i]))
-            farthest = std::max(farthest, (after.blocks[i].centroid - before.blocks[i].centroid).norm() /
-                                              sizeOf(before.blocks[i]));
-    return farthest;
+Movement movementOf(const Point& displacement, double rotation, double size, const Point& down) {
+    if (displacement.norm() < 2.0 * size * std::abs(rotation)) return Movement::Topples;
+    const bool falls = displacement.dot(down) > plumb * displacement.norm() * down.norm() && down.norm() > 0.0;
+    return falls ? Movement::Falls : Movement::Slides;
 }
 
 FailureMode failureMode(const Frame& before, const Frame& after, const Point& down) {

@@ -7,15 +7,14 @@
 
 #include "solver/results/results.h"
 
-#include <string_view>
 #include <vector>
 
 namespace keyblock {
 
-enum class Movement { Slides, Falls, Topples };
-
-/// `slides`, `falls` or `topples`.
-std::string_view wordOf(Movement movement);
+/// How a block of a size goes (centroid to farthest corner) [m]: it topples where the centre of its rotation is nearer
+/// than twice its size; else it falls where it moves within 10° of plumb, down; else it slides.
+/// \param down direction in which bodies are pulled, any length; zero: nothing falls.
+Movement movementOf(const Point& displacement, double rotation, double size, const Point& down);
 
 struct MovingBlock {
     int block = -1;  // row of the frames
@@ -33,17 +32,12 @@ struct MovingJoint {
     double opening = 0.0;  // largest [m]
 };
 
-/// Farthest movement of a block between two frames of one stage, over its size (centroid to farthest corner).
-double farthestMovement(const Frame& before, const Frame& after);
-
 struct FailureMode {
     std::vector<MovingBlock> blocks;  // that move by a tenth of the largest movement or more, largest first
     std::vector<MovingJoint> joints;  // the same
 };
 
-/// What moved from one frame to a later one of the same stage. A block topples where the centre of its rotation is
-/// nearer than twice its size; else it falls where it moves within 10° of plumb, down; else it slides.
-/// \param down direction in which bodies are pulled, any length; zero: nothing falls.
+/// What moved from one frame to a later one of the same stage. \param down as of `movementOf`.
 FailureMode failureMode(const Frame& before, const Frame& after, const Point& down);
 
 }  // namespace keyblock

@@ -17,8 +17,10 @@
 #include "solver/engine/stage/energy.h"
 #include "solver/engine/time/mass.h"
 #include "solver/results/history.h"
+#include "solver/results/run_source.h"
 #include "solver/run/checkpoint.h"
 #include "solver/run/run_limit.h"
+#include "solver/run/stability.h"
 #include "solver/run/stage_settings.h"
 #include "solver/scene/presence.h"
 
@@ -125,6 +127,7 @@ private:
         if (!stage().set.empty()) changeJoints(scene_, now_.stage, model_, now_.state);
         if (stage().zeroDisplacements) observation_.zero(now_.state);
         watch_.beginStage(now_.state);
+        now_.start = startOfStage(model_, now_.state);
         enterStage();
         const StepEnding ending = isStatic() ? standStill() : setMoving();
         keepFrame(false);
@@ -180,6 +183,7 @@ private:
     StepEnding advance() {
         if (!isStatic()) {
             const StepEnding ending = dynamics().step(now_.state, now_.time, stage().duration, now_.pace, *this);
+            mark(now_.start, now_.state, now_.time, stage().duration);
             lookAround();
             keepFrame(false);
             return ending;
@@ -245,9 +249,7 @@ private:
         sink_.stageEnds(result);
         ++now_.stage;
         now_.begun = false;
-        if (result.outcome == Outcome::Stopped || result.outcome == Outcome::Failed || result.outcome == Outcome::Limit)
-            return false;
-        return result.outcome != Outcome::Collapse || continues;
+        return endedAsPlanned(result.outcome) || (endedUnstable(result.outcome) && continues);
     }
 
     StageResult resultOf(const StepEnding& ending) {
@@ -257,13 +259,19 @@ private:
         result.steps = now_.state.step - now_.firstStep;
         result.blocks = ending.blocks;
         result.message = ending.message;
+        const Stability stability(model_, now_.start, now_.state, stage(), loads_.loads());
         switch (ending.ending) {
-            case Ending::Done: result.outcome = isStatic() ? Outcome::Equilibrium : Outcome::Duration; break;
-            case Ending::NoEquilibrium: collapse(result, ending.cause); break;
+            case Ending::Done: done(result, stability); break;
+            case Ending::NoEquilibrium: collapse(result, ending, stability); break;
+            case Ending::Undecided: undecided(result); break;
             case Ending::Stopped: stopped(result); break;
             case Ending::Failed: result.outcome = Outcome::Failed; break;
         }
         keepFrame(true);
+        if (now_.begun) {
+            result.loose = stability.loose();
+            result.farthest = stability.farthest();
+        }
         result.health = engine_.health;
         result.health.balanceError = energyOf(model_, now_.state).balanceError;
         return result;
@@ -274,13 +282,37 @@ private:
         if (!control_.stop) result.message = limit_.message(now_.state.step);
     }
 
-    void collapse(StageResult& result, long cause) {
+    /// At rest where the stage found it, at rest elsewhere, or at the end of its time.
+    void done(StageResult& result, const Stability& stability) const {
+        result.outcome = isStatic() ? Outcome::Equilibrium : Outcome::Duration;
+        if (!isStatic()) result.unstable = stability.moving();
+        else if (stage().until.move) result.unstable = stability.displaced(*stage().until.move);
+        if (result.unstable.empty()) return;
+        if (isStatic()) result.outcome = Outcome::Displaced;
+        nameUnstable(result, isStatic() ? "at rest only after they had left their places:" : "not standing at the end:");
+    }
+
+    void undecided(StageResult& result) const {
+        result.outcome = Outcome::Undecided;
+        result.message += "; raise 'limits.iterations' for a longer search";
+    }
+
+    void nameUnstable(StageResult& result, const std::string& what) const {
+        result.message = what;
+        result.blocks.clear();
+        for (const UnstableBlock& one : result.unstable) {
+            result.blocks.push_back(one.block);
+            result.message += " " + model_.blocks[static_cast<std::size_t>(one.block)].name;
+        }
+    }
+
+    void collapse(StageResult& result, const StepEnding& ending, const Stability& stability) {
         result.outcome = Outcome::Collapse;
-        result.message = "no equilibrium: moving are";
-        for (int block : result.blocks) result.message += " " + model_.blocks[static_cast<std::size_t>(block)].name;
+        result.unstable = stability.collapsed(ending.blocks, ending.followers);
+        nameUnstable(result, "no equilibrium: moving are");
         Event event;
         event.kind = EventKind::Collapse;
-        event.cause = cause;
+        event.cause = ending.cause;
         if (!result.blocks.empty()) {
             event.block = result.blocks.front();
             event.position = now_.state.blocks[static_cast<std::size_t>(event.block)].centroid;

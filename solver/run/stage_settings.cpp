@@ -26,11 +26,15 @@ Inertia inertiaOf(Integration integration) {
 
 }  // namespace
 
+double smallestOf(const Stage& stage) { return stage.until.smallest.value_or(StaticSettings{}.smallest); }
+
 StaticSettings staticSettings(const Scene& scene, const Stage& stage) {
     StaticSettings settings;
     settings.unbalanced = stage.until.unbalanced.value_or(std::min(settings.unbalanced, scene.analysis.tolerance));
     settings.body = stage.until.body.value_or(settings.body);
-    settings.maxSteps = stage.until.maxSteps.value_or(settings.maxSteps);
+    settings.smallest = smallestOf(stage);
+    settings.maxSteps = scene.limits.iterations.value_or(settings.maxSteps);
+    if (stage.until.maxSteps) settings.maxSteps = std::min<long>(settings.maxSteps, *stage.until.maxSteps);
     settings.chosen = !stage.increments;
     return settings;
 }

@@ -163,6 +163,10 @@ const Structure& structureOf(const RunLimits*) {
                                       {.unit = "s", .range = above(0)}),
             row<&RunLimits::steps>("steps", "Accepted steps and equilibria over all stages; null: no limit.",
                                    {.range = within(1, 2e9)}),
+            row<&RunLimits::iterations>("iterations",
+                                        "Pseudo-steps of a static stage since the last event or accepted increment, "
+                                        "after which the stage ends as undecided; null: 20000.",
+                                        {.range = within(1, 2e9)}),
         }};
     return structure;
 }

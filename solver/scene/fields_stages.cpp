@@ -87,9 +87,18 @@ const Structure& structureOf(const Until*) {
                               "Unbalanced force on a block, or moment over its size, over its own weight at equilibrium "
                               "(without gravity over its load, or the largest force on it); null: 1e-3.",
                               {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
+            row<&Until::move>("move",
+                              "How far a block may have gone since the stage began, over its size (from its centroid "
+                              "to its farthest corner), seen from what it touched or was bolted to then. What comes to "
+                              "rest farther away ends the stage as displaced. Null: any way.",
+                              {.range = above(0)}),
+            row<&Until::smallest>("smallest",
+                                  "Blocks of less area do not decide: one that falls is let go and listed, and the "
+                                  "search goes on without it; 0: all decide; null: 0.01.",
+                                  {.unit = "m²", .range = atLeast(0)}),
             row<&Until::maxSteps>("max_steps",
-                                  "Pseudo-steps, repeated ones included, after which the search for an equilibrium "
-                                  "has found none; null: 400.",
+                                  "Pseudo-steps, repeated ones included, after which the stage ends as undecided, if "
+                                  "less than `iterations` of the limits; null: those alone.",
                                   {.range = within(1, 1e9)}),
         }};
     return structure;

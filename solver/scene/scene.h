@@ -294,7 +294,9 @@ struct StrengthChange {
 struct Until {
     std::optional<double> unbalanced;  // unbalanced force over reference force; null: 1e-4, or the pass tolerance if less
     std::optional<double> body;  // of its own weight, unbalanced on a block; null: 1e-3
-    std::optional<int> maxSteps;  // pseudo-steps per equilibrium; null: chosen by the program
+    std::optional<double> move = 0.1;  // of its size, how far a block may have gone in a stage; null: any way
+    std::optional<double> smallest;  // [m²] blocks under it do not decide; null: 0.01
+    std::optional<int> maxSteps;  // pseudo-steps of a search; null: `RunLimits::iterations` alone
 
     bool operator==(const Until&) const = default;
 };
@@ -490,6 +492,7 @@ inline constexpr int defaultFrames = 200;
 struct RunLimits {
     std::optional<double> wallTime;  // [s] by the clock on the wall
     std::optional<int> steps;  // accepted ones, over all stages
+    std::optional<int> iterations;  // pseudo-steps without an event or an accepted increment; null: 20,000
 
     bool operator==(const RunLimits&) const = default;
 };

@@ -43,8 +43,10 @@ const char* iconOf(const StageRecord* record, bool goesOn) {
         case Outcome::Failed: return "error";
         case Outcome::Stopped:
         case Outcome::Limit:
-        case Outcome::Collapse: return "warning";
-        default: return "ok";
+        case Outcome::Collapse:
+        case Outcome::Displaced:
+        case Outcome::Undecided: return "warning";
+        default: return record->result.unstable.empty() ? "ok" : "warning";
     }
 }
 

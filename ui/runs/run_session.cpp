@@ -5,6 +5,7 @@
 #include "solver/files/resumption.h"
 #include "solver/files/run_store.h"
 #include "solver/files/run_store_writer.h"
+#include "solver/results/run_source.h"
 #include "solver/results/words.h"
 #include "solver/scene/check.h"
 #include "ui/runs/live_run.h"
@@ -200,12 +201,24 @@ void RunSession::tellEnding() {
         case Outcome::Stopped: message_ = tr("Stopped in %1. %2").arg(name, kept); break;
         case Outcome::Limit: message_ = tr("A limit was reached in %1: %2. %3").arg(name, why, kept); break;
         case Outcome::Collapse: message_ = tr("Collapse in %1: %2.").arg(name, why); break;
-        default: message_ = tr("The run is finished."); break;
+        case Outcome::Displaced: message_ = tr("Displaced in %1: %2.").arg(name, why); break;
+        case Outcome::Undecided: message_ = tr("Undecided in %1: %2. %3").arg(name, why, kept); break;
+        default: message_ = finishedMessage(); break;
     }
 }
 
+/// A stage before the last may have failed to stand, or blocks may fall in one that came to the end of its time.
+QString RunSession::finishedMessage() const {
+    for (const StageResult& result : ending_.stages) {
+        if (result.unstable.empty()) continue;
+        return tr("The run is finished. Not stable in %1: %2.")
+            .arg(QString::fromStdString(stageTitle(*order_.scene, result.stage)), QString::fromStdString(result.message));
+    }
+    return tr("The run is finished.");
+}
+
 double RunSession::fraction() const {
-    if (isOver() && outcome_ && !failed_ && outcome_ != Outcome::Stopped && outcome_ != Outcome::Limit) return 1.0;
+    if (isOver() && outcome_ && !failed_ && (endedAsPlanned(*outcome_) || endedUnstable(*outcome_))) return 1.0;
     return run_ && run_->progress() ? std::clamp(run_->progress()->fraction, 0.0, 1.0) : 0.0;
 }
 

@@ -89,6 +89,7 @@ private:
     void takeFeed();
     void finish();
     void tellEnding();
+    QString finishedMessage() const;
     void setState(State state);
 
     RunOrder order_;

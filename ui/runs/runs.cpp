@@ -66,6 +66,8 @@ QString RunEntry::outcomeText() const {
         case Outcome::Stopped: return Runs::tr("stopped in %1").arg(stage);
         case Outcome::Limit: return Runs::tr("limit reached in %1").arg(stage);
         case Outcome::Collapse: return Runs::tr("collapse in %1").arg(stage);
+        case Outcome::Displaced: return Runs::tr("displaced in %1").arg(stage);
+        case Outcome::Undecided: return Runs::tr("undecided in %1").arg(stage);
         default: return summary->resumable ? Runs::tr("cut short after %1").arg(stage) : Runs::tr("finished");
     }
 }

@@ -30,12 +30,13 @@ struct Engine {
 };
 
 /// How a search for equilibrium or a dynamic step ended.
-enum class Ending { Done, NoEquilibrium, Stopped, Failed };
+enum class Ending { Done, NoEquilibrium, Undecided, Stopped, Failed };
 
 struct StepEnding {
     Ending ending = Ending::Done;
     std::string message;  // what failed, and where
     std::vector<int> blocks;  // that move or do not balance
+    std::vector<int> followers{};  // that those set moving
     long cause = -1;  // the event after which nothing balanced; −1: the load
 };
 

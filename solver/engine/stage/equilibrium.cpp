@@ -5,6 +5,7 @@
 #include "solver/engine/contact/joint.h"
 #include "solver/engine/contact/multipliers.h"
 #include "solver/engine/contact/search.h"
+#include "solver/engine/stage/activation.h"
 #include "solver/engine/stage/energy_account.h"
 #include "solver/engine/stage/falls.h"
 #include "solver/engine/stage/rest.h"
@@ -12,6 +13,7 @@
 #include "solver/engine/stage/step_build.h"
 #include "solver/engine/step/friction_limits.h"
 #include "solver/engine/step/step_forces.h"
+#include "solver/scene/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +30,6 @@ constexpr double drivenShare = 0.05;  // of the smallest block's: how far a moti
 constexpr double roomToDrive = 2.0;  // times as far, moves in one pseudo-step what is driven
 constexpr double softestInertia = 1e-11;  // regularisation over the stiffest spring
 constexpr double firstStep = 0.3;  // of the time in which what falls freely moves by the longest move
-constexpr double farShare = 1.0;  // of a block's own size: moved so far it has left its place
 constexpr double bookedShare = 0.02;  // of a block's size: a longer path is accepted in pieces
 constexpr double shortestStep = 1e-7;  // over the longest pseudo-step
 constexpr double solvedShare = 1e-3;  // of what may be left on a body at rest: so much a pseudo-step leaves of its balance
@@ -61,7 +62,7 @@ public:
     Equilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path, const StaticSettings& settings)
         : engine_(engine), model_(engine.model), state_(state), loads_(loads), at_(path.at), settings_(settings),
           account_(std::in_place, engine.model, state, loads, path.before), booked_(state.blocks),
-          falls_(engine.model, state.blocks, settings.body),
+          falls_(engine.model, state.blocks, settings.body, settings.smallest),
           moved_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model_.blocks.size()) + 3 * model_.nodes)),
           tolerance_(std::min(settings.unbalanced, engine.model.analysis.tolerance)),
           driven_(longestDrive(path.before, path.at) > 0.0),
@@ -69,14 +70,15 @@ public:
           longest_(longestPseudoStep(engine.model)), dt_(firstPseudoStep()) {}
 
     StepEnding find() {
-        for (int step = 0; step < settings_.maxSteps; ++step) {
+        for (long step = 0; step < settings_.maxSteps; ++step) {
             const Outcome outcome = tryStep(step);
-            if (outcome == Outcome::Balanced) return {};
+            if (outcome == Outcome::Balanced) return balancedUnlessHidden();
             if (outcome == Outcome::Stopped) return {Ending::Stopped, "", {}};
             if (outcome == Outcome::Unsettled) return unsettled();
-            if (outcome == Outcome::Moved && (!farBlocks().empty() || (collapses() && !settings_.followsFalls))) break;
+            if (outcome == Outcome::Moved && (someLeft() || (collapses() && !settings_.followsFalls)))
+                return moving(Ending::NoEquilibrium);
         }
-        return moving();
+        return moving(Ending::Undecided);
     }
 
 private:
@@ -91,7 +93,7 @@ private:
 
     /// One pseudo-step from where the blocks are, unless they are balanced there. `Repeat`: nothing has moved, and the
     /// next one is shorter or knows its path.
-    Outcome tryStep(int step) {
+    Outcome tryStep(long step) {
         searchContacts(paths_ > 0 ? &path_ : nullptr);
         const bool lock = taken_ < lockedSteps && state_.step == 0 && unloaded(state_);
         if (lock && !locked_) dt_ = longest_;  // nothing slides, so that no step is too long
@@ -106,6 +108,7 @@ private:
             countAccepted(engine_, state_, residual_);
             return Outcome::Balanced;
         }
+        if (const std::vector<int> loose = falls_.loosePieces(state_.blocks); !loose.empty()) return letGo(problem, loose);
         if (!driven_ && isLongPath()) return bookPath(problem);
         problem.mayLeave = mayLeave();
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
@@ -145,9 +148,21 @@ private:
     /// Accepts the path so far, though nothing balances yet.
     Outcome bookPath(StepProblem& problem) {
         accept(problem);
+        startPath();
+        return Outcome::Repeat;
+    }
+
+    void startPath() {
         booked_ = state_.blocks;
         moved_.setZero();
         account_.emplace(model_, state_, loads_, at_);
+    }
+
+    /// Takes out what is too small to decide and falls.
+    Outcome letGo(StepProblem& problem, const std::vector<int>& rows) {
+        accept(problem);
+        excavate(model_, state_, rows);
+        startPath();
         return Outcome::Repeat;
     }
 
@@ -189,13 +204,11 @@ private:
     /// True where every block that does not balance falls; shown by a pseudo-step half as long.
     bool collapses() {
         const auto all = [&](auto shown) {
-            return std::all_of(unrest_.restless.begin(), unrest_.restless.end(), [&](int body) {
-                const int block = blockOfBody(model_, body);
-                return block < 0 || shown(block);
-            });
+            return std::all_of(unrest_.restless.begin(), unrest_.restless.end(),
+                               [&](int body) { return !isDeciding(body) || shown(body); });
         };
         const bool blocks = std::any_of(unrest_.restless.begin(), unrest_.restless.end(),
-                                        [&](int body) { return blockOfBody(model_, body) >= 0; });
+                                        [&](int body) { return isDeciding(body); });
         const bool falling = blocks && all([&](int i) { return falls_.falls(state_.blocks, i); });
         if (std::exchange(halved_, false))
             return falling && all([&](int i) { return falls_.sameWhateverTheStep(i); });
@@ -212,22 +225,56 @@ private:
                      blockOfBody(model_, report_.worst));
     }
 
+    bool isDeciding(int body) const { return blockOfBody(model_, body) >= 0 && falls_.decides(body); }
+
+    /// At equilibrium, unless round-off hides too much of what a block weighs.
+    StepEnding balancedUnlessHidden() {
+        engine_.health.worst = {blockOfBody(model_, unrest_.body), unrest_.share, unrest_.force};
+        const auto hidden = std::find_if(unrest_.undecidable.begin(), unrest_.undecidable.end(),
+                                         [&](int block) { return falls_.decides(block); });
+        if (hidden == unrest_.undecidable.end()) return {};
+        const double penalty = model_.analysis.penaltyRatio * mostNoise / unrest_.noise;
+        return {Ending::Undecided,
+                "round-off hides " + shortest(rounded(unrest_.noise)) + " of the weight of block " +
+                    model_.blocks[static_cast<std::size_t>(*hidden)].name + "; with a penalty ratio of " +
+                    shortest(rounded(penalty)) + " or less it would not",
+                unrest_.undecidable};
+    }
+
     /// Takes over where the moving blocks had got to: history and energy of their path, whatever does not balance.
-    StepEnding moving() {
+    StepEnding moving(Ending how) {
         searchContacts(nullptr);
         StepProblem problem = buildStep(model_, state_, loads_, at_, {Inertia::Static, dt_, false});
         accept(problem);
         ++state_.step;  // not the state before: it has a frame of its own
-        return named(Ending::NoEquilibrium, "", mostMoved());
+        if (how == Ending::NoEquilibrium) return named(how, "", mostMoved());
+        return named(how, "neither rest nor a collapse is shown: " + nameOfBody(model_, unrest_.body) + " is " +
+                              shortest(rounded(unrest_.share)) + " of its weight off balance",
+                     blockOfBody(model_, unrest_.body));
     }
 
-    /// An ending that names the blocks that fall or have left their place; where there is none, `block`.
+    /// To two digits.
+    static double rounded(double value) {
+        if (!(value > 0.0)) return 0.0;
+        const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+        return std::round(value / unit) * unit;
+    }
+
+    /// An ending that names the blocks that fall or have left their place, and those that they set moving; where there is
+    /// none, `block`.
     StepEnding named(Ending ending, std::string message, int block) const {
-        StepEnding result{ending, std::move(message), farBlocks()};
-        for (int i = 0; i < static_cast<int>(model_.blocks.size()); ++i)
-            if (falls_.falls(state_.blocks, i) && !std::count(result.blocks.begin(), result.blocks.end(), i))
-                result.blocks.push_back(i);
-        if (result.blocks.empty() && block >= 0) result.blocks.push_back(block);
+        StepEnding result{ending, std::move(message), {}};
+        const auto add = [&](int row, std::vector<int>& to) {
+            const int whole = wholeOf(model_, row);
+            if (!std::count(result.blocks.begin(), result.blocks.end(), whole) && !std::count(to.begin(), to.end(), whole))
+                to.push_back(whole);
+        };
+        for (const int row : freeRows())
+            if (falls_.decides(row) && (falls_.hasLeft(state_.blocks, row) || falls_.falls(state_.blocks, row)))
+                add(row, result.blocks);
+        if (result.blocks.empty() && block >= 0) add(block, result.blocks);
+        for (const int row : freeRows())
+            if (falls_.decides(row) && falls_.follows(state_.blocks, row)) add(row, result.followers);
         return result;
     }
 
@@ -237,7 +284,7 @@ private:
                            [](const Contact& c) { return c.normalForce == 0.0 && !c.bonded; });
     }
 
-    bool balanced(StepProblem& problem, int step) {
+    bool balanced(StepProblem& problem, long step) {
         const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
         correctFrictionLimits(problem, still);
         const Eigen::VectorXd net = netForce(problem, still);
@@ -310,14 +357,20 @@ private:
     /// Moves smaller than this are lost in the coordinates [m].
     double roundOff() const { return 4.0 * std::numeric_limits<double>::epsilon() * model_.size; }
 
-    std::vector<int> farBlocks() const {
-        std::vector<int> far;
-        for (int i = 0; i < static_cast<int>(model_.blocks.size()); ++i) {
-            const bool driven = std::any_of(loads_.motions.begin(), loads_.motions.end(),
-                                            [&](const PrescribedMotion& m) { return m.block == i; });
-            if (!driven && falls_.moved(state_.blocks, i) > farShare) far.push_back(i);
-        }
-        return far;
+    /// Blocks and cells that no motion drives.
+    std::vector<int> freeRows() const {
+        std::vector<int> rows;
+        for (int i = 0; i < static_cast<int>(model_.blocks.size()); ++i)
+            if (std::none_of(loads_.motions.begin(), loads_.motions.end(),
+                             [&](const PrescribedMotion& m) { return m.block == i; }))
+                rows.push_back(i);
+        return rows;
+    }
+
+    bool someLeft() const {
+        const std::vector<int> rows = freeRows();
+        return std::any_of(rows.begin(), rows.end(),
+                           [&](int row) { return falls_.decides(row) && falls_.hasLeft(state_.blocks, row); });
     }
 
     /// The block that has moved farthest, over its own size.
@@ -326,7 +379,7 @@ private:
         double farthest = 0.0;
         for (int i = 0; i < static_cast<int>(model_.blocks.size()); ++i) {
             const double moved = falls_.moved(state_.blocks, i);
-            if (moved <= farthest) continue;
+            if (moved <= farthest || !falls_.decides(i)) continue;
             farthest = moved;
             most = i;
         }

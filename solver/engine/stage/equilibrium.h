@@ -18,7 +18,8 @@ namespace keyblock {
 struct StaticSettings {
     double unbalanced = 1e-4;  // over the reference force
     double body = 1e-3;  // of its weight, unbalanced on a block
-    int maxSteps = 400;  // pseudo-steps of one search for equilibrium
+    double smallest = 0.01;  // [m²] blocks under it do not decide
+    long maxSteps = 20000;  // pseudo-steps since the last event or accepted increment
     bool chosen = false;  // lengths of increments follow what happens in them
     bool followsFalls = true;  // what falls is followed over its own size, else only as far as shows that it does
 };
@@ -29,7 +30,7 @@ struct LoadPath {
     const LoadPoint& at;
 };
 
-/// Moves the state to equilibrium. Without one, it is left where the moving blocks had got to.
+/// Moves the state to equilibrium. Without one, or without a verdict, it is left where the moving blocks had got to.
 StepEnding findEquilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path,
                            const StaticSettings& settings);
 

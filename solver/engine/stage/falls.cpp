@@ -3,7 +3,6 @@
 #include "solver/engine/stage/falls.h"
 
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace keyblock {
@@ -14,17 +13,18 @@ constexpr double steady = 0.95;  // of the acceleration at their beginning
 constexpr double alike = 0.2;  // by which two accelerations may differ
 constexpr double quick = 10.0;  // times what may be unbalanced at rest
 constexpr double shortWay = 0.1, longWay = 0.5;  // of a block's size: after which a quick fall is believed, and any
+constexpr double leastWay = 0.05;  // of a block's size: so far goes what others have set moving
 
 }  // namespace
 
-Falls::Falls(const Model& model, const std::vector<BlockMotion>& blocks, double share) : model_(model), share_(share) {
-    for (const BlockMotion& block : blocks) places_.push_back(block.centroid);
-    for (std::size_t rock = 0; rock + 1 < model.firstOf.size(); ++rock) {
-        const auto first = model.blocks.begin() + model.firstOf[rock], end = model.blocks.begin() + model.firstOf[rock + 1];
-        const double area = std::accumulate(first, end, 0.0, [](double sum, const BlockModel& b) { return sum + b.area; });
-        sizes_.insert(sizes_.end(), static_cast<std::size_t>(end - first), std::sqrt(area));
+Falls::Falls(const Model& model, const std::vector<BlockMotion>& blocks, double share, double smallest)
+    : model_(model), share_(share) {
+    for (std::size_t row = 0; row < blocks.size(); ++row) {
+        const int first = wholeOf(model, static_cast<int>(row));
+        places_.push_back(blocks[row].centroid);
+        sizes_.push_back(wholeSize(model, first));
+        small_.push_back(model.blocks[row].plateOf < 0 && wholeArea(model, first) < smallest);
     }
-    for (std::size_t plate = sizes_.size(); plate < model.blocks.size(); ++plate) sizes_.push_back(model.blocks[plate].size);
 }
 
 void Falls::note(const std::vector<double>& moves, double dt, const std::vector<double>& own) {
@@ -47,6 +47,20 @@ bool Falls::sameWhateverTheStep(int block) const {
     const auto at = static_cast<std::size_t>(block);
     const double now = accelerations_.back()[at], before = accelerations_[accelerations_.size() - 2][at];
     return std::abs(now - before) <= alike * before;
+}
+
+bool Falls::follows(const std::vector<BlockMotion>& blocks, int block) const {
+    const auto at = static_cast<std::size_t>(block);
+    if (accelerations_.empty() || model_.blocks[at].plateOf >= 0) return false;
+    return accelerations_.back()[at] > share_ && moved(blocks, block) > leastWay;
+}
+
+std::vector<int> Falls::loosePieces(const std::vector<BlockMotion>& blocks) const {
+    std::vector<int> loose;
+    for (int row = 0; row < static_cast<int>(blocks.size()); ++row)
+        if (!decides(row) && !blocks[static_cast<std::size_t>(row)].absent && (falls(blocks, row) || hasLeft(blocks, row)))
+            for (int cell = wholeOf(model_, row); cell < endOfWhole(model_, wholeOf(model_, row)); ++cell) loose.push_back(cell);
+    return loose;
 }
 
 double Falls::moved(const std::vector<BlockMotion>& blocks, int block) const {

@@ -16,8 +16,9 @@ namespace keyblock {
 
 class Falls {
 public:
-    /// \param share of its weight that may be unbalanced on a block at rest.
-    Falls(const Model& model, const std::vector<BlockMotion>& blocks, double share);
+    /// \param share of its weight that may be unbalanced on a block at rest. \param smallest [m²]: blocks of less area do
+    /// not decide.
+    Falls(const Model& model, const std::vector<BlockMotion>& blocks, double share, double smallest);
 
     /// Takes note of a pseudo-step.
     /// \param moves of the blocks in it [m]. \param own weights of the blocks, or what stands for them [N].
@@ -33,10 +34,23 @@ public:
     /// block.
     double moved(const std::vector<BlockMotion>& blocks, int block) const;
 
+    /// True for a block that is large enough to decide whether there is an equilibrium.
+    bool decides(int block) const { return !small_[static_cast<std::size_t>(block)]; }
+
+    /// True where a block has moved by more than its size.
+    bool hasLeft(const std::vector<BlockMotion>& blocks, int block) const { return moved(blocks, block) > 1.0; }
+
+    /// True where others have set a block moving, and it still goes.
+    bool follows(const std::vector<BlockMotion>& blocks, int block) const;
+
+    /// Rows of blocks that do not decide and fall or have left their place.
+    std::vector<int> loosePieces(const std::vector<BlockMotion>& blocks) const;
+
 private:
     const Model& model_;
     std::vector<Point> places_;  // of the centroids at the start [m]
     std::vector<double> sizes_;  // √area of the blocks, of a cell that of the whole block [m]
+    std::vector<char> small_;  // too small to decide
     double share_;
     std::deque<std::vector<double>> accelerations_;  // in the last pseudo-steps, over what `own` would give the blocks
 };

@@ -129,6 +129,10 @@ private:
             sum.moment += left.moment + arm.x() * left.force.y() - arm.y() * left.force.x();
         }
         compare(first, std::max(sum.force.norm(), std::abs(sum.moment) / std::sqrt(area)), own, share_, noise);
+        const bool free = !model_.blocks[at(first)].fixed && !state_.blocks[at(first)].absent;
+        if (!free || model_.gravity.isZero() || noise <= mostNoise * own) return;
+        worst_.undecidable.push_back(first);
+        worst_.noise = std::max(worst_.noise, noise / own);
     }
 
     /// The strains of a block; all of a cell or a plate.
@@ -148,6 +152,7 @@ private:
         if (worst_.body >= 0 && beyond <= worst_.beyond) return;
         worst_.body = body;
         worst_.share = share_ / share * left / reference;
+        worst_.force = left;
         worst_.beyond = beyond;
     }
 

@@ -24,12 +24,18 @@ struct RestForces {
 /// \param problem of a step at rest from `state`, its friction limits those of the forces there.
 RestForces restForces(const Model& model, const State& state, const StepProblem& problem);
 
+/// Of a block's weight, what round-off may hide if rest is to mean anything.
+inline constexpr double mostNoise = 0.02;
+
 /// The body that is farthest from rest.
 struct Unrest {
     int body = -1;  // −1: nothing is free to move
     double share = 0.0;  // unbalanced force over the block's weight, or what stands for it
+    double force = 0.0;  // [N]
     double beyond = 0.0;  // over what may be left, round-off included: at rest to 1
     std::vector<int> restless;  // all bodies that are beyond it
+    std::vector<int> undecidable;  // first rows of blocks of whose weight round-off hides more than `mostNoise`
+    double noise = 0.0;  // of these, the largest share that it hides
 };
 
 /// \param net force on every unknown where nothing moves. \param share of its weight that may be unbalanced on a block.

@@ -32,6 +32,7 @@ constexpr double longestFlow = 0.02;  // in which bolts flow
 constexpr double shortestChosen = 2.5e-3;  // whatever happens on the way, but that there is no equilibrium
 constexpr double finestCollapse = 0.02;  // before a collapse is believed
 constexpr long fewPasses = 16;  // that show whether nothing slides over a long increment
+constexpr long mostInSearch = 400;  // pseudo-steps, after which a shorter increment is tried
 
 /// One move within an increment.
 class Move {
@@ -57,10 +58,25 @@ private:
         bool atLimit = false;  // the first limit was located here
     };
 
-    StepEnding equilibrium(State& state, double to, bool followsFalls = true) {
+    /// \param most pseudo-steps, after which the search ends as `Undecided`; never more than are left altogether.
+    StepEnding equilibrium(State& state, double to, long most = std::numeric_limits<long>::max(),
+                           bool followsFalls = true) {
         StaticSettings settings = settings_;
         settings.followsFalls = followsFalls;
-        return findEquilibrium(engine_, state, loads_, {reached(), between(a_, b_, to)}, settings);
+        settings.maxSteps = std::min(most, settings_.maxSteps - progress_.solves);
+        const long before = engine_.health.steps;
+        StepEnding ending = findEquilibrium(engine_, state, loads_, {reached(), between(a_, b_, to)}, settings);
+        progress_.solves += engine_.health.steps - before;
+        if (ending.ending == Ending::Undecided && isWorkedOut())
+            ending.message = "no verdict after " + std::to_string(progress_.solves) + " pseudo-steps: " + ending.message;
+        return ending;
+    }
+
+    /// As much work is done since the last event or accepted increment as may be.
+    bool isWorkedOut() const { return progress_.solves >= settings_.maxSteps; }
+
+    static bool isMoving(const StepEnding& ending) {
+        return ending.ending == Ending::NoEquilibrium || ending.ending == Ending::Undecided;
     }
 
     bool isChosen() const { return settings_.chosen && span() > 0.0; }
@@ -80,14 +96,14 @@ private:
         for (;;) {
             const double to = progress_.done + step >= 1.0 - 1e-12 ? 1.0 : progress_.done + step;
             State trial = state_;
-            StepEnding ending = equilibrium(trial, to);
             const bool less = step > finestIncrement * whole && !isSameLoad(a_, b_);
-            if (ending.ending == Ending::NoEquilibrium && less && (to < 1.0 || standsAtFirst(whole))) {
+            StepEnding ending = equilibrium(trial, to, less ? mostInSearch : std::numeric_limits<long>::max());
+            if (isMoving(ending) && less && !isWorkedOut() && (to < 1.0 || standsAtFirst(whole))) {
                 step *= 0.5;
                 continue;
             }
             if (ending.ending != Ending::Done) {
-                if (ending.ending == Ending::NoEquilibrium) state_ = std::move(trial);
+                if (isMoving(ending)) state_ = std::move(trial);
                 return ending;
             }
             Reached next{std::move(trial), to};
@@ -107,12 +123,12 @@ private:
             StepEnding ending = equilibriumWithin(next.state, to, patienceFor(length));
             const bool found = ending.ending == Ending::Done;
             if (found) ending = toFirstLimit(next);
-            if (isTooDear(ending, length) || (ending.ending == Ending::NoEquilibrium && isTooFar(length))) {
+            if (!isWorkedOut() && (isTooDear(ending, length) || (isMoving(ending) && isTooFar(length)))) {
                 shorten(length, ending.ending);
                 continue;
             }
             if (ending.ending != Ending::Done) {
-                if (ending.ending == Ending::NoEquilibrium && !found) state_ = std::move(next.state);
+                if (isMoving(ending) && !found) state_ = std::move(next.state);
                 return ending;
             }
             if (!take(std::move(next))) continue;
@@ -157,7 +173,9 @@ private:
         left_ = passes;
         const std::function<bool()> asked = engine_.stopAsked;
         engine_.stopAsked = [this, &asked] { return left_-- <= 0 || (asked && asked()); };
-        StepEnding ending = equilibrium(state, to, passes == std::numeric_limits<long>::max());
+        constexpr long any = std::numeric_limits<long>::max();
+        const bool mayBeShorter = isTooFar((to - progress_.done) * span());
+        StepEnding ending = equilibrium(state, to, mayBeShorter ? mostInSearch : any, passes == any);
         engine_.stopAsked = asked;
         return ending;
     }
@@ -188,7 +206,7 @@ private:
     bool standsAtFirst(double whole) {
         if (progress_.done > 0.0) return true;
         State trial = state_;
-        return equilibrium(trial, finestIncrement * whole).ending != Ending::NoEquilibrium;
+        return equilibrium(trial, finestIncrement * whole, mostInSearch).ending != Ending::NoEquilibrium;
     }
 
     /// Prescribed moves and dilations longer than a pseudo-step may be are taken in pieces.
@@ -201,6 +219,7 @@ private:
         progress_.least = next.atLimit ? 1.0 - locateShare : 1.0 + reachedShare;
         progress_.passed.clear();
         progress_.lastRelease = -1;
+        progress_.solves = 0;
         state_ = std::move(next.state);
         ++state_.step;
         progress_.done = next.share;
@@ -260,6 +279,7 @@ private:
         const Limit released = worstLimit(limits, progress_.least).value();
         noteCauses(limits);
         progress_.least = 1.0 - tieShare;
+        progress_.solves = 0;
         progress_.chosen.last = 0.0;
         const double time = reached().time;
         progress_.lastRelease =

@@ -29,6 +29,7 @@ struct IncrementProgress {
     double step = 0.0;  // share that is tried next; 0: not begun
     bool releasing = false;  // something at its limit is released before the load continues
     double least = 0.0;  // of a limit, to be released
+    long solves = 0;  // pseudo-steps since the last event or accepted increment
     std::vector<PassedLimit> passed;  // at this load
     long lastRelease = -1;  // number of the last event at this load; −1: none yet
     ChosenLength chosen;
@@ -38,7 +39,8 @@ struct IncrementProgress {
 
 /// One move along the load path from `a` to `b`: the load continues, as far as the first limit at most, and where
 /// `settings.chosen` as far as what happens on the way allows; or one thing fails; equilibrium is found after either. On
-/// any ending the state is the last equilibrium found, or, for `NoEquilibrium`, where the moving blocks had got to.
+/// any ending the state is the last equilibrium found, or, for `NoEquilibrium` and `Undecided`, where the moving blocks
+/// had got to.
 StepEnding moveStatic(Engine& engine, State& state, const Loads& loads, const LoadPoint& a, const LoadPoint& b,
                       const StaticSettings& settings, StepObserver& observer, IncrementProgress& progress);
 

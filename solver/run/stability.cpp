@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/run/stability.h"
+
+#include "solver/engine/bolt/topology.h"
+#include "solver/run/failure_mode.h"
+#include "solver/run/stage_settings.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace keyblock {
+namespace {
+
+constexpr double asFar = 0.9;  // of the way of a displaced block: what is joined to it and went so far is named with it
+constexpr double itsOwnWay = 0.5;  // of the way of its neighbour: what went less was left, and did not leave
+constexpr double slow = 0.02;  // [m/s] at which a block may still move when a dynamic stage ends
+constexpr double touching = 10.0;  // times the geometric tolerance
+
+std::size_t at(int row) { return static_cast<std::size_t>(row); }
+
+bool touches(const Model& model, const Contact& c) {
+    return c.bonded || c.normalForce > 0.0 || c.gap - c.gapOffset <= touching * model.tolerance;
+}
+
+/// Where a body carries a place of the start to.
+Point carriedBy(const BlockMotion& before, const BlockMotion& now, const Point& place) {
+    return now.centroid + Eigen::Rotation2Dd(now.angle - before.angle) * Point(place - before.centroid);
+}
+
+}  // namespace
+
+StageStart startOfStage(const Model& model, const State& state) {
+    StageStart start;
+    start.blocks = state.blocks;
+    for (const Contact& c : state.contacts)
+        if (touches(model, c) && !sameRock(model, c.blockA, c.blockB)) start.joined.push_back(std::minmax(c.blockA, c.blockB));
+    for (const BoltMotion& bolt : state.bolts)
+        for (std::size_t slot = 1; acts(bolt) && slot < bolt.slots.size(); ++slot)
+            start.joined.push_back(std::minmax(bolt.slots[slot - 1].block, bolt.slots[slot].block));
+    std::sort(start.joined.begin(), start.joined.end());
+    start.joined.erase(std::unique(start.joined.begin(), start.joined.end()), start.joined.end());
+    return start;
+}
+
+void mark(StageStart& start, const State& state, double time, double duration) {
+    const auto take = [&](Mark& mark, double share) {
+        if (!mark.centroids.empty() || time < share * duration) return;
+        mark.time = time;
+        for (const BlockMotion& block : state.blocks) mark.centroids.push_back(block.centroid);
+    };
+    take(start.eight, 0.8);
+    take(start.nine, 0.9);
+}
+
+Stability::Stability(const Model& model, const StageStart& start, const State& state, const Stage& stage,
+                     const Loads& loads)
+    : model_(model), start_(start), state_(state), stage_(stage), smallest_(smallestOf(stage)), exempt_(model.blocks.size(), 0),
+      neighbours_(model.blocks.size()) {
+    for (const auto& [a, b] : start.joined) {
+        neighbours_[at(wholeOf(model, a))].push_back({a, b});
+        neighbours_[at(wholeOf(model, b))].push_back({b, a});
+    }
+    exemptDriven(loads);
+}
+
+/// What a motion or a dilation drives, and all that is joined to it without passing a held block.
+void Stability::exemptDriven(const Loads& loads) {
+    std::vector<int> driven;
+    const auto exempt = [&](int row) {
+        const int first = wholeOf(model_, row);
+        if (exempt_[at(first)] || model_.blocks[at(first)].fixed) return;
+        exempt_[at(first)] = 1;
+        driven.push_back(first);
+    };
+    for (const PrescribedMotion& motion : loads.motions) exempt(motion.block);
+    for (const Contact& c : state_.contacts)
+        if (!stage_.dilations.empty() && c.dilation > 0.0) exempt(c.blockA), exempt(c.blockB);
+    while (!driven.empty()) {
+        const int first = driven.back();
+        driven.pop_back();
+        for (const auto& [own, other] : neighbours_[at(first)]) exempt(other);
+    }
+}
+
+bool Stability::decides(int first) const {
+    const BlockModel& block = model_.blocks[at(first)];
+    return wholeOf(model_, first) == first && block.plateOf < 0 && !block.fixed && !state_.blocks[at(first)].absent &&
+           !exempt_[at(first)] && wholeArea(model_, first) >= smallest_;
+}
+
+/// From the middle of a block to its farthest corner [m].
+double Stability::reach(int first) const {
+    const auto begin = start_.blocks.begin() + first, end = start_.blocks.begin() + endOfWhole(model_, first);
+    const Point middle = std::accumulate(begin, end, Point(0.0, 0.0), [](const Point& sum, const BlockMotion& b) -> Point {
+                             return sum + b.centroid;
+                         }) / static_cast<double>(end - begin);
+    double farthest = 0.0;
+    for (auto block = begin; block != end; ++block)
+        for (const Point& corner : block->corners) farthest = std::max(farthest, (corner - middle).norm());
+    return farthest;
+}
+
+/// Of the corner that went farthest from where `other` would have carried it [m].
+double Stability::movedFrom(int row, int other) const {
+    double farthest = 0.0;
+    const BlockMotion &before = start_.blocks[at(row)], &now = state_.blocks[at(row)];
+    for (std::size_t i = 0; i < std::min(before.corners.size(), now.corners.size()); ++i)
+        farthest = std::max(farthest, (now.corners[i] - carriedBy(start_.blocks[at(other)], state_.blocks[at(other)],
+                                                                  before.corners[i])).norm());
+    return farthest;
+}
+
+/// Of the corner that went farthest [m].
+double Stability::movedItself(int first) const {
+    double farthest = 0.0;
+    for (int row = first; row < endOfWhole(model_, first); ++row) {
+        const BlockMotion &before = start_.blocks[at(row)], &now = state_.blocks[at(row)];
+        for (std::size_t i = 0; i < std::min(before.corners.size(), now.corners.size()); ++i)
+            farthest = std::max(farthest, (now.corners[i] - before.corners[i]).norm());
+    }
+    return farthest;
+}
+
+/// Seen from what it touched or was bolted to, and did not itself leave it; of what touched nothing, all of its way [m].
+double Stability::moved(int first) const {
+    const double itself = movedItself(first);
+    if (neighbours_[at(first)].empty()) return itself;
+    double farthest = 0.0;
+    for (const auto& [own, other] : neighbours_[at(first)]) {
+        const int whole = wholeOf(model_, other);
+        if (state_.blocks[at(other)].absent || model_.blocks[at(other)].plateOf >= 0) continue;
+        if (itself >= itsOwnWay * movedItself(whole)) farthest = std::max(farthest, movedFrom(own, other));
+    }
+    return farthest;
+}
+
+UnstableBlock Stability::told(int first) const {
+    const BlockMotion &before = start_.blocks[at(first)], &now = state_.blocks[at(first)];
+    double mass = 0.0;
+    for (int row = first; row < endOfWhole(model_, first); ++row) mass += model_.blocks[at(row)].mass;
+    return {first,
+            movementOf(now.centroid - before.centroid, now.angle - before.angle, reach(first), model_.gravity),
+            moved(first), mass * model_.gravity.norm()};
+}
+
+std::vector<UnstableBlock> Stability::collapsed(const std::vector<int>& blocks, const std::vector<int>& followers) const {
+    std::vector<UnstableBlock> unstable;
+    for (const int first : blocks) unstable.push_back(told(first));
+    for (const int first : followers) {
+        unstable.push_back(told(first));
+        unstable.back().mode = Movement::Follows;
+    }
+    return unstable;
+}
+
+std::vector<UnstableBlock> Stability::displaced(double share) const {
+    std::vector<int> left;
+    std::vector<char> named(model_.blocks.size(), 0);
+    for (int first = 0; first < static_cast<int>(model_.blocks.size()); ++first)
+        if (decides(first) && moved(first) > share * reach(first)) left.push_back(first), named[at(first)] = 1;
+    for (std::size_t next = 0; next < left.size(); ++next) {
+        const double least = asFar * movedItself(left[next]);
+        for (const auto& [own, other] : neighbours_[at(left[next])]) {
+            const int whole = wholeOf(model_, other);
+            if (named[at(whole)] || !decides(whole) || movedItself(whole) < least) continue;
+            named[at(whole)] = 1;
+            left.push_back(whole);
+        }
+    }
+    std::sort(left.begin(), left.end());
+    return collapsed(left, {});
+}
+
+/// Of its middle against what it touches now, or against the ground where it touches nothing [m/s].
+double Stability::speed(int first) const {
+    const auto velocity = [&](int row) {
+        const BlockMotion& block = state_.blocks[at(row)];
+        return Point(block.velocity[0] * block.axis + block.velocity[1] * turnLeft(block.axis));
+    };
+    double fastest = 0.0;
+    bool alone = true;
+    for (const Contact& c : state_.contacts) {
+        const bool isA = wholeOf(model_, c.blockA) == first, isB = wholeOf(model_, c.blockB) == first;
+        if (isA == isB || !touches(model_, c)) continue;
+        alone = false;
+        fastest = std::max(fastest, (velocity(c.blockA) - velocity(c.blockB)).norm());
+    }
+    return alone ? velocity(first).norm() : fastest;
+}
+
+/// It went no less far in the last tenth of the stage than in the one before.
+bool Stability::keepsItsSpeed(int first) const {
+    if (start_.nine.centroids.empty() || start_.nine.time <= start_.eight.time) return true;
+    const Point &eight = start_.eight.centroids[at(first)], &nine = start_.nine.centroids[at(first)];
+    const double before = (nine - eight).norm() / (start_.nine.time - start_.eight.time);
+    const double last = (state_.blocks[at(first)].centroid - nine).norm();
+    return last >= before * (stage_.duration - start_.nine.time);
+}
+
+std::vector<UnstableBlock> Stability::moving() const {
+    std::vector<int> blocks;
+    for (int first = 0; first < static_cast<int>(model_.blocks.size()); ++first) {
+        if (!decides(first)) continue;
+        const bool fell = state_.blocks[at(first)].fallen && !start_.blocks[at(first)].fallen;
+        if (fell || moved(first) > reach(first) || (speed(first) > slow && keepsItsSpeed(first))) blocks.push_back(first);
+    }
+    return collapsed(blocks, {});
+}
+
+UnstableBlock Stability::farthest() const {
+    int farthest = -1;
+    double most = -1.0;
+    for (int first = 0; first < static_cast<int>(model_.blocks.size()); ++first) {
+        if (!decides(first)) continue;
+        const double share = moved(first) / reach(first);
+        if (share > most) most = share, farthest = first;
+    }
+    return farthest < 0 ? UnstableBlock{} : told(farthest);
+}
+
+std::vector<int> Stability::loose() const {
+    std::vector<int> pieces;
+    for (int first = 0; first < static_cast<int>(model_.blocks.size()); ++first)
+        if (wholeOf(model_, first) == first && state_.blocks[at(first)].absent && !start_.blocks[at(first)].absent &&
+            model_.blocks[at(first)].plateOf < 0)
+            pieces.push_back(first);
+    return pieces;
+}
+
+}  // namespace keyblock
