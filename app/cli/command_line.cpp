@@ -72,6 +72,7 @@ void addRun(CLI::App& app, RunOptions& options) {
     CLI::Option* resume = verb->add_flag("--resume", options.resume,
                                          "Go on with a run that was interrupted; without one, start at the beginning");
     verb->add_flag("--overwrite", options.overwrite, "Replace a run store that is there")->excludes(resume);
+    verb->add_flag("--fail-on-collapse", options.failOnCollapse, "Exit with 8 where the scene does not stand");
 }
 
 void addCheck(CLI::App& app, CheckOptions& options) {
@@ -206,6 +207,10 @@ void addSafety(CLI::App& app, SafetyOptions& options) {
     verb->add_option("SCENE.json", options.scene, "The scene; its 'safety' says what is reduced, and how closely")
         ->required()
         ->type_name("");
+    verb->add_option("--out", options.out, "The folder for the runs nearest the bracket and the table of all runs; default: "
+                                           "the scene's name with -safety, beside it")
+        ->type_name("DIR");
+    verb->add_flag("--overwrite", options.overwrite, "Replace a folder of an earlier search");
     addOverrides(verb, options.overrides);
     addThreadsAndProgress(verb, options);
     verb->add_flag("--json", options.json, "Answer in JSON");

@@ -26,6 +26,7 @@ struct RunOptions {
     ProgressKind progress = ProgressKind::Automatic;  // a bar on a terminal, else none
     bool resume = false;  // go on in a run store that is there
     bool overwrite = false;
+    bool failOnCollapse = false;  // exit with `DoesNotStand`
 };
 
 struct CheckOptions {
@@ -68,6 +69,8 @@ struct ImportOptions {
 
 struct SafetyOptions {
     std::filesystem::path scene;
+    std::optional<std::filesystem::path> out;  // the folder; null: the scene's name with -safety, beside it
+    bool overwrite = false;
     std::vector<std::string> overrides;
     int threads = 0;  // 0: as many as the machine has
     ProgressKind progress = ProgressKind::Automatic;

@@ -8,6 +8,7 @@
 #include "app/cli/run_summary.h"
 #include "solver/results/chains.h"
 #include "solver/results/event_groups.h"
+#include "solver/results/verdict.h"
 #include "solver/results/words.h"
 #include "solver/scene/solved_blocks.h"
 #include "solver/scene/words.h"
@@ -200,6 +201,36 @@ std::string checkJson(const SceneReading& reading, const std::optional<Census>& 
     return dumped(answer, 2);
 }
 
+namespace {
+
+Json verdictJson(const RunSource& run, const Verdict& verdict) {
+    Json blocks = Json::array();
+    for (const StageUnstable& one : verdict.blocks)
+        blocks.push_back({{"block", blockName(run.blockNames(), one.block.block)},
+                          {"mode", wordOf(one.block.mode)},
+                          {"moved_m", one.block.moved},
+                          {"weight_N", one.block.weight},
+                          {"stage", stageName(run.scene(), one.stage)}});
+    return {{"stands", orNull(verdict.stands)}, {"blocks", blocks}};
+}
+
+Json worstBalanceJson(const RunSource& run, const std::optional<StageResult>& worst) {
+    if (!worst) return nullptr;
+    return {{"block", blockName(run.blockNames(), worst->health.worst.block)},
+            {"ratio", worst->health.worst.share},
+            {"force_N", worst->health.worst.force},
+            {"stage", stageName(run.scene(), worst->stage)}};
+}
+
+Json looseJson(const RunSource& run, const std::vector<StageRecord>& records) {
+    Json names = Json::array();
+    for (const StageRecord& record : records)
+        for (const int block : record.result.loose) names.push_back(blockName(run.blockNames(), block));
+    return names;
+}
+
+}  // namespace
+
 std::string infoJson(const RunStore& store) {
     const std::vector<StageRecord> records = store.stages();
     Json stages = Json::array();
@@ -219,7 +250,10 @@ std::string infoJson(const RunStore& store) {
                    {"events", events},
                    {"chains", chainsJson(store, happened)},
                    {"bolts", boltsJson(store)},
-                   {"health", healthJson(healthOf(records))}},
+                   {"health", healthJson(healthOf(records))},
+                   {"verdict", verdictJson(store, verdictOf(records, store.scene().stages.size()))},
+                   {"worst_balance", worstBalanceJson(store, worstBalanced(records))},
+                   {"loose", looseJson(store, records)}},
                   2);
 }
 
@@ -243,6 +277,26 @@ std::string_view outcomeWord(const SafetyFactor& found) {
     if (found.cutShort) return wordOf(*found.cutShort);
     if (!found.upper) return "stands-at-1000";
     return found.lower ? "bracketed" : "falls-at-0.001";
+}
+
+std::string_view answerWord(const SafetyFactor& found) {
+    if (found.cutShort) return "undecided";
+    if (!found.upper) return "stands_always";
+    return found.lower ? "bracketed" : "falls_always";
+}
+
+/// The blocks of the run at the upper end.
+Json safetyBlocksJson(const std::vector<std::string>& names, const SafetyFactor& found) {
+    Json blocks = Json::array();
+    for (const SafetyRun& run : found.runs) {
+        if (run.factor != found.upper) continue;
+        for (const UnstableBlock& block : run.end.unstable)
+            blocks.push_back({{"block", blockName(names, block.block)},
+                              {"mode", wordOf(block.mode)},
+                              {"moved_m", block.moved},
+                              {"weight_N", block.weight}});
+    }
+    return blocks;
 }
 
 Json safetyRunJson(const Scene& scene, const SafetyRun& run) {
@@ -283,9 +337,12 @@ std::string safetyJson(const Scene& solved, const SafetyFactor& found) {
         runs.push_back(safetyRunJson(solved, run));
     Json answer{{"reduce", wordsOf(solved.safety.reduce)[static_cast<std::size_t>(solved.safety.reduce)]},
                 {"tolerance", solved.safety.tolerance},
+                {"factor", {{"lower", orNull(found.lower)}, {"upper", orNull(found.upper)}}},
+                {"answer", answerWord(found)},
                 {"lower", orNull(found.lower)},
                 {"upper", orNull(found.upper)},
                 {"outcome", outcomeWord(found)},
+                {"blocks", safetyBlocksJson(blockNames(solved), found)},
                 {"runs", runs},
                 {"mode", found.mode ? modeJson(solved, *found.mode) : Json(nullptr)}};
     return dumped(answer, 2);

@@ -12,6 +12,7 @@
 #include "solver/files/run_store.h"
 #include "solver/files/run_store_writer.h"
 #include "solver/files/scene_file.h"
+#include "solver/results/verdict.h"
 #include "solver/results/words.h"
 #include "solver/run/run.h"
 
@@ -52,7 +53,12 @@ ExitCode exitCodeOf(const std::vector<StageResult>& results) {
         return NumericalFailure;
     if (anyEnded(results, Outcome::Stopped))
         return Interrupted;
-    return anyEnded(results, Outcome::Limit) ? LimitReached : Done;
+    const bool limited = anyEnded(results, Outcome::Limit) || anyEnded(results, Outcome::Undecided);
+    return limited ? LimitReached : Done;
+}
+
+bool stands(const RunSource& run) {
+    return verdictOf(run.stages(), run.scene().stages.size()).stands.value_or(true);
 }
 
 void tellWhyItEnded(ExitCode code, const Scene& scene, const std::vector<StageResult>& results, const fs::path& out) {
@@ -99,10 +105,11 @@ ExitCode perform(const RunOptions& options) {
         RunStoreWriter store(out, options.overwrite || options.resume);
         results = runInto(store, *read, options, resumption.checkpoint, stageSeconds);
     }
-    print(summaryOf(RunStore(out), stageSeconds) + "\nresults in " + out.string() + "\n");
+    const RunStore run(out);
+    print(summaryOf(run, stageSeconds) + "\nresults in " + out.string() + "\n");
     const ExitCode code = exitCodeOf(results);
     tellWhyItEnded(code, *scene, results, out);
-    return code;
+    return code == Done && options.failOnCollapse && !stands(run) ? DoesNotStand : code;
 }
 
 }  // namespace keyblock::cli

@@ -7,6 +7,7 @@
 
 #include "app/cli/bolt_summary.h"
 #include "app/cli/text_table.h"
+#include "app/cli/verdict_text.h"
 #include "solver/results/event_groups.h"
 #include "solver/results/quantity.h"
 #include "solver/results/words.h"
@@ -77,7 +78,7 @@ std::string quantityTable(const RunSource& run, const std::vector<HistoryRow>& h
 bool isWhole(const std::vector<StageRecord>& records) {
     return std::all_of(records.begin(), records.end(), [](const StageRecord& record) {
         const Outcome outcome = record.result.outcome;
-        return record.ended && outcome != Outcome::Stopped && outcome != Outcome::Failed && outcome != Outcome::Limit;
+        return record.ended && (endedAsPlanned(outcome) || endedUnstable(outcome));
     });
 }
 
@@ -160,7 +161,7 @@ std::string summaryOf(const RunSource& run, const std::map<int, double>& stageSe
     const std::vector<Event> events = run.events();
     const std::vector<HistoryRow> history = run.history();
     std::string text = run.scene().title.empty() ? "" : run.scene().title + "\n\n";
-    text += stageTable(run.scene(), records, stageSeconds) + messages(run.scene(), records) + "\n";
+    text += stageTable(run.scene(), records, stageSeconds) + messages(run.scene(), records) + "\n" + verdictText(run);
     text += "frames  " + std::to_string(run.frames().size()) + "\n" + eventLine(events) + healthLine(records);
     text += chainLines(run, events) + boltEnergyTable(run);
     return text + quantityTable(run, history, events) + expectedTable(run, history, events);

@@ -62,6 +62,44 @@ TEST_F(EarlyEnds, ACollapseIsExitCodeZero) {
     EXPECT_EQ(info("rest.kbrun").at("stages").at(0).at("outcome"), "collapse");
 }
 
+/// But who asks for it is told by the exit code that the scene does not stand.
+TEST_F(EarlyEnds, ACollapseIsExitCodeEightWhereItIsAskedFor) {
+    putEndlessScene();
+    const std::vector<std::string> words{"run", "rest.json", "--fail-on-collapse", "--set", "supports=[]",
+                                         "stages=[{\"name\": \"fall\"}]"};
+    const Ended ended = keyblock(words);
+    EXPECT_EQ(ended.code, 8) << ended.err;
+    EXPECT_NE(ended.out.find("stable  NO"), std::string::npos) << ended.out;
+    const json verdict = info("rest.kbrun").at("verdict");
+    EXPECT_EQ(verdict.at("stands"), false);
+    for (const json& block : verdict.at("blocks")) {
+        EXPECT_EQ(block.at("mode"), "falls");
+        EXPECT_GT(block.at("moved_m"), 0.0);
+        EXPECT_GT(block.at("weight_N"), 0.0);
+    }
+    EXPECT_FALSE(verdict.at("blocks").empty());
+}
+
+TEST_F(EarlyEnds, WhatStandsIsExitCodeZeroWhoeverAsks) {
+    putEndlessScene();
+    const Ended ended = keyblock({"run", "rest.json", "--fail-on-collapse", "--set", "stages=[{\"name\": \"rest\"}]"});
+    EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+    EXPECT_NE(ended.out.find("stable  yes"), std::string::npos) << ended.out;
+    const json told = info("rest.kbrun");
+    EXPECT_EQ(told.at("verdict").at("stands"), true);
+    EXPECT_LE(told.at("worst_balance").at("ratio"), 1e-3);
+}
+
+/// A search that is cut short has no verdict.
+TEST_F(EarlyEnds, NoVerdictIsExitCodeFive) {
+    putEndlessScene();
+    const Ended ended = keyblock({"run", "rest.json", "--set", "supports=[]", "stages=[{\"name\": \"fall\"}]",
+                                  "limits.iterations=2"});
+    EXPECT_EQ(ended.code, 5) << ended.err;
+    EXPECT_EQ(info("rest.kbrun").at("stages").at(0).at("outcome"), "undecided");
+    EXPECT_EQ(info("rest.kbrun").at("verdict").at("stands"), nullptr);
+}
+
 class Records : public EarlyEnds {
 protected:
     void putShakenScene(const std::string& record) const {
