@@ -7,6 +7,7 @@
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
+#include "app/cli/safety_folder.h"
 #include "app/cli/stop_signals.h"
 #include "app/cli/text_table.h"
 #include "solver/files/json_tree.h"
@@ -24,6 +25,8 @@
 namespace keyblock::cli {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t mostTold = 10;  // blocks, and joints; --json has all
 const std::vector<TextColumn> runColumns{
@@ -59,18 +62,27 @@ std::optional<SceneReading> askedScene(const SafetyOptions& options) {
 }
 
 TextRow runRow(const Scene& scene, const SafetyRun& run) {
-    return {shown(run.factor), run.stands ? "stands" : "fails", stageName(scene, run.end.stage),
+    return {shown(run.factor), run.end.outcome == Outcome::Undecided ? "" : run.stands ? "stands" : "fails", stageName(scene, run.end.stage),
             std::string(wordOf(run.end.outcome)), std::to_string(run.end.steps)};
 }
 
-SafetyFactor search(const Scene& scene, const SafetyOptions& options, Control& control) {
+fs::path folderOf(const SafetyOptions& options) {
+    if (options.out)
+        return *options.out;
+    return options.scene.parent_path() / (options.scene.stem().string() + "-safety");
+}
+
+SafetyFactor search(const Scene& scene, const SafetyOptions& options, SafetyFolder& folder, Control& control) {
     const StopSignals signals(control.stop);
     const auto trial = [&](const Scene& reduced, double factor, Sink& sink) {
-        ProgressSink progress(reduced, sink, chosenProgress(options.progress), "factor " + shown(factor) + ", ");
-        control.progress = [&](const Progress& now) { progress.update(now); };
-        keyblock::run(reduced, progress, control, {options.threads, nullptr});
+        folder.record(sink, [&](Sink& both) {
+            ProgressSink progress(reduced, both, chosenProgress(options.progress), "factor " + shown(factor) + ", ");
+            control.progress = [&](const Progress& now) { progress.update(now); };
+            keyblock::run(reduced, progress, control, {options.threads, nullptr});
+        });
     };
     const auto told = [&](const SafetyRun& run) {
+        folder.keep(run);
         if (!options.json)
             print(textLine(runColumns, runRow(scene, run)));
     };
@@ -119,20 +131,13 @@ std::string jointTable(const std::vector<std::string>& names, const FailureMode&
                                                 rows);
 }
 
-/// A run that found equilibrium after all, but elsewhere, has no words of its own.
-std::string whyNot(const SafetyRun& run) {
-    if (run.end.outcome != Outcome::Equilibrium)
-        return run.end.message;
-    return "but only after a block had moved by more than " + shown(leftPlace) + " of its size";
-}
-
 /// Why the run at the upper end did not stand, in its own words, and what moved.
 std::string modeText(const Scene& solved, const SafetyFactor& found) {
     std::string text;
     for (const SafetyRun& run : found.runs)
         if (run.factor == found.upper)
             text = "\nat " + shown(run.factor) + ", stage '" + stageName(solved, run.end.stage) + "': " +
-                   std::string(wordOf(run.end.outcome)) + "; " + whyNot(run) + "\n";
+                   std::string(wordOf(run.end.outcome)) + "; " + run.end.message + "\n";
     if (!found.mode || found.mode->blocks.empty())
         return text;
     const std::vector<std::string> names = blockNames(solved);
@@ -153,17 +158,22 @@ ExitCode perform(const SafetyOptions& options) {
         return Invalid;
     const Scene& scene = *read->scene;
     const Scene& solved = read->cut ? read->cut->scene : scene;
+    SafetyFolder folder(folderOf(options), options.overwrite);
     if (!options.json)
         print("reduced: " + std::string(wordsOf(scene.safety.reduce)[static_cast<std::size_t>(scene.safety.reduce)]) +
               "\n\n" + textLine(runColumns, {"factor", "", "stage", "outcome", "steps"}));
     Control control;
-    const SafetyFactor found = search(scene, options, control);
-    print(options.json ? safetyJson(solved, found) : "\n" + answerLine(found) + modeText(solved, found));
+    const SafetyFactor found = search(scene, options, folder, control);
+    folder.finish(solved);
+    print(options.json ? safetyJson(solved, found)
+                       : "\n" + answerLine(found) + modeText(solved, found) + "\nruns in " + folderOf(options).string() + "\n");
     const ExitCode code = exitCodeOf(found);
     if (code == Interrupted)
         printErrorLine("interrupted; the bracket so far is told");
     if (code == LimitReached)
-        printErrorLine("a limit of the scene was reached in one of the runs; raise 'limits' to go on");
+        printErrorLine(*found.cutShort == Outcome::Undecided
+                           ? "the runs beside the bracket come to no verdict; raise 'limits.iterations' to go on"
+                           : "a limit of the scene was reached in one of the runs; raise 'limits' to go on");
     return code;
 }
 

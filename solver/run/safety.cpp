@@ -8,6 +8,7 @@
 #include "solver/run/strength_reduction.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace keyblock {
@@ -17,8 +18,6 @@ namespace {
 /// Keeps the first and the last frame of the stage that decides.
 class DecisiveStage : public Sink {
 public:
-    explicit DecisiveStage(const Scene& scene) : scene_(scene) {}
-
     void begin(const Scene&, const HistoryColumns&) override {}
     void stageBegins(int) override {}
     void event(const Event&) override {}
@@ -31,7 +30,7 @@ public:
     void stageEnds(const StageResult& result) override {
         if (decided_) return;
         end = result;
-        stands = result.outcome == Outcome::Equilibrium && !leftItsPlace(result.stage);
+        stands = result.outcome == Outcome::Equilibrium;
         decided_ = !stands;
     }
 
@@ -40,13 +39,6 @@ public:
     bool stands = false;
 
 private:
-    /// Where something is driven, moving far is what was asked for.
-    bool leftItsPlace(int stage) const {
-        const Stage& own = scene_.stages[static_cast<std::size_t>(stage)];
-        return own.motions.empty() && own.dilations.empty() && first && farthestMovement(*first, *last) > leftPlace;
-    }
-
-    const Scene& scene_;
     bool decided_ = false;
 };
 
@@ -54,29 +46,37 @@ bool isCutShort(const StageResult& end) { return end.outcome == Outcome::Stopped
 
 }  // namespace
 
-std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optional<double> upper, double tolerance) {
-    if (!lower && !upper) return 1.0;
-    if (!upper) return *lower < mostSafety ? std::optional(std::min(2.0 * *lower, mostSafety)) : std::nullopt;
-    if (!lower) return *upper > leastSafety ? std::optional(std::max(0.5 * *upper, leastSafety)) : std::nullopt;
-    return *upper - *lower > tolerance ? std::optional(0.5 * (*lower + *upper)) : std::nullopt;
+std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optional<double> upper, double tolerance,
+                                       std::size_t undecided) {
+    constexpr std::array within{0.5, 0.25, 0.75}, beside{1.0, 0.9, 1.1};
+    if (undecided >= within.size()) return std::nullopt;
+    if (!lower && !upper) return beside[undecided];
+    if (!upper) return *lower < mostSafety ? std::optional(std::min(2.0 * beside[undecided] * *lower, mostSafety)) : std::nullopt;
+    if (!lower) return *upper > leastSafety ? std::optional(std::max(0.5 * beside[undecided] * *upper, leastSafety)) : std::nullopt;
+    return *upper - *lower > tolerance ? std::optional(*lower + within[undecided] * (*upper - *lower)) : std::nullopt;
 }
 
 SafetyFactor findSafetyFactor(const Scene& scene, const SafetyTrial& trial,
                               const std::function<void(const SafetyRun&)>& told) {
     SafetyFactor found;
-    while (const auto factor = nextSafetyFactor(found.lower, found.upper, scene.safety.tolerance)) {
-        DecisiveStage stage(scene);
+    std::size_t undecided = 0;
+    while (const auto factor = nextSafetyFactor(found.lower, found.upper, scene.safety.tolerance, undecided)) {
+        DecisiveStage stage;
         trial(withReducedStrength(scene, *factor), *factor, stage);
         if (isCutShort(stage.end)) {
             found.cutShort = stage.end.outcome;
             return found;
         }
         const SafetyRun one{*factor, stage.stands, stage.end};
-        (one.stands ? found.lower : found.upper) = *factor;
-        if (!one.stands && stage.first) found.mode = failureMode(*stage.first, *stage.last, scene.analysis.gravity);
+        const bool decided = stage.end.outcome != Outcome::Undecided;
+        undecided = decided ? 0 : undecided + 1;
+        if (decided) (one.stands ? found.lower : found.upper) = *factor;
+        if (decided && !one.stands && stage.first)
+            found.mode = failureMode(*stage.first, *stage.last, scene.analysis.gravity);
         found.runs.push_back(one);
         if (told) told(one);
     }
+    if (undecided > 0) found.cutShort = Outcome::Undecided;
     return found;
 }
 

@@ -18,14 +18,10 @@ namespace keyblock {
 /// Beyond these no bracket is looked for.
 inline constexpr double leastSafety = 1e-3, mostSafety = 1e3;
 
-/// A block that has moved farther in a stage, over its size (centroid to farthest corner), has left its place, whatever
-/// it came to rest on.
-inline constexpr double leftPlace = 0.1;
-
 /// One run with strengths divided by `factor`.
 struct SafetyRun {
     double factor = 1.0;
-    bool stands = false;  // every stage ended in equilibrium, and no block had left its place
+    bool stands = false;  // every stage ended in equilibrium
     StageResult end;  // the stage that decides: the first that does not stand, else the last
 };
 
@@ -34,19 +30,22 @@ struct SafetyFactor {
     std::optional<double> upper;  // least factor found not to stand, above `lower`
     std::vector<SafetyRun> runs;  // in the order in which they were done
     std::optional<FailureMode> mode;  // of the run at `upper`
-    std::optional<Outcome> cutShort;  // `Stopped` or `Limit`: the last run came to no answer
+    std::optional<Outcome> cutShort;  // `Stopped`, `Limit` or `Undecided`: the last run came to no answer
 };
 
 /// Runs a scene into a sink, as `run` does.
 using SafetyTrial = std::function<void(const Scene& reduced, double factor, Sink& sink)>;
 
 /// The factor to try next: 1, then doubled or halved until there are both ends, then their middle; none when they are
-/// `tolerance` apart, or at the last factor that is tried.
-std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optional<double> upper, double tolerance);
+/// `tolerance` apart, or at the last factor that is tried. \param undecided runs between these ends that came to no
+/// verdict: the next is taken a quarter of the bracket beside the first, then three quarters, or a tenth less and more
+/// where there is no bracket.
+std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optional<double> upper, double tolerance,
+                                       std::size_t undecided = 0);
 
 /// Looks for the factor to `scene.safety.tolerance`.
 /// \pre `checkScene(scene)` and `checkSafety(scene)` found no error.
-/// \param told called after every run that came to an answer; may be empty.
+/// \param told called after every run that came to an answer, or to no verdict; may be empty.
 SafetyFactor findSafetyFactor(const Scene& scene, const SafetyTrial& trial,
                               const std::function<void(const SafetyRun&)>& told = {});
 
