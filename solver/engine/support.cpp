@@ -106,6 +106,7 @@ WallForce releaseSupport(const Model& model, State& state, std::size_t support) 
     wall.block = point.block;
     wall.place = point.place;
     wall.force = now.force;
+    wall.ofSupport = true;
     return wall;
 }
 

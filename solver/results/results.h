@@ -114,6 +114,47 @@ struct Energy {
     bool operator==(const Energy&) const = default;
 };
 
+enum class ForceSource { Weight, Contact, Bolt, Support, Load, Wall, Glue, Dashpot, Inertia };
+
+/// A single force on a block.
+struct BlockForce {
+    int block = -1;
+    ForceSource source = ForceSource::Weight;
+    int other = -1;  // the other block of a contact or bond; the bolt; −1: neither
+    Point position{0.0, 0.0};  // where it acts [m]
+    Point force{0.0, 0.0};  // on the block [N]
+    double moment = 0.0;  // of force and couple about the block's centroid, counter-clockwise positive [N m]
+
+    bool operator==(const BlockForce&) const = default;
+};
+
+/// Forces in proportion to the mass of a block.
+struct BodyForce {
+    Point weight{0.0, 0.0};  // of gravity and of accelerations that act like it, as much of them as acts [N]
+    Point inertia{0.0, 0.0};  // −m·a over the frame's step; 0 at rest [N]
+    double inertiaMoment = 0.0;  // likewise [N m]
+
+    bool operator==(const BodyForce&) const = default;
+};
+
+/// Force of a contact over a step, where its blocks were in the middle of it.
+struct ContactStepForce {
+    Point force{0.0, 0.0};  // on block a; its opposite acts on block b [N]
+    double momentA = 0.0, momentB = 0.0;  // on either block about its centroid [N m]
+
+    bool operator==(const ContactStepForce&) const = default;
+};
+
+/// Single forces on the blocks that the frame's contacts do not give; `blockForces` (block_forces.h) lists all of them.
+struct FrameForces {
+    std::vector<BodyForce> bodies;  // a row per block; empty: no forces were kept
+    std::vector<ContactStepForce> contacts;  // a row per contact of a frame in motion; empty at rest: they are the contacts'
+    std::vector<Point> nodes;  // a row per node of all bolts: what its anchor gives the block that holds it [N]
+    std::vector<BlockForce> others;  // a bond between cells once: its opposite acts on the other cell
+
+    bool operator==(const FrameForces&) const = default;
+};
+
 struct Frame {
     int stage = 0;
     double time = 0.0;
@@ -122,6 +163,7 @@ struct Frame {
     std::vector<ContactFrame> contacts;
     std::vector<BoltFrame> bolts;
     Energy energy;
+    FrameForces forces;
 
     bool operator==(const Frame&) const = default;
 };

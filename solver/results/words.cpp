@@ -21,6 +21,9 @@ constexpr std::array<std::string_view, 4> movementWords{"slides", "falls", "topp
 constexpr std::array<std::string_view, 4> nodeStateWords{"bonded", "slipping", "gone", "free"};
 constexpr std::array<std::string_view, 4> contactStateWords{"open", "sliding", "locked", "bonded"};
 
+constexpr std::array<std::string_view, 9> forceSourceWords{"weight", "contact", "bolt",    "support", "load",
+                                                           "wall",   "glue",    "dashpot", "inertia"};
+
 template <typename Value, typename Words>
 std::optional<Value> valueOf(const Words& words, std::string_view word) {
     const auto found = std::find(words.begin(), words.end(), word);
@@ -41,6 +44,7 @@ std::string_view wordOf(Outcome outcome) { return outcomeWords[static_cast<std::
 std::string_view wordOf(Movement mode) { return movementWords[static_cast<std::size_t>(mode)]; }
 std::string_view wordOf(NodeState state) { return nodeStateWords[static_cast<std::size_t>(state)]; }
 std::string_view wordOf(ContactState state) { return contactStateWords[static_cast<std::size_t>(state)]; }
+std::string_view wordOf(ForceSource source) { return forceSourceWords[static_cast<std::size_t>(source)]; }
 std::string_view wordOf(StageKind kind) { return stageKindWords[static_cast<std::size_t>(kind)]; }
 std::string_view anchorWord(bool real) { return real ? "real" : "artificial"; }
 

@@ -19,6 +19,7 @@ std::string_view wordOf(Outcome outcome);  // equilibrium, duration, limit, coll
 std::string_view wordOf(Movement mode);  // slides, falls, topples, follows
 std::string_view wordOf(NodeState state);  // bonded, slipping, gone, free
 std::string_view wordOf(ContactState state);  // open, sliding, locked, bonded
+std::string_view wordOf(ForceSource source);  // weight, contact, bolt, support, load, wall, glue, dashpot, inertia
 std::string_view wordOf(StageKind kind);  // static, dynamic
 std::string_view anchorWord(bool real);  // real, artificial
 

@@ -60,6 +60,8 @@ double areaOf(const std::vector<Point>& corners) {
 
 }  // namespace
 
+bool isShown(const Contact& contact) { return contact.bonded || contact.normalForce > 0.0; }
+
 Observation::Observation(const Scene& scene, const Model& model, const State& start, Reference& reference)
     : scene_(scene), model_(model), reference_(reference) {
     for (const Monitor& monitor : scene.monitors) {
@@ -123,7 +125,7 @@ Frame Observation::frame(const State& state, int stage, double time) const {
     frame.step = state.step;
     for (int i = 0; i < static_cast<int>(state.blocks.size()); ++i) frame.blocks.push_back(blockState(state, i));
     for (const Contact& c : state.contacts)
-        if (c.bonded || c.normalForce > 0.0) frame.contacts.push_back(contactFrame(c, model_, state));
+        if (isShown(c)) frame.contacts.push_back(contactFrame(c, model_, state));
     for (std::size_t b = 0; b < state.bolts.size(); ++b) {
         frame.bolts.push_back(boltFrame(model_.bolts[b], state.bolts[b], model_.origin));
         frame.bolts.back().elasticEnergy = boltEnergy(model_, state, static_cast<int>(b));

@@ -11,6 +11,9 @@
 
 namespace keyblock {
 
+/// True for contacts that a frame shows.
+bool isShown(const Contact& contact);
+
 /// Where displacements count from: the start, or the last `zero_displacements`.
 struct Reference {
     std::vector<Point> centroids;

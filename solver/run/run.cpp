@@ -19,6 +19,7 @@
 #include "solver/results/history.h"
 #include "solver/results/run_source.h"
 #include "solver/run/checkpoint.h"
+#include "solver/run/frame_forces.h"
 #include "solver/run/run_limit.h"
 #include "solver/run/stability.h"
 #include "solver/run/stage_settings.h"
@@ -29,6 +30,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <thread>
 
 namespace keyblock {
@@ -239,11 +241,14 @@ private:
             now_.firstStep = now_.state.step;
             now_.time = 0.0;
             engine_.health = {};
+            ended_ = loads_.start();
         } else {
-            loads_.end(loadsReached());
+            ended_ = loadsReached();
+            loads_.end(*ended_);
         }
         if (ending.ending == Ending::Done && isStatic()) now_.time = 1.0;
         const StageResult result = resultOf(ending);
+        ended_.reset();
         const bool continues = stage().continueAfterCollapse;
         now_.results.push_back(result);
         sink_.stageEnds(result);
@@ -360,8 +365,19 @@ private:
         clock.keptStep = now_.state.step;
         clock.keptStage = now_.stage;
         keepRow(now_.state, now_.time);
-        sink_.frame(observation_.frame(now_.state, now_.stage, now_.time));
+        Frame frame = observation_.frame(now_.state, now_.stage, now_.time);
+        frame.forces = frameForces(forcesNow(), now_.state, frame, !isStatic());
+        sink_.frame(frame);
         ++now_.written.frames;
+    }
+
+    /// In motion those of the last step; where there was none, as where a motion begins.
+    std::vector<SingleForce> forcesNow() const {
+        const LoadPoint at = ended_ ? *ended_ : loadsReached();
+        if (isStatic()) return forcesAtRest(model_, now_.state, loads_.loads(), at);
+        if (engine_.taken.step == now_.state.step && now_.time > 0.0)
+            return forcesOver(model_, loads_.loads(), engine_.taken);
+        return forcesAtStart(model_, now_.state, loads_.loads(), at, dynamicSettings(scene_, stage()).damping);
     }
 
     /// Waits between two steps while the run is paused, but for one step at a time that is asked for. A step that is
@@ -417,6 +433,7 @@ private:
     Observation observation_;
     Watch watch_;
     std::vector<double> times_;  // of a static stage's increments
+    std::optional<LoadPoint> ended_;  // what acts at the end of a stage, while that is written
     bool stepping_ = false;  // while paused
     bool atRest_ = false;  // between two steps
 };

@@ -91,27 +91,43 @@ bool isSameLoad(const LoadPoint& a, const LoadPoint& b) {
            a.pressures == b.pressures && a.walls == b.walls && longestDrive(a, b) == 0.0;
 }
 
-Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
-                              double& total) {
-    ForceSum sum(model, state);
-    addGravity(model, state, at.gravity * model.gravity + at.acceleration, sum);
+std::vector<SingleLoad> singleLoads(const Model& model, const State& state, const Loads& loads, const LoadPoint& at) {
+    std::vector<SingleLoad> singles;
+    singles.reserve(loads.forces.size() + loads.pressures.size() + loads.walls.size());
     for (std::size_t i = 0; i < loads.forces.size(); ++i) {
         const PointForce& f = loads.forces[i];
-        sum.onBlock(f.block, materialPoint(state.blocks[f.block], f.place), at.forces[i] * f.force);
+        singles.push_back({ForceSource::Load, f.block, -1, materialPoint(state.blocks[f.block], f.place),
+                           at.forces[i] * f.force});
     }
     for (std::size_t i = 0; i < loads.pressures.size(); ++i) {
         const EdgePressure& p = loads.pressures[i];
         const Edge edge = edgeOf(state.blocks[p.block].corners, p.edge);
         const double length = (p.to - p.from) * edge.length;
         const Point middle = edge.start + 0.5 * (p.from + p.to) * edge.length * edge.along;
-        sum.onBlock(p.block, middle, -at.pressures[i] * p.pressure * length * model.thickness * edge.outward);
+        singles.push_back({ForceSource::Load, p.block, -1, middle,
+                           -at.pressures[i] * p.pressure * length * model.thickness * edge.outward});
     }
     for (std::size_t i = 0; i < loads.walls.size(); ++i) {
         const WallForce& w = loads.walls[i];
-        if (w.block >= 0)
-            sum.onBlock(w.block, materialPoint(state.blocks[w.block], w.place), at.walls[i] * w.force);
-        else
-            sum.onNode(model.bolts[w.bolt].firstNode + w.node, at.walls[i] * w.force);
+        SingleLoad& single = singles.emplace_back();
+        single.source = w.ofSupport ? ForceSource::Support : ForceSource::Wall;
+        single.block = w.block;
+        single.force = at.walls[i] * w.force;
+        if (w.block >= 0) single.place = materialPoint(state.blocks[w.block], w.place);
+        else single.node = model.bolts[w.bolt].firstNode + w.node;
+    }
+    return singles;
+}
+
+Point accelerationOf(const Model& model, const LoadPoint& at) { return at.gravity * model.gravity + at.acceleration; }
+
+Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
+                              double& total) {
+    ForceSum sum(model, state);
+    addGravity(model, state, accelerationOf(model, at), sum);
+    for (const SingleLoad& load : singleLoads(model, state, loads, at)) {
+        if (load.block >= 0) sum.onBlock(load.block, load.place, load.force);
+        else sum.onNode(load.node, load.force);
     }
     total = sum.total;
     return sum.forces;

@@ -39,6 +39,7 @@ struct WallForce {
     int bolt = -1, node = -1;
     Point place{0.0, 0.0};  // in the block's frame at the start, from its centroid [m]
     Point force{0.0, 0.0};  // [N] over the whole thickness
+    bool ofSupport = false;  // of a support that was released
 };
 
 /// Acts against the velocity of its point of the block.
@@ -74,6 +75,21 @@ double longestDrive(const LoadPoint& a, const LoadPoint& b);
 
 /// True where the same acts at both, whenever that is.
 bool isSameLoad(const LoadPoint& a, const LoadPoint& b);
+
+/// A single force of the loads, but for weights.
+struct SingleLoad {
+    ForceSource source = ForceSource::Load;  // load, wall or support
+    int block = -1;  // −1: on the node
+    int node = -1;  // of all nodes
+    Point place{0.0, 0.0};  // where it acts on a block now [m]
+    Point force{0.0, 0.0};  // [N]
+};
+
+/// Point forces, pressures and forces of walls as they act.
+std::vector<SingleLoad> singleLoads(const Model& model, const State& state, const Loads& loads, const LoadPoint& at);
+
+/// Force per mass of gravity and of accelerations that act like it [m/s²].
+Point accelerationOf(const Model& model, const LoadPoint& at);
 
 /// Generalised forces of gravity, forces, pressures and excavated walls on every unknown. \return summed magnitudes [N] in `total`.
 Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,

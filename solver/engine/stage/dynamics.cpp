@@ -194,10 +194,13 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         moveOn(model, trial.state, problem, d, options);
         acceptStep(model, trial.state, problem, d);
         trial.residual = report.residual;
+        const bool known = options.path != nullptr;
+        options.path = nullptr;
+        trial.taken = {{}, std::move(problem), std::move(d), at, options};
         if (energyCut * dt < energyStep * settings_.timeStep) return Attempt::Settled;
         const StepEnergy energy = energyOfStep(model, state, trial.state);
-        if (!options.path && energy.leavesMoreThan(closeEnergy)) {
-            guess = start = d;
+        if (!known && energy.leavesMoreThan(closeEnergy)) {
+            guess = start = trial.taken.d;
             options.path = &guess;
             continue;
         }
@@ -245,10 +248,11 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
         if (dt <= low) dt = 0.5 * (low + high);
     }
     reportResticks(model, ifSliding(state), trial.state, time, -1, observer);
-    state = std::move(trial.state);
+    engine_.taken = std::move(trial.taken);
+    engine_.taken.before = std::exchange(state, std::move(trial.state));
     time = dt == rest ? end : later(time, dt, pace.roundedUp);
     pace.dt = std::min(2.0 * std::max(pace.dt, dt), settings_.timeStep);
-    ++state.step;
+    engine_.taken.step = ++state.step;
     countAccepted(engine_, state, trial.residual);
     const Eigen::VectorXd held = heldAccelerations(state);
     double least = high > 0.0 ? 1.0 - locateShare : 1.0 + reachedShare;

@@ -43,6 +43,7 @@ private:
     struct Trial {
         State state;
         double residual = 0.0;
+        TakenStep taken;  // but for where it began
     };
     enum class Attempt { Settled, TooLong, Unbalanced, Stopped };
     Attempt attempt(const State& state, double time, double dt, DynamicPace& pace, Trial& trial);

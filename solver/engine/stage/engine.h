@@ -9,6 +9,7 @@
 #include "solver/engine/model/loads.h"
 #include "solver/engine/model/state.h"
 #include "solver/engine/step/step_problem.h"
+#include "solver/engine/stage/taken_step.h"
 #include "solver/engine/step/step_solver.h"
 #include "solver/results/results.h"
 
@@ -23,6 +24,7 @@ struct Engine {
     StepSolver solver;
     Health health;
     StepHealth newest;
+    TakenStep taken;  // the last step in motion; nothing of a run depends on it
     std::function<bool()> stopAsked;  // asked in every pass
     std::function<void()> passed;  // called after every solved step, for progress
 
