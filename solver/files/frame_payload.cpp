@@ -13,7 +13,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> words{"blocks", "corners", "contacts", "nodes", "bolts"};
+constexpr std::array<std::string_view, 9> words{"blocks", "corners", "contacts", "nodes", "bolts",
+                                                "body_forces", "contact_forces", "node_forces", "other_forces"};
 
 constexpr std::array<PayloadColumn, 12> blockColumns{{{"x", "m", "centroid"},
                                                       {"y", "m", "centroid"},
@@ -69,6 +70,33 @@ constexpr std::array<PayloadColumn, 5> boltColumns{
      {"elastic", "J", "held by shank, anchors and plate, over the model's thickness"},
      {"plastic", "J", "taken since the start by steel, hinges and crushed rock"},
      {"bond", "J", "taken since the start by sliding anchors and by bonds that let go"}}};
+
+constexpr std::array<PayloadColumn, 5> bodyForceColumns{
+    {{"weight_x", "N", "row n: block n; gravity and accelerations that act like it, as much of them as acts"},
+     {"weight_y", "N", "likewise"},
+     {"inertia_x", "N", "-m a over the frame's step; 0 at rest"},
+     {"inertia_y", "N", "likewise"},
+     {"inertia_moment", "N m", "likewise, about the centroid, counter-clockwise positive"}}};
+
+constexpr std::array<PayloadColumn, 4> contactForceColumns{
+    {{"fx", "N", "row n: contact n; force on block a over the frame's step; no rows at rest: see contacts"},
+     {"fy", "N", "likewise; block b bears the opposite"},
+     {"moment_a", "N m", "on block a, about its centroid"},
+     {"moment_b", "N m", "on block b, about its centroid"}}};
+
+constexpr std::array<PayloadColumn, 2> nodeForceColumns{
+    {{"fx", "N", "row n: node n; force of the anchored point on the block that holds it, at the node"},
+     {"fy", "N", "likewise"}}};
+
+constexpr std::array<PayloadColumn, 8> otherForceColumns{
+    {{"block", "", "index of the block on which the force acts"},
+     {"source", "", "0 weight, 1 contact, 2 bolt, 3 support, 4 load, 5 wall, 6 glue, 7 dashpot, 8 inertia"},
+     {"other", "", "index of the block on the other side of a contact or of glue, or of the bolt; -1: none"},
+     {"x", "m", "where it acts"},
+     {"y", "m", "where it acts"},
+     {"fx", "N", "on the block; glue: block other bears the opposite of force and couple"},
+     {"fy", "N", "likewise"},
+     {"moment", "N m", "of force and couple about the block's centroid, counter-clockwise positive"}}};
 
 /// Takes values off a row and remembers whether one of them was no index of its kind.
 class RowReader {
@@ -200,11 +228,83 @@ bool unpackBolt(RowReader& row, const Scene&, Frame& frame) {
     return row.good();
 }
 
+void packBodyForces(const Frame& frame, std::vector<double>& out) {
+    for (const BodyForce& f : frame.forces.bodies)
+        out.insert(out.end(), {f.weight.x(), f.weight.y(), f.inertia.x(), f.inertia.y(), f.inertiaMoment});
+}
+
+bool unpackBodyForce(RowReader& row, const Scene&, Frame& frame) {
+    BodyForce f;
+    f.weight = row.point();
+    f.inertia = row.point();
+    f.inertiaMoment = row.number();
+    frame.forces.bodies.push_back(f);
+    return frame.forces.bodies.size() <= frame.blocks.size();
+}
+
+void packContactForces(const Frame& frame, std::vector<double>& out) {
+    for (const ContactStepForce& f : frame.forces.contacts)
+        out.insert(out.end(), {f.force.x(), f.force.y(), f.momentA, f.momentB});
+}
+
+bool unpackContactForce(RowReader& row, const Scene&, Frame& frame) {
+    ContactStepForce f;
+    f.force = row.point();
+    f.momentA = row.number();
+    f.momentB = row.number();
+    frame.forces.contacts.push_back(f);
+    return frame.forces.contacts.size() <= frame.contacts.size();
+}
+
+void packNodeForces(const Frame& frame, std::vector<double>& out) {
+    for (const Point& force : frame.forces.nodes) out.insert(out.end(), {force.x(), force.y()});
+}
+
+bool unpackNodeForce(RowReader& row, const Scene&, Frame& frame) {
+    frame.forces.nodes.push_back(row.point());
+    return row.good();
+}
+
+void packOtherForces(const Frame& frame, std::vector<double>& out) {
+    for (const BlockForce& f : frame.forces.others)
+        out.insert(out.end(), {static_cast<double>(f.block), static_cast<double>(f.source),
+                               static_cast<double>(f.other), f.position.x(), f.position.y(), f.force.x(), f.force.y(),
+                               f.moment});
+}
+
+bool unpackOtherForce(RowReader& row, const Scene& scene, Frame& frame) {
+    BlockForce f;
+    f.block = row.index(0, frame.blocks.size());
+    f.source = static_cast<ForceSource>(row.index(0, 9));
+    f.other = row.index(f.source == ForceSource::Glue ? 0 : -1,
+                        f.source == ForceSource::Bolt ? scene.bolts.size() : frame.blocks.size());
+    f.position = row.point();
+    f.force = row.point();
+    f.moment = row.number();
+    frame.forces.others.push_back(f);
+    return row.good();
+}
+
+/// Lists that go with others have as many rows, or none.
+bool fits(Payload payload, const Scene& scene, std::size_t blocks, const Frame& frame) {
+    switch (payload) {
+        case Payload::Blocks: return frame.blocks.size() == blocks;
+        case Payload::Bolts: return frame.bolts.size() == scene.bolts.size();
+        case Payload::BodyForces: return frame.forces.bodies.empty() || frame.forces.bodies.size() == blocks;
+        case Payload::ContactForces:
+            return frame.forces.contacts.empty() || frame.forces.contacts.size() == frame.contacts.size();
+        default: return true;
+    }
+}
+
 using Pack = void (*)(const Frame&, std::vector<double>&);
 using UnpackRow = bool (*)(RowReader&, const Scene&, Frame&);
 
-constexpr std::array<Pack, 5> packs{packBlocks, packCorners, packContacts, packNodes, packBolts};
-constexpr std::array<UnpackRow, 5> unpacks{unpackBlock, unpackCorner, unpackContact, unpackNode, unpackBolt};
+constexpr std::array<Pack, 9> packs{packBlocks,     packCorners,       packContacts,   packNodes,      packBolts,
+                                    packBodyForces, packContactForces, packNodeForces, packOtherForces};
+constexpr std::array<UnpackRow, 9> unpacks{unpackBlock,     unpackCorner,       unpackContact,
+                                           unpackNode,      unpackBolt,         unpackBodyForce,
+                                           unpackContactForce, unpackNodeForce, unpackOtherForce};
 
 }  // namespace
 
@@ -217,6 +317,10 @@ std::span<const PayloadColumn> payloadColumns(Payload payload) {
         case Payload::Contacts: return contactColumns;
         case Payload::Nodes: return nodeColumns;
         case Payload::Bolts: return boltColumns;
+        case Payload::BodyForces: return bodyForceColumns;
+        case Payload::ContactForces: return contactForceColumns;
+        case Payload::NodeForces: return nodeForceColumns;
+        case Payload::OtherForces: return otherForceColumns;
     }
     return {};
 }
@@ -236,9 +340,7 @@ bool unpack(Payload payload, std::span<const double> values, const Scene& scene,
         if (!unpacks[static_cast<std::size_t>(payload)](row, scene, frame))
             return false;
     }
-    if (payload == Payload::Blocks)
-        return frame.blocks.size() == blocks;
-    return payload != Payload::Bolts || frame.bolts.size() == scene.bolts.size();
+    return fits(payload, scene, blocks, frame);
 }
 
 }  // namespace keyblock

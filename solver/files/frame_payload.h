@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How a frame lies in the run store: rows of doubles, one BLOB for the blocks, one
-// for their corners, one for the contacts, one for the bolts' nodes and one for the
-// bolts. The lists of columns here are also written into every store, so that a
+// for their corners, one for the contacts, one for the bolts' nodes, one for the
+// bolts and four for single forces on the blocks. The lists of columns here are also written into every store, so that a
 // reader in another language needs nothing but the store.
 #pragma once
 
@@ -23,7 +23,7 @@ struct PayloadColumn {
     std::string_view meaning;
 };
 
-enum class Payload { Blocks, Corners, Contacts, Nodes, Bolts };
+enum class Payload { Blocks, Corners, Contacts, Nodes, Bolts, BodyForces, ContactForces, NodeForces, OtherForces };
 
 /// The payloads' names in the store, in the order of `Payload`.
 std::span<const std::string_view> payloadWords();
@@ -34,7 +34,7 @@ std::span<const PayloadColumn> payloadColumns(Payload payload);
 /// The rows of a payload, one after another.
 std::vector<double> pack(Payload payload, const Frame& frame);
 
-/// Puts the rows of a payload into a frame: blocks before corners, bolts before nodes. False when they do not fit
+/// Puts the rows of a payload into a frame: blocks before corners, bolts before nodes, forces last. False when they do not fit
 /// the scene, the number of blocks that are solved, or the columns.
 bool unpack(Payload payload, std::span<const double> values, const Scene& scene, std::size_t blocks, Frame& frame);
 

@@ -272,6 +272,17 @@ TEST_F(RunStoreTest, RefusesOtherDatabasesAndVersions) {
     EXPECT_NE(messageOnReading().find("no run store"), std::string::npos);
 }
 
+/// As programs wrote it that kept no single forces.
+TEST_F(RunStoreTest, ReadsAStoreWithoutForces) {
+    writeSample();
+    runSql("DELETE FROM columns WHERE payload LIKE '%_forces'");
+    for (const char* payload : {"body", "contact", "node", "other"})
+        runSql(std::string("ALTER TABLE frames DROP COLUMN ") + payload + "_forces");
+    Results expected = test::sampleResults();
+    for (Frame& frame : expected.frames) frame.forces = {};
+    EXPECT_EQ(readResults(RunStore(storePath())), expected);
+}
+
 TEST_F(RunStoreTest, RefusesATruncatedStore) {
     writeSample();
     const auto size = fs::file_size(storePath());
@@ -296,6 +307,9 @@ TEST_F(RunStoreTest, RefusesDamagedValues) {
         return false;
     };
     EXPECT_TRUE(damagedBy("UPDATE frames SET nodes = zeroblob(7)"));
+    EXPECT_TRUE(damagedBy("UPDATE frames SET body_forces = zeroblob(40)"));
+    EXPECT_TRUE(damagedBy("UPDATE frames SET contact_forces = zeroblob(64)"));
+    EXPECT_TRUE(damagedBy("UPDATE frames SET other_forces = x'0000000000000040' || zeroblob(56)"));
     EXPECT_TRUE(damagedBy("UPDATE frames SET blocks = zeroblob(96)"));
     EXPECT_TRUE(damagedBy("UPDATE frames SET corners = x'000000000000F87F' || zeroblob(16)"));
     EXPECT_TRUE(damagedBy("UPDATE frames SET stage = 9"));

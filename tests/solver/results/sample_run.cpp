@@ -136,6 +136,18 @@ BoltFrame boltFrame(double grown) {
     return bolt;
 }
 
+/// As of a frame at rest, or in motion: then contacts have a row of their own.
+FrameForces forces(bool moves, double grown) {
+    FrameForces all;
+    all.bodies = {{{0.0, -26487.0}, {0.0, 0.0}, 0.0}, {{0.0, -26487.0}, {1e2 * grown, 2e2 * grown}, -grown}};
+    if (moves) all.contacts = {{{5e2 * grown, -6e2 * grown}, 12.5, -0.1}};
+    all.nodes = {{1e3 * grown, -7.5}, {0.0, 0.0}, {-2e3 * grown, 0.5}};
+    all.others = {{0, ForceSource::Support, -1, {0.5, 0.0}, {0.0, 3e4}, 0.25},
+                  {1, ForceSource::Bolt, 0, {1.4, 0.5}, {-1e4 * grown, 0.0}, 0.0},
+                  {0, ForceSource::Glue, 1, {1.0, 0.5}, {8.0, 4.0}, 3.0}};
+    return all;
+}
+
 Frame frame(int stage, double time, long step) {
     const double grown = 0.01 * static_cast<double>(step);
     Frame result;
@@ -148,6 +160,7 @@ Frame frame(int stage, double time, long step) {
     result.bolts = {boltFrame(grown)};
     result.energy = {grown, 2 * grown, 3 * grown, 4 * grown, 5 * grown, 6 * grown, 7 * grown, 8 * grown, 9 * grown,
                      1e-12};
+    result.forces = forces(stage == 1, grown);
     return result;
 }
 
