@@ -5,6 +5,7 @@
 // of a pair of blocks names both, with a bar between.
 #include "solver/results/tables.h"
 
+#include "solver/results/block_forces.h"
 #include "solver/results/csv.h"
 #include "solver/results/frame_quantities.h"
 #include "solver/results/words.h"
@@ -16,7 +17,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> words{"history", "events", "bolts", "blocks", "contacts", "energy"};
+constexpr std::array<std::string_view, 7> words{"history", "events", "bolts", "blocks", "contacts", "energy", "forces"};
 
 using Columns = std::vector<std::string_view>;
 
@@ -43,6 +44,7 @@ Columns columnsOf(TableKind kind, const HistoryColumns& history) {
         case TableKind::Contacts:
             return withQuantities({"block_a", "block_b", "joint_material", "x_m", "y_m", "state"}, contactQuantities());
         case TableKind::Energy: return withQuantities({}, energyQuantities());
+        case TableKind::Forces: return {"block", "source", "name", "x_m", "y_m", "fx_N", "fy_N", "moment_Nm"};
         case TableKind::History: break;
     }
     return {history.names.begin(), history.names.begin() + history.monitorValues};
@@ -156,6 +158,21 @@ void writeContacts(const RunSource& run, const Frame& frame, const TableFilter&,
     }
 }
 
+/// The other block of a contact or bond, or the bolt; loads, supports and walls have no names.
+std::string nameOf(const RunSource& run, const BlockForce& force) {
+    if (force.source == ForceSource::Bolt) return boltName(run.scene(), force.other);
+    return blockName(run.blockNames(), force.other);
+}
+
+void writeForces(const RunSource& run, const Frame& frame, const TableFilter&, CsvWriter& csv) {
+    for (const BlockForce& force : blockForces(frame)) {
+        beginRow(csv, run.scene(), {frame.stage, frame.time});
+        csv.text(blockName(run.blockNames(), force.block)).text(wordOf(force.source)).text(nameOf(run, force));
+        csv.number(force.position.x()).number(force.position.y());
+        csv.number(force.force.x()).number(force.force.y()).number(force.moment).endRow();
+    }
+}
+
 /// Writes the rows of the selected frames.
 template <typename WriteFrame>
 void writeFrames(const RunSource& run, const TableFilter& filter, CsvWriter& csv, WriteFrame writeFrame) {
@@ -189,6 +206,10 @@ std::optional<TableKind> tableKindOf(std::string_view word) {
 
 bool hasBolts(TableKind kind) { return kind == TableKind::Bolts || kind == TableKind::Events; }
 
+bool lacksForces(TableKind kind, const RunSource& run) {
+    return kind == TableKind::Forces && !run.frames().empty() && run.frame(0).forces.bodies.empty();
+}
+
 std::optional<std::size_t> frameAt(const RunSource& run, const TableFilter& filter) {
     const std::vector<std::size_t> indices = selected(momentsOf(run.frames()), filter, When::Last);
     if (indices.empty())
@@ -206,6 +227,7 @@ void writeTable(TableKind kind, const RunSource& run, const TableFilter& filter,
         case TableKind::Bolts: return writeFrames(run, filter, csv, writeBolts);
         case TableKind::Blocks: return writeFrames(run, filter, csv, writeBlocks);
         case TableKind::Contacts: return writeFrames(run, filter, csv, writeContacts);
+        case TableKind::Forces: return writeFrames(run, filter, csv, writeForces);
     }
 }
 

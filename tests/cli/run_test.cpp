@@ -40,6 +40,9 @@ TEST_F(Runs, TablesHaveTheirHeadersAndMeetTheSummary) {
     EXPECT_EQ(lines(table("pull.kbrun", "blocks")).size(), 1U + 2U);
     EXPECT_GT(lines(table("pull.kbrun", "energy")).size(), 10U);
     EXPECT_EQ(lines(table("pull.kbrun", "contacts"))[0].rfind("stage,time_s,block_a,block_b,", 0), 0U);
+    EXPECT_EQ(lines(table("pull.kbrun", "forces"))[0], "stage,time_s,block,source,name,x_m,y_m,fx_N,fy_N,moment_Nm");
+    EXPECT_GT(lines(table("pull.kbrun", "forces", {"--at", "all"})).size(),
+              lines(table("pull.kbrun", "forces", {"--at", "last"})).size());
     const auto events = lines(table("pull.kbrun", "events", {"--bolt", "B"}));
     EXPECT_EQ(events[0],
               "stage,time_s,step,kind,bolt,node,element,block,x_m,y_m,axial_force_N,shear_force_N,anchor_force_N,"

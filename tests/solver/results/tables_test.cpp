@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 
@@ -52,6 +53,40 @@ TEST(Tables, HaveTheHeadersOfTheContract) {
     EXPECT_EQ(lines(TableKind::Energy)[0],
               "stage,time_s,kinetic_J,strain_J,contact_J,bolt_J,friction_J,plastic_J,released_J,damped_J,external_J,"
               "balance_error");
+    EXPECT_EQ(lines(TableKind::Forces)[0], "stage,time_s,block,source,name,x_m,y_m,fx_N,fy_N,moment_Nm");
+}
+
+TEST(Tables, ForcesAreListedBlockByBlockWithBothEndsOfContactsAndBonds) {
+    const auto forces = lines(TableKind::Forces, filterOf({}, {}, "pull:1"));
+    const std::string rest = "pull,1,";
+    ASSERT_EQ(forces.size(), 1U + 10U);
+    EXPECT_EQ(forces[1], rest + "left,weight,,0.55000000000000004,0.5,0,-26487,0");
+    EXPECT_TRUE(forces[2].starts_with(rest + "left,contact,b2,1,0.25,")) << forces[2];
+    EXPECT_TRUE(forces[3].starts_with(rest + "left,bolt,\"B, \"\"1\"\"\",")) << forces[3];
+    EXPECT_EQ(forces[4], rest + "left,support,,0.5,0,0,30000,0.25");
+    EXPECT_EQ(forces[5], rest + "left,glue,b2,1,0.5,8,4,3");
+    EXPECT_TRUE(forces[6].starts_with(rest + "b2,weight,")) << forces[6];
+    EXPECT_TRUE(forces[10].starts_with(rest + "b2,inertia,,")) << forces[10];
+    EXPECT_TRUE(forces[9].starts_with(rest + "b2,glue,left,1,0.5,-8,-4,")) << forces[9];
+}
+
+/// Of the step, not of where it ended: each block by its own arm.
+TEST(Tables, ForcesOfContactsInMotionAreThoseOfTheStep) {
+    const auto forces = lines(TableKind::Forces);
+    EXPECT_TRUE(forces[2].starts_with("shake: hard,2,left,contact,b2,1,0.25,45,-54,12.5")) << forces[2];
+    const auto other = std::find_if(forces.begin(), forces.end(), [](const std::string& line) {
+        return line.starts_with("shake: hard,2,b2,contact,left,1,0.25,-45,54,-0.1");
+    });
+    EXPECT_NE(other, forces.end());
+}
+
+TEST(Tables, KnowARunThatKeptNoForces) {
+    const Scene scene = test::sampleScene();
+    Results results = test::sampleResults();
+    EXPECT_FALSE(lacksForces(TableKind::Forces, MemoryRun(scene, results)));
+    for (Frame& frame : results.frames) frame.forces = {};
+    EXPECT_TRUE(lacksForces(TableKind::Forces, MemoryRun(scene, results)));
+    EXPECT_FALSE(lacksForces(TableKind::Blocks, MemoryRun(scene, results)));
 }
 
 TEST(Tables, LeaveTheStrengthOfABondOutThatHasNone) {
