@@ -169,7 +169,8 @@ void writeForces(const RunSource& run, const Frame& frame, const TableFilter&, C
         beginRow(csv, run.scene(), {frame.stage, frame.time});
         csv.text(blockName(run.blockNames(), force.block)).text(wordOf(force.source)).text(nameOf(run, force));
         csv.number(force.position.x()).number(force.position.y());
-        csv.number(force.force.x()).number(force.force.y()).number(force.moment).endRow();
+        for (const double value : {force.force.x(), force.force.y(), force.moment}) csv.number(value + 0.0);  // no -0
+        csv.endRow();
     }
 }
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A link knows no place, only how its strain follows the unknowns of a block; but
-// its gradient is T(x)ᵀ·n, from which both the direction n and the place x follow.
-// So whatever adds a link to a step is listed here without being asked for more.
+// A link has no point of action, only the gradient of its strain by the unknowns of
+// a block. That is T(x)ᵀ·n, from which both the direction n and the point x follow.
+// So every carrier that adds links to a step is listed here, with no code of its own.
 #include "solver/engine/stage/block_forces.h"
 
 #include "solver/engine/stage/step_build.h"

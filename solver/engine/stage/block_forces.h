@@ -3,7 +3,7 @@
 //
 // Every single force on every block, as the engine balances it: of the links of a
 // step, of its loads, of what is prescribed, and of inertia. Their sum on a block is
-// what the engine left unbalanced there, so whoever adds them up checks it.
+// what the engine left unbalanced there.
 #pragma once
 
 #include "solver/engine/stage/taken_step.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The last step that was accepted in motion, as it was solved. Its forces are those that
-// its inertia balances; where the bodies are afterwards, laws give others already.
+// its inertia balances; at the positions that it led to, the laws give others.
 #pragma once
 
 #include "solver/engine/model/loads.h"

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every single force on a block stands in the frame: they sum to nothing, and where a
-// closed form is known, each has its value.
+// The frame lists every single force on a block: they sum to zero, and where a closed
+// form is known, each has its value.
 #include "solver/results/block_forces.h"
 
+#include "solver/files/scene_file.h"
 #include "solver/verify/readings.h"
 #include "tests/solver/run/bolt_scenes.h"
 #include "tests/solver/run/small_stages.h"
@@ -57,6 +58,11 @@ Support heldBlock(const Point& place) {
 }
 
 const Frame& last(const Solved& solved) { return solved.results.frames.back(); }
+
+const Frame& lastOf(const Solved& solved, int stage) {
+    const auto& frames = solved.results.frames;
+    return *std::find_if(frames.rbegin(), frames.rend(), [&](const Frame& f) { return f.stage == stage; });
+}
 
 TEST(BlockForces, ABlockOnASlopeHasItsNormalAndShearForce) {
     Scene scene = boxOnBase(20.0, 30.0);
@@ -249,6 +255,31 @@ TEST(BlockForces, DashpotsAndKeptSupportsBalanceABlockOnAViscousSide) {
     EXPECT_NEAR(sumOf(frame, 0, ForceSource::Support).force.y(), frame.blocks[0].weight, 1e-3 * frame.blocks[0].weight);
     for (const Frame& each : solved.results.frames)
         if (each.stage == 1) expectBalance(each, 0, 2e-3);
+}
+
+/// The static stages of the sample, and the beginning of its release at rest, which its bolts follow.
+TEST(BlockForces, EveryBlockOfTheBoltedDriftBalancesAtRest) {
+    const SceneReading sample = readSceneFile(KEYBLOCK_SAMPLES_DIR "/drift-bolted.json");
+    ASSERT_TRUE(sample.scene);
+    Scene scene = sample.cut ? sample.cut->scene : *sample.scene;
+    scene.stages.resize(4);
+    scene.stages[3] = settle();
+    scene.stages[3].relaxation = 0.4;
+    scene.output.frames = 4;
+    const Solved solved = solve(scene);
+    ASSERT_EQ(solved.results.stages.size(), 4U);
+    int blocks = 0, bolted = 0;
+    for (int stage : {2, 3}) {
+        const Frame& frame = lastOf(solved, stage);
+        for (int block = 0; block < static_cast<int>(frame.blocks.size()); ++block) {
+            if (frame.blocks[static_cast<std::size_t>(block)].area < 0.01) continue;
+            expectBalance(frame, block, 2e-3);
+            ++blocks;
+            if (sumOf(frame, block, ForceSource::Bolt).force.norm() > 1.0) ++bolted;
+        }
+    }
+    EXPECT_GT(blocks, 500);
+    EXPECT_GT(bolted, 5);
 }
 
 TEST(BlockForces, AFrameWithoutForcesHasNone) {
