@@ -400,7 +400,8 @@ private:
         }
     }
 
-    /// Hands over the state between two steps to whoever looks on; nothing of it is kept.
+    /// Hands over the state between two steps to whoever looks on; nothing of it is kept, and its single forces, which
+    /// no picture shows, are not listed.
     void show() {
         if (control_.looked && now_.begun && control_.look.exchange(false))
             control_.looked(observation_.frame(now_.state, now_.stage, now_.time));

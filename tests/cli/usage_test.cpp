@@ -48,7 +48,7 @@ TEST_F(Usage, WrongOptionsAreTold) {
     expectUsageError({"export", "run.kbrun", "--out", "t.csv"}, "--table");
     expectUsageError({"export", "run.kbrun", "--table", "energy", "--figure", "section", "--out", "t.csv"}, "--figure");
     expectUsageError({"export", "run.kbrun", "--table", "energy", "--dpi", "100", "--out", "t.csv"}, "--dpi");
-    expectUsageError({"export", "run.kbrun", "--table", "forces", "--out", "t.csv"}, "history, events, bolts");
+    expectUsageError({"export", "run.kbrun", "--table", "stresses", "--out", "t.csv"}, "history, events, bolts");
     expectUsageError({"export", "run.kbrun", "--table", "energy", "--bolt", "B", "--out", "t.csv"}, "--bolt");
     expectUsageError({"import", "a.dxf"}, "--out");
     expectUsageError({"import", "a.dxf", "--out", "a.json", "--units", "cubit"}, "'cubit' is none of m, mm, cm");

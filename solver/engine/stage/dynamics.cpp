@@ -194,12 +194,12 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         moveOn(model, trial.state, problem, d, options);
         acceptStep(model, trial.state, problem, d);
         trial.residual = report.residual;
-        const bool known = options.path != nullptr;
+        const bool knowsPath = options.path != nullptr;
         options.path = nullptr;
         trial.taken = {{}, std::move(problem), std::move(d), at, options};
         if (energyCut * dt < energyStep * settings_.timeStep) return Attempt::Settled;
         const StepEnergy energy = energyOfStep(model, state, trial.state);
-        if (!known && energy.leavesMoreThan(closeEnergy)) {
+        if (!knowsPath && energy.leavesMoreThan(closeEnergy)) {
             guess = start = trial.taken.d;
             options.path = &guess;
             continue;

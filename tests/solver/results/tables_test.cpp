@@ -59,15 +59,15 @@ TEST(Tables, HaveTheHeadersOfTheContract) {
 TEST(Tables, ForcesAreListedBlockByBlockWithBothEndsOfContactsAndBonds) {
     const auto forces = lines(TableKind::Forces, filterOf({}, {}, "pull:1"));
     const std::string rest = "pull,1,";
-    ASSERT_EQ(forces.size(), 1U + 10U);
+    ASSERT_EQ(forces.size(), 1U + 11U);
     EXPECT_EQ(forces[1], rest + "left,weight,,0.55000000000000004,0.5,0,-26487,0");
     EXPECT_TRUE(forces[2].starts_with(rest + "left,contact,b2,1,0.25,")) << forces[2];
     EXPECT_TRUE(forces[3].starts_with(rest + "left,bolt,\"B, \"\"1\"\"\",")) << forces[3];
     EXPECT_EQ(forces[4], rest + "left,support,,0.5,0,0,30000,0.25");
     EXPECT_EQ(forces[5], rest + "left,glue,b2,1,0.5,8,4,3");
     EXPECT_TRUE(forces[6].starts_with(rest + "b2,weight,")) << forces[6];
-    EXPECT_TRUE(forces[10].starts_with(rest + "b2,inertia,,")) << forces[10];
-    EXPECT_TRUE(forces[9].starts_with(rest + "b2,glue,left,1,0.5,-8,-4,")) << forces[9];
+    EXPECT_TRUE(forces[10].starts_with(rest + "b2,glue,left,1,0.5,-8,-4,")) << forces[10];
+    EXPECT_TRUE(forces[11].starts_with(rest + "b2,inertia,,")) << forces[11];
 }
 
 /// Of the step, not of where it ended: each block by its own arm.
