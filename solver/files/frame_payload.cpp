@@ -5,6 +5,7 @@
 // store may come from anywhere, so every index is checked before it is believed.
 #include "solver/files/frame_payload.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -13,8 +14,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> words{"blocks", "corners", "contacts", "nodes", "bolts",
-                                                "body_forces", "contact_forces", "node_forces", "other_forces"};
+constexpr std::array<std::string_view, 10> words{"blocks",  "corners", "contacts",       "nodes",       "bolts",
+                                                 "weights", "inertia", "contact_forces", "node_forces", "other_forces"};
 
 constexpr std::array<PayloadColumn, 12> blockColumns{{{"x", "m", "centroid"},
                                                       {"y", "m", "centroid"},
@@ -71,12 +72,14 @@ constexpr std::array<PayloadColumn, 5> boltColumns{
      {"plastic", "J", "taken since the start by steel, hinges and crushed rock"},
      {"bond", "J", "taken since the start by sliding anchors and by bonds that let go"}}};
 
-constexpr std::array<PayloadColumn, 5> bodyForceColumns{
-    {{"weight_x", "N", "row n: block n; gravity and accelerations that act like it, as much of them as acts"},
-     {"weight_y", "N", "likewise"},
-     {"inertia_x", "N", "-m a over the frame's step; 0 at rest"},
-     {"inertia_y", "N", "likewise"},
-     {"inertia_moment", "N m", "likewise, about the centroid, counter-clockwise positive"}}};
+constexpr std::array<PayloadColumn, 2> weightColumns{
+    {{"fx", "N", "row n: block n; gravity and accelerations that act like it, as much of them as acts"},
+     {"fy", "N", "likewise"}}};
+
+constexpr std::array<PayloadColumn, 3> inertiaColumns{
+    {{"fx", "N", "row n: block n; -m a over the frame's step; no rows at rest"},
+     {"fy", "N", "likewise"},
+     {"moment", "N m", "likewise, about the centroid, counter-clockwise positive"}}};
 
 constexpr std::array<PayloadColumn, 4> contactForceColumns{
     {{"fx", "N", "row n: contact n; force on block a over the frame's step; no rows at rest: see contacts"},
@@ -228,18 +231,31 @@ bool unpackBolt(RowReader& row, const Scene&, Frame& frame) {
     return row.good();
 }
 
-void packBodyForces(const Frame& frame, std::vector<double>& out) {
-    for (const BodyForce& f : frame.forces.bodies)
-        out.insert(out.end(), {f.weight.x(), f.weight.y(), f.inertia.x(), f.inertia.y(), f.inertiaMoment});
+void packWeights(const Frame& frame, std::vector<double>& out) {
+    for (const BodyForce& f : frame.forces.bodies) out.insert(out.end(), {f.weight.x(), f.weight.y()});
 }
 
-bool unpackBodyForce(RowReader& row, const Scene&, Frame& frame) {
-    BodyForce f;
-    f.weight = row.point();
-    f.inertia = row.point();
-    f.inertiaMoment = row.number();
-    frame.forces.bodies.push_back(f);
-    return frame.forces.bodies.size() <= frame.blocks.size();
+bool unpackWeight(RowReader& row, const Scene&, Frame& frame) {
+    frame.forces.bodies.emplace_back().weight = row.point();
+    return row.good();
+}
+
+void packInertia(const Frame& frame, std::vector<double>& out) {
+    const auto rests = [](const BodyForce& f) { return f.inertia.isZero(0.0) && f.inertiaMoment == 0.0; };
+    if (std::all_of(frame.forces.bodies.begin(), frame.forces.bodies.end(), rests)) return;
+    for (const BodyForce& f : frame.forces.bodies)
+        out.insert(out.end(), {f.inertia.x(), f.inertia.y(), f.inertiaMoment});
+}
+
+/// Goes by the rows of the weights. \param values three a row
+bool unpackInertia(std::span<const double> values, Frame& frame) {
+    std::vector<BodyForce>& bodies = frame.forces.bodies;
+    if (!values.empty() && values.size() != 3 * bodies.size()) return false;
+    for (std::size_t at = 0; at < values.size(); at += 3) {
+        bodies[at / 3].inertia = {values[at], values[at + 1]};
+        bodies[at / 3].inertiaMoment = values[at + 2];
+    }
+    return true;
 }
 
 void packContactForces(const Frame& frame, std::vector<double>& out) {
@@ -290,7 +306,7 @@ bool fits(Payload payload, const Scene& scene, std::size_t blocks, const Frame& 
     switch (payload) {
         case Payload::Blocks: return frame.blocks.size() == blocks;
         case Payload::Bolts: return frame.bolts.size() == scene.bolts.size();
-        case Payload::BodyForces: return frame.forces.bodies.empty() || frame.forces.bodies.size() == blocks;
+        case Payload::Weights: return frame.forces.bodies.empty() || frame.forces.bodies.size() == blocks;
         case Payload::ContactForces:
             return frame.forces.contacts.empty() || frame.forces.contacts.size() == frame.contacts.size();
         default: return true;
@@ -300,11 +316,10 @@ bool fits(Payload payload, const Scene& scene, std::size_t blocks, const Frame& 
 using Pack = void (*)(const Frame&, std::vector<double>&);
 using UnpackRow = bool (*)(RowReader&, const Scene&, Frame&);
 
-constexpr std::array<Pack, 9> packs{packBlocks,     packCorners,       packContacts,   packNodes,      packBolts,
-                                    packBodyForces, packContactForces, packNodeForces, packOtherForces};
-constexpr std::array<UnpackRow, 9> unpacks{unpackBlock,     unpackCorner,       unpackContact,
-                                           unpackNode,      unpackBolt,         unpackBodyForce,
-                                           unpackContactForce, unpackNodeForce, unpackOtherForce};
+constexpr std::array<Pack, 10> packs{packBlocks,  packCorners, packContacts,      packNodes,      packBolts,
+                                     packWeights, packInertia, packContactForces, packNodeForces, packOtherForces};
+constexpr std::array<UnpackRow, 10> unpacks{unpackBlock,  unpackCorner, unpackContact,      unpackNode,      unpackBolt,
+                                            unpackWeight, nullptr,      unpackContactForce, unpackNodeForce, unpackOtherForce};
 
 }  // namespace
 
@@ -317,7 +332,8 @@ std::span<const PayloadColumn> payloadColumns(Payload payload) {
         case Payload::Contacts: return contactColumns;
         case Payload::Nodes: return nodeColumns;
         case Payload::Bolts: return boltColumns;
-        case Payload::BodyForces: return bodyForceColumns;
+        case Payload::Weights: return weightColumns;
+        case Payload::Inertia: return inertiaColumns;
         case Payload::ContactForces: return contactForceColumns;
         case Payload::NodeForces: return nodeForceColumns;
         case Payload::OtherForces: return otherForceColumns;
@@ -335,6 +351,8 @@ bool unpack(Payload payload, std::span<const double> values, const Scene& scene,
     const std::size_t width = payloadColumns(payload).size();
     if (values.size() % width != 0)
         return false;
+    if (payload == Payload::Inertia)
+        return unpackInertia(values, frame);
     for (std::size_t at = 0; at < values.size(); at += width) {
         RowReader row(values.subspan(at, width));
         if (!unpacks[static_cast<std::size_t>(payload)](row, scene, frame))

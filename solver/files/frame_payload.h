@@ -3,7 +3,7 @@
 //
 // How a frame lies in the run store: rows of doubles, one BLOB for the blocks, one
 // for their corners, one for the contacts, one for the bolts' nodes, one for the
-// bolts and four for single forces on the blocks. The lists of columns here are also written into every store, so that a
+// bolts and five for single forces on the blocks. The lists of columns here are also written into every store, so that a
 // reader in another language needs nothing but the store.
 #pragma once
 
@@ -23,7 +23,9 @@ struct PayloadColumn {
     std::string_view meaning;
 };
 
-enum class Payload { Blocks, Corners, Contacts, Nodes, Bolts, BodyForces, ContactForces, NodeForces, OtherForces };
+enum class Payload {
+    Blocks, Corners, Contacts, Nodes, Bolts, Weights, Inertia, ContactForces, NodeForces, OtherForces
+};
 
 /// The payloads' names in the store, in the order of `Payload`.
 std::span<const std::string_view> payloadWords();

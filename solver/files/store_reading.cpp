@@ -61,13 +61,13 @@ sqlite::Database openedAsPossible(const fs::path& path) {
 
 // In the order in which they are unpacked.
 constexpr std::array unpacked{Payload::Blocks,     Payload::Corners,       Payload::Contacts,
-                              Payload::Bolts,      Payload::Nodes,         Payload::BodyForces,
-                              Payload::ContactForces, Payload::NodeForces, Payload::OtherForces};
+                              Payload::Bolts,      Payload::Nodes,         Payload::Weights,
+                              Payload::Inertia,    Payload::ContactForces, Payload::NodeForces, Payload::OtherForces};
 constexpr std::size_t bodyPayloads = 5;  // the first of them, without forces
 
 /// Older stores have none, and are read without.
 bool keepsForces(const sqlite::Database& database) {
-    sqlite::Statement statement(database, "SELECT 1 FROM columns WHERE payload='body_forces' LIMIT 1");
+    sqlite::Statement statement(database, "SELECT 1 FROM columns WHERE payload='weights' LIMIT 1");
     return statement.next();
 }
 
@@ -140,7 +140,7 @@ Frame frameAt(const sqlite::Database& database, std::int64_t key, const Scene& s
     std::string columns = "blocks, corners, contacts, nodes, bolts";
     std::size_t kept = bodyPayloads;
     if (keepsForces(database)) {
-        columns += ", body_forces, contact_forces, node_forces, other_forces";
+        columns += ", weights, inertia, contact_forces, node_forces, other_forces";
         kept = unpacked.size();
     }
     sqlite::Statement statement(database, "SELECT " + columns + " FROM frames WHERE frame=?");

@@ -84,9 +84,11 @@ private:
         else if (other >= 0) part.force.other = other;
         if (ofContact(link.kind) || part.force.source == ForceSource::Glue) part.part = link.owner;
         if (part.force.source == ForceSource::Bolt && !ofPlateLink(link.kind)) part.part = other - problem.blocks;
-        const bool couple = gradient.head<2>().norm() < noDirection;
-        if (!couple) part.force.position = armOf(state_.blocks[at(body)], gradient);
-        if (SingleForce* row = rowFor(part)) join(*row, -force * gradient);
+        SingleForce* row = part.part >= 0 ? rowFor(part) : nullptr;  // all its links act at one place
+        if (!row && gradient.head<2>().norm() >= noDirection)
+            part.force.position = armOf(state_.blocks[at(body)], gradient);
+        if (part.part < 0) row = rowFor(part);
+        if (row) join(*row, -force * gradient);
         else add(part, -force * gradient);
     }
 

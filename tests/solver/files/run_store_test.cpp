@@ -275,9 +275,9 @@ TEST_F(RunStoreTest, RefusesOtherDatabasesAndVersions) {
 /// As programs wrote it that kept no single forces.
 TEST_F(RunStoreTest, ReadsAStoreWithoutForces) {
     writeSample();
-    runSql("DELETE FROM columns WHERE payload LIKE '%_forces'");
-    for (const char* payload : {"body", "contact", "node", "other"})
-        runSql(std::string("ALTER TABLE frames DROP COLUMN ") + payload + "_forces");
+    runSql("DELETE FROM columns WHERE payload LIKE '%_forces' OR payload IN ('weights', 'inertia')");
+    for (const char* payload : {"weights", "inertia", "contact_forces", "node_forces", "other_forces"})
+        runSql(std::string("ALTER TABLE frames DROP COLUMN ") + payload);
     Results expected = test::sampleResults();
     for (Frame& frame : expected.frames) frame.forces = {};
     EXPECT_EQ(readResults(RunStore(storePath())), expected);
@@ -307,7 +307,8 @@ TEST_F(RunStoreTest, RefusesDamagedValues) {
         return false;
     };
     EXPECT_TRUE(damagedBy("UPDATE frames SET nodes = zeroblob(7)"));
-    EXPECT_TRUE(damagedBy("UPDATE frames SET body_forces = zeroblob(40)"));
+    EXPECT_TRUE(damagedBy("UPDATE frames SET weights = zeroblob(16)"));
+    EXPECT_TRUE(damagedBy("UPDATE frames SET inertia = zeroblob(24)"));
     EXPECT_TRUE(damagedBy("UPDATE frames SET contact_forces = zeroblob(64)"));
     EXPECT_TRUE(damagedBy("UPDATE frames SET other_forces = x'0000000000000040' || zeroblob(56)"));
     EXPECT_TRUE(damagedBy("UPDATE frames SET blocks = zeroblob(96)"));
