@@ -15,6 +15,7 @@
 #pragma once
 
 #include "solver/engine/step/step_matrix.h"
+#include "solver/engine/step/swept_links.h"
 #include "solver/engine/step/trial.h"
 
 #include <optional>
@@ -25,7 +26,7 @@ namespace keyblock {
 class DualSweeps {
 public:
     /// \param carried forces to begin from, as of `carriedForces`.
-    DualSweeps(StepProblem& problem, const LinkRows& rows, std::vector<double> carried);
+    DualSweeps(StepProblem& problem, const LinkRows& rows, const std::vector<double>& carried);
 
     /// Forces that the links carry where the step begins, under the friction limits that they have, before shares [N].
     static std::vector<double> carriedForces(const StepProblem& problem, const LinkRows& rows);
@@ -41,9 +42,6 @@ public:
     std::optional<Eigen::VectorXd> solve(const Trial& from, StepMatrix& matrix, StepWork& work);
 
 private:
-    struct Visit {
-        int link = -1, pair = -1;  // pair: row of limitPairs that limits the link; −1: none
-    };
     /// What a law is taken as while the states stay.
     struct Straight {
         double force = 0.0, tangent = 0.0, strain = 0.0;
@@ -52,36 +50,19 @@ private:
         double at(double e) const { return force + tangent * (e - strain); }
     };
 
-    /// Squares of the forces and of their changes, summed over a sweep.
-    struct Change {
-        double changed = 0.0, forces = 0.0;
-    };
-
-    void findOrder();
-    void findCompliances();
-    void place(Eigen::VectorXd& d) const;
-    Change sweep(Eigen::VectorXd& d);
-    double settle(std::size_t link, double free);
     void sweepUntilSettled(StepWork& work);
-    void clip(std::vector<double>& forces);
-    void limit(int pair);
     void holdTheRest(const Trial& from);
-    Straight straight(std::size_t link) const;
-    bool straighten(const Trial& from, StepMatrix& matrix, StepWork& work);
+    Straight straight(std::size_t row) const;
+    bool straighten(StepMatrix& matrix, StepWork& work);
     void takeForces(const std::vector<double>& strains);
-    double weightOf(const Link& link) const { return ofContact(link.kind) ? problem_.contactShare : 1.0; }
 
     StepProblem& problem_;
     const LinkRows& rows_;
+    SweptLinks swept_;
     bool possible_ = true;
-    std::vector<Visit> order_;  // normal force before its friction
-    std::vector<char> swept_;  // per link; 0: of a bolt node
-    std::vector<Matrix6> inverse_;  // per block; rows and columns of prescribed unknowns are zero
-    std::vector<double> yields_;  // K⁻¹·g of every link, twelve entries
-    std::vector<double> compliance_;  // share·gᵀK⁻¹g of every link
-    std::vector<double> force_, strain_;  // of every link, before its share, and where its law gives it
+    std::vector<double> forces_;  // of the swept links, before shares
+    std::vector<char> isSwept_;  // per link
     std::vector<Straight> laws_;  // of every link, after the last sweep
-    Eigen::VectorXd outer_;  // loads and forces of links that are not swept, less those of prescribed moves
 };
 
 }  // namespace keyblock

@@ -118,7 +118,7 @@ private:
         beforeSweeps_ = trial_;
         residualBefore_ = report_.residual;
         ++tries_;
-        if (!dual_) dual_.emplace(problem_, rows_, std::move(carried_));
+        if (!dual_) dual_.emplace(problem_, rows_, carried_);
         std::optional<Eigen::VectorXd> d;
         if (dual_->possible()) d = dual_->solve(trial_, matrix_, report_.work);
         if (d) judge(trialAt(problem_, rows_, std::move(*d)));

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/step/swept_links.h"
+
+#include "solver/engine/step/friction_limits.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace keyblock {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// Root of x + a·force(x) = free, which rises with slope 1 at least: Newton's steps, halved where they leave the bracket.
+template <class ForceAt>
+double rootOf(const ForceAt& forceAt, double a, double free, double x) {
+    constexpr int mostSteps = 60;
+    constexpr double nearRoot = 1e-7;  // of what the force moves
+    double low = -unlimited, high = unlimited;
+    for (int step = 0; step < mostSteps; ++step) {
+        const LawResponse r = forceAt(x);
+        const double off = x + a * r.force - free;
+        if (std::abs(off) <= nearRoot * a * std::abs(r.force)) return x;
+        (off > 0.0 ? high : low) = x;
+        double next = x - off / (1.0 + a * r.tangent);
+        if (next <= low || next >= high) next = std::isinf(low) ? high - 1.0 : std::isinf(high) ? low + 1.0 : 0.5 * (low + high);
+        if (std::abs(next - x) <= 1e-14 * std::max(std::abs(x), std::abs(free))) return next;
+        x = next;
+    }
+    return x;
+}
+
+bool ofNode(const StepProblem& problem, const Link& link) {
+    return link.a >= problem.blocks || link.b >= problem.blocks;
+}
+
+double weightOf(const StepProblem& problem, const Link& link) {
+    return ofContact(link.kind) ? problem.contactShare : 1.0;
+}
+
+}  // namespace
+
+SweptLinks::SweptLinks(StepProblem& problem, const LinkRows& links) : problem_(problem), links_(links) {
+    driven_ = Eigen::VectorXd::Zero(problem.unknowns() + LinkRows::padding);
+    for (int i = 0; i < problem.unknowns(); ++i)
+        if (problem.known[static_cast<std::size_t>(i)]) driven_[i] = problem.value[i];
+    scaleBlocks();
+    std::vector<int> pairOf(links.count(), -1), follower(links.count(), -1);
+    for (std::size_t p = 0; p < problem.limitPairs.size(); ++p) {
+        const LimitPair& pair = problem.limitPairs[p];
+        pairOf[static_cast<std::size_t>(pair.limited)] = static_cast<int>(p);
+        follower[static_cast<std::size_t>(pair.from)] = pair.limited;
+    }
+    rows_.reserve(links.count());
+    for (std::size_t i = 0; i < links.count(); ++i) {
+        const Law& law = problem.links[i].law;
+        const bool weak = law.stiffness == 0.0 && law.kind != LawKind::Constant;
+        if (ofNode(problem, problem.links[i]) || pairOf[i] >= 0 || weak) continue;
+        addRow(i, -1);
+        if (follower[i] < 0) continue;
+        const auto next = static_cast<std::size_t>(follower[i]);
+        addRow(next, pairOf[next]);
+    }
+    bentStrains_.assign(rows_.size(), 0.0);
+    for (std::size_t n = 0; n < rows_.size(); ++n) bentStrains_[n] = rows_[n].start;
+}
+
+void SweptLinks::scaleBlocks() {
+    scales_.resize(static_cast<std::size_t>(problem_.blocks));
+    for (int b = 0; b < problem_.blocks; ++b) {
+        Matrix6 free = Matrix6::Identity();
+        for (int k = 0; k < 6; ++k)
+            if (problem_.known[static_cast<std::size_t>(6 * b + k)]) free(k, k) = 0.0;
+        const Matrix6& stiffness = problem_.blockStiffness[static_cast<std::size_t>(b)];
+        const Eigen::LLT<Matrix6> factor(free * stiffness * free + (Matrix6::Identity() - free));
+        possible_ = possible_ && factor.info() == Eigen::Success;
+        scales_[static_cast<std::size_t>(b)] = factor.matrixL().solve(free);
+    }
+}
+
+void SweptLinks::addRow(std::size_t link, int pair) {
+    Row row;
+    row.link = link;
+    row.pair = pair;
+    row.firstA = links_.firstOfA(link);
+    row.firstB = problem_.links[link].b >= 0 ? links_.firstOfB(link) : 6 * problem_.blocks;
+    row.start = links_.start(link) + links_.rate(link, driven_.data());
+    scaleGradient(row);
+    takeLaw(row);
+    rows_.push_back(row);
+}
+
+void SweptLinks::scaleGradient(Row& row) const {
+    const Link& link = problem_.links[row.link];
+    Eigen::Map<Eigen::Matrix<double, 12, 1>> all(row.gradient.data());
+    const auto scale = [&](int body, int at) {
+        const Eigen::Map<const Vector6> gradient(links_.gradient(row.link) + at);
+        all.segment<6>(at).noalias() = scales_[static_cast<std::size_t>(body)] * gradient;
+    };
+    scale(link.a, 0);
+    if (link.b >= 0) scale(link.b, 6);
+    row.share = link.law.share;
+    row.compliance = row.share * all.squaredNorm();
+}
+
+void SweptLinks::takeLaw(Row& row) const {
+    const Link& link = problem_.links[row.link];
+    const Law& law = link.law;
+    row.stiffness = law.stiffness;
+    row.offset = law.offset;
+    row.low = -unlimited, row.high = unlimited;
+    if (law.kind == LawKind::Gap) row.high = 0.0;
+    if (law.kind == LawKind::Capped) row.low = -law.limit, row.high = law.limit;
+    if (law.kind == LawKind::Constant) row.low = row.high = law.limit;
+    row.bent = law.kind == LawKind::Curve || ruleOf(problem_, link).rule != ForceRule::End || weightOf(problem_, link) != 1.0;
+    if (row.pair < 0) return;
+    const LimitPair& pair = problem_.limitPairs[static_cast<std::size_t>(row.pair)];
+    row.follows = law.kind == LawKind::Capped && pair.rule == LimitPair::Rule::Push;
+    row.bent = row.bent || !row.follows;
+    row.factor = pair.factor;
+    row.high = pair.base;
+}
+
+inline SweptLinks::Bounds SweptLinks::bounds(std::size_t n, const std::vector<double>& forces) const {
+    const Row& row = rows_[n];
+    if (row.bent) return bentBounds(n, forces);
+    if (!row.follows) return {row.low, row.high};
+    const double most = row.high + std::max(0.0, -row.factor * forces[n - 1]);
+    return {-most, most};
+}
+
+SweptLinks::Bounds SweptLinks::bentBounds(std::size_t n, const std::vector<double>& forces) const {
+    const Row& row = rows_[n];
+    if (row.pair >= 0) setLimit(problem_, problem_.limitPairs[static_cast<std::size_t>(row.pair)], forces[n - 1]);
+    const Link& link = problem_.links[row.link];
+    const double most = weightOf(problem_, link) * link.law.limit;
+    if (link.law.kind == LawKind::Capped) return {-most, most};
+    return {-unlimited, link.law.kind == LawKind::Gap ? 0.0 : unlimited};
+}
+
+double SweptLinks::limit(std::size_t n, const std::vector<double>& forces) const { return bounds(n, forces).high; }
+
+double SweptLinks::strain(std::size_t n, double force) const {
+    const Row& row = rows_[n];
+    if (row.bent) return bentStrains_[n];
+    return row.stiffness > 0.0 ? row.offset + force / row.stiffness : row.start;
+}
+
+double SweptLinks::tangent(std::size_t n) const {
+    const Row& row = rows_[n];
+    const Link& link = problem_.links[row.link];
+    if (row.bent) return respond(problem_, link, bentStrains_[n]).tangent;
+    return link.law.kind == LawKind::Constant ? 0.0 : row.stiffness;
+}
+
+void SweptLinks::hold(const Eigen::VectorXd& outer) {
+    held_ = Eigen::VectorXd::Zero(6 * problem_.blocks + LinkRows::padding);
+    for (int b = 0; b < problem_.blocks; ++b)
+        held_.segment<6>(6 * b).noalias() = scales_[static_cast<std::size_t>(b)] * outer.segment<6>(6 * b);
+}
+
+void SweptLinks::clip(std::vector<double>& forces) {
+    for (std::size_t n = 0; n < rows_.size(); ++n) {
+        const Bounds b = bounds(n, forces);
+        forces[n] = std::clamp(forces[n], b.low, b.high);
+    }
+}
+
+void SweptLinks::clipAndPlace(std::vector<double>& forces) {
+    moved_ = held_;
+    for (std::size_t n = 0; n < rows_.size(); ++n) {
+        const Bounds b = bounds(n, forces);
+        forces[n] = std::clamp(forces[n], b.low, b.high);
+        if (forces[n] == 0.0) continue;
+        const Row& row = rows_[n];
+        const double moves = -row.share * forces[n];
+        Eigen::Map<Vector6>(moved_.data() + row.firstA) += moves * Eigen::Map<const Vector6>(row.gradient.data());
+        Eigen::Map<Vector6>(moved_.data() + row.firstB) += moves * Eigen::Map<const Vector6>(row.gradient.data() + 6);
+    }
+}
+
+/// Force of a link that would be strained by `free` if it gave none.
+double SweptLinks::bentForce(const Row& row, double free, double force) {
+    const Link& link = problem_.links[row.link];
+    const auto forceAt = [&](double x) { return respond(problem_, link, x); };
+    double& strain = bentStrains_[static_cast<std::size_t>(&row - rows_.data())];
+    if (link.law.kind == LawKind::Constant) return forceAt(strain).force;
+    strain = rootOf(forceAt, row.compliance, free, free - row.compliance * force);
+    return forceAt(strain).force;
+}
+
+SweptLinks::Change SweptLinks::sweep(std::vector<double>& forces) {
+    Change sum;
+    for (std::size_t n = 0; n < rows_.size(); ++n) {
+        const Row& row = rows_[n];
+        const Bounds within = bounds(n, forces);
+        const double before = forces[n];
+        if (within.high == 0.0 && within.low == 0.0 && before == 0.0) continue;
+        const Eigen::Map<const Vector6> ga(row.gradient.data()), gb(row.gradient.data() + 6);
+        Eigen::Map<Vector6> a(moved_.data() + row.firstA), b(moved_.data() + row.firstB);
+        const double free = row.start + ga.dot(a) + gb.dot(b) + row.compliance * before;
+        const double straight = row.stiffness * (free - row.offset) / (1.0 + row.stiffness * row.compliance);
+        const double force = row.bent ? bentForce(row, free, before) : std::clamp(straight, within.low, within.high);
+        const double more = force - before;
+        sum.changed += more * more;
+        sum.forces += force * force;
+        if (more == 0.0) continue;
+        forces[n] = force;
+        a -= row.share * more * ga;
+        b -= row.share * more * gb;
+    }
+    return sum;
+}
+
+}  // namespace keyblock
