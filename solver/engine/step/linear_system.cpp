@@ -13,6 +13,8 @@
 // thousand blocks down fivefold; OpenBLAS would split sums by the number of cores.
 #include "solver/engine/step/linear_system.h"
 
+#include "solver/engine/step/supernodal_update.h"
+
 #include <cblas.h>
 #include <cholmod.h>
 #include <omp.h>
@@ -59,7 +61,8 @@ struct LinearSystem::Detail {
     cholmod_common common{};
     cholmod_sparse* matrix = nullptr;  // lower triangle in the order of elimination, rows sorted within each column
     cholmod_factor* factor = nullptr;
-    cholmod_factor* updated = nullptr;  // its simplicial LDLᵀ with ranks added and taken; none: it is `factor`
+    cholmod_factor* updated = nullptr;  // a simplicial one as LDLᵀ with ranks added and taken; none: it is `factor`
+    SupernodalUpdate supernodes;
     cholmod_dense* workX = nullptr;  // kept between solutions: nothing is allocated in a loop of a million steps
     cholmod_dense* workY = nullptr;
     cholmod_dense* workE = nullptr;
@@ -130,11 +133,16 @@ struct LinearSystem::Detail {
 
     void backSubstitute(std::span<const double> rhs, std::span<double> x);
 
-    /// The columns as a sparse matrix in the order of elimination.
-    cholmod_sparse* permuted(std::span<const SparseColumn> columns);
+    /// The columns with their rows in the order of elimination.
+    std::vector<SparseColumn> inOrder(std::span<const SparseColumn> columns) const;
 
-    /// Adds or takes ranks. \return false where a pivot is not positive any more.
+    /// Such columns as a sparse matrix.
+    cholmod_sparse* sparse(std::span<const SparseColumn> columns);
+
+    /// Adds or takes ranks, by the second from such columns and into a simplicial factor.
+    /// \return false where a pivot is not positive any more.
     bool update(bool add, std::span<const SparseColumn> columns);
+    bool updateColumns(bool add, std::span<const SparseColumn> columns);
 };
 
 void LinearSystem::Detail::buildPattern(int n, std::span<const std::pair<int, int>> pairs) {
@@ -226,7 +234,16 @@ void LinearSystem::Detail::backSubstitute(std::span<const double> rhs, std::span
     for (std::size_t k = 0; k < order.size(); ++k) x[static_cast<std::size_t>(order[k])] = found[k];
 }
 
-cholmod_sparse* LinearSystem::Detail::permuted(std::span<const SparseColumn> columns) {
+std::vector<SparseColumn> LinearSystem::Detail::inOrder(std::span<const SparseColumn> columns) const {
+    std::vector<SparseColumn> result(columns.begin(), columns.end());
+    for (SparseColumn& column : result) {
+        for (auto& entry : column) entry.first = placeOf(entry.first);
+        std::sort(column.begin(), column.end());
+    }
+    return result;
+}
+
+cholmod_sparse* LinearSystem::Detail::sparse(std::span<const SparseColumn> columns) {
     std::size_t entryCount = 0;
     for (const SparseColumn& column : columns) entryCount += column.size();
     cholmod_sparse* result = cholmod_allocate_sparse(factor->n, columns.size(), entryCount, 1, 1, 0, CHOLMOD_REAL, &common);
@@ -237,10 +254,7 @@ cholmod_sparse* LinearSystem::Detail::permuted(std::span<const SparseColumn> col
     int at = 0;
     for (std::size_t c = 0; c < columns.size(); ++c) {
         start[c] = at;
-        SparseColumn sorted = columns[c];
-        for (auto& entry : sorted) entry.first = placeOf(entry.first);
-        std::sort(sorted.begin(), sorted.end());
-        for (const auto& [i, x] : sorted) row[at] = i, value[at++] = x;
+        for (const auto& [i, x] : columns[c]) row[at] = i, value[at++] = x;
     }
     start[columns.size()] = at;
     return result;
@@ -249,13 +263,18 @@ cholmod_sparse* LinearSystem::Detail::permuted(std::span<const SparseColumn> col
 bool LinearSystem::Detail::update(bool add, std::span<const SparseColumn> columns) {
     if (columns.empty()) return true;
     useOneThread();
+    const std::vector<SparseColumn> ranks = inOrder(columns);
+    return factor->is_super ? supernodes.apply(*factor, add, ranks) : updateColumns(add, ranks);
+}
+
+bool LinearSystem::Detail::updateColumns(bool add, std::span<const SparseColumn> columns) {
     if (!updated) {
         updated = cholmod_copy_factor(factor, &common);
         requireMemory();
         cholmod_change_factor(CHOLMOD_REAL, 0, 0, 0, 1, updated, &common);
         requireMemory();
     }
-    cholmod_sparse* ranks = permuted(columns);
+    cholmod_sparse* ranks = sparse(columns);
     const bool done = cholmod_updown(add ? 1 : 0, ranks, updated, &common) != 0;
     cholmod_free_sparse(&ranks, &common);
     requireMemory();
@@ -283,6 +302,7 @@ void LinearSystem::analyse(int n, std::span<const std::pair<int, int>> entries) 
     d.takeOrder();
     d.buildPattern(n, entries);
     d.analyseBy(CHOLMOD_NATURAL);
+    if (d.factor->is_super) d.supernodes.analyse(*d.factor);
     d.ordered.resize(static_cast<std::size_t>(n));
     d.residual.resize(static_cast<std::size_t>(n));
     d.correction.resize(static_cast<std::size_t>(n));

@@ -9,15 +9,13 @@
 // number of threads.
 #pragma once
 
+#include "solver/engine/step/sparse_column.h"
+
 #include <memory>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace keyblock {
-
-/// The entries of a vector that differ from zero: row and value, in any order, no row twice.
-using SparseColumn = std::vector<std::pair<int, double>>;
 
 /// One system with its factor. Not to be used from two threads at once.
 class LinearSystem {
