@@ -13,6 +13,7 @@
 // thousand blocks down fivefold; OpenBLAS would split sums by the number of cores.
 #include "solver/engine/step/linear_system.h"
 
+#include "solver/engine/step/supernodal_solve.h"
 #include "solver/engine/step/supernodal_update.h"
 
 #include <cblas.h>
@@ -68,7 +69,8 @@ struct LinearSystem::Detail {
     cholmod_dense* workE = nullptr;
     std::vector<double> residual;
     std::vector<double> correction;
-    std::vector<double> ordered;  // right side in the order of elimination
+    std::vector<double> ordered;  // right side, then solution, in the order of elimination
+    std::vector<double> solved;  // work space of a supernodal solution
     std::vector<int> order;  // unknowns in the order of elimination
     std::vector<int> place;  // of every unknown in that order
 
@@ -132,6 +134,7 @@ struct LinearSystem::Detail {
     int placeOf(int unknown) const { return place[static_cast<std::size_t>(unknown)]; }
 
     void backSubstitute(std::span<const double> rhs, std::span<double> x);
+    void solveColumns();
 
     /// The columns with their rows in the order of elimination.
     std::vector<SparseColumn> inOrder(std::span<const SparseColumn> columns) const;
@@ -222,6 +225,13 @@ int LinearSystem::Detail::lostPivot() const {
 
 void LinearSystem::Detail::backSubstitute(std::span<const double> rhs, std::span<double> x) {
     for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = rhs[static_cast<std::size_t>(order[k])];
+    if (factor->is_super) solveSupernodes(*factor, ordered, solved);
+    else solveColumns();
+    for (std::size_t k = 0; k < order.size(); ++k) x[static_cast<std::size_t>(order[k])] = ordered[k];
+}
+
+/// Solves for `ordered` with a simplicial factor, in place.
+void LinearSystem::Detail::solveColumns() {
     cholmod_dense b{};
     b.nrow = b.d = b.nzmax = ordered.size();
     b.ncol = 1;
@@ -230,8 +240,7 @@ void LinearSystem::Detail::backSubstitute(std::span<const double> rhs, std::span
     b.dtype = CHOLMOD_DOUBLE;
     cholmod_solve2(CHOLMOD_A, updated ? updated : factor, &b, nullptr, &workX, nullptr, &workY, &workE, &common);
     requireMemory();
-    const auto* found = static_cast<const double*>(workX->x);
-    for (std::size_t k = 0; k < order.size(); ++k) x[static_cast<std::size_t>(order[k])] = found[k];
+    std::copy_n(static_cast<const double*>(workX->x), ordered.size(), ordered.begin());
 }
 
 std::vector<SparseColumn> LinearSystem::Detail::inOrder(std::span<const SparseColumn> columns) const {
