@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/step/line_search.h"
 
+#include "solver/engine/step/flat_law.h"
 #include "solver/engine/step/friction_limits.h"
 
 #include <cmath>
@@ -17,51 +18,92 @@ class LineSlope {
 public:
     LineSlope(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
               const std::vector<double>& rates, bool coupled)
-        : problem_(problem), coupled_(coupled), forces_(rates.size()), strains_(from.strains), rates_(rates) {
-        constant_ = -problem.load.dot(direction.head(problem.unknowns()));
-        for (int i = 0; i < problem.blocks; ++i) {
-            const Vector6 rise = problem.blockStiffness[static_cast<std::size_t>(i)] * direction.segment<6>(6 * i);
-            constant_ += rise.dot(from.d.segment<6>(6 * i));
+        : problem_(problem) {
+        takeBodies(from.d, direction);
+        takeLinks(from.strains, rates, coupled);
+    }
+
+    double at(double length) {
+        for (std::size_t n = 0; n < rows_.size(); ++n)
+            if (rows_[n].from < 0) forces_[n] = forceOf(rows_[n], length, rows_[n].law.low, rows_[n].law.high);
+        for (const int n : followers_) {
+            const Row& row = rows_[static_cast<std::size_t>(n)];
+            forces_[static_cast<std::size_t>(n)] = limitedForce(row, length, forces_[static_cast<std::size_t>(row.from)]);
+        }
+        double slope = constant_ + length * rate_;
+        for (std::size_t n = 0; n < rows_.size(); ++n) slope += rows_[n].share * forces_[n] * rows_[n].rate;
+        return slope;
+    }
+
+    /// Leaves the friction limits of the last length in the problem.
+    void keepLimits() {
+        for (const int n : followers_) {
+            const Row& row = rows_[static_cast<std::size_t>(n)];
+            setLimit(problem_, problem_.limitPairs[static_cast<std::size_t>(row.pair)], forces_[static_cast<std::size_t>(row.from)]);
+        }
+    }
+
+private:
+    struct Row {
+        double strain = 0.0, rate = 0.0, share = 1.0;
+        FlatLaw law;
+        int link = -1;
+        int from = -1, pair = -1;  // row whose force sets the limit, and row of limitPairs; −1: the limit stays
+    };
+
+    void takeBodies(const Eigen::VectorXd& d, const Eigen::VectorXd& direction) {
+        constant_ = -problem_.load.dot(direction.head(problem_.unknowns()));
+        for (int i = 0; i < problem_.blocks; ++i) {
+            const Vector6 rise = problem_.blockStiffness[static_cast<std::size_t>(i)] * direction.segment<6>(6 * i);
+            constant_ += rise.dot(d.segment<6>(6 * i));
             rate_ += rise.dot(direction.segment<6>(6 * i));
         }
-        for (int i = 0; i < problem.nodes; ++i) {
-            const int at = problem.first(problem.blocks + i);
+        for (int i = 0; i < problem_.nodes; ++i) {
+            const int at = problem_.first(problem_.blocks + i);
             const Eigen::Vector3d rise =
-                problem.nodeStiffness[static_cast<std::size_t>(i)].cwiseProduct(direction.segment<3>(at));
-            constant_ += rise.dot(from.d.segment<3>(at));
+                problem_.nodeStiffness[static_cast<std::size_t>(i)].cwiseProduct(direction.segment<3>(at));
+            constant_ += rise.dot(d.segment<3>(at));
             rate_ += rise.dot(direction.segment<3>(at));
         }
     }
 
-    double at(double length) {
-        const auto forceOf = [&](std::size_t i) {
+    void takeLinks(const std::vector<double>& strains, const std::vector<double>& rates, bool coupled) {
+        rows_.reserve(rates.size());
+        for (std::size_t i = 0; i < rates.size(); ++i) {
             const Link& link = problem_.links[i];
-            return respond(problem_, link, strains_[i] + length * rates_[i]).force;
-        };
-        for (std::size_t i = 0; i < rates_.size(); ++i) forces_[i] = forceOf(i);
-        for (std::size_t p = 0; coupled_ && p < problem_.limitPairs.size(); ++p) {
-            const LimitPair& pair = problem_.limitPairs[p];
-            setLimit(problem_, pair, forces_[static_cast<std::size_t>(pair.from)]);
-            forces_[static_cast<std::size_t>(pair.limited)] = forceOf(static_cast<std::size_t>(pair.limited));
+            rows_.push_back({strains[i], rates[i], link.law.share, flatLaw(problem_, link), static_cast<int>(i), -1, -1});
         }
-        double slope = constant_ + length * rate_;
-        for (std::size_t i = 0; i < rates_.size(); ++i) slope += problem_.links[i].law.share * forces_[i] * rates_[i];
-        return slope;
+        forces_.resize(rows_.size());
+        for (std::size_t p = 0; coupled && p < problem_.limitPairs.size(); ++p) {
+            const LimitPair& pair = problem_.limitPairs[p];
+            Row& row = rows_[static_cast<std::size_t>(pair.limited)];
+            row.law = flatLaw(problem_, pair);
+            row.from = pair.from;
+            row.pair = static_cast<int>(p);
+            followers_.push_back(pair.limited);
+        }
     }
 
-private:
+    double forceOf(const Row& row, double length, double low, double high) const {
+        const double strain = row.strain + length * row.rate;
+        if (row.law.bent) return respond(problem_, problem_.links[static_cast<std::size_t>(row.link)], strain).force;
+        return std::clamp(row.law.stiffness * (strain - row.law.offset), low, high);
+    }
+
+    double limitedForce(const Row& row, double length, double from) {
+        if (row.law.bent) setLimit(problem_, problem_.limitPairs[static_cast<std::size_t>(row.pair)], from);
+        const double most = row.law.limit(from);
+        return forceOf(row, length, -most, most);
+    }
+
     StepProblem& problem_;
-    bool coupled_;
+    std::vector<Row> rows_;  // one per link
+    std::vector<int> followers_;  // rows in the order of limitPairs
     std::vector<double> forces_;  // before shares
-    const std::vector<double>&strains_, &rates_;
     double constant_ = 0.0, rate_ = 0.0;
 };
 
-}  // namespace
-
-double lineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
-                  const std::vector<double>& rates, bool coupled) {
-    LineSlope slope(problem, from, direction, rates, coupled);
+double rootOf(LineSlope& slope) {
     double low = 0.0, high = 1.0;
     double atLow = slope.at(low), atHigh = slope.at(high);
     const double enough = flatEnough * std::abs(atLow);
@@ -77,6 +119,16 @@ double lineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd
         }
     }
     return low > 0.0 ? low : high;
+}
+
+}  // namespace
+
+double lineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
+                  const std::vector<double>& rates, bool coupled) {
+    LineSlope slope(problem, from, direction, rates, coupled);
+    const double length = rootOf(slope);
+    slope.keepLimits();
+    return length;
 }
 
 }  // namespace keyblock

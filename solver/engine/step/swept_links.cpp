@@ -90,7 +90,8 @@ void SweptLinks::addRow(std::size_t link, int pair) {
     row.firstB = problem_.links[link].b >= 0 ? links_.firstOfB(link) : 6 * problem_.blocks;
     row.start = links_.start(link) + links_.rate(link, driven_.data());
     scaleGradient(row);
-    takeLaw(row);
+    row.law = pair < 0 ? flatLaw(problem_, problem_.links[link])
+                       : flatLaw(problem_, problem_.limitPairs[static_cast<std::size_t>(pair)]);
     rows_.push_back(row);
 }
 
@@ -107,29 +108,11 @@ void SweptLinks::scaleGradient(Row& row) const {
     row.compliance = row.share * all.squaredNorm();
 }
 
-void SweptLinks::takeLaw(Row& row) const {
-    const Link& link = problem_.links[row.link];
-    const Law& law = link.law;
-    row.stiffness = law.stiffness;
-    row.offset = law.offset;
-    row.low = -unlimited, row.high = unlimited;
-    if (law.kind == LawKind::Gap) row.high = 0.0;
-    if (law.kind == LawKind::Capped) row.low = -law.limit, row.high = law.limit;
-    if (law.kind == LawKind::Constant) row.low = row.high = law.limit;
-    row.bent = law.kind == LawKind::Curve || ruleOf(problem_, link).rule != ForceRule::End || weightOf(problem_, link) != 1.0;
-    if (row.pair < 0) return;
-    const LimitPair& pair = problem_.limitPairs[static_cast<std::size_t>(row.pair)];
-    row.follows = law.kind == LawKind::Capped && pair.rule == LimitPair::Rule::Push;
-    row.bent = row.bent || !row.follows;
-    row.factor = pair.factor;
-    row.high = pair.base;
-}
-
 inline SweptLinks::Bounds SweptLinks::bounds(std::size_t n, const std::vector<double>& forces) const {
     const Row& row = rows_[n];
-    if (row.bent) return bentBounds(n, forces);
-    if (!row.follows) return {row.low, row.high};
-    const double most = row.high + std::max(0.0, -row.factor * forces[n - 1]);
+    if (row.law.bent) return bentBounds(n, forces);
+    if (!row.law.follows) return {row.law.low, row.law.high};
+    const double most = row.law.limit(forces[n - 1]);
     return {-most, most};
 }
 
@@ -146,15 +129,15 @@ double SweptLinks::limit(std::size_t n, const std::vector<double>& forces) const
 
 double SweptLinks::strain(std::size_t n, double force) const {
     const Row& row = rows_[n];
-    if (row.bent) return bentStrains_[n];
-    return row.stiffness > 0.0 ? row.offset + force / row.stiffness : row.start;
+    if (row.law.bent) return bentStrains_[n];
+    return row.law.stiffness > 0.0 ? row.law.offset + force / row.law.stiffness : row.start;
 }
 
 double SweptLinks::tangent(std::size_t n) const {
     const Row& row = rows_[n];
     const Link& link = problem_.links[row.link];
-    if (row.bent) return respond(problem_, link, bentStrains_[n]).tangent;
-    return link.law.kind == LawKind::Constant ? 0.0 : row.stiffness;
+    if (row.law.bent) return respond(problem_, link, bentStrains_[n]).tangent;
+    return link.law.kind == LawKind::Constant ? 0.0 : row.law.stiffness;
 }
 
 void SweptLinks::hold(const Eigen::VectorXd& outer) {
@@ -203,8 +186,8 @@ SweptLinks::Change SweptLinks::sweep(std::vector<double>& forces) {
         const Eigen::Map<const Vector6> ga(row.gradient.data()), gb(row.gradient.data() + 6);
         Eigen::Map<Vector6> a(moved_.data() + row.firstA), b(moved_.data() + row.firstB);
         const double free = row.start + ga.dot(a) + gb.dot(b) + row.compliance * before;
-        const double straight = row.stiffness * (free - row.offset) / (1.0 + row.stiffness * row.compliance);
-        const double force = row.bent ? bentForce(row, free, before) : std::clamp(straight, within.low, within.high);
+        const double straight = row.law.stiffness * (free - row.law.offset) / (1.0 + row.law.stiffness * row.compliance);
+        const double force = row.law.bent ? bentForce(row, free, before) : std::clamp(straight, within.low, within.high);
         const double more = force - before;
         sum.changed += more * more;
         sum.forces += force * force;

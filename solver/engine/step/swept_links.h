@@ -8,6 +8,7 @@
 // vector instead of two.
 #pragma once
 
+#include "solver/engine/step/flat_law.h"
 #include "solver/engine/step/link_rows.h"
 
 #include <array>
@@ -61,11 +62,7 @@ private:
         double start = 0.0;  // strain at no scaled displacement
         double share = 1.0;
         double compliance = 0.0;  // strain per unit of force
-        double stiffness = 0.0, offset = 0.0;
-        double low = 0.0, high = 0.0;  // what the law can give; without `factor`
-        double factor = 0.0;  // a friction limit rises by this times the push in the row before
-        bool follows = false;  // limited by the row before
-        bool bent = false;  // neither straight nor straight with limits: the law itself is asked
+        FlatLaw law;
         int firstA = 0, firstB = 0;  // unknowns
         int pair = -1;  // row of limitPairs; −1: none
         std::size_t link = 0;
@@ -77,7 +74,6 @@ private:
     void scaleBlocks();
     void addRow(std::size_t link, int pair);
     void scaleGradient(Row& row) const;
-    void takeLaw(Row& row) const;
     Bounds bounds(std::size_t n, const std::vector<double>& forces) const;
     Bounds bentBounds(std::size_t n, const std::vector<double>& forces) const;
     double bentForce(const Row& row, double free, double force);
