@@ -51,6 +51,15 @@ void expectBalance(const Frame& frame, int block, double share) {
     EXPECT_LT(std::abs(sum.moment), share * weight) << block << " at " << frame.time;
 }
 
+/// Where no couples act, a moment is that of the force at its point.
+void expectMomentsOfForces(const Frame& frame, int block) {
+    const BlockState& state = frame.blocks[static_cast<std::size_t>(block)];
+    for (const BlockForce& row : blockForces(frame)) {
+        if (row.block != block) continue;
+        EXPECT_NEAR(row.moment, momentAbout(state.centroid, row.position, row.force), 1e-9 * state.weight);
+    }
+}
+
 Support heldBlock(const Point& place) {
     Support support;
     support.blockAt = place;
@@ -102,6 +111,7 @@ TEST(BlockForces, ABoltCarriesTheWeightOfTheBlockThatHangsOnIt) {
     const Sum bolt = sumOf(frame, 1, ForceSource::Bolt);
     EXPECT_GT(bolt.rows, 5);
     EXPECT_NEAR(bolt.force.x(), -weight, 1e-3 * weight);
+    expectMomentsOfForces(frame, 1);
     expectBalance(frame, 1, 1e-3);
     expectBalance(frame, 0, 1e-6);
 }
@@ -189,6 +199,7 @@ TEST(BlockForces, ABlockHeldAtPointsAndOneThatIsDrivenShowReactions) {
     ASSERT_EQ(solved.results.stages[0].outcome, Outcome::Equilibrium) << solved.results.stages[0].message;
     const Frame& frame = last(solved);
     EXPECT_EQ(sumOf(frame, 0, ForceSource::Support).rows, 2);
+    expectMomentsOfForces(frame, 0);
     for (int block : {0, 1}) {
         const double weight = frame.blocks[static_cast<std::size_t>(block)].weight;
         EXPECT_NEAR(sumOf(frame, block, ForceSource::Support).force.y(), weight, 1e-3 * weight);
