@@ -7,7 +7,6 @@
 #include "app/cli/export_animation.h"
 #include "app/cli/export_figure.h"
 #include "app/cli/output.h"
-#include "solver/files/errors.h"
 #include "solver/files/run_store.h"
 #include "solver/files/vtk_export.h"
 #include "solver/files/whole_file.h"
@@ -90,9 +89,6 @@ ExitCode perform(const ExportOptions& options) {
     const TableKind kind = tableOf(options);
     const RunStore store(options.run);
     const TableFilter filter = filterOf(options, store.scene());
-    if (lacksForces(kind, store))
-        throw CannotRead("cannot read forces from " + options.run.string() +
-                         ": an older version of the program wrote it; run the scene again");
     writeWholeFile(options.out, [&](std::ostream& out) { writeTable(kind, store, filter, out); });
     return Done;
 }

@@ -10,7 +10,6 @@
 
 #include <array>
 #include <fstream>
-#include <span>
 #include <system_error>
 
 namespace keyblock::store_reading {
@@ -63,13 +62,6 @@ sqlite::Database openedAsPossible(const fs::path& path) {
 constexpr std::array unpacked{Payload::Blocks,     Payload::Corners,       Payload::Contacts,
                               Payload::Bolts,      Payload::Nodes,         Payload::Weights,
                               Payload::Inertia,    Payload::ContactForces, Payload::NodeForces, Payload::OtherForces};
-constexpr std::size_t bodyPayloads = 5;  // the first of them, without forces
-
-/// Older stores have none, and are read without.
-bool keepsForces(const sqlite::Database& database) {
-    sqlite::Statement statement(database, "SELECT 1 FROM columns WHERE payload='weights' LIMIT 1");
-    return statement.next();
-}
 
 std::int64_t pragma(const sqlite::Database& database, const char* name) {
     sqlite::Statement statement(database, std::string("PRAGMA ") + name);
@@ -137,17 +129,12 @@ FrameHead headAt(const sqlite::Statement& row, const Scene& scene) {
 Frame frameAt(const sqlite::Database& database, std::int64_t key, const Scene& scene, std::size_t blocks,
               const FrameHead& head) {
     Frame frame{head.stage, head.time, head.step, {}, {}, {}, head.energy, {}};
-    std::string columns = "blocks, corners, contacts, nodes, bolts";
-    std::size_t kept = bodyPayloads;
-    if (keepsForces(database)) {
-        columns += ", weights, inertia, contact_forces, node_forces, other_forces";
-        kept = unpacked.size();
-    }
-    sqlite::Statement statement(database, "SELECT " + columns + " FROM frames WHERE frame=?");
+    sqlite::Statement statement(database, "SELECT blocks, corners, contacts, nodes, bolts, weights, inertia, "
+                                          "contact_forces, node_forces, other_forces FROM frames WHERE frame=?");
     statement.bind(key);
     if (!statement.next())
         outOfRange();
-    for (const Payload payload : std::span(unpacked).first(kept))
+    for (const Payload payload : unpacked)
         if (!unpack(payload, known(statement.doubles(static_cast<int>(payload))), scene, blocks, frame))
             outOfRange();
     return frame;

@@ -207,10 +207,6 @@ std::optional<TableKind> tableKindOf(std::string_view word) {
 
 bool hasBolts(TableKind kind) { return kind == TableKind::Bolts || kind == TableKind::Events; }
 
-bool lacksForces(TableKind kind, const RunSource& run) {
-    return kind == TableKind::Forces && !run.frames().empty() && run.frame(0).forces.bodies.empty();
-}
-
 std::optional<std::size_t> frameAt(const RunSource& run, const TableFilter& filter) {
     const std::vector<std::size_t> indices = selected(momentsOf(run.frames()), filter, When::Last);
     if (indices.empty())

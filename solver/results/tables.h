@@ -30,9 +30,6 @@ bool hasBolts(TableKind kind);
 /// share a moment: of those the last one counts. Nothing when no frame was kept.
 std::optional<std::size_t> frameAt(const RunSource& run, const TableFilter& filter);
 
-/// True where the table shows forces on blocks and `run` is a store of an older version, which has none.
-bool lacksForces(TableKind kind, const RunSource& run);
-
 /// Writes header and rows. The tables of a frame (bolts, blocks, contacts, forces) show the last one unless the filter says
 /// otherwise, the others every row.
 void writeTable(TableKind kind, const RunSource& run, const TableFilter& filter, std::ostream& out);

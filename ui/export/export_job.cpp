@@ -125,7 +125,6 @@ std::size_t ExportJob::exportEverything(const RunSource& run, const ExportOrder&
         tell(tr("Tables"), ++tried, std::size(tableWords()));
         const TableKind kind = *tableKindOf(word);
         if (hasBolts(kind) && run.scene().bolts.empty()) continue;
-        if (lacksForces(kind, run)) continue;
         writeTableFile(run, kind, {}, order.out / (order.figure.runName + "-" + std::string(word) + ".csv"));
         ++written;
     }

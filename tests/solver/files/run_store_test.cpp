@@ -272,17 +272,6 @@ TEST_F(RunStoreTest, RefusesOtherDatabasesAndVersions) {
     EXPECT_NE(messageOnReading().find("no run store"), std::string::npos);
 }
 
-/// As programs wrote it that kept no single forces.
-TEST_F(RunStoreTest, ReadsAStoreWithoutForces) {
-    writeSample();
-    runSql("DELETE FROM columns WHERE payload LIKE '%_forces' OR payload IN ('weights', 'inertia')");
-    for (const char* payload : {"weights", "inertia", "contact_forces", "node_forces", "other_forces"})
-        runSql(std::string("ALTER TABLE frames DROP COLUMN ") + payload);
-    Results expected = test::sampleResults();
-    for (Frame& frame : expected.frames) frame.forces = {};
-    EXPECT_EQ(readResults(RunStore(storePath())), expected);
-}
-
 TEST_F(RunStoreTest, RefusesATruncatedStore) {
     writeSample();
     const auto size = fs::file_size(storePath());

@@ -80,15 +80,6 @@ TEST(Tables, ForcesOfContactsInMotionAreThoseOfTheStep) {
     EXPECT_NE(other, forces.end());
 }
 
-TEST(Tables, KnowARunThatKeptNoForces) {
-    const Scene scene = test::sampleScene();
-    Results results = test::sampleResults();
-    EXPECT_FALSE(lacksForces(TableKind::Forces, MemoryRun(scene, results)));
-    for (Frame& frame : results.frames) frame.forces = {};
-    EXPECT_TRUE(lacksForces(TableKind::Forces, MemoryRun(scene, results)));
-    EXPECT_FALSE(lacksForces(TableKind::Blocks, MemoryRun(scene, results)));
-}
-
 TEST(Tables, LeaveTheStrengthOfABondOutThatHasNone) {
     const auto bolts = lines(TableKind::Bolts);
     ASSERT_EQ(bolts.size(), 4U);
