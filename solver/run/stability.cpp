@@ -4,7 +4,7 @@
 
 #include "solver/engine/bolt/topology.h"
 #include "solver/run/failure_mode.h"
-#include "solver/run/stage_settings.h"
+#include "solver/scene/deciding.h"
 
 #include <Eigen/Geometry>
 

@@ -3,6 +3,7 @@
 #include "solver/run/stage_settings.h"
 
 #include "solver/scene/acceleration.h"
+#include "solver/scene/deciding.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/words.h"
 
@@ -25,8 +26,6 @@ Inertia inertiaOf(Integration integration) {
 }
 
 }  // namespace
-
-double smallestOf(const Stage& stage) { return stage.until.smallest.value_or(StaticSettings{}.smallest); }
 
 StaticSettings staticSettings(const Scene& scene, const Stage& stage) {
     StaticSettings settings;

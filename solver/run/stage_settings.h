@@ -15,9 +15,6 @@
 namespace keyblock {
 
 StaticSettings staticSettings(const Scene& scene, const Stage& stage);
-/// Area under which a block does not decide whether a stage stands [m²].
-double smallestOf(const Stage& stage);
-
 DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
 
 /// Pseudo-times at which the increments of a static stage end: 0 for what it puts on at once, then the increments, with

@@ -8,8 +8,6 @@
 #include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -19,13 +17,6 @@ namespace {
 
 constexpr std::size_t mostRows = 300'000;  // of all records of a scene, which a run store keeps inside the scene
 constexpr double quietEnd = 0.02;  // of the largest on the way: less left at the end of a record is no drift
-
-/// Four digits, for people.
-std::string rounded(double number) {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 4);
-    return {text.data(), end.ptr};
-}
 
 std::string placeOfRecord(const Acceleration& acceleration, const std::string& pointer) {
     return under(pointer, acceleration.file.empty() ? "record" : "file");

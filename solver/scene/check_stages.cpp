@@ -7,6 +7,7 @@
 #include "geometry/segment.h"
 #include "geometry/sub_blocks.h"
 #include "solver/scene/check_report.h"
+#include "solver/scene/deciding.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
@@ -236,9 +237,31 @@ void checkSides(const Stage& stage, const std::string& pointer, CheckContext& co
     }
 }
 
+/// Half of the blocks are smaller [m²].
+double medianArea(const CheckContext& context) {
+    std::vector<double> areas;
+    for (const Block& block : context.scene.blocks) areas.push_back(std::abs(signedArea(block.points)));
+    const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+    std::nth_element(areas.begin(), middle, areas.end());
+    return *middle;
+}
+
+/// What is left out of a verdict has to be small beside the rock that it is about.
+void checkSmallest(const Stage& stage, const std::string& pointer, CheckContext& context) {
+    constexpr double most = 0.05;  // of the median block
+    if (stage.kind != StageKind::Static || context.scene.blocks.empty()) return;
+    const double smallest = smallestOf(stage), median = medianArea(context);
+    if (!(smallest > most * median)) return;
+    context.report.warning(under(under(pointer, "until"), "smallest"),
+                           "blocks under " + rounded(smallest) + " m² do not decide whether the stage stands, but half of "
+                           "all blocks have less than " + rounded(median) + " m²",
+                           "Give less than a twentieth of that, or 0 so that all blocks decide");
+}
+
 void checkStage(std::size_t index, const std::string& pointer, CheckContext& context) {
     const Stage& stage = context.scene.stages[index];
     checkTimes(stage, pointer, context.report);
+    checkSmallest(stage, pointer, context);
     checkStrengthChanges(stage, pointer, context);
     checkAccelerations(stage, pointer, context);
     checkScheme(stage, pointer, context);

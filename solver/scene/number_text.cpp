@@ -9,6 +9,12 @@
 
 namespace keyblock {
 
+std::string rounded(double number) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 4);
+    return {text.data(), end.ptr};
+}
+
 std::string shortest(double number) {
     std::array<char, 32> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;

@@ -8,6 +8,9 @@
 
 namespace keyblock {
 
+/// Four digits, for people.
+std::string rounded(double number);
+
 /// The shortest text that reads back as the same double; `inf` and `nan` for what is not finite.
 std::string shortest(double number);
 

@@ -235,9 +235,9 @@ private:
         if (hidden == unrest_.undecidable.end()) return {};
         const double penalty = model_.analysis.penaltyRatio * mostNoise / unrest_.noise;
         return {Ending::Undecided,
-                "round-off hides " + shortest(rounded(unrest_.noise)) + " of the weight of block " +
+                "round-off hides " + rounded(unrest_.noise) + " of the weight of block " +
                     model_.blocks[static_cast<std::size_t>(*hidden)].name + "; with a penalty ratio of " +
-                    shortest(rounded(penalty)) + " or less it would not",
+                    rounded(penalty) + " or less it would not",
                 unrest_.undecidable};
     }
 
@@ -249,15 +249,8 @@ private:
         ++state_.step;  // not the state before: it has a frame of its own
         if (how == Ending::NoEquilibrium) return named(how, "", mostMoved());
         return named(how, "neither rest nor a collapse is shown: " + nameOfBody(model_, unrest_.body) + " is " +
-                              shortest(rounded(unrest_.share)) + " of its weight off balance",
+                              rounded(unrest_.share) + " of its weight off balance",
                      blockOfBody(model_, unrest_.body));
-    }
-
-    /// To two digits.
-    static double rounded(double value) {
-        if (!(value > 0.0)) return 0.0;
-        const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-        return std::round(value / unit) * unit;
     }
 
     /// An ending that names the blocks that fall or have left their place, and those that they set moving; where there is

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which blocks are large enough to decide whether a stage stands.
+#pragma once
+
+#include "solver/scene/scene.h"
+
+namespace keyblock {
+
+/// Area under which a block does not decide [m²].
+inline double smallestOf(const Stage& stage) { return stage.until.smallest.value_or(0.01); }
+
+}  // namespace keyblock
