@@ -34,8 +34,8 @@ namespace {
 /// A pivot below this share of its diagonal has lost all but four of its bits to cancellation: it is round-off.
 constexpr double pivotFloor = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// Ranks that are worth an update, over the operations per entry of a factor: 180 of them at a thousand blocks.
-constexpr double rankShare = 1.2;
+/// Ranks that are worth an update, over the operations per entry of a factor: 91 of them at a thousand blocks.
+constexpr double rankShare = 0.6;
 
 /// Neighbouring supernodes of no more columns than this are merged whatever zeros they share, or where these are a
 /// small part. Larger than CHOLMOD's own, because a block has six columns: with fewer supernodes less time goes into

@@ -21,7 +21,7 @@ constexpr double shortest = 1.0 / 50.0;  // step that is tried then
 constexpr int mostSweeps = 8, mostUseless = 2;  // times that sweeps are tried in a step, and in vain
 constexpr double easy = 2e-3;  // residual from which Newton needs no sweeps
 constexpr double farFromBalance = 1e-2;  // residual from which Newton's line search soon stalls
-constexpr double helps = 0.1;  // of the residual before: sweeps that leave less may go on
+constexpr double helps = 0.2;  // of the residual before: sweeps that leave less may go on
 constexpr double leastHold = 1e-6;  // of a law's stiffness, where nothing holds a body
 
 std::vector<double> limitsOf(const StepProblem& problem) {
