@@ -176,6 +176,29 @@ TEST(LinearSystem, RefusesToTakeMoreThanThereIs) {
     ASSERT_EQ(net.system.factor(), -1);  // usable again
 }
 
+TEST(LinearSystem, FollowsALargeSystemAgainAfterARefusal) {
+    const int n = 900;
+    const std::vector<Spring> springs = denseNet(30);
+    const std::vector<double> ground(n, 1.0);
+    SpringNet net(n, springs);
+    net.assemble(ground);
+    ASSERT_EQ(net.system.factor(), -1);
+    Spring tooMuch = springs.front(), more = springs.back();
+    tooMuch.stiffness *= 1e6;
+    EXPECT_FALSE(net.system.takeRanks(std::vector<SparseColumn>{columnOf(springs[7]), columnOf(tooMuch)}));
+    ASSERT_EQ(net.system.factor(), -1);
+    ASSERT_TRUE(net.system.addRanks(std::vector<SparseColumn>{columnOf(more)}));
+    const std::vector<double> load = someLoad(n);
+    std::vector<double> x(load.size());
+    net.system.solve(load, x);
+    Eigen::VectorXd column = Eigen::VectorXd::Zero(n);
+    for (const auto& [row, value] : columnOf(more)) column[row] = value;
+    const Eigen::MatrixXd matrix = net.dense(ground) + column * column.transpose();
+    const Eigen::VectorXd solution = Eigen::Map<const Eigen::VectorXd>(x.data(), n);
+    const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(load.data(), n);
+    EXPECT_LE(largest(matrix * solution - b), 1e-12 * matrix.cwiseAbs().rowwise().sum().maxCoeff() * largest(solution));
+}
+
 TEST(LinearSystem, SolvesOneUnknownAndNone) {
     LinearSystem system;
     system.analyse(1, {});
