@@ -209,7 +209,32 @@ TEST(Safety, ABlockThatSlidesToARestElsewhereDidNotStand) {
     const SafetyFactor found = safetyOf(scene);
     expectBracket(scene, found, std::tan(40.0 * degree) / std::tan(30.0 * degree));
     EXPECT_FALSE(found.runs[1].stands);
-    EXPECT_EQ(found.runs[1].end.outcome, Outcome::Equilibrium);
+    EXPECT_EQ(found.runs[1].end.outcome, Outcome::Displaced);
+}
+
+/// A quarter beside it, then three quarters; a tenth less and more where there is no bracket yet.
+TEST(NextSafetyFactor, LiesBesideARunWithoutAVerdict) {
+    EXPECT_DOUBLE_EQ(nextSafetyFactor(1.0, 2.0, 0.01, 0).value(), 1.5);
+    EXPECT_DOUBLE_EQ(nextSafetyFactor(1.0, 2.0, 0.01, 1).value(), 1.25);
+    EXPECT_DOUBLE_EQ(nextSafetyFactor(1.0, 2.0, 0.01, 2).value(), 1.75);
+    EXPECT_EQ(nextSafetyFactor(1.0, 2.0, 0.01, 3), std::nullopt);
+    EXPECT_DOUBLE_EQ(nextSafetyFactor({}, {}, 0.01, 1).value(), 0.9);
+    EXPECT_DOUBLE_EQ(nextSafetyFactor(1.0, {}, 0.01, 2).value(), 2.2);
+}
+
+/// Runs between 1.4 and 1.6 are cut short by hand.
+TEST(Safety, ARunWithoutAVerdictIsLeftOut) {
+    const Scene scene = slopeScene(40.0);
+    const SafetyFactor found = findSafetyFactor(scene, [&](Scene reduced, double factor, Sink& sink) {
+        Control control;
+        if (factor > 1.4 && factor < 1.6) reduced.limits.iterations = 1;
+        run(reduced, sink, control);
+    });
+    EXPECT_EQ(found.runs.at(2).end.outcome, Outcome::Undecided);
+    EXPECT_DOUBLE_EQ(found.runs.at(3).factor, 1.25);
+    EXPECT_EQ(found.cutShort, Outcome::Undecided);  // after 1.625, 1.4375, 1.34375, and three between these ends
+    EXPECT_DOUBLE_EQ(found.lower.value(), 1.34375);
+    EXPECT_DOUBLE_EQ(found.upper.value(), 1.625);
 }
 
 TEST(Safety, AStopLeavesTheBracketSoFar) {

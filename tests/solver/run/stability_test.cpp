@@ -60,9 +60,10 @@ TEST(Stability, HowFarABlockMayGoIsASetting) {
     EXPECT_EQ(runInMemory(scene).stages.at(0).outcome, Outcome::Displaced);
 }
 
-/// A soft column settles under a load by a third of a block's size at its top, but by a twentieth from block to block.
+/// A soft column settles under its weight by a sixth of a block at its top (Σ of ρgh/E over 8 m), but by a twentieth at
+/// most from block to block.
 TEST(Stability, SettlementOfASectionIsNone) {
-    Scene scene = emptyScene(1e6, 0.0, 30.0);
+    Scene scene = emptyScene(5e6, 0.0, 30.0);
     scene.analysis.penaltyRatio = 100.0;
     scene.analysis.gravity = {0.0, -gravity};
     scene.blocks = {boxBlock("floor", {-2, -1}, {3, 0})};
@@ -73,7 +74,7 @@ TEST(Stability, SettlementOfASectionIsNone) {
     scene.stages = {test::settle()};
     const Results results = runInMemory(scene);
     EXPECT_EQ(results.stages.at(0).outcome, Outcome::Equilibrium) << results.stages[0].message;
-    EXPECT_LT(results.frames.back().blocks.back().displacement.y(), -0.2);
+    EXPECT_LT(results.frames.back().blocks.back().displacement.y(), -0.12);
 }
 
 /// Nothing can stand on a frictionless slope; but three pseudo-steps do not show it.

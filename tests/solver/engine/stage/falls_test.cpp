@@ -28,7 +28,7 @@ Scene oneBlock() {
 struct Watched {
     Model model = makeModel(oneBlock());
     std::vector<BlockMotion> blocks = makeState(model).blocks;
-    Falls falls{model, blocks, 1e-3};
+    Falls falls{model, blocks, 1e-3, 0.01};
 
     /// \param acceleration of a pseudo-step, over gravity; its length [s] is that of no other.
     void see(int steps, const std::function<double(int)>& acceleration) {
