@@ -66,8 +66,12 @@ const void* ScenePlace::object() const { return field ? field->children.item(own
 
 std::optional<ScenePlace> locate(const Scene& scene, std::string_view pointer) {
     ScenePlace place{&sceneStructure(), &scene, nullptr};
-    for (const std::string& part : partsOf(pointer))
+    const Field* misplaced = nullptr;
+    for (const std::string& part : partsOf(pointer)) {
         if (!step(place, part)) return std::nullopt;
+        if (!misplaced && place.field && !applies(*place.structure, *place.field, place.owner)) misplaced = place.field;
+    }
+    place.misplaced = misplaced;
     return place;
 }
 

@@ -19,6 +19,7 @@ struct ScenePlace {
     const Field* field = nullptr;  // null: the whole scene
     std::optional<std::size_t> entry{};  // of a List or Map
     std::optional<std::size_t> element{};  // of Points, a PointPair or a TextList
+    const Field* misplaced = nullptr;  // the first on the way here that does not belong to its owner; null: all do
 
     /// True when the pointer leads to a struct: the scene, an Object that is there, or an entry.
     bool isObject() const;

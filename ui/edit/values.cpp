@@ -125,8 +125,8 @@ Edit setValueAt(Scene scene, const std::string& pointer, const FieldValue& value
     if (found->field->key == "name" && std::holds_alternative<std::string>(value) && locate(scene, holder)->entry)
         return renameAt(scene, holder, std::get<std::string>(value));
     if (valueAt(scene, pointer) == value) return {std::move(scene)};
-    if (!applies(*found->structure, *found->field, found->owner) && value != defaultOf(*found->structure, *found->field))
-        return refused(std::move(scene), misplaced(*found->field) + ".");
+    if (found->misplaced && value != defaultOf(*found->structure, *found->field))
+        return refused(std::move(scene), misplaced(*found->misplaced) + ".");
     if (found->field->key == "like" && !staysLike(scene, pointer, value))
         return refused(std::move(scene), "There is no such bolt type, or it is itself like this one.");
     Edit edit{std::move(scene)};
