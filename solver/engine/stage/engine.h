@@ -40,6 +40,7 @@ struct StepEnding {
     std::vector<int> blocks;  // that move or do not balance
     std::vector<int> followers{};  // that those set moving
     long cause = -1;  // the event after which nothing balanced; −1: the load
+    bool final = false;  // undecided, and a longer search would be, too
 };
 
 /// Is notified of what happens inside an increment or step, in order.

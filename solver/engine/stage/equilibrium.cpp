@@ -238,7 +238,7 @@ private:
                 "round-off hides " + rounded(unrest_.noise) + " of the weight of block " +
                     model_.blocks[static_cast<std::size_t>(*hidden)].name + "; with a penalty ratio of " +
                     rounded(penalty) + " or less it would not",
-                unrest_.undecidable};
+                unrest_.undecidable, {}, -1, true};
     }
 
     /// Takes over where the moving blocks had got to: history and energy of their path, whatever does not balance.
@@ -248,6 +248,9 @@ private:
         accept(problem);
         ++state_.step;  // not the state before: it has a frame of its own
         if (how == Ending::NoEquilibrium) return named(how, "", mostMoved());
+        if (unrest_.restless.empty())
+            return named(how, "neither rest nor a collapse is shown: " + nameOfBody(model_, mostMoved()) + " has moved most",
+                         mostMoved());
         return named(how, "neither rest nor a collapse is shown: " + nameOfBody(model_, unrest_.body) + " is " +
                               rounded(unrest_.share) + " of its weight off balance",
                      blockOfBody(model_, unrest_.body));

@@ -31,11 +31,11 @@ double leastForce(const Model& model, const BlockModel& block) {
 struct LinkSums {
     std::vector<double> all;  // summed forces [N]
     std::vector<double> rock, others;  // largest force of a contact or glue, and of anything else [N]
-    std::vector<double> springs;  // Σ k² [N²/m²]
+    std::vector<double> springs, outerSprings;  // Σ k² [N²/m²], of all and without glue
 
     explicit LinkSums(const StepProblem& problem) {
         const auto bodies = static_cast<std::size_t>(problem.blocks + problem.nodes);
-        all = rock = others = springs = std::vector<double>(bodies, 0.0);
+        all = rock = others = springs = outerSprings = std::vector<double>(bodies, 0.0);
         for (const Link& link : problem.links) {
             add(problem, link, link.a, link.ga);
             if (link.b >= 0) add(problem, link, link.b, link.gb);
@@ -53,6 +53,7 @@ struct LinkSums {
         largest = std::max(largest, force);
         all[at] += force;
         springs[at] += spring * spring;
+        if (link.kind != LinkKind::Glue) outerSprings[at] += spring * spring;
     }
 };
 
@@ -110,7 +111,7 @@ private:
 
     /// A block, or all its cells as one: what glue does not balance between them is none of its weight.
     void judgeRock(int first, int end) {
-        double mass = 0.0, own = 0.0, noise = 0.0, area = 0.0;
+        double mass = 0.0, own = 0.0, noise = 0.0, hidden = 0.0, area = 0.0;
         Point middle{0.0, 0.0};
         for (int block = first; block < end; ++block) {
             const double m = model_.blocks[at(block)].mass;
@@ -118,6 +119,7 @@ private:
             mass += m;
             own += forces_.own[at(block)];
             noise += forces_.noise[at(block)];
+            hidden += forces_.outerNoise[at(block)];
             area += model_.blocks[at(block)].area;
         }
         middle /= mass;
@@ -130,9 +132,9 @@ private:
         }
         compare(first, std::max(sum.force.norm(), std::abs(sum.moment) / std::sqrt(area)), own, share_, noise);
         const bool free = !model_.blocks[at(first)].fixed && !state_.blocks[at(first)].absent;
-        if (!free || model_.gravity.isZero() || noise <= mostNoise * own) return;
+        if (!free || model_.gravity.isZero() || hidden <= mostNoise * own) return;
         worst_.undecidable.push_back(first);
-        worst_.noise = std::max(worst_.noise, noise / own);
+        worst_.noise = std::max(worst_.noise, hidden / own);
     }
 
     /// The strains of a block; all of a cell or a plate.
@@ -172,6 +174,7 @@ RestForces restForces(const Model& model, const State& state, const StepProblem&
     const LinkSums sums(problem);
     const double place = largestCoordinate(state);
     for (double squares : sums.springs) forces.noise.push_back(digits * place * std::sqrt(squares));
+    for (double squares : sums.outerSprings) forces.outerNoise.push_back(digits * place * std::sqrt(squares));
     forces.all = sums.all;
     for (std::size_t i = 0; i < forces.all.size(); ++i) forces.all[i] += problem.ownForce[i];
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {

@@ -19,6 +19,7 @@ struct RestForces {
     std::vector<double> own;  // weight of a block; without gravity its load, or what else acts on it; of a node all forces
     std::vector<double> all;  // summed forces of loads, links and stress
     std::vector<double> noise;  // that the digits of the coordinates leave
+    std::vector<double> outerNoise;  // the same without glue, which acts within a block
 };
 
 /// \param problem of a step at rest from `state`, its friction limits those of the forces there.

@@ -72,6 +72,19 @@ private:
         return ending;
     }
 
+    /// A search as long as there may be one, in parts: where one has come to no verdict, what has passed its limit on the
+    /// way may let go first.
+    StepEnding searchOn(State& state, double to) {
+        for (;;) {
+            const StepEnding ending = equilibrium(state, to, mostInSearch);
+            if (ending.ending != Ending::Undecided || ending.final || isWorkedOut() || passesLimit(state)) return ending;
+        }
+    }
+
+    bool passesLimit(const State& state) const {
+        return worstLimit(heldLimits(engine_.model, state), 1.0 + reachedShare).has_value();
+    }
+
     /// As much work is done since the last event or accepted increment as may be.
     bool isWorkedOut() const { return progress_.solves >= settings_.maxSteps; }
 
@@ -300,8 +313,9 @@ private:
     /// Equilibrium after a release, at the same load.
     StepEnding balanceAgain() {
         State trial = state_;
-        const StepEnding ending = equilibrium(trial, progress_.done);
+        const StepEnding ending = searchOn(trial, progress_.done);
         state_ = std::move(trial);
+        if (ending.ending == Ending::Undecided && passesLimit(state_)) return {};  // which is released next
         if (ending.ending != Ending::Done) return ending;
         ++state_.step;
         return follow();

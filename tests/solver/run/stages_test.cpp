@@ -417,7 +417,7 @@ TEST(Until, DecidesWhatCountsAsEquilibrium) {
         EXPECT_LE(results.stages[0].health.maxResidual, unbalanced);
     }
     scene.stages[0].until.maxSteps = 1;
-    EXPECT_EQ(runInMemory(scene).stages[0].outcome, Outcome::Collapse);
+    EXPECT_EQ(runInMemory(scene).stages[0].outcome, Outcome::Undecided);
 }
 
 }  // namespace

@@ -339,7 +339,7 @@ TEST(Statics, AMasslessBlockRestsWherePressed) {
 }
 
 /// What keeps drifting without end is named, however slowly it goes: here nothing holds the sheared block along x.
-TEST(Statics, ASlowMechanismIsNamed) {
+TEST(Statics, ASlowMechanismIsNamedWithoutAVerdict) {
     BoltType bar = linearType(barArea(), 200e9);
     bar.anchors = {anchorAt(0.0, AnchorLaw::Elastic, 1e9)};
     Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
@@ -348,7 +348,7 @@ TEST(Statics, ASlowMechanismIsNamed) {
     scene.stages[0].motions[0].axis = {0.0, 1.0};
     scene.stages[0].until.maxSteps = 60;
     const Results results = runInMemory(scene);
-    ASSERT_EQ(results.stages[0].outcome, Outcome::Collapse);
+    ASSERT_EQ(results.stages[0].outcome, Outcome::Undecided);
     EXPECT_EQ(results.stages[0].blocks, std::vector<int>{1});
     EXPECT_NE(results.stages[0].message.find("right"), std::string::npos);
 }
