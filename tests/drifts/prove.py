@@ -100,7 +100,7 @@ class Proof:
     def friction(self):
         largest = max((abs(float(c["normal_force_N"])) for c in self.contacts), default=0.0)
         for c in self.contacts:
-            if c["state"] == "bonded":  # intact rock, which the outline of what is not yet excavated parts
+            if c["joint_material"] == "intact":  # the outline of what is not yet excavated parts it, with no joint there
                 continue
             normal, shear = float(c["normal_force_N"]), abs(float(c["shear_force_N"]))
             tangent = math.tan(math.radians(self.scene["joint_materials"]["joint"]["friction_angle"]))
