@@ -14,7 +14,7 @@ enum ExitCode : int {
     NumericalFailure = 4,  // results so far are kept
     LimitReached = 5,
     NotWritten = 6,  // full disk, no right
-    DoesNotStand = 8,  // only where it is asked for
+    DoesNotStand = 8,  // the scene is not stable; only with --fail-on-collapse
     Internal = 70,
     Interrupted = 75,  // Ctrl+C or SIGTERM; results so far are kept
 };

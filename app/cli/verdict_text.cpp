@@ -55,7 +55,7 @@ std::string looseLine(const RunSource& run, const std::vector<StageRecord>& reco
         for (const int block : record.result.loose) {
             names += (count++ > 0 ? ", " : "") + blockName(run.blockNames(), block);
         }
-    return count == 0 ? "" : "loose   too small to decide, let go: " + names + "\n";
+    return count == 0 ? "" : "loose   removed, too small to decide: " + names + "\n";
 }
 
 std::string energyWarning(const RunSource& run, const std::vector<StageRecord>& records) {

@@ -93,8 +93,8 @@ const Structure& structureOf(const Until*) {
                               "rest farther away ends the stage as displaced. Null: any way.",
                               {.range = above(0)}),
             row<&Until::smallest>("smallest",
-                                  "Blocks of less area do not decide: one that falls is let go and listed, and the "
-                                  "search goes on without it; 0: all decide; null: 0.01.",
+                                  "Blocks of less area do not decide: one that falls is removed and listed, and the "
+                                  "search continues without it; 0: all decide; null: 0.01.",
                                   {.unit = "m²", .range = atLeast(0)}),
             row<&Until::maxSteps>("max_steps",
                                   "Pseudo-steps, repeated ones included, after which the stage ends as undecided, if "
