@@ -39,6 +39,8 @@ PathStart startOf(const Model& model, const Link& link, const Link& first, doubl
     PathStart at{first.strain, carriedForce(link.law, first.strain), limit};
     if (link.law.rigid || met) at.force = link.kind == LinkKind::Normal ? -c.normalForce : c.shearForce;
     if (met) at.limit = std::max(0.0, c.normalForce) * frictionOf(model, c);
+    // a contact that is open now was locked anew where it stands: at the start it carried no more than its limit
+    if (link.kind == LinkKind::Friction) at.force = std::clamp(at.force, -at.limit, at.limit);
     return at;
 }
 
