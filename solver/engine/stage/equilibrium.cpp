@@ -24,8 +24,9 @@
 namespace keyblock {
 namespace {
 
-constexpr double moveShare = 0.02;  // of a block's size: its longest move in one pseudo-step
-constexpr double mostMoveShare = 0.25;  // of the smallest block's: that of any
+constexpr double moveShare = 0.05;  // of a block's size: its longest move in one pseudo-step
+constexpr double sureMoveShare = 0.25;  // of the smallest block's: contacts are looked for as far as that at least
+constexpr double moveRoom = 1.5;  // over the move that the step before leads to expect: contacts are looked for so far
 constexpr double drivenShare = 0.05;  // of the smallest block's: how far a motion or dilation drives in one search
 constexpr double roomToDrive = 2.0;  // times as far, moves in one pseudo-step what is driven
 constexpr double softestInertia = 1e-11;  // regularisation over the stiffest spring
@@ -41,7 +42,10 @@ constexpr double easilyBalanced = 0.03;  // of what may be left on bodies: a tow
 constexpr int easyPasses = 2;  // iterations for which that is worth a longer pseudo-step
 constexpr double pathShare = 1e-4;  // of the longest move: a longer one may come in by another edge than it seemed
 constexpr int mostPaths = 2;  // times that a pseudo-step is done again because it does
-constexpr double unsettledCut = 0.1;  // of a pseudo-step that does not settle
+constexpr int mostPasses = 20;  // iterations of a pseudo-step
+constexpr double roughly = 0.1;  // residual at which one that has taken them is good enough to go on from
+constexpr double unsettledEase = 0.5;  // of such a pseudo-step, for the next
+constexpr double unsettledCut = 0.1;  // of one that is not
 constexpr double swingCut = 0.3;  // of one after which steps go to and fro
 constexpr double fadingSwing = 0.7;  // of the step before: such a swing dies out by itself
 constexpr double noSwing = 1e3;  // over round-off: shorter moves are noise
@@ -66,7 +70,7 @@ public:
           moved_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model_.blocks.size()) + 3 * model_.nodes)),
           tolerance_(std::min(settings.unbalanced, engine.model.analysis.tolerance)),
           driven_(longestDrive(path.before, path.at) > 0.0),
-          moveLimit_(driven_ ? roomToDrive * longestMoveOf(engine.model) : mostMoveShare * smallestSize(engine.model)),
+          moveLimit_(driven_ ? roomToDrive * longestMoveOf(engine.model) : sureMoveShare * smallestSize(engine.model)),
           longest_(longestPseudoStep(engine.model)), dt_(firstPseudoStep()) {}
 
     StepEnding find() {
@@ -75,7 +79,7 @@ public:
             if (outcome == Outcome::Balanced) return balancedUnlessHidden();
             if (outcome == Outcome::Stopped) return {Ending::Stopped, "", {}};
             if (outcome == Outcome::Unsettled) return unsettled();
-            if (outcome == Outcome::Moved && (someLeft() || (collapses() && !settings_.followsFalls)))
+            if (outcome == Outcome::Moved && report_.converged && (someLeft() || (!settings_.followsFalls && someFall())))
                 return moving(Ending::NoEquilibrium);
         }
         return moving(Ending::Undecided);
@@ -94,6 +98,7 @@ private:
     /// One pseudo-step from where the blocks are, unless they are balanced there. `Repeat`: nothing has moved, and the
     /// next one is shorter or knows its path.
     Outcome tryStep(long step) {
+        reach_ = driven_ ? moveLimit_ : std::max(moveLimit_, moveRoom * expectedMove());
         searchContacts(paths_ > 0 ? &path_ : nullptr);
         const bool lock = taken_ < lockedSteps && state_.step == 0 && unloaded(state_);
         if (lock && !locked_) dt_ = longest_;  // nothing slides, so that no step is too long
@@ -109,13 +114,15 @@ private:
             return Outcome::Balanced;
         }
         if (const std::vector<int> loose = falls_.loosePieces(state_.blocks); !loose.empty()) return letGo(problem, loose);
-        if (!driven_ && isLongPath()) return bookPath(problem);
+        if (!driven_ && report_.converged && isLongPath()) return bookPath(problem);
         problem.mayLeave = mayLeave();
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
-        if (lastStep_.size() > 0) d = std::pow(dt_ / lastDt_, 2) * lastStep_;  // what falls goes on falling
-        report_ = solveStep(engine_, problem, state_, d, {.tolerance = tolerance_});
+        if (paths_ > 0) d = path_;
+        else if (lastStep_.size() > 0) d = std::pow(dt_ / lastDt_, 2) * lastStep_;  // what falls goes on falling
+        report_ = solveStep(engine_, problem, state_, d,
+                            {.tolerance = tolerance_, .maxPasses = std::min(mostPasses, model_.analysis.maxPasses)});
         if (report_.stopped) return Outcome::Stopped;
-        if (!report_.converged) return shorten(unsettledCut);
+        if (!report_.converged && !isGoodEnough()) return shorten(unsettledCut);
         const Moves moves = movesOf(problem, d);
         if (moves.overLimit > 1.0) return shorten(std::clamp(0.9 / std::sqrt(moves.overLimit), 0.01, 0.9));
         if (paths_ < mostPaths && entersElsewhere(d, moves.largest)) return keepPath(d);
@@ -129,8 +136,18 @@ private:
         meetDilated(state_, state_.contacts);
     }
 
+    /// The forces are judged where the blocks come to, so that a step need not be solved well to be one towards rest.
+    bool isGoodEnough() const {
+        return !driven_ && !usesMultipliers(model_) && !report_.singular && report_.residual < roughly;
+    }
+
+    /// Of the block that moved most in the last pseudo-step, where it goes on in the next [m].
+    double expectedMove() const {
+        return lastStep_.size() > 0 ? std::pow(dt_ / lastDt_, 2) * lastLargest_ : 0.0;
+    }
+
     /// How far the search for contacts reaches [m].
-    double searchMargin() const { return 2.0 * moveLimit_ + widestOpening(state_); }
+    double searchMargin() const { return 2.0 * reach_ + widestOpening(state_); }
 
     /// History and energy of the path, from the forces where the bodies are.
     void accept(StepProblem& problem) {
@@ -194,6 +211,7 @@ private:
         falls_.note(moves.blocks, dt_, rest_.own);
         drifts_ = lastStep_.size() > 0 && d.dot(lastStep_) > 0.5 * d.norm() * lastStep_.norm();
         lastDt_ = dt_;
+        lastLargest_ = moves.largest;
         if (!locked_) {
             lastMove_ = moves.largest;
             dt_ = swings(d, moves.largest) ? swingCut * dt_ : nextStep(moves.overLimit);
@@ -201,18 +219,16 @@ private:
         lastStep_ = d;
     }
 
-    /// True where every block that does not balance falls; shown by a pseudo-step half as long.
-    bool collapses() {
-        const auto all = [&](auto shown) {
-            return std::all_of(unrest_.restless.begin(), unrest_.restless.end(),
-                               [&](int body) { return !isDeciding(body) || shown(body); });
+    /// True where a block that decides falls; shown by a pseudo-step half as long.
+    bool someFall() {
+        const auto some = [&](auto shown) {
+            return std::any_of(unrest_.restless.begin(), unrest_.restless.end(),
+                               [&](int body) { return isDeciding(body) && shown(body); });
         };
-        const bool blocks = std::any_of(unrest_.restless.begin(), unrest_.restless.end(),
-                                        [&](int body) { return isDeciding(body); });
-        const bool falling = blocks && all([&](int i) { return falls_.falls(state_.blocks, i); });
+        const auto falls = [&](int body) { return falls_.falls(state_.blocks, body); };
         if (std::exchange(halved_, false))
-            return falling && all([&](int i) { return falls_.sameWhateverTheStep(i); });
-        if (!falling) return false;
+            return some([&](int body) { return falls(body) && falls_.sameWhateverTheStep(body); });
+        if (!some(falls)) return false;
         dt_ = std::min(dt_, 0.5 * lastDt_);
         halved_ = true;
         return false;
@@ -308,7 +324,7 @@ private:
     /// The next pseudo-step: longer after one that was easily solved, but not so long that what falls freely would go too
     /// far in it.
     double nextStep(double moveOverLimit) const {
-        const double ease = easeAfter(report_.passes);
+        const double ease = report_.converged ? easeAfter(report_.passes) : unsettledEase;
         const double room = moveOverLimit > 0.0 ? std::sqrt(0.9 / moveOverLimit) : ease;
         return std::min(std::min(room, ease) * dt_, longest_);
     }
@@ -322,12 +338,12 @@ private:
     Moves movesOf(const StepProblem& problem, const Eigen::VectorXd& d) const {
         Moves moves;
         moves.largest = nodeMove(problem, d);
-        moves.overLimit = moves.largest / moveLimit_;
+        moves.overLimit = moves.largest / reach_;
         for (std::size_t i = 0; i < model_.blocks.size(); ++i) {
             const double move = blockMove(model_, problem, d, i);
             moves.blocks.push_back(move);
             moves.largest = std::max(moves.largest, move);
-            const double most = driven_ ? moveLimit_ : std::min(moveLimit_, moveShare * model_.blocks[i].size);
+            const double most = driven_ ? moveLimit_ : std::min(reach_, moveShare * model_.blocks[i].size);
             moves.overLimit = std::max(moves.overLimit, move / most);
         }
         return moves;
@@ -395,6 +411,7 @@ private:
     double tolerance_;
     bool driven_;  // by a prescribed motion or a dilation
     double moveLimit_;
+    double reach_ = 0.0;  // as far as anything may move in the pseudo-step that comes [m]
     double longest_, dt_, lastDt_ = 0.0;
     RestForces rest_;  // when last judged
     Unrest unrest_;
@@ -404,7 +421,8 @@ private:
     int paths_ = 0;  // times that it was
     int taken_ = 0;
     SolveReport report_;  // of the last step
-    double lastMove_ = std::numeric_limits<double>::max();
+    double lastLargest_ = 0.0;  // move in the last pseudo-step [m]
+    double lastMove_ = std::numeric_limits<double>::max();  // in the last without friction locked
     Eigen::VectorXd lastStep_;
     bool drifts_ = false;  // the last two steps went the same way
     double residual_ = std::numeric_limits<double>::max();  // over the reference force, when last judged

@@ -61,11 +61,15 @@ private:
     /// \param most pseudo-steps, after which the search ends as `Undecided`; never more than are left altogether.
     StepEnding equilibrium(State& state, double to, long most = std::numeric_limits<long>::max(),
                            bool followsFalls = true) {
+        return equilibrium(state, {reached(), between(a_, b_, to)}, most, followsFalls);
+    }
+
+    StepEnding equilibrium(State& state, const LoadPath& path, long most, bool followsFalls) {
         StaticSettings settings = settings_;
         settings.followsFalls = followsFalls;
         settings.maxSteps = std::min(most, settings_.maxSteps - progress_.solves);
         const long before = engine_.health.steps;
-        StepEnding ending = findEquilibrium(engine_, state, loads_, {reached(), between(a_, b_, to)}, settings);
+        StepEnding ending = findEquilibrium(engine_, state, loads_, path, settings);
         progress_.solves += engine_.health.steps - before;
         if (ending.ending == Ending::Undecided && isWorkedOut())
             ending.message = "no verdict after " + std::to_string(progress_.solves) + " pseudo-steps: " + ending.message;
@@ -79,6 +83,12 @@ private:
             const StepEnding ending = equilibrium(state, to, mostInSearch);
             if (ending.ending != Ending::Undecided || ending.final || isWorkedOut() || passesLimit(state)) return ending;
         }
+    }
+
+    /// Goes on with what was seen falling under this load.
+    StepEnding followFall(State& state, double to) {
+        const LoadPoint at = between(a_, b_, to);
+        return equilibrium(state, {at, at}, std::numeric_limits<long>::max(), true);
     }
 
     bool passesLimit(const State& state) const {
@@ -110,10 +120,13 @@ private:
             const double to = progress_.done + step >= 1.0 - 1e-12 ? 1.0 : progress_.done + step;
             State trial = state_;
             const bool less = step > finestIncrement * whole && !isSameLoad(a_, b_);
-            StepEnding ending = equilibrium(trial, to, less ? mostInSearch : std::numeric_limits<long>::max());
-            if (isMoving(ending) && less && !isWorkedOut() && (to < 1.0 || standsAtFirst(whole))) {
-                step *= 0.5;
-                continue;
+            StepEnding ending = equilibrium(trial, to, less ? mostInSearch : std::numeric_limits<long>::max(), !less);
+            if (isMoving(ending) && less && !isWorkedOut()) {
+                if (to < 1.0 || standsAtFirst(whole)) {
+                    step *= 0.5;
+                    continue;
+                }
+                if (ending.ending == Ending::NoEquilibrium) ending = followFall(trial, to);
             }
             if (ending.ending != Ending::Done) {
                 if (isMoving(ending)) state_ = std::move(trial);
@@ -137,6 +150,7 @@ private:
             const bool found = ending.ending == Ending::Done;
             if (found) ending = toFirstLimit(next);
             if (!isWorkedOut() && (isTooDear(ending, length) || (isMoving(ending) && isTooFar(length)))) {
+                if (isMoving(ending)) progress_.fails = to;
                 shorten(length, ending.ending);
                 continue;
             }
@@ -149,12 +163,19 @@ private:
         }
     }
 
-    /// Equal parts of what is left, none longer than is tried next.
+    /// Equal parts of what is left, none longer than is tried next, and not yet so far as one that failed.
     double nextShare() const {
         const double left = (1.0 - progress_.done) * span();
         const double longest = std::min(progress_.chosen.next, span() / piecesOfMotion());
         const double parts = std::ceil(left / longest * (1.0 - 1e-9));
-        return parts <= 1.0 ? 1.0 : progress_.done + (1.0 - progress_.done) / parts;
+        const double next = parts <= 1.0 ? 1.0 : progress_.done + (1.0 - progress_.done) / parts;
+        return progress_.fails > progress_.done ? std::min(next, nearerTo(progress_.fails)) : next;
+    }
+
+    /// Half of the way to where no equilibrium was found, or all of it where it is short enough to believe that.
+    double nearerTo(double fails) const {
+        const double way = fails - progress_.done;
+        return isTooFar(way * span()) ? progress_.done + 0.5 * way : fails;
     }
 
     /// Accepts what was reached, unless too much happened on the way: then a shorter increment is next.
@@ -188,7 +209,7 @@ private:
         engine_.stopAsked = [this, &asked] { return left_-- <= 0 || (asked && asked()); };
         constexpr long any = std::numeric_limits<long>::max();
         const bool mayBeShorter = isTooFar((to - progress_.done) * span());
-        StepEnding ending = equilibrium(state, to, mayBeShorter ? mostInSearch : any, passes == any);
+        StepEnding ending = equilibrium(state, to, mayBeShorter ? mostInSearch : any, !mayBeShorter);
         engine_.stopAsked = asked;
         return ending;
     }
@@ -219,7 +240,7 @@ private:
     bool standsAtFirst(double whole) {
         if (progress_.done > 0.0) return true;
         State trial = state_;
-        return equilibrium(trial, finestIncrement * whole, mostInSearch).ending != Ending::NoEquilibrium;
+        return equilibrium(trial, finestIncrement * whole, mostInSearch, false).ending != Ending::NoEquilibrium;
     }
 
     /// Prescribed moves and dilations longer than a pseudo-step may be are taken in pieces.

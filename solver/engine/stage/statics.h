@@ -33,6 +33,7 @@ struct IncrementProgress {
     std::vector<PassedLimit> passed;  // at this load
     long lastRelease = -1;  // number of the last event at this load; −1: none yet
     ChosenLength chosen;
+    double fails = 0.0;  // share at which a search found no equilibrium; 0: none yet
 
     bool over() const { return done >= 1.0 && !releasing; }
 };
