@@ -4,7 +4,7 @@
 # The commands a person types. Each does its own set-up: missing Debian packages
 # are installed first, and what is built already is not built again.
 .DEFAULT_GOAL := help
-.PHONY: help run show pictures test person drifts kills asan tsan bench fuzz clean packages
+.PHONY: help run show pictures test person drifts safety-series kills asan tsan bench fuzz clean packages
 
 SHOWN := build/release/drift-bolted
 
@@ -15,6 +15,7 @@ help:
 	@echo "make test   build and run all tests"
 	@echo "make person draw, bolt, run and export a drift in the window with real clicks and keys, on a screen of its own"
 	@echo "make drifts run random drifts and prove from their tables what the program says of them, SEED=7 or SEED=1-200"
+	@echo "make safety-series  check factors of safety against closed forms: forty scenes, and thirty factors in each"
 	@echo "make kills  a hundred runs killed at random moments and fifty stopped; resumed, they end with the same bytes; and thirty windows killed while editing, thirty of the program while it edits and runs, with real keys"
 	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
 	@echo "make tsan   the tests with several threads under the thread sanitizer"
@@ -73,6 +74,11 @@ drifts: packages
 	$(call build,release)
 	/usr/bin/python3 tests/drifts/drifts.py $(or $(SEED),1-20) --out build/release/drifts
 	/usr/bin/python3 tests/drifts/prove.py build/release/keyblock build/release/drifts $(or $(SEED),1-20)
+
+safety-series: packages
+	$(call build,release)
+	/usr/bin/python3 tests/safety/series.py build/release/keyblock --out build/release/safety-series
+	/usr/bin/python3 tests/safety/series.py build/release/keyblock --out build/release/safety-series --monotone
 
 kills: packages
 	$(call build,dev)

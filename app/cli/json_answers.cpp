@@ -275,12 +275,13 @@ namespace {
 
 std::string_view outcomeWord(const SafetyFactor& found) {
     if (found.cutShort) return wordOf(*found.cutShort);
+    if (found.nothingToFreeze) return "fails-at-1";
     if (!found.upper) return "stands-at-1000";
     return found.lower ? "bracketed" : "falls-at-0.001";
 }
 
 std::string_view answerWord(const SafetyFactor& found) {
-    if (found.cutShort) return "undecided";
+    if (found.cutShort || found.nothingToFreeze) return "undecided";
     if (!found.upper) return "stands_always";
     return found.lower ? "bracketed" : "falls_always";
 }
@@ -336,6 +337,7 @@ std::string safetyJson(const Scene& solved, const SafetyFactor& found) {
     for (const SafetyRun& run : found.runs)
         runs.push_back(safetyRunJson(solved, run));
     Json answer{{"reduce", wordsOf(solved.safety.reduce)[static_cast<std::size_t>(solved.safety.reduce)]},
+                {"bolt_forces", wordsOf(solved.safety.boltForces)[static_cast<std::size_t>(solved.safety.boltForces)]},
                 {"tolerance", solved.safety.tolerance},
                 {"factor", {{"lower", orNull(found.lower)}, {"upper", orNull(found.upper)}}},
                 {"answer", answerWord(found)},

@@ -61,6 +61,11 @@ std::optional<SceneReading> askedScene(const SafetyOptions& options) {
     return reading;
 }
 
+template <typename Choice>
+std::string word(Choice choice) {
+    return std::string(wordsOf(choice)[static_cast<std::size_t>(choice)]);
+}
+
 TextRow runRow(const Scene& scene, const SafetyRun& run) {
     return {shown(run.factor), run.end.outcome == Outcome::Undecided ? "" : run.stands ? "stands" : "fails", stageName(scene, run.end.stage),
             std::string(wordOf(run.end.outcome)), std::to_string(run.end.steps)};
@@ -90,6 +95,9 @@ SafetyFactor search(const Scene& scene, const SafetyOptions& options, SafetyFold
 }
 
 std::string answerLine(const SafetyFactor& found) {
+    if (found.nothingToFreeze)
+        return "the scene fails with its own strengths, so there are no bolt forces in equilibrium to freeze: no factor of "
+               "safety; set safety.bolt_forces to mobilised to find one below 1\n";
     if (found.lower && found.upper)
         return "factor of safety between " + shown(*found.lower) + " (stands) and " + shown(*found.upper) +
                " (fails)\n";
@@ -160,7 +168,8 @@ ExitCode perform(const SafetyOptions& options) {
     const Scene& solved = read->cut ? read->cut->scene : scene;
     SafetyFolder folder(folderOf(options), options.overwrite);
     if (!options.json)
-        print("reduced: " + std::string(wordsOf(scene.safety.reduce)[static_cast<std::size_t>(scene.safety.reduce)]) +
+        print("reduced: " + word(scene.safety.reduce) +
+              (scene.safety.boltForces == BoltForces::Frozen ? "\nbolt forces: frozen as they are at a factor of 1" : "") +
               "\n\n" + textLine(runColumns, {"factor", "", "stage", "outcome", "steps"}));
     Control control;
     const SafetyFactor found = search(scene, options, folder, control);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The search knows only whether a run stands. Of the runs themselves nothing is
-// kept but two frames, because many runs of many frames would fill the memory.
+// kept but two frames of a stage, because many runs of many frames would fill the memory.
 #include "solver/run/safety.h"
 
+#include "solver/run/frozen_bolts.h"
 #include "solver/run/strength_reduction.h"
 
 #include <algorithm>
@@ -15,9 +16,11 @@ namespace keyblock {
 
 namespace {
 
-/// Keeps the first and the last frame of the stage that decides.
+/// Keeps the first and the last frame of the stage that decides, or of every stage.
 class DecisiveStage : public Sink {
 public:
+    explicit DecisiveStage(bool keepsAll) : keepsAll_(keepsAll) {}
+
     void begin(const Scene&, const HistoryColumns&) override {}
     void stageBegins(int) override {}
     void event(const Event&) override {}
@@ -32,14 +35,16 @@ public:
         end = result;
         stands = result.outcome == Outcome::Equilibrium;
         decided_ = !stands;
+        if (keepsAll_ && first) all.push_back({*first, *last});
     }
 
     std::optional<Frame> first, last;
+    std::vector<StageFrames> all;
     StageResult end;
     bool stands = false;
 
 private:
-    bool decided_ = false;
+    bool keepsAll_, decided_ = false;
 };
 
 bool isCutShort(const StageResult& end) { return end.outcome == Outcome::Stopped || end.outcome == Outcome::Limit; }
@@ -59,10 +64,13 @@ std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optiona
 SafetyFactor findSafetyFactor(const Scene& scene, const SafetyTrial& trial,
                               const std::function<void(const SafetyRun&)>& told) {
     SafetyFactor found;
+    const bool freezes = scene.safety.boltForces == BoltForces::Frozen;
+    std::optional<Scene> frozen;  // after the run at 1
     std::size_t undecided = 0;
     while (const auto factor = nextSafetyFactor(found.lower, found.upper, scene.safety.tolerance, undecided)) {
-        DecisiveStage stage;
-        trial(withReducedStrength(scene, *factor), *factor, stage);
+        const bool toFreeze = freezes && !frozen;
+        DecisiveStage stage(toFreeze);
+        trial(withReducedStrength(frozen ? *frozen : scene, *factor), *factor, stage);
         if (isCutShort(stage.end)) {
             found.cutShort = stage.end.outcome;
             return found;
@@ -75,6 +83,10 @@ SafetyFactor findSafetyFactor(const Scene& scene, const SafetyTrial& trial,
             found.mode = failureMode(*stage.first, *stage.last, scene.analysis.gravity);
         found.runs.push_back(one);
         if (told) told(one);
+        if (!toFreeze) continue;
+        found.nothingToFreeze = decided && !one.stands;
+        if (!one.stands) break;
+        frozen = withFrozenBolts(scene, stage.all);
     }
     if (undecided > 0) found.cutShort = Outcome::Undecided;
     return found;

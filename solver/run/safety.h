@@ -31,6 +31,7 @@ struct SafetyFactor {
     std::vector<SafetyRun> runs;  // in the order in which they were done
     std::optional<FailureMode> mode;  // of the run at `upper`
     std::optional<Outcome> cutShort;  // `Stopped`, `Limit` or `Undecided`: the last run came to no answer
+    bool nothingToFreeze = false;  // bolt forces were to be frozen, but the scene fails with its own strengths
 };
 
 /// Runs a scene into a sink, as `run` does.
@@ -43,7 +44,9 @@ using SafetyTrial = std::function<void(const Scene& reduced, double factor, Sink
 std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optional<double> upper, double tolerance,
                                        std::size_t undecided = 0);
 
-/// Looks for the factor to `scene.safety.tolerance`.
+/// Looks for the factor to `scene.safety.tolerance`. Where bolt forces are frozen, all runs but the one at 1 are of
+/// scenes without bolts (frozen_bolts.h), and a scene that fails at 1 ends the search, because it has no bolt forces in
+/// equilibrium.
 /// \pre `checkScene(scene)` and `checkSafety(scene)` found no error.
 /// \param told called after every run that came to an answer, or to no verdict; may be empty.
 SafetyFactor findSafetyFactor(const Scene& scene, const SafetyTrial& trial,

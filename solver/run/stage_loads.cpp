@@ -180,7 +180,13 @@ void StageLoads::begin(int stage, State& state) {
     for (int row = 0; row < static_cast<int>(this->stage().motions.size()); ++row) addMotion(row, state);
     if (!this->stage().dilations.empty()) memory_.start.openings.resize(model_.openings, 0.0);
     memory_.start.time = 0.0;
-    memory_.start.acceleration = {0.0, 0.0};  // ends with the stage that has it
+    if (!keepsAcceleration()) memory_.start.acceleration = {0.0, 0.0};
+}
+
+/// That of a dynamic stage ends with it, and a dynamic stage starts without any; static ones change it in proportion.
+bool StageLoads::keepsAcceleration() const {
+    const bool follows = memory_.stage > 0;
+    return follows && stage().kind == StageKind::Static && stageAt(memory_.stage - 1).kind == StageKind::Static;
 }
 
 void StageLoads::hold(const std::vector<WallForce>& walls) {
@@ -246,11 +252,17 @@ void StageLoads::addOpenings(double time, LoadPoint& point) const {
     }
 }
 
+Point StageLoads::bodyAccelerationAt(double time) const {
+    const Point own = bodyForceAt(stage(), time), &before = memory_.start.acceleration;
+    if (stage().kind == StageKind::Dynamic || time >= 1.0) return own;
+    return before + std::max(time, 0.0) * (own - before);
+}
+
 LoadPoint StageLoads::at(double time) const {
     LoadPoint point = memory_.start;
     point.time = time;
     point.gravity = 1.0;
-    point.acceleration = bodyForceAt(stage(), time);
+    point.acceleration = bodyAccelerationAt(time);
     const auto fill = [&](std::vector<double>& values, const std::vector<LoadSource>& sources) {
         for (std::size_t i = 0; i < sources.size(); ++i)
             if (sources[i].replaced) values[i] = 0.0;
@@ -293,6 +305,7 @@ std::vector<double> StageLoads::turns() const {
 bool StageLoads::varies() const {
     const std::vector<const Table*> all = tables();
     if (!stage().dilations.empty()) return true;
+    if (stage().kind == StageKind::Static && bodyAccelerationAt(0.0) != bodyAccelerationAt(1.0)) return true;
     for (std::size_t i = 0; i < memory_.start.walls.size(); ++i)
         if (wallAtEnd(i) != memory_.start.walls[i]) return true;
     return std::any_of(all.begin(), all.end(), [](const Table* table) { return changes(*table); });

@@ -65,12 +65,15 @@ public:
     void end(const LoadPoint& reached) { memory_.start = reached; }
 
 private:
-    const Stage& stage() const { return scene_.stages[static_cast<std::size_t>(memory_.stage)]; }
+    const Stage& stage() const { return stageAt(memory_.stage); }
+    const Stage& stageAt(int index) const { return scene_.stages[static_cast<std::size_t>(index)]; }
     const Load& loadOf(const LoadSource& source) const;
     void addLoad(int row, const State& state);
     void addSpread(int row, int block);
     void addForce(const PointForce& force, int row);
     void addPressure(int row, const State& state);
+    bool keepsAcceleration() const;
+    Point bodyAccelerationAt(double time) const;
     double wallAtEnd(std::size_t wall) const;
     void addOpenings(double time, LoadPoint& point) const;
     void addMotion(int row, State& state);

@@ -130,6 +130,10 @@ std::vector<Problem> checkSafety(const Scene& scene) {
             problems.push_back(error(under(under("/stages", i), "kind"),
                                      "a dynamic stage has no equilibrium, so it has no factor of safety",
                                      "Leave it and what builds on it out, or put a static load in its place"));
+    if (reducesBonds(scene) && scene.safety.boltForces == BoltForces::Frozen)
+        problems.push_back(error("/safety/bolt_forces",
+                                 "frozen bolt forces do not depend on the strength of bonds, which is to be reduced",
+                                 "Reduce joints only, or write \"bolt_forces\": \"mobilised\""));
     const bool joints = reducesJoints(scene) && someJointHasStrength(scene);
     const bool bonds = reducesBonds(scene) && someBondHasStrength(scene);
     if (!joints && !bonds)

@@ -19,7 +19,8 @@ namespace keyblock {
 /// \pre factor > 0.
 Scene withReducedStrength(const Scene& scene, double factor);
 
-/// What keeps a checked scene from having a factor of safety: no stage, a dynamic one, nothing that could be reduced.
+/// What keeps a checked scene from having a factor of safety: no stage, a dynamic one, nothing that could be reduced,
+/// bonds that are reduced while bolt forces are frozen.
 /// With pointers, without file and line.
 std::vector<Problem> checkSafety(const Scene& scene);
 

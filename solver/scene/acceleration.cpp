@@ -17,6 +17,12 @@ double valueAt(const Sine& sine, double time) {
     return sine.amplitude * std::sin(2.0 * std::numbers::pi * sine.frequency * time + sine.phase);
 }
 
+double valueAt(const Acceleration& acceleration, double time) {
+    if (acceleration.value)
+        return *acceleration.value;
+    return acceleration.sine ? valueAt(*acceleration.sine, time) : recordAt(acceleration.record, time);
+}
+
 double longestStepFor(const Acceleration& acceleration) {
     if (acceleration.sine)
         return 1.0 / (stepsAPeriod * acceleration.sine->frequency);
@@ -39,8 +45,7 @@ double recordAt(const Table& record, double time) {
 }
 
 Point accelerationAt(const Acceleration& acceleration, double time) {
-    const double value = acceleration.sine ? valueAt(*acceleration.sine, time) : recordAt(acceleration.record, time);
-    return acceleration.factor * value * acceleration.axis.normalized();
+    return acceleration.factor * valueAt(acceleration, time) * acceleration.axis.normalized();
 }
 
 Point bodyForceAt(const Stage& stage, double time) {

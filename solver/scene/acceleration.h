@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Records and sines of acceleration as functions of time, and what a record
+// Records, sines and constant values of acceleration as functions of time, and what a record
 // leaves behind when it is integrated: the one reading of them for the check and
 // for the run.
 #pragma once
@@ -13,7 +13,8 @@ namespace keyblock {
 /// Straight lines between the rows, nothing before the first and after the last. \pre times rise.
 double recordAt(const Table& record, double time);
 
-/// The acceleration at `time` of its stage [m/s²]. \pre it was checked.
+/// The acceleration at `time` of its stage [m/s²]; of a static stage a constant one, which acts in full at the stage's
+/// end. \pre it was checked.
 Point accelerationAt(const Acceleration& acceleration, double time);
 
 /// What acts on every mass beside gravity at `time` of a stage: the body acceleration less that of the ground (theory,

@@ -80,12 +80,31 @@ void checkRecord(const Acceleration& acceleration, const Stage& stage, const std
         tellBaseline(acceleration, placeOfRecord(acceleration, pointer), report);
 }
 
+bool hasRecord(const Acceleration& acceleration) {
+    return !acceleration.file.empty() || !acceleration.record.empty();
+}
+
+void checkOneIsGiven(const Acceleration& acceleration, const std::string& pointer, CheckReport& report) {
+    const int given = hasRecord(acceleration) + acceleration.sine.has_value() + acceleration.value.has_value();
+    if (given != 1)
+        report.error(pointer, "an acceleration needs exactly one of a record ('file' or 'record'), a 'sine' and a 'value'",
+                     given == 0 ? "Give one of them" : "Leave out all but one");
+}
+
+/// Pseudo-time has no seconds that a record or a sine could be read against.
+void checkIsConstant(const Acceleration& acceleration, const std::string& pointer, CheckReport& report) {
+    const std::string remedy = "Give a constant 'value' instead, or make the stage dynamic";
+    if (acceleration.sine)
+        report.error(under(pointer, "sine"), "a static stage has no seconds, so no sine acts in it", remedy);
+    if (hasRecord(acceleration))
+        report.error(placeOfRecord(acceleration, pointer), "a static stage has no seconds, so no record acts in it", remedy);
+}
+
 void checkAcceleration(const Acceleration& acceleration, const Stage& stage, const std::string& pointer,
                        CheckReport& report) {
-    const bool hasRecord = !acceleration.file.empty() || !acceleration.record.empty();
-    if (hasRecord == acceleration.sine.has_value())
-        report.error(pointer, "an acceleration needs either a record ('file' or 'record') or a 'sine'",
-                     hasRecord ? "Leave one of them out" : "Give one of them");
+    if (stage.kind == StageKind::Static)
+        checkIsConstant(acceleration, pointer, report);
+    checkOneIsGiven(acceleration, pointer, report);
     checkAxis(acceleration.axis, under(pointer, "axis"), report);
     if (acceleration.factor == 0.0)
         report.warning(under(pointer, "factor"), "the factor is 0, so nothing accelerates",
@@ -93,7 +112,10 @@ void checkAcceleration(const Acceleration& acceleration, const Stage& stage, con
     if (acceleration.sine && acceleration.sine->amplitude == 0.0)
         report.warning(under(under(pointer, "sine"), "amplitude"), "the amplitude is 0, so nothing accelerates",
                        "Give an amplitude, or leave the acceleration out");
-    if (hasRecord && !acceleration.sine)
+    if (acceleration.value == 0.0)
+        report.warning(under(pointer, "value"), "the value is 0, so nothing accelerates",
+                       "Give a value [m/s²], or leave the acceleration out");
+    if (hasRecord(acceleration) && stage.kind == StageKind::Dynamic && !acceleration.sine && !acceleration.value)
         checkRecord(acceleration, stage, pointer, report);
 }
 
@@ -109,12 +131,12 @@ void checkStep(const Stage& stage, const std::string& pointer, CheckReport& repo
 }  // namespace
 
 void checkAccelerations(const Stage& stage, const std::string& pointer, CheckContext& context) {
-    if (stage.kind != StageKind::Dynamic)
-        return;  // the table of fields has said so
-    if (stage.baseAcceleration)
+    if (stage.baseAcceleration && stage.kind == StageKind::Dynamic)  // else the table of fields has said so
         checkAcceleration(*stage.baseAcceleration, stage, under(pointer, "base_acceleration"), context.report);
     if (stage.bodyAcceleration)
         checkAcceleration(*stage.bodyAcceleration, stage, under(pointer, "body_acceleration"), context.report);
+    if (stage.kind == StageKind::Static)
+        return;
     if (stage.baseAcceleration && context.scene.supports.empty())
         context.report.warning(under(pointer, "base_acceleration"), "nothing is held, so nothing follows the ground",
                                "Hold a block or a point with 'supports'");

@@ -131,6 +131,10 @@ const Structure& structureOf(const Safety*) {
                                  "parts, steel and face plates keep theirs."),
             row<&Safety::tolerance>("tolerance", "Between the factor that stands and the one that does not.",
                                     {.range = within(1e-6, 1)}),
+            row<&Safety::boltForces>("bolt_forces",
+                                     "What bolts do at other factors than 1. `mobilised`: they are modelled as in a run, "
+                                     "so their forces rise as the rock moves. `frozen`: the forces that they put on the "
+                                     "blocks at the end of each stage at a factor of 1 act as dead loads in their place."),
         }};
     return structure;
 }

@@ -121,8 +121,8 @@ const Structure& structureOf(const Sine*) {
 const Structure& structureOf(const Acceleration*) {
     static const Structure structure{
         "acceleration",
-        "An acceleration over the seconds of a dynamic stage: a record (`file`, or `record` in the scene itself) or a "
-        "`sine`.",
+        "An acceleration: a record (`file`, or `record` in the scene itself) or a `sine` over the seconds of a dynamic "
+        "stage, or a constant `value`, the only one that a static stage takes. Exactly one of them is given.",
         defaultsOf<Acceleration>(),
         {
             row<&Acceleration::file>("file",
@@ -135,9 +135,14 @@ const Structure& structureOf(const Acceleration*) {
                                        "run store keeps the record so.",
                                        {.unit = "s, –", .emptyIsNull = true}),
             row<&Acceleration::sine>("sine", "A harmonic acceleration instead of a record."),
+            row<&Acceleration::value>("value",
+                                      "A constant acceleration instead of a record. A static stage changes to it in "
+                                      "proportion to pseudo-time, from what acted when the stage began: a seismic "
+                                      "coefficient k is `\"value\": k` with a factor of 9.81.",
+                                      {.unit = "m/s²"}),
             row<&Acceleration::axis>("axis", "Direction of a positive acceleration.",
                                      {.required = true, .isAxis = true}),
-            row<&Acceleration::factor>("factor", "Multiplies the record or the sine; 9.81 for a record in g.",
+            row<&Acceleration::factor>("factor", "Multiplies the record, the sine or the value; 9.81 for numbers in g.",
                                        {.unit = "m/s² per unit"}),
         }};
     return structure;
@@ -242,9 +247,10 @@ const Structure& structureOf(const Stage*) {
                                           "and velocities are told relative to the ground.",
                                           {.only = dynamicOnly}),
             row<&Stage::bodyAcceleration>("body_acceleration",
-                                          "Force per mass on everything, beside gravity; a ground that accelerates one "
-                                          "way acts as a body acceleration the other way.",
-                                          {.only = dynamicOnly}),
+                                          "Force per mass on everything, in addition to gravity; a ground that "
+                                          "accelerates in one direction acts as a body acceleration in the opposite one. In "
+                                          "a static stage a constant `value` only; the next static stage without one removes "
+                                          "it in proportion to pseudo-time, a dynamic stage starts without it."),
         }};
     return structure;
 }

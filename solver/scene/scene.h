@@ -268,13 +268,15 @@ struct Sine {
     bool operator==(const Sine&) const = default;
 };
 
-/// An acceleration along `axis` over the seconds of a dynamic stage: a record or a sine, times `factor`.
+/// An acceleration along `axis`: a record or a sine over the seconds of a dynamic stage, or a constant value, times
+/// `factor`. A static stage takes a constant one only and puts it on in proportion to pseudo-time.
 struct Acceleration {
     std::string file;  // where the record was read from, as the scene names it; empty: it stands in the scene
     Table record;  // (time [s], value); nothing before its first and after its last row, straight lines between
     std::optional<Sine> sine;
+    std::optional<double> value;  // constant; at the end of a static stage
     Point axis{1.0, 0.0};  // any length but zero
-    double factor = 1.0;  // [m/s²] per unit of the record or the sine
+    double factor = 1.0;  // [m/s²] per unit of the record, the sine or the value
 
     bool operator==(const Acceleration&) const = default;
 };
@@ -336,7 +338,8 @@ struct Stage {
     std::vector<InitialVelocity> initialVelocities;
     std::vector<std::string> viscousBoundaries;  // left, right, bottom, top, all: sides that let waves out
     std::optional<Acceleration> baseAcceleration;  // of the ground, which everything that is held follows
-    std::optional<Acceleration> bodyAcceleration;  // force per mass, beside gravity
+    // static and dynamic
+    std::optional<Acceleration> bodyAcceleration;  // force per mass in addition to gravity
 
     bool operator==(const Stage&) const = default;
 };
@@ -500,10 +503,15 @@ struct RunLimits {
 /// What a factor of safety divides: the strength of joints, of the anchors of bolts, or of both.
 enum class Reduce { Joints, Bonds, Both };
 
+/// What bolts do while strengths are divided: they are modelled as in a run, or their forces at a factor of 1 act as
+/// dead loads in their place.
+enum class BoltForces { Mobilised, Frozen };
+
 /// How a factor of safety is looked for; no ordinary run reads it.
 struct Safety {
     Reduce reduce = Reduce::Joints;
     double tolerance = 0.01;  // of the factor
+    BoltForces boltForces = BoltForces::Mobilised;
 
     bool operator==(const Safety&) const = default;
 };

@@ -35,6 +35,7 @@ inline constexpr std::array<std::string_view, 3> plateKindWords{"none", "spring"
 inline constexpr std::array<std::string_view, 5> boundarySideWords{"left", "right", "bottom", "top", "all"};
 inline constexpr std::array<std::string_view, 5> profileKindWords{"circle", "d-shape", "horseshoe", "arched", "polygon"};
 inline constexpr std::array<std::string_view, 3> reduceWords{"joints", "bonds", "both"};
+inline constexpr std::array<std::string_view, 2> boltForcesWords{"mobilised", "frozen"};
 inline constexpr std::array<std::string_view, 2> wayWords{"ccw", "cw"};
 
 constexpr Words wordsOf(Plane) { return planeWords; }
@@ -55,6 +56,7 @@ constexpr Words wordsOf(PlateKind) { return plateKindWords; }
 constexpr Words wordsOf(BoundarySide) { return boundarySideWords; }
 constexpr Words wordsOf(ProfileKind) { return profileKindWords; }
 constexpr Words wordsOf(Reduce) { return reduceWords; }
+constexpr Words wordsOf(BoltForces) { return boltForcesWords; }
 constexpr Words wordsOf(Way) { return wayWords; }
 constexpr Words wordsOf(BoltQuantity) { return boltQuantityWords; }
 

@@ -66,6 +66,32 @@ TEST_F(SafetyCommand, AnswersInJson) {
     EXPECT_GT(answer.at("mode").at("joints").at(0).at("slip_m").get<double>(), 0.0);
 }
 
+/// A stone that its own friction does not hold has no bolt forces in equilibrium, with or without bolts.
+TEST_F(SafetyCommand, FrozenForcesNeedAStandingScene) {
+    putSlope();
+    const Ended ended = keyblock({"safety", "slope.json", "--json", "--set", "safety.bolt_forces=frozen",
+                                  "joint_materials.joint.friction_angle=20"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const json answer = json::parse(ended.out);
+    EXPECT_EQ(answer.at("bolt_forces"), "frozen");
+    EXPECT_EQ(answer.at("answer"), "undecided");
+    EXPECT_EQ(answer.at("outcome"), "fails-at-1");
+    EXPECT_TRUE(answer.at("factor").at("lower").is_null());
+    EXPECT_EQ(answer.at("runs").size(), 1U);
+    const Ended text = keyblock({"safety", "slope.json", "--overwrite", "--set", "safety.bolt_forces=frozen",
+                                 "joint_materials.joint.friction_angle=20"});
+    for (const char* part : {"bolt forces: frozen", "no bolt forces in equilibrium to freeze"})
+        EXPECT_NE(text.out.find(part), std::string::npos) << part << "\n" << text.out;
+}
+
+TEST_F(SafetyCommand, RefusesFrozenForcesWhereBondsAreReduced) {
+    putSlope();
+    const Ended ended =
+        keyblock({"safety", "slope.json", "--set", "safety.bolt_forces=frozen", "safety.reduce=both"});
+    EXPECT_EQ(ended.code, 3);
+    EXPECT_NE(ended.err.find("/safety/bolt_forces"), std::string::npos) << ended.err;
+}
+
 TEST_F(SafetyCommand, RefusesMotionWithItsPlace) {
     putEndlessScene();
     const Ended ended = keyblock({"safety", "rest.json"});

@@ -99,6 +99,12 @@ QString changeText(const StrengthChange& change, const Display& display) {
     return text;
 }
 
+QString bodyAccelerationText(const Acceleration& acceleration, const Display& display) {
+    if (!acceleration.value) return Texts::tr("shakes all bodies");
+    return Texts::tr("body acceleration %1 %2")
+        .arg(numberText(acceleration.factor * *acceleration.value, "m/s²", display, 4), display.shown("m/s²").symbol);
+}
+
 }  // namespace
 
 std::vector<PlanRow> stagePlan(const Scene& scene) {
@@ -156,7 +162,7 @@ QStringList stageDeeds(const Stage& stage, const Display& display) {
         deeds << counted(stage.initialVelocities.size(), QT_TRANSLATE_NOOP("Stages", "block thrown"),
                          QT_TRANSLATE_NOOP("Stages", "blocks thrown"));
     if (stage.baseAcceleration) deeds << Texts::tr("shakes the ground");
-    if (stage.bodyAcceleration) deeds << Texts::tr("shakes all bodies");
+    if (stage.bodyAcceleration) deeds << bodyAccelerationText(*stage.bodyAcceleration, display);
     if (stage.zeroDisplacements) deeds << Texts::tr("counts displacements anew");
     return deeds;
 }

@@ -113,7 +113,11 @@ TEST(SceneFile, ReadsWhatTheFileSays) {
     EXPECT_EQ(scene.stages.at(0).set.at(0).cohesion, 5e4);
     EXPECT_FALSE(scene.stages.at(0).set.at(0).tensileStrength);
     EXPECT_EQ(scene.stages.at(1).baseAcceleration->record, (Table{{0.0, 0.0}, {0.25, 0.5}, {0.5, -0.1}}));
+    EXPECT_EQ(scene.stages.at(0).bodyAcceleration->value, 0.15);
+    EXPECT_EQ(scene.stages.at(0).bodyAcceleration->factor, 9.81);
+    EXPECT_EQ(scene.safety.boltForces, BoltForces::Frozen);
     EXPECT_EQ(scene.stages.at(1).bodyAcceleration->sine->phase, 0.1);
+    EXPECT_FALSE(scene.stages.at(1).bodyAcceleration->value);
     EXPECT_EQ(scene.stages.at(2).baseAcceleration->record.size(), 3u);
     EXPECT_FALSE(scene.stages.at(2).bodyAcceleration);
     EXPECT_EQ(scene.limits.steps, 100000);
