@@ -354,7 +354,8 @@ std::string progressJson(const ProgressLine& line) {
                    {"fraction", line.fraction},
                    {"eta_s", orNull(line.secondsLeft)},
                    {"passes", line.passes},
-                   {"events", line.events}},
+                   {"events", line.events},
+                   {"search", line.search.empty() ? Json(nullptr) : Json(line.search)}},
                   -1);
 }
 

@@ -50,9 +50,10 @@ struct ProgressLine {
     std::optional<double> secondsLeft;  // null: not known yet
     long passes = 0;
     long events = 0;
+    std::string search{};  // what a long search for equilibrium does; empty: none is in progress
 };
 
-/// `{stage, time_s, fraction, eta_s, passes, events}` on one line.
+/// `{stage, time_s, fraction, eta_s, passes, events, search}` on one line; `search` is a text or null.
 std::string progressJson(const ProgressLine& line);
 
 }  // namespace keyblock::cli

@@ -235,6 +235,9 @@ struct StepHealth {
     double residual = 0.0;  // accepted, over the forces at play
     double penetrationRatio = 0.0;  // deepest penetration over the size of the block
     int penetrated = -1;  // block there
+    long searched = 0;  // solves of the search for equilibrium in progress; 0: none, or in motion
+    int moving = -1;  // block that has moved farthest in it
+    double moved = 0.0;  // that far [m]
 };
 
 struct StageResult {

@@ -419,6 +419,7 @@ private:
         progress.residual = engine_.health.maxResidual;
         progress.stepCuts = engine_.health.stepCuts + engine_.health.energyCuts;
         progress.step = engine_.newest;
+        if (!isStatic()) progress.step.searched = 0;
         control_.progress(progress);
     }
 

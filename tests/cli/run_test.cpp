@@ -128,7 +128,7 @@ TEST_F(Runs, ProgressComesAsJsonLines) {
     for (const std::string& line : told) {
         const json progress = json::parse(line);
         EXPECT_EQ(progress.at("stage"), "pull");
-        for (const char* key : {"time_s", "fraction", "eta_s", "passes", "events"})
+        for (const char* key : {"time_s", "fraction", "eta_s", "passes", "events", "search"})
             EXPECT_TRUE(progress.contains(key)) << key;
     }
     EXPECT_NEAR(json::parse(told.back()).at("fraction").get<double>(), 1.0, 1e-9);
