@@ -6,6 +6,7 @@
 #include "app/cli/json_answers.h"
 
 #include "app/cli/run_summary.h"
+#include "solver/results/bolt_use.h"
 #include "solver/results/chains.h"
 #include "solver/results/event_groups.h"
 #include "solver/results/verdict.h"
@@ -91,17 +92,42 @@ Json chainsJson(const RunSource& run, const std::vector<Event>& events) {
     return chains;
 }
 
-/// Of the last frame.
+/// A force, where along the bolt and when it was largest; null of a bolt that carried none.
+void putPeak(Json& json, const RunSource& run, const BoltPeak& peak, const std::string& key, const std::string& unit,
+             const std::string& when) {
+    const bool any = peak.stage >= 0;
+    json[key + unit] = peak.value;
+    json[key + "_at_m"] = any ? Json(peak.at) : Json(nullptr);
+    json[when + "stage"] = any ? Json(stageName(run.scene(), peak.stage)) : Json(nullptr);
+    json[when + "time_s"] = any ? Json(peak.time) : Json(nullptr);
+}
+
+/// The energies are those of the last frame.
+Json boltJson(const RunSource& run, const BoltUse& use, const BoltFrame& last) {
+    const std::string name = boltName(run.scene(), use.bolt);
+    Json json{{"bolt", name}};
+    putPeak(json, run, use.extremes.axialForce, "axial", "_N", "");
+    putPeak(json, run, use.extremes.shearForce, "shear", "_N", "shear_");
+    putPeak(json, run, use.extremes.moment, "moment", "_Nm", "moment_");
+    for (std::size_t i = 0; i < use.use.size(); ++i)
+        json["use"][std::string(boltStrengthWords[i])] = orNull(use.use[i]);
+    json["governs"] = use.governs ? Json(boltStrengthWords[static_cast<std::size_t>(*use.governs)]) : Json(nullptr);
+    json["holds"] = Json::array();
+    for (const int block : use.holds) json["holds"].push_back(blockName(run.blockNames(), block));
+    json["name"] = name;
+    json["elastic_J"] = last.elasticEnergy;
+    json["plastic_J"] = last.plasticEnergy;
+    json["bond_J"] = last.bondEnergy;
+    return json;
+}
+
 Json boltsJson(const RunSource& run) {
     Json bolts = Json::array();
     if (run.frames().empty())
         return bolts;
     const Frame frame = run.frame(run.frames().size() - 1);
-    for (std::size_t b = 0; b < frame.bolts.size(); ++b)
-        bolts.push_back({{"name", boltName(run.scene(), static_cast<int>(b))},
-                         {"elastic_J", frame.bolts[b].elasticEnergy},
-                         {"plastic_J", frame.bolts[b].plasticEnergy},
-                         {"bond_J", frame.bolts[b].bondEnergy}});
+    for (const BoltUse& use : boltUses(run))
+        bolts.push_back(boltJson(run, use, frame.bolts[static_cast<std::size_t>(use.bolt)]));
     return bolts;
 }
 

@@ -25,8 +25,12 @@ namespace keyblock::cli {
 /// seconds_most, memory_MB, pass_seconds, step_seconds, stages[] {name, steps, passes, least, most}, assumes[]}}`.
 std::string checkJson(const SceneReading& reading, const std::optional<Census>& census);
 
-/// `scene_hash, stages[] {name, kind, outcome, time_s, steps}, frames, events {kind: count}, health {…}`; what is not
-/// known yet of a stage that has not ended is null.
+/// `scene_hash, stages[] {name, kind, outcome, time_s, steps}, frames, events {kind: count}, health {…}, verdict {stands,
+/// blocks[] {block, mode, moved_m, weight_N}, joints[] {block_a, block_b, mode, slip_m, opening_m}, bolts[] {bolt, event,
+/// stage, time_s}}, worst_balance {block, ratio, force_N, stage}, warnings[] {stage, message}, bolts[] {bolt, axial_N,
+/// shear_N, moment_Nm, axial_at_m, stage, time_s, use {steel, shear, bond, plate}, governs, holds[]}`; what is not
+/// known yet of a stage that has not ended is null. Forces are of one bolt, the largest over the run with their sign;
+/// `use` is a share of the strength, null where there is none.
 std::string infoJson(const RunStore& store);
 
 /// `cases[] {name, quantity, measured, expected, tolerance, relative, passed, seconds}`.

@@ -90,6 +90,36 @@ TEST_F(Runs, InfoTellsCausesAndWhatBoltsTook) {
     EXPECT_NE(text.find("energy taken by bolt"), std::string::npos) << text;
 }
 
+TEST_F(Runs, InfoGivesTheUseOfEveryBolt) {
+    putPullScene();
+    const Ended run = keyblock({"run", "pull.json"});
+    ASSERT_EQ(run.code, 0);
+    const json bolt = json::parse(keyblock({"info", "pull.kbrun", "--json"}).out).at("bolts").at(0);
+    EXPECT_EQ(bolt.at("bolt"), "B");
+    double largest = 0.0;
+    for (const std::string& line : lines(table("pull.kbrun", "history")))
+        if (line.rfind("pull,", 0) == 0) largest = std::max(largest, std::stod(line.substr(line.rfind(',') + 1)));
+    EXPECT_GE(bolt.at("axial_N").get<double>(), largest * (1.0 - 1e-12));
+    EXPECT_LE(bolt.at("axial_N").get<double>(), 1.01 * largest);
+    EXPECT_NEAR(bolt.at("axial_at_m").get<double>(), 0.25, 0.04);  // at the joint
+    EXPECT_EQ(bolt.at("stage"), "pull");
+    EXPECT_GT(bolt.at("time_s").get<double>(), 0.0);
+    for (const char* key : {"shear_N", "moment_Nm"}) EXPECT_TRUE(bolt.at(key).is_number()) << key;
+    EXPECT_TRUE(bolt.at("use").at("steel").is_null());  // the type has no limit
+    EXPECT_TRUE(bolt.at("use").at("shear").is_null());
+    EXPECT_TRUE(bolt.at("use").at("plate").is_null());
+    EXPECT_GE(bolt.at("use").at("bond").get<double>(), 1.0 - 1e-6);
+    EXPECT_EQ(bolt.at("governs"), "bond");
+    EXPECT_EQ(bolt.at("holds"), json::array({"right"}));
+    const std::string text = keyblock({"info", "pull.kbrun"}).out;
+    const auto from = text.find("largest forces of each bolt");
+    ASSERT_NE(from, std::string::npos) << text;
+    const std::string told = text.substr(from, text.find("\n\n", from) - from);
+    EXPECT_NE(run.out.find(told), std::string::npos) << run.out << told;  // the same figures
+    EXPECT_NE(told.find("bond  "), std::string::npos) << told;
+    EXPECT_NE(told.find("right"), std::string::npos) << told;
+}
+
 TEST_F(Runs, OneAndTwoThreadsGiveTheSameBytes) {
     putPullScene();
     ASSERT_EQ(keyblock({"run", "pull.json", "--threads", "1", "--out", "one.kbrun"}).code, 0);
