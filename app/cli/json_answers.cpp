@@ -11,6 +11,7 @@
 #include "solver/results/event_groups.h"
 #include "solver/results/verdict.h"
 #include "solver/results/words.h"
+#include "solver/run/failed_parts.h"
 #include "solver/scene/solved_blocks.h"
 #include "solver/scene/words.h"
 
@@ -237,7 +238,30 @@ Json verdictJson(const RunSource& run, const Verdict& verdict) {
                           {"moved_m", one.block.moved},
                           {"weight_N", one.block.weight},
                           {"stage", stageName(run.scene(), one.stage)}});
-    return {{"stands", orNull(verdict.stands)}, {"blocks", blocks}};
+    const FailedParts failed = failedParts(run, verdict);
+    Json joints = Json::array(), bolts = Json::array();
+    for (const FailedJoint& joint : failed.joints)
+        joints.push_back({{"block_a", blockName(run.blockNames(), joint.blockA)},
+                          {"block_b", blockName(run.blockNames(), joint.blockB)},
+                          {"mode", joint.opened ? "opened" : "slid"},
+                          {"slip_m", joint.slip},
+                          {"opening_m", joint.opening},
+                          {"x_m", joint.position.x()},
+                          {"y_m", joint.position.y()},
+                          {"stage", stageName(run.scene(), joint.stage)}});
+    for (const FailedBolt& bolt : failed.bolts)
+        bolts.push_back({{"bolt", boltName(run.scene(), bolt.bolt)},
+                         {"event", wordOf(bolt.event)},
+                         {"stage", stageName(run.scene(), bolt.stage)},
+                         {"time_s", bolt.time}});
+    return {{"stands", orNull(verdict.stands)}, {"blocks", blocks}, {"joints", joints}, {"bolts", bolts}};
+}
+
+Json warningsJson(const RunSource& run) {
+    Json warnings = Json::array();
+    for (const StageWarning& warning : stageWarnings(run))
+        warnings.push_back({{"stage", stageName(run.scene(), warning.stage)}, {"message", warning.text}});
+    return warnings;
 }
 
 Json worstBalanceJson(const RunSource& run, const std::optional<StageResult>& worst) {
@@ -279,6 +303,7 @@ std::string infoJson(const RunStore& store) {
                    {"health", healthJson(healthOf(records))},
                    {"verdict", verdictJson(store, verdictOf(records, store.scene().stages.size()))},
                    {"worst_balance", worstBalanceJson(store, worstBalanced(records))},
+                   {"warnings", warningsJson(store)},
                    {"loose", looseJson(store, records)}},
                   2);
 }

@@ -46,7 +46,7 @@ std::string paperJson(std::span<const PaperTable> tables);
 /// \param solved the scene as it was solved: cut.
 std::string safetyJson(const Scene& solved, const SafetyFactor& found);
 
-/// What is known of a run that goes on.
+/// What is known of a run in progress.
 struct ProgressLine {
     std::string stage;
     double time = 0.0;  // [s] within the stage, or pseudo-time

@@ -120,6 +120,28 @@ TEST_F(Runs, InfoGivesTheUseOfEveryBolt) {
     EXPECT_NE(told.find("right"), std::string::npos) << told;
 }
 
+TEST_F(Runs, ACollapseNamesTheJointsAndBoltsThatFailed) {
+    putPullScene();
+    const Ended run = keyblock({"run", "pull.json", "--set", "analysis.gravity=[98.1,0]", "stages[0].motions=[]",
+                                "stages[0].increments=null", "about.expected=[]"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("joints around them"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("right on left"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("bolts across them that failed"), std::string::npos) << run.out;
+    const json verdict = json::parse(keyblock({"info", "pull.kbrun", "--json"}).out).at("verdict");
+    EXPECT_EQ(verdict.at("stands"), false);
+    ASSERT_EQ(verdict.at("joints").size(), 1U);
+    const json& joint = verdict.at("joints").at(0);
+    EXPECT_EQ(joint.at("block_a"), "right");
+    EXPECT_EQ(joint.at("block_b"), "left");
+    EXPECT_EQ(joint.at("mode"), "opened");
+    EXPECT_GT(joint.at("opening_m").get<double>(), joint.at("slip_m").get<double>());
+    ASSERT_FALSE(verdict.at("bolts").empty());
+    EXPECT_EQ(verdict.at("bolts").back().at("bolt"), "B");
+    EXPECT_EQ(verdict.at("bolts").back().at("event"), "debonding");
+    EXPECT_EQ(verdict.at("bolts").back().at("stage"), "pull");
+}
+
 TEST_F(Runs, OneAndTwoThreadsGiveTheSameBytes) {
     putPullScene();
     ASSERT_EQ(keyblock({"run", "pull.json", "--threads", "1", "--out", "one.kbrun"}).code, 0);
