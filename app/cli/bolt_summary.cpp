@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace keyblock::cli {
@@ -124,17 +125,27 @@ std::string boltEnergyTable(const RunSource& run) {
     if (run.scene().bolts.empty() || run.frames().empty())
         return {};
     const Frame frame = run.frame(run.frames().size() - 1);
+    std::vector<std::size_t> order(frame.bolts.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto all = [&](std::size_t b) {
+        return frame.bolts[b].elasticEnergy + frame.bolts[b].plasticEnergy + frame.bolts[b].bondEnergy;
+    };
+    if (order.size() > mostBolts)
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return all(a) > all(b); });
     std::vector<TextRow> rows;
-    for (std::size_t b = 0; b < frame.bolts.size(); ++b) {
+    for (const std::size_t b : order) {
+        if (rows.size() == mostBolts) break;
         const BoltFrame& bolt = frame.bolts[b];
         rows.push_back({boltName(run.scene(), static_cast<int>(b)), shown(bolt.elasticEnergy),
                         shown(bolt.plasticEnergy), shown(bolt.bondEnergy)});
     }
-    return "\n" + textTable({{"energy taken by bolt"},
-                             {"elastic, J", Align::Right},
-                             {"plastic, J", Align::Right},
-                             {"bond, J", Align::Right}},
-                            rows);
+    const std::string text = "\n" + textTable({{"energy taken by bolt"},
+                                               {"elastic, J", Align::Right},
+                                               {"plastic, J", Align::Right},
+                                               {"bond, J", Align::Right}},
+                                              rows);
+    const std::size_t left = order.size() - rows.size();
+    return left == 0 ? text : text + "and " + std::to_string(left) + " more with less energy; all are in 'info --json'\n";
 }
 
 }  // namespace keyblock::cli

@@ -22,7 +22,7 @@ std::string chainLines(const RunSource& run, const std::vector<Event>& events);
 /// bolts with the highest use where there are many. Empty without bolts or frames.
 std::string boltUseTable(const RunSource& run);
 
-/// Energies of every bolt in the last frame; empty without bolts or frames.
+/// Energies of the bolts in the last frame, of those with the most where there are many; empty without bolts or frames.
 std::string boltEnergyTable(const RunSource& run);
 
 }  // namespace keyblock::cli

@@ -120,6 +120,30 @@ TEST_F(Runs, InfoGivesTheUseOfEveryBolt) {
     EXPECT_NE(told.find("right"), std::string::npos) << told;
 }
 
+TEST_F(Runs, TheSummaryListsTheTenBoltsWithTheHighestUse) {
+    putPullScene();
+    json scene = json::parse(content("pull.json"));
+    const json bolt = scene.at("bolts").at(0);
+    scene["bolts"] = json::array();
+    for (int i = 0; i < 12; ++i) {
+        json one = bolt;
+        one["name"] = "B" + std::to_string(i);
+        one["far_end"][1] = one["head"][1] = 0.2 + 0.05 * i;
+        if (i == 7) one["head"][0] = 1.1;  // the shortest
+        scene["bolts"].push_back(one);
+    }
+    for (const char* key : {"monitors", "quantities", "about"}) scene.erase(key);
+    scene["stages"][0]["motions"][0]["table"] = json::parse("[[0, 0], [1, 1e-4]]");
+    put("many.json", scene.dump());
+    const Ended run = keyblock({"run", "many.json"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("and 2 more with lower use; all are in 'info --json'"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("and 2 more with less energy"), std::string::npos) << run.out;
+    const std::string listed = run.out.substr(run.out.find("largest forces of each bolt"));
+    EXPECT_EQ(lines(listed).at(2).rfind("B7 ", 0), 0U) << listed;
+    EXPECT_EQ(json::parse(keyblock({"info", "many.kbrun", "--json"}).out).at("bolts").size(), 12U);
+}
+
 TEST_F(Runs, ACollapseNamesTheJointsAndBoltsThatFailed) {
     putPullScene();
     const Ended run = keyblock({"run", "pull.json", "--set", "analysis.gravity=[98.1,0]", "stages[0].motions=[]",
