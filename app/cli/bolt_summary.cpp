@@ -3,10 +3,15 @@
 #include "app/cli/bolt_summary.h"
 
 #include "app/cli/text_table.h"
+#include "solver/results/bolt_use.h"
 #include "solver/results/chains.h"
 #include "solver/results/words.h"
+#include "solver/scene/number_text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
 
 namespace keyblock::cli {
 
@@ -14,6 +19,44 @@ namespace {
 
 constexpr std::size_t mostChains = 12;
 constexpr std::size_t mostLinks = 6;
+constexpr std::size_t mostBolts = 10;  // listed
+constexpr std::size_t mostHeld = 3;  // blocks named of a bolt
+constexpr double nothing = 1e-9;  // of the axial force
+
+/// "62.1 at 1.25": a force in kilo-units and its distance from the far end [m]. \param axial largest axial force [N],
+/// beside which round-off is not worth a number.
+std::string peakText(const BoltPeak& peak, double axial) {
+    if (peak.stage < 0) return "–";
+    if (std::abs(peak.value) < nothing * std::abs(axial)) return "0";
+    return rounded(1e-3 * peak.value) + " at " + rounded(peak.at);
+}
+
+std::string useText(const std::optional<double>& use) {
+    if (!use) return "–";
+    const double percent = 100.0 * *use;
+    return percent < 9.95 ? rounded(0.1 * std::round(10.0 * percent)) : std::to_string(std::lround(percent));
+}
+
+std::string heldText(const RunSource& run, const std::vector<int>& blocks) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(blocks.size(), mostHeld); ++i)
+        text += (i > 0 ? ", " : "") + blockName(run.blockNames(), blocks[i]);
+    if (blocks.size() > mostHeld) text += " and " + std::to_string(blocks.size() - mostHeld) + " more";
+    return text.empty() ? "nothing" : text;
+}
+
+TextRow useRow(const RunSource& run, const BoltUse& use) {
+    const BoltExtremes& peaks = use.extremes;
+    const double axial = peaks.axialForce.value;
+    TextRow row{boltName(run.scene(), use.bolt), peakText(peaks.axialForce, axial),
+                stageName(run.scene(), peaks.axialForce.stage),
+                peaks.axialForce.stage < 0 ? "" : rounded(peaks.axialForce.time), peakText(peaks.shearForce, axial),
+                peakText(peaks.moment, axial)};
+    for (const std::optional<double>& share : use.use) row.push_back(useText(share));
+    row.push_back(use.governs ? std::string(boltStrengthWords[static_cast<std::size_t>(*use.governs)]) : "–");
+    row.push_back(heldText(run, use.holds));
+    return row;
+}
 
 std::string chainLine(const RunSource& run, const std::vector<Event>& events, const std::vector<std::size_t>& chain) {
     std::string text;
@@ -51,21 +94,58 @@ std::string chainLines(const RunSource& run, const std::vector<Event>& events) {
     return text;
 }
 
+std::string boltUseTable(const RunSource& run) {
+    std::vector<BoltUse> uses = boltUses(run);
+    if (uses.empty())
+        return {};
+    std::stable_sort(uses.begin(), uses.end(),
+                     [](const BoltUse& a, const BoltUse& b) { return a.highest() > b.highest(); });
+    std::vector<TextRow> rows;
+    for (std::size_t i = 0; i < std::min(uses.size(), mostBolts); ++i) rows.push_back(useRow(run, uses[i]));
+    std::string text = "\nlargest forces of each bolt and use of its strengths over the run\n" +
+                       textTable({{"bolt"},
+                                  {"N, kN (at m)", Align::Right},
+                                  {"stage"},
+                                  {"time", Align::Right},
+                                  {"Q, kN (at m)", Align::Right},
+                                  {"M, kN m (at m)", Align::Right},
+                                  {"steel, %", Align::Right},
+                                  {"shear, %", Align::Right},
+                                  {"bond, %", Align::Right},
+                                  {"plate, %", Align::Right},
+                                  {"governs"},
+                                  {"holds"}},
+                                 rows);
+    if (uses.size() > rows.size())
+        text += "and " + std::to_string(uses.size() - rows.size()) + " more with lower use; all are in 'info --json'\n";
+    return text;
+}
+
 std::string boltEnergyTable(const RunSource& run) {
     if (run.scene().bolts.empty() || run.frames().empty())
         return {};
     const Frame frame = run.frame(run.frames().size() - 1);
+    std::vector<std::size_t> order(frame.bolts.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto all = [&](std::size_t b) {
+        return frame.bolts[b].elasticEnergy + frame.bolts[b].plasticEnergy + frame.bolts[b].bondEnergy;
+    };
+    if (order.size() > mostBolts)
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return all(a) > all(b); });
     std::vector<TextRow> rows;
-    for (std::size_t b = 0; b < frame.bolts.size(); ++b) {
+    for (const std::size_t b : order) {
+        if (rows.size() == mostBolts) break;
         const BoltFrame& bolt = frame.bolts[b];
         rows.push_back({boltName(run.scene(), static_cast<int>(b)), shown(bolt.elasticEnergy),
                         shown(bolt.plasticEnergy), shown(bolt.bondEnergy)});
     }
-    return "\n" + textTable({{"energy taken by bolt"},
-                             {"elastic, J", Align::Right},
-                             {"plastic, J", Align::Right},
-                             {"bond, J", Align::Right}},
-                            rows);
+    const std::string text = "\n" + textTable({{"energy taken by bolt"},
+                                               {"elastic, J", Align::Right},
+                                               {"plastic, J", Align::Right},
+                                               {"bond, J", Align::Right}},
+                                              rows);
+    const std::size_t left = order.size() - rows.size();
+    return left == 0 ? text : text + "and " + std::to_string(left) + " more with less energy; all are in 'info --json'\n";
 }
 
 }  // namespace keyblock::cli

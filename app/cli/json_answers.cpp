@@ -6,10 +6,12 @@
 #include "app/cli/json_answers.h"
 
 #include "app/cli/run_summary.h"
+#include "solver/results/bolt_use.h"
 #include "solver/results/chains.h"
 #include "solver/results/event_groups.h"
 #include "solver/results/verdict.h"
 #include "solver/results/words.h"
+#include "solver/run/failed_parts.h"
 #include "solver/scene/solved_blocks.h"
 #include "solver/scene/words.h"
 
@@ -91,17 +93,42 @@ Json chainsJson(const RunSource& run, const std::vector<Event>& events) {
     return chains;
 }
 
-/// Of the last frame.
+/// A force, where along the bolt and when it was largest; null of a bolt that carried none.
+void putPeak(Json& json, const RunSource& run, const BoltPeak& peak, const std::string& key, const std::string& unit,
+             const std::string& when) {
+    const bool any = peak.stage >= 0;
+    json[key + unit] = peak.value;
+    json[key + "_at_m"] = any ? Json(peak.at) : Json(nullptr);
+    json[when + "stage"] = any ? Json(stageName(run.scene(), peak.stage)) : Json(nullptr);
+    json[when + "time_s"] = any ? Json(peak.time) : Json(nullptr);
+}
+
+/// The energies are those of the last frame.
+Json boltJson(const RunSource& run, const BoltUse& use, const BoltFrame& last) {
+    const std::string name = boltName(run.scene(), use.bolt);
+    Json json{{"bolt", name}};
+    putPeak(json, run, use.extremes.axialForce, "axial", "_N", "");
+    putPeak(json, run, use.extremes.shearForce, "shear", "_N", "shear_");
+    putPeak(json, run, use.extremes.moment, "moment", "_Nm", "moment_");
+    for (std::size_t i = 0; i < use.use.size(); ++i)
+        json["use"][std::string(boltStrengthWords[i])] = orNull(use.use[i]);
+    json["governs"] = use.governs ? Json(boltStrengthWords[static_cast<std::size_t>(*use.governs)]) : Json(nullptr);
+    json["holds"] = Json::array();
+    for (const int block : use.holds) json["holds"].push_back(blockName(run.blockNames(), block));
+    json["name"] = name;
+    json["elastic_J"] = last.elasticEnergy;
+    json["plastic_J"] = last.plasticEnergy;
+    json["bond_J"] = last.bondEnergy;
+    return json;
+}
+
 Json boltsJson(const RunSource& run) {
     Json bolts = Json::array();
     if (run.frames().empty())
         return bolts;
     const Frame frame = run.frame(run.frames().size() - 1);
-    for (std::size_t b = 0; b < frame.bolts.size(); ++b)
-        bolts.push_back({{"name", boltName(run.scene(), static_cast<int>(b))},
-                         {"elastic_J", frame.bolts[b].elasticEnergy},
-                         {"plastic_J", frame.bolts[b].plasticEnergy},
-                         {"bond_J", frame.bolts[b].bondEnergy}});
+    for (const BoltUse& use : boltUses(run))
+        bolts.push_back(boltJson(run, use, frame.bolts[static_cast<std::size_t>(use.bolt)]));
     return bolts;
 }
 
@@ -211,7 +238,30 @@ Json verdictJson(const RunSource& run, const Verdict& verdict) {
                           {"moved_m", one.block.moved},
                           {"weight_N", one.block.weight},
                           {"stage", stageName(run.scene(), one.stage)}});
-    return {{"stands", orNull(verdict.stands)}, {"blocks", blocks}};
+    const FailedParts failed = failedParts(run, verdict);
+    Json joints = Json::array(), bolts = Json::array();
+    for (const FailedJoint& joint : failed.joints)
+        joints.push_back({{"block_a", blockName(run.blockNames(), joint.blockA)},
+                          {"block_b", blockName(run.blockNames(), joint.blockB)},
+                          {"mode", joint.opened ? "opened" : "slid"},
+                          {"slip_m", joint.slip},
+                          {"opening_m", joint.opening},
+                          {"x_m", joint.position.x()},
+                          {"y_m", joint.position.y()},
+                          {"stage", stageName(run.scene(), joint.stage)}});
+    for (const FailedBolt& bolt : failed.bolts)
+        bolts.push_back({{"bolt", boltName(run.scene(), bolt.bolt)},
+                         {"event", wordOf(bolt.event)},
+                         {"stage", stageName(run.scene(), bolt.stage)},
+                         {"time_s", bolt.time}});
+    return {{"stands", orNull(verdict.stands)}, {"blocks", blocks}, {"joints", joints}, {"bolts", bolts}};
+}
+
+Json warningsJson(const RunSource& run) {
+    Json warnings = Json::array();
+    for (const StageWarning& warning : stageWarnings(run))
+        warnings.push_back({{"stage", stageName(run.scene(), warning.stage)}, {"message", warning.text}});
+    return warnings;
 }
 
 Json worstBalanceJson(const RunSource& run, const std::optional<StageResult>& worst) {
@@ -253,6 +303,7 @@ std::string infoJson(const RunStore& store) {
                    {"health", healthJson(healthOf(records))},
                    {"verdict", verdictJson(store, verdictOf(records, store.scene().stages.size()))},
                    {"worst_balance", worstBalanceJson(store, worstBalanced(records))},
+                   {"warnings", warningsJson(store)},
                    {"loose", looseJson(store, records)}},
                   2);
 }
@@ -356,7 +407,8 @@ std::string progressJson(const ProgressLine& line) {
                    {"fraction", line.fraction},
                    {"eta_s", orNull(line.secondsLeft)},
                    {"passes", line.passes},
-                   {"events", line.events}},
+                   {"events", line.events},
+                   {"search", line.search.empty() ? Json(nullptr) : Json(line.search)}},
                   -1);
 }
 

@@ -25,8 +25,12 @@ namespace keyblock::cli {
 /// seconds_most, memory_MB, pass_seconds, step_seconds, stages[] {name, steps, passes, least, most}, assumes[]}}`.
 std::string checkJson(const SceneReading& reading, const std::optional<Census>& census);
 
-/// `scene_hash, stages[] {name, kind, outcome, time_s, steps}, frames, events {kind: count}, health {…}`; what is not
-/// known yet of a stage that has not ended is null.
+/// `scene_hash, stages[] {name, kind, outcome, time_s, steps}, frames, events {kind: count}, health {…}, verdict {stands,
+/// blocks[] {block, mode, moved_m, weight_N}, joints[] {block_a, block_b, mode, slip_m, opening_m}, bolts[] {bolt, event,
+/// stage, time_s}}, worst_balance {block, ratio, force_N, stage}, warnings[] {stage, message}, bolts[] {bolt, axial_N,
+/// shear_N, moment_Nm, axial_at_m, stage, time_s, use {steel, shear, bond, plate}, governs, holds[]}`; what is not
+/// known yet of a stage that has not ended is null. Forces are of one bolt, the largest over the run with their sign;
+/// `use` is a share of the strength, null where there is none.
 std::string infoJson(const RunStore& store);
 
 /// `cases[] {name, quantity, measured, expected, tolerance, relative, passed, seconds}`.
@@ -42,7 +46,7 @@ std::string paperJson(std::span<const PaperTable> tables);
 /// \param solved the scene as it was solved: cut.
 std::string safetyJson(const Scene& solved, const SafetyFactor& found);
 
-/// What is known of a run that goes on.
+/// What is known of a run in progress.
 struct ProgressLine {
     std::string stage;
     double time = 0.0;  // [s] within the stage, or pseudo-time
@@ -50,9 +54,10 @@ struct ProgressLine {
     std::optional<double> secondsLeft;  // null: not known yet
     long passes = 0;
     long events = 0;
+    std::string search{};  // what a long search for equilibrium does; empty: none is in progress
 };
 
-/// `{stage, time_s, fraction, eta_s, passes, events}` on one line.
+/// `{stage, time_s, fraction, eta_s, passes, events, search}` on one line; `search` is a text or null.
 std::string progressJson(const ProgressLine& line);
 
 }  // namespace keyblock::cli

@@ -7,6 +7,7 @@
 #include "app/cli/output.h"
 #include "app/cli/text_table.h"
 #include "solver/results/words.h"
+#include "solver/scene/solved_blocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +74,7 @@ ProgressKind chosenProgress(ProgressKind kind) {
 
 ProgressSink::ProgressSink(const Scene& scene, Sink& next, ProgressKind kind, std::string label)
     : scene_(scene),
+      blocks_(blockNames(scene)),
       next_(next),
       kind_(kind),
       label_(std::move(label)),
@@ -137,7 +139,8 @@ void ProgressSink::tell() {
                             progress_.fraction,
                             secondsLeft(secondsSince(runStart_), startFraction_.value_or(0.0), progress_.fraction),
                             progress_.passes,
-                            progress_.events};
+                            progress_.events,
+                            searchText(progress_.step, blocks_)};
     printToError(kind_ == ProgressKind::Json ? progressJson(line) : clearLine + barText(line));
 }
 
@@ -146,7 +149,9 @@ std::string ProgressSink::barText(const ProgressLine& line) const {
     const auto filled = static_cast<std::size_t>(std::floor(fraction * barCells));
     std::string text = line.stage + " [" + std::string(filled, '#') + std::string(barCells - filled, '-') + "] " +
                        std::to_string(std::lround(std::floor(100.0 * fraction))) + " %";
-    if (line.secondsLeft)
+    if (!line.search.empty())
+        text += "  " + line.search;
+    else if (line.secondsLeft)
         text += "  " + clockText(*line.secondsLeft) + " left";
     text += "  " + std::to_string(line.events) + (line.events == 1 ? " event" : " events");
     if (lastEvent_)

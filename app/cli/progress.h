@@ -14,6 +14,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace keyblock::cli {
 
@@ -25,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 /// Passes everything on to another sink and tells progress beside it.
 class ProgressSink : public Sink {
 public:
-    /// \param label before the stage's name; may be empty.
+    /// \param scene as it is solved: cut. \param label before the stage's name; may be empty.
     /// \pre `kind` is not `Automatic`; scene and sink outlive this.
     ProgressSink(const Scene& scene, Sink& next, ProgressKind kind, std::string label = {});
     /// Tells the last state, or takes the bar away.
@@ -53,6 +54,7 @@ private:
     std::string barText(const ProgressLine& line) const;
 
     const Scene& scene_;
+    const std::vector<std::string> blocks_;  // names
     Sink& next_;
     ProgressKind kind_;
     std::string label_;

@@ -78,7 +78,7 @@ void tellWhyItEnded(ExitCode code, const Scene& scene, const std::vector<StageRe
 std::vector<StageResult> runInto(RunStoreWriter& store, const SceneReading& read, const RunOptions& options,
                                  const std::optional<Checkpoint>& from, std::map<int, double>& stageSeconds) {
     const Scene& scene = *read.scene;
-    ProgressSink sink(scene, store, chosenProgress(options.progress));
+    ProgressSink sink(read.cut ? read.cut->scene : scene, store, chosenProgress(options.progress));
     Control control;
     control.progress = [&](const Progress& progress) { sink.update(progress); };
     const StopSignals signals(control.stop);

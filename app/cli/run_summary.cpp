@@ -163,7 +163,7 @@ std::string summaryOf(const RunSource& run, const std::map<int, double>& stageSe
     std::string text = run.scene().title.empty() ? "" : run.scene().title + "\n\n";
     text += stageTable(run.scene(), records, stageSeconds) + messages(run.scene(), records) + "\n" + verdictText(run);
     text += "frames  " + std::to_string(run.frames().size()) + "\n" + eventLine(events) + healthLine(records);
-    text += chainLines(run, events) + boltEnergyTable(run);
+    text += chainLines(run, events) + boltUseTable(run) + boltEnergyTable(run);
     return text + quantityTable(run, history, events) + expectedTable(run, history, events);
 }
 

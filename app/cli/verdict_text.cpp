@@ -5,21 +5,23 @@
 #include "app/cli/text_table.h"
 #include "solver/results/verdict.h"
 #include "solver/results/words.h"
-
-#include <cmath>
+#include "solver/run/failed_parts.h"
+#include "solver/scene/number_text.h"
 
 namespace keyblock::cli {
 
 namespace {
 
-constexpr std::size_t mostTold = 20;  // blocks; --json has all
-constexpr double balanceWarned = 0.01;  // energy balance error from which a summary warns
-constexpr double bodyAllowed = 1e-3;  // of a block's weight, where a stage does not say
+constexpr std::size_t mostTold = 20;  // blocks, joints or bolts; --json has all
 
 std::string answer(const Verdict& verdict) {
     if (!verdict.stands)
         return "undecided";
     return *verdict.stands ? "yes" : "NO";
+}
+
+std::string more(std::size_t all, std::size_t listed) {
+    return all > listed ? "and " + std::to_string(all - listed) + " more\n" : "";
 }
 
 std::string blockTable(const RunSource& run, const Verdict& verdict) {
@@ -30,22 +32,47 @@ std::string blockTable(const RunSource& run, const Verdict& verdict) {
                             shown(one.block.moved), shown(one.block.weight / 1e3), stageName(run.scene(), one.stage)});
     if (rows.empty())
         return {};
-    const std::size_t left = verdict.blocks.size() - rows.size();
-    return "\n" +
-           textTable({{"not stable"}, {""}, {"moved, m", Align::Right}, {"weight, kN", Align::Right}, {"stage"}}, rows) +
-           (left > 0 ? "and " + std::to_string(left) + " more\n" : "") + "\n";
+    const std::string text =
+        textTable({{"not stable"}, {""}, {"moved, m", Align::Right}, {"weight, kN", Align::Right}, {"stage"}}, rows);
+    return "\n" + text + more(verdict.blocks.size(), rows.size()) + "\n";
+}
+
+/// A movement [m] beside another, next to which round-off is not worth a number.
+std::string millimetres(double movement, double other) {
+    return movement < 1e-9 * other ? "0" : rounded(1e3 * movement);
+}
+
+std::string jointTable(const RunSource& run, const std::vector<FailedJoint>& joints) {
+    std::vector<TextRow> rows;
+    for (const FailedJoint& joint : joints)
+        if (rows.size() < mostTold)
+            rows.push_back({blockName(run.blockNames(), joint.blockA) + " on " + blockName(run.blockNames(), joint.blockB),
+                            joint.opened ? "opened" : "slid", millimetres(joint.slip, joint.opening),
+                            millimetres(joint.opening, joint.slip)});
+    if (rows.empty()) return {};
+    const std::string text =
+        textTable({{"joints around them"}, {""}, {"slip, mm", Align::Right}, {"opening, mm", Align::Right}}, rows);
+    return text + more(joints.size(), rows.size()) + "\n";
+}
+
+std::string boltTable(const RunSource& run, const std::vector<FailedBolt>& bolts) {
+    std::vector<TextRow> rows;
+    for (const FailedBolt& bolt : bolts)
+        if (rows.size() < mostTold)
+            rows.push_back({boltName(run.scene(), bolt.bolt), std::string(wordOf(bolt.event)),
+                            stageName(run.scene(), bolt.stage), rounded(bolt.time)});
+    if (rows.empty()) return {};
+    const std::string text = textTable({{"bolts across them that failed"}, {""}, {"stage"}, {"time", Align::Right}}, rows);
+    return text + more(bolts.size(), rows.size()) + "\n";
 }
 
 std::string worstLine(const RunSource& run, const std::vector<StageRecord>& records) {
     const std::optional<StageResult> worst = worstBalanced(records);
     if (!worst)
         return {};
-    const WorstBalance& balance = worst->health.worst;
-    const Stage& stage = run.scene().stages[static_cast<std::size_t>(worst->stage)];
-    const std::string line = "block " + blockName(run.blockNames(), balance.block) + ", " + shown(balance.share) +
-                             " of its weight unbalanced in stage '" + stage.name + "'\n";
-    const bool tooMuch = balance.share > stage.until.body.value_or(bodyAllowed) * (1.0 + 1e-9);
-    return "worst   " + line + (tooMuch ? "warning: that is more than the stage allows: round-off hides the rest\n" : "");
+    return "worst   block " + blockName(run.blockNames(), worst->health.worst.block) + ", " +
+           shown(worst->health.worst.share) + " of its weight unbalanced in stage '" +
+           stageName(run.scene(), worst->stage) + "'\n";
 }
 
 std::string looseLine(const RunSource& run, const std::vector<StageRecord>& records) {
@@ -58,12 +85,9 @@ std::string looseLine(const RunSource& run, const std::vector<StageRecord>& reco
     return count == 0 ? "" : "loose   removed, too small to decide: " + names + "\n";
 }
 
-std::string energyWarning(const RunSource& run, const std::vector<StageRecord>& records) {
+std::string warningLines(const RunSource& run) {
     std::string text;
-    for (const StageRecord& record : records)
-        if (const double error = record.result.health.balanceError; std::abs(error) > balanceWarned)
-            text += "warning: the energy of stage '" + stageName(run.scene(), record.result.stage) +
-                    "' does not balance; " + shown(error) + " of it is left over\n";
+    for (const StageWarning& warning : stageWarnings(run)) text += "warning: " + warning.text + "\n";
     return text;
 }
 
@@ -72,8 +96,9 @@ std::string energyWarning(const RunSource& run, const std::vector<StageRecord>& 
 std::string verdictText(const RunSource& run) {
     const std::vector<StageRecord> records = run.stages();
     const Verdict verdict = verdictOf(records, run.scene().stages.size());
-    return "stable  " + answer(verdict) + "\n" + blockTable(run, verdict) + worstLine(run, records) +
-           looseLine(run, records) + energyWarning(run, records);
+    const FailedParts failed = failedParts(run, verdict);
+    return "stable  " + answer(verdict) + "\n" + blockTable(run, verdict) + jointTable(run, failed.joints) +
+           boltTable(run, failed.bolts) + worstLine(run, records) + looseLine(run, records) + warningLines(run);
 }
 
 }  // namespace keyblock::cli

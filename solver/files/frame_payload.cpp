@@ -14,8 +14,9 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> words{"blocks",  "corners", "contacts",       "nodes",       "bolts",
-                                                 "weights", "inertia", "contact_forces", "node_forces", "other_forces"};
+constexpr std::array<std::string_view, 11> words{"blocks",        "corners", "contacts", "nodes",
+                                                 "bolts",         "weights", "inertia",  "contact_forces",
+                                                 "node_forces",   "other_forces", "bolt_extremes"};
 
 constexpr std::array<PayloadColumn, 12> blockColumns{{{"x", "m", "centroid"},
                                                       {"y", "m", "centroid"},
@@ -100,6 +101,36 @@ constexpr std::array<PayloadColumn, 8> otherForceColumns{
      {"fx", "N", "on the block; glue: block other bears the opposite of force and couple"},
      {"fy", "N", "likewise"},
      {"moment", "N m", "of force and couple about the block's centroid, counter-clockwise positive"}}};
+
+constexpr std::array<PayloadColumn, 28> boltExtremeColumns{
+    {{"axial_force", "N", "largest of the run so far, with its sign; tension positive"},
+     {"axial_force_s", "m", "its distance from the far end"},
+     {"axial_force_stage", "", "stage then; -1: never above zero"},
+     {"axial_force_time", "s", "time then, within the stage"},
+     {"shear_force", "N", "likewise"},
+     {"shear_force_s", "m", "likewise"},
+     {"shear_force_stage", "", "stage then; -1: never above zero"},
+     {"shear_force_time", "s", "time then, within the stage"},
+     {"moment", "N m", "likewise"},
+     {"moment_s", "m", "likewise"},
+     {"moment_stage", "", "stage then; -1: never above zero"},
+     {"moment_time", "s", "time then, within the stage"},
+     {"steel_use", "", "largest share of the steel's strength, by axial force and moment; -1: none"},
+     {"steel_use_s", "m", "its distance from the far end"},
+     {"steel_use_stage", "", "stage then; -1: never above zero"},
+     {"steel_use_time", "s", "time then, within the stage"},
+     {"shear_use", "", "largest share of the shear strength; -1: none"},
+     {"shear_use_s", "m", "likewise"},
+     {"shear_use_stage", "", "stage then; -1: never above zero"},
+     {"shear_use_time", "s", "time then, within the stage"},
+     {"bond_use", "", "largest share of a bond's strength; -1: none"},
+     {"bond_use_s", "m", "likewise"},
+     {"bond_use_stage", "", "stage then; -1: never above zero"},
+     {"bond_use_time", "s", "time then, within the stage"},
+     {"plate_use", "", "largest share of the face plate's strength; -1: none"},
+     {"plate_use_s", "m", "likewise"},
+     {"plate_use_stage", "", "stage then; -1: never above zero"},
+     {"plate_use_time", "s", "time then, within the stage"}}};
 
 /// Takes values off a row and remembers whether one of them was no index of its kind.
 class RowReader {
@@ -301,11 +332,38 @@ bool unpackOtherForce(RowReader& row, const Scene& scene, Frame& frame) {
     return row.good();
 }
 
+/// The peaks of a row, in the order of its columns.
+constexpr std::array boltPeaks{&BoltExtremes::axialForce, &BoltExtremes::shearForce, &BoltExtremes::moment,
+                               &BoltExtremes::steel,      &BoltExtremes::shear,      &BoltExtremes::bond,
+                               &BoltExtremes::plate};
+
+void packBoltExtremes(const Frame& frame, std::vector<double>& out) {
+    for (const BoltExtremes& bolt : frame.extremes)
+        for (const auto peak : boltPeaks) {
+            const BoltPeak& p = bolt.*peak;
+            out.insert(out.end(), {p.value, p.at, static_cast<double>(p.stage), p.time});
+        }
+}
+
+bool unpackBoltExtremes(RowReader& row, const Scene& scene, Frame& frame) {
+    BoltExtremes bolt;
+    for (const auto peak : boltPeaks) {
+        BoltPeak& p = bolt.*peak;
+        p.value = row.number();
+        p.at = row.number();
+        p.stage = row.index(-1, scene.stages.size());
+        p.time = row.number();
+    }
+    frame.extremes.push_back(bolt);
+    return row.good();
+}
+
 /// Lists that go with others have as many rows, or none.
 bool fits(Payload payload, const Scene& scene, std::size_t blocks, const Frame& frame) {
     switch (payload) {
         case Payload::Blocks: return frame.blocks.size() == blocks;
         case Payload::Bolts: return frame.bolts.size() == scene.bolts.size();
+        case Payload::BoltExtremes: return frame.extremes.empty() || frame.extremes.size() == scene.bolts.size();
         case Payload::Weights: return frame.forces.bodies.empty() || frame.forces.bodies.size() == blocks;
         case Payload::ContactForces:
             return frame.forces.contacts.empty() || frame.forces.contacts.size() == frame.contacts.size();
@@ -316,10 +374,12 @@ bool fits(Payload payload, const Scene& scene, std::size_t blocks, const Frame& 
 using Pack = void (*)(const Frame&, std::vector<double>&);
 using UnpackRow = bool (*)(RowReader&, const Scene&, Frame&);
 
-constexpr std::array<Pack, 10> packs{packBlocks,  packCorners, packContacts,      packNodes,      packBolts,
-                                     packWeights, packInertia, packContactForces, packNodeForces, packOtherForces};
-constexpr std::array<UnpackRow, 10> unpacks{unpackBlock,  unpackCorner, unpackContact,      unpackNode,      unpackBolt,
-                                            unpackWeight, nullptr,      unpackContactForce, unpackNodeForce, unpackOtherForce};
+constexpr std::array<Pack, 11> packs{packBlocks,  packCorners, packContacts,      packNodes,      packBolts,
+                                     packWeights, packInertia, packContactForces, packNodeForces, packOtherForces,
+                                     packBoltExtremes};
+constexpr std::array<UnpackRow, 11> unpacks{unpackBlock,  unpackCorner, unpackContact,      unpackNode,      unpackBolt,
+                                            unpackWeight, nullptr,      unpackContactForce, unpackNodeForce, unpackOtherForce,
+                                            unpackBoltExtremes};
 
 }  // namespace
 
@@ -337,6 +397,7 @@ std::span<const PayloadColumn> payloadColumns(Payload payload) {
         case Payload::ContactForces: return contactForceColumns;
         case Payload::NodeForces: return nodeForceColumns;
         case Payload::OtherForces: return otherForceColumns;
+        case Payload::BoltExtremes: return boltExtremeColumns;
     }
     return {};
 }

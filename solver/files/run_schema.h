@@ -30,7 +30,8 @@ CREATE TABLE frames (frame INTEGER PRIMARY KEY, stage INTEGER, time REAL, step I
     kinetic REAL, strain REAL, contact REAL, bolt REAL, friction REAL, plastic REAL, released REAL, damped REAL,
     external REAL, balance_error REAL,
     blocks BLOB, corners BLOB, contacts BLOB, nodes BLOB, bolts BLOB,
-    weights BLOB, inertia BLOB, contact_forces BLOB, node_forces BLOB, other_forces BLOB);
+    weights BLOB, inertia BLOB, contact_forces BLOB, node_forces BLOB, other_forces BLOB,
+    bolt_extremes BLOB);
 CREATE TABLE checkpoint (key INTEGER PRIMARY KEY CHECK (key = 1), build TEXT NOT NULL, hash TEXT NOT NULL,
     state BLOB NOT NULL);
 )";
@@ -38,9 +39,9 @@ CREATE TABLE checkpoint (key INTEGER PRIMARY KEY CHECK (key = 1), build TEXT NOT
 /// Told to whoever opens the store with something else.
 inline constexpr const char* layout =
     "Every BLOB holds little-endian IEEE 754 doubles, row after row. Table columns lists the values of a row by "
-    "payload: blocks, corners, contacts, nodes, bolts, weights, inertia, contact_forces, node_forces and other_forces "
-    "of a frame; history of a history row; mechanism for stages.blocks and stages.loose, unstable for stages.unstable "
-    "and stages.farthest. Row n of bolts is the scene's bolt n; row n of blocks the n-th that is solved: the scene's, cells in "
+    "payload: blocks, corners, contacts, nodes, bolts, weights, inertia, contact_forces, node_forces, other_forces and "
+    "bolt_extremes of a frame; history of a history row; mechanism for stages.blocks and stages.loose, unstable for stages.unstable "
+    "and stages.farthest. Row n of bolts and of bolt_extremes is the scene's bolt n; row n of blocks the n-th that is solved: the scene's, cells in "
     "place of those that are cut, then plates that are blocks. Stages, blocks, bolts, nodes, "
     "elements and rows of history count from 0; -1 marks an index that does not apply. events.history_row names the "
     "row just before an event, events.cause the number of the event, from 0, whose release set it over. A stage "

@@ -61,7 +61,8 @@ sqlite::Database openedAsPossible(const fs::path& path) {
 // In the order in which they are unpacked.
 constexpr std::array unpacked{Payload::Blocks,     Payload::Corners,       Payload::Contacts,
                               Payload::Bolts,      Payload::Nodes,         Payload::Weights,
-                              Payload::Inertia,    Payload::ContactForces, Payload::NodeForces, Payload::OtherForces};
+                              Payload::Inertia,    Payload::ContactForces, Payload::NodeForces, Payload::OtherForces,
+                              Payload::BoltExtremes};
 
 std::int64_t pragma(const sqlite::Database& database, const char* name) {
     sqlite::Statement statement(database, std::string("PRAGMA ") + name);
@@ -128,9 +129,9 @@ FrameHead headAt(const sqlite::Statement& row, const Scene& scene) {
 
 Frame frameAt(const sqlite::Database& database, std::int64_t key, const Scene& scene, std::size_t blocks,
               const FrameHead& head) {
-    Frame frame{head.stage, head.time, head.step, {}, {}, {}, head.energy, {}};
+    Frame frame{head.stage, head.time, head.step, {}, {}, {}, head.energy, {}, {}};
     sqlite::Statement statement(database, "SELECT blocks, corners, contacts, nodes, bolts, weights, inertia, "
-                                          "contact_forces, node_forces, other_forces FROM frames WHERE frame=?");
+                                          "contact_forces, node_forces, other_forces, bolt_extremes FROM frames WHERE frame=?");
     statement.bind(key);
     if (!statement.next())
         outOfRange();

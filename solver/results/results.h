@@ -105,6 +105,27 @@ struct BoltFrame {
     bool operator==(const BoltFrame&) const = default;
 };
 
+/// The value of largest magnitude over the run, with its location on the bolt and its time.
+struct BoltPeak {
+    double value = 0.0;  // with its sign
+    double at = 0.0;  // [m] from the far end, unstrained
+    int stage = -1;  // −1: never above zero
+    double time = 0.0;  // within the stage
+
+    bool operator==(const BoltPeak&) const = default;
+};
+
+/// The largest forces in a bolt over the run so far, at every accepted step and before every failure; per bolt, not
+/// per metre of the section. A use is the share of a strength, 1 where it is reached; below zero: no such strength.
+struct BoltExtremes {
+    BoltPeak axialForce, shearForce;  // [N] at the middle of the element
+    BoltPeak moment;  // [N m] at the node
+    BoltPeak steel;  // use of the steel by axial force and moment together
+    BoltPeak shear, bond, plate;  // use of the shear strength, of a node's bond and of the face plate
+
+    bool operator==(const BoltExtremes&) const = default;
+};
+
 /// Energies since the start of the run [J].
 struct Energy {
     double kinetic = 0.0, strain = 0.0, contact = 0.0, bolt = 0.0, friction = 0.0, plastic = 0.0, released = 0.0,
@@ -164,6 +185,7 @@ struct Frame {
     std::vector<BoltFrame> bolts;
     Energy energy;
     FrameForces forces;
+    std::vector<BoltExtremes> extremes;  // a row per bolt, from the start of the run to this frame
 
     bool operator==(const Frame&) const = default;
 };
@@ -235,6 +257,9 @@ struct StepHealth {
     double residual = 0.0;  // accepted, over the forces at play
     double penetrationRatio = 0.0;  // deepest penetration over the size of the block
     int penetrated = -1;  // block there
+    long searched = 0;  // solves of the search for equilibrium in progress; 0: none, or in motion
+    int moving = -1;  // block that has moved farthest in it
+    double moved = 0.0;  // that far [m]
 };
 
 struct StageResult {

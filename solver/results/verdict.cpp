@@ -2,9 +2,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/results/verdict.h"
 
+#include "solver/results/words.h"
+#include "solver/scene/number_text.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace keyblock {
+
+namespace {
+
+constexpr double balanceAllowed = 0.01;  // energy balance error, over the largest term
+constexpr double bodyAllowed = 1e-3;  // of a block's weight, where a stage does not say
+
+std::string percent(double share) { return rounded(100.0 * share) + " %"; }
+
+}  // namespace
 
 Verdict verdictOf(const std::vector<StageRecord>& records, std::size_t stages) {
     Verdict verdict;
@@ -23,6 +36,25 @@ Verdict verdictOf(const std::vector<StageRecord>& records, std::size_t stages) {
     }
     if (decided && !verdict.stands) verdict.stands = true;
     return verdict;
+}
+
+std::vector<StageWarning> stageWarnings(const RunSource& run) {
+    std::vector<StageWarning> warnings;
+    for (const StageRecord& record : run.stages()) {
+        if (!record.ended) continue;
+        const StageResult& result = record.result;
+        const std::string in = " in stage '" + stageName(run.scene(), result.stage) + "'";
+        const WorstBalance& worst = result.health.worst;
+        const double allowed = run.scene().stages[static_cast<std::size_t>(result.stage)].until.body.value_or(bodyAllowed);
+        if (worst.block >= 0 && worst.share > allowed * (1.0 + 1e-9))
+            warnings.push_back({result.stage, "block " + blockName(run.blockNames(), worst.block) + " has " +
+                                                  percent(worst.share) + " of its weight unbalanced" + in + ", more than " +
+                                                  percent(allowed)});
+        if (const double error = std::abs(result.health.balanceError); error > balanceAllowed)
+            warnings.push_back({result.stage, "energy balance error of " + percent(error) + in + ", more than " +
+                                                  percent(balanceAllowed)});
+    }
+    return warnings;
 }
 
 std::optional<StageResult> worstBalanced(const std::vector<StageRecord>& records) {

@@ -7,6 +7,7 @@
 #include "solver/results/run_source.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace keyblock {
@@ -24,6 +25,16 @@ struct Verdict {
 
 /// \param stages of the scene, of which `records` may be the first.
 Verdict verdictOf(const std::vector<StageRecord>& records, std::size_t stages);
+
+/// Why the numbers of a stage are doubtful.
+struct StageWarning {
+    int stage = 0;
+    std::string text;  // a sentence without its full stop
+};
+
+/// For every stage that ended: an energy balance error above 1 %, and a block that is farther from balance than
+/// `until.body` allows. In the order of the stages.
+std::vector<StageWarning> stageWarnings(const RunSource& run);
 
 /// The stage whose last equilibrium leaves most on a block, if one was judged.
 std::optional<StageResult> worstBalanced(const std::vector<StageRecord>& records);

@@ -51,15 +51,11 @@ NodeState stateOf(const AnchorModel& anchor, const BoltNode& node) {
     return node.bond.bonded ? NodeState::Bonded : NodeState::Slipping;
 }
 
-/// What the bond of a real node that is in rock can bear, at its peak and once it slides.
+/// What the bond of a node can bear, at its peak and once it slides.
 void addBondLimits(const AnchorModel& anchor, const BoltMotion& motion, const BoltNode& node, BoltNodeFrame& frame) {
-    if (!anchor.real || node.slot < 0 || node.bond.gone) return;
-    if (const Backbone* curve = curveNow(anchor, motion)) {
-        frame.bondStrength = *std::max_element(curve->force.begin(), curve->force.end()) * node.bond.share;
-    } else if (const auto strength = bondStrength(anchor, node, motion.strengthFactor)) {
-        frame.bondStrength = *strength;
+    frame.bondStrength = bondStrengthNow(anchor, motion, node);
+    if (frame.bondStrength > 0.0 && !anchor.curve)
         frame.bondResidual = slidingLimit(anchor, node, motion.strengthFactor) * node.bond.share;
-    }
 }
 
 }  // namespace
@@ -93,6 +89,13 @@ double boltExtreme(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity
     else
         for (int e = 0; e < static_cast<int>(motion.elements.size()); ++e) take(ofElement(bolt, motion, e, quantity));
     return extreme;
+}
+
+double bondStrengthNow(const AnchorModel& anchor, const BoltMotion& motion, const BoltNode& node) {
+    if (!anchor.real || node.slot < 0 || node.bond.gone) return 0.0;
+    if (const Backbone* curve = curveNow(anchor, motion))
+        return *std::max_element(curve->force.begin(), curve->force.end()) * node.bond.share;
+    return bondStrength(anchor, node, motion.strengthFactor).value_or(0.0);
 }
 
 BoltFrame boltFrame(const BoltModel& bolt, const BoltMotion& motion, const Point& origin) {

@@ -18,6 +18,10 @@ double boltValueAt(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity
 /// Value of largest magnitude along the bolt, with its sign.
 double boltExtreme(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity quantity);
 
+/// Force along the bolt at which the bond of a node fails, as embedded and clamped now [N]: the peak of its law; 0
+/// for an artificial anchor, out of rock, after the loss of the bond, or without limit.
+double bondStrengthNow(const AnchorModel& anchor, const BoltMotion& motion, const BoltNode& node);
+
 /// A bolt as a frame keeps it, without the energy it holds. \param origin added to every place.
 BoltFrame boltFrame(const BoltModel& bolt, const BoltMotion& motion, const Point& origin);
 

@@ -47,6 +47,7 @@ struct Checkpoint {
     long passes = 0;  // of the stage, when the last checkpoint was kept
     FrameClock frames;
     Written written;
+    std::vector<BoltExtremes> extremes;  // of the bolts, over the run so far
     std::vector<StageResult> results;  // of the stages that ended
 };
 

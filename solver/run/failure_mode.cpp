@@ -22,6 +22,7 @@ namespace {
 
 constexpr double share = 0.1;  // of the largest movement, to be told
 constexpr double plumb = 0.984807753012208;  // cos 10°
+constexpr double touching = 0.01;  // of the smaller block: its corners so near to an edge touch it
 constexpr double onEdge = 1e-6;  // of the block: a corner may lie on two edges
 
 double sizeOf(const BlockState& block) {
@@ -73,15 +74,20 @@ void keepLargest(std::vector<Row>& rows, const Measure& measure) {
     std::erase_if(rows, [&](const Row& row) { return measure(row) < least || measure(row) == 0.0; });
 }
 
-void add(MovingJoint& joint, const ContactFrame& contact, const Point& place, const Frame& before, const Frame& after) {
-    const auto a = static_cast<std::size_t>(contact.blockA), b = static_cast<std::size_t>(contact.blockB);
+/// Block a has a corner at `place`, block b an edge.
+struct Touch {
+    std::size_t a = 0, b = 0;
+    Point place{0.0, 0.0};
+};
+
+void add(MovingJoint& joint, const Touch& touch, const Frame& before, const Frame& after) {
+    const auto& [a, b, place] = touch;
     const Point normal = normalAt(before.blocks[b], place, before.blocks[a].centroid);
     const Point apart = way(before.blocks[a], after.blocks[a], place) - way(before.blocks[b], after.blocks[b], place);
     const double slip = std::abs(cross(normal, apart)), opening = std::max(normal.dot(apart), 0.0);
     if (joint.blockA < 0 || std::hypot(slip, opening) > movement(joint)) joint.position = place;
-    joint.blockA = std::min(contact.blockA, contact.blockB);
-    joint.blockB = std::max(contact.blockA, contact.blockB);
-    joint.jointMaterial = contact.jointMaterial;
+    joint.blockA = static_cast<int>(std::min(a, b));
+    joint.blockB = static_cast<int>(std::max(a, b));
     joint.slip = std::max(joint.slip, slip);
     joint.opening = std::max(joint.opening, opening);
 }
@@ -98,7 +104,9 @@ std::vector<MovingJoint> jointsBetween(const Frame& before, const Frame& after) 
             const Point place = &frame == &before
                                     ? contact.position
                                     : placeBefore(before.blocks[b], after.blocks[b], contact.position);
-            add(joints[std::minmax(contact.blockA, contact.blockB)], contact, place, before, after);
+            MovingJoint& joint = joints[std::minmax(contact.blockA, contact.blockB)];
+            add(joint, {a, b, place}, before, after);
+            joint.jointMaterial = contact.jointMaterial;
         }
     };
     look(before);
@@ -108,7 +116,55 @@ std::vector<MovingJoint> jointsBetween(const Frame& before, const Frame& after) 
     return list;
 }
 
+bool isApart(const BlockState& a, const BlockState& b, double distance) {
+    return (a.centroid - b.centroid).norm() > sizeOf(a) + sizeOf(b) + distance;
+}
+
+/// Corners of block a that lie on edges of block b.
+void addTouches(const Frame& frame, std::size_t a, std::size_t b, double distance, std::vector<Touch>& touches) {
+    const std::vector<Point>& edges = frame.blocks[b].points;
+    for (const Point& corner : frame.blocks[a].points)
+        for (std::size_t i = 0; i < edges.size(); ++i)
+            if (distanceToSegment(edges[i], edges[(i + 1) % edges.size()], corner) <= distance) {
+                touches.push_back({a, b, corner});
+                break;
+            }
+}
+
+/// Where two blocks lie against each other along a length; empty where only corners meet.
+std::vector<Touch> touchesOf(const Frame& frame, std::size_t a, std::size_t b) {
+    const double smaller = std::min(sizeOf(frame.blocks[a]), sizeOf(frame.blocks[b])), distance = touching * smaller;
+    std::vector<Touch> touches;
+    if (isApart(frame.blocks[a], frame.blocks[b], distance)) return touches;
+    addTouches(frame, a, b, distance, touches);
+    addTouches(frame, b, a, distance, touches);
+    const bool along = std::ranges::any_of(touches, [&](const Touch& touch) {
+        return (touch.place - touches.front().place).norm() > 4.0 * distance;
+    });
+    return along ? touches : std::vector<Touch>{};
+}
+
 }  // namespace
+
+std::vector<MovingJoint> jointsAround(const Frame& before, const Frame& after, const std::vector<int>& rows) {
+    std::vector<MovingJoint> joints;
+    for (const int row : rows) {
+        const auto a = static_cast<std::size_t>(row);
+        for (std::size_t b = 0; b < before.blocks.size(); ++b) {
+            if (std::ranges::find(rows, static_cast<int>(b)) != rows.end()) continue;
+            if (!isThere(before.blocks[a]) || !isThere(after.blocks[a]) || !isThere(before.blocks[b]) ||
+                !isThere(after.blocks[b]))
+                continue;
+            MovingJoint joint;
+            for (const Touch& touch : touchesOf(before, a, b)) add(joint, touch, before, after);
+            if (joint.blockA < 0) continue;
+            joint.blockA = row;
+            joint.blockB = static_cast<int>(b);
+            joints.push_back(joint);
+        }
+    }
+    return joints;
+}
 
 Movement movementOf(const Point& displacement, double rotation, double size, const Point& down) {
     if (displacement.norm() < 2.0 * size * std::abs(rotation)) return Movement::Topples;

@@ -37,6 +37,10 @@ struct FailureMode {
     std::vector<MovingJoint> joints;  // the same
 };
 
+/// Joints along which blocks of `rows` touched others in the first frame, with their relative movement until the later
+/// one of the same stage; block a is the one of `rows`. Corners that touch alone are not a joint.
+std::vector<MovingJoint> jointsAround(const Frame& before, const Frame& after, const std::vector<int>& rows);
+
 /// What moved from one frame to a later one of the same stage. \param down as of `movementOf`.
 FailureMode failureMode(const Frame& before, const Frame& after, const Point& down);
 

@@ -18,6 +18,7 @@
 #include "solver/engine/time/mass.h"
 #include "solver/results/history.h"
 #include "solver/results/run_source.h"
+#include "solver/run/bolt_extremes.h"
 #include "solver/run/checkpoint.h"
 #include "solver/run/frame_forces.h"
 #include "solver/run/run_limit.h"
@@ -49,6 +50,7 @@ Checkpoint startOf(const Scene& scene, const Model& model) {
     placeBolts(model, start.state);
     preloadFaces(scene, model, start.state);
     start.state.startEnergy = accountedEnergy(model, start.state);
+    start.extremes = startExtremes(model);
     return start;
 }
 
@@ -186,6 +188,7 @@ private:
         if (!isStatic()) {
             const StepEnding ending = dynamics().step(now_.state, now_.time, stage().duration, now_.pace, *this);
             mark(now_.start, now_.state, now_.time, stage().duration);
+            addExtremes(model_, now_.state, now_.stage, now_.time, now_.extremes);
             lookAround();
             keepFrame(false);
             return ending;
@@ -193,6 +196,8 @@ private:
         const StepEnding ending = moveStatic(engine_, now_.state, loads_.loads(), loadsBefore(), loadsAfter(),
                                              staticSettings(scene_, stage()), *this, now_.within);
         now_.time = loadsReached().time;
+        if (ending.ending == Ending::Done && !now_.within.releasing)
+            addExtremes(model_, now_.state, now_.stage, now_.time, now_.extremes);
         if (ending.ending != Ending::Done || now_.within.releasing) return ending;
         if (now_.within.over()) nextIncrement();
         else if (stage().increments || now_.increment == 0) return ending;
@@ -349,6 +354,7 @@ private:
     }
 
     void keepRow(const State& state, double time) {
+        addExtremes(model_, state, now_.stage, time, now_.extremes);
         sink_.history(observation_.history(state, now_.stage, time));
         ++now_.written.historyRows;
     }
@@ -367,6 +373,7 @@ private:
         keepRow(now_.state, now_.time);
         Frame frame = observation_.frame(now_.state, now_.stage, now_.time);
         frame.forces = frameForces(forcesNow(), now_.state, frame, !isStatic());
+        frame.extremes = now_.extremes;
         sink_.frame(frame);
         ++now_.written.frames;
     }
@@ -403,8 +410,10 @@ private:
     /// Hands over the state between two steps to whoever looks on; nothing of it is kept, and its single forces, which
     /// no picture shows, are not listed.
     void show() {
-        if (control_.looked && now_.begun && control_.look.exchange(false))
-            control_.looked(observation_.frame(now_.state, now_.stage, now_.time));
+        if (!control_.looked || !now_.begun || !control_.look.exchange(false)) return;
+        Frame frame = observation_.frame(now_.state, now_.stage, now_.time);
+        frame.extremes = now_.extremes;
+        control_.looked(frame);
     }
 
     void report() {
@@ -419,6 +428,7 @@ private:
         progress.residual = engine_.health.maxResidual;
         progress.stepCuts = engine_.health.stepCuts + engine_.health.energyCuts;
         progress.step = engine_.newest;
+        if (!isStatic()) progress.step.searched = 0;
         control_.progress(progress);
     }
 

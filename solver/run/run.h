@@ -26,6 +26,10 @@ struct Progress {
     StepHealth step;  // the newest
 };
 
+/// A search for equilibrium that has not ended after some solves, as in "searching, 40 solves: b161 moves 12 mm";
+/// empty for a shorter one. \param names of the blocks, as `blockNames` gives them.
+std::string searchText(const StepHealth& step, const std::vector<std::string>& names);
+
 /// Handed to a run and kept by whoever started it. Checked in every pass.
 struct Control {
     std::atomic<bool> stop{false};

@@ -90,6 +90,82 @@ TEST_F(Runs, InfoTellsCausesAndWhatBoltsTook) {
     EXPECT_NE(text.find("energy taken by bolt"), std::string::npos) << text;
 }
 
+TEST_F(Runs, InfoGivesTheUseOfEveryBolt) {
+    putPullScene();
+    const Ended run = keyblock({"run", "pull.json"});
+    ASSERT_EQ(run.code, 0);
+    const json bolt = json::parse(keyblock({"info", "pull.kbrun", "--json"}).out).at("bolts").at(0);
+    EXPECT_EQ(bolt.at("bolt"), "B");
+    double largest = 0.0;
+    for (const std::string& line : lines(table("pull.kbrun", "history")))
+        if (line.rfind("pull,", 0) == 0) largest = std::max(largest, std::stod(line.substr(line.rfind(',') + 1)));
+    EXPECT_GE(bolt.at("axial_N").get<double>(), largest * (1.0 - 1e-12));
+    EXPECT_LE(bolt.at("axial_N").get<double>(), 1.01 * largest);
+    EXPECT_NEAR(bolt.at("axial_at_m").get<double>(), 0.25, 0.04);  // at the joint
+    EXPECT_EQ(bolt.at("stage"), "pull");
+    EXPECT_GT(bolt.at("time_s").get<double>(), 0.0);
+    for (const char* key : {"shear_N", "moment_Nm"}) EXPECT_TRUE(bolt.at(key).is_number()) << key;
+    EXPECT_TRUE(bolt.at("use").at("steel").is_null());  // the type has no limit
+    EXPECT_TRUE(bolt.at("use").at("shear").is_null());
+    EXPECT_TRUE(bolt.at("use").at("plate").is_null());
+    EXPECT_GE(bolt.at("use").at("bond").get<double>(), 1.0 - 1e-6);
+    EXPECT_EQ(bolt.at("governs"), "bond");
+    EXPECT_EQ(bolt.at("holds"), json::array({"right"}));
+    const std::string text = keyblock({"info", "pull.kbrun"}).out;
+    const auto from = text.find("largest forces of each bolt");
+    ASSERT_NE(from, std::string::npos) << text;
+    const std::string told = text.substr(from, text.find("\n\n", from) - from);
+    EXPECT_NE(run.out.find(told), std::string::npos) << run.out << told;  // the same figures
+    EXPECT_NE(told.find("bond  "), std::string::npos) << told;
+    EXPECT_NE(told.find("right"), std::string::npos) << told;
+}
+
+TEST_F(Runs, TheSummaryListsTheTenBoltsWithTheHighestUse) {
+    putPullScene();
+    json scene = json::parse(content("pull.json"));
+    const json bolt = scene.at("bolts").at(0);
+    scene["bolts"] = json::array();
+    for (int i = 0; i < 12; ++i) {
+        json one = bolt;
+        one["name"] = "B" + std::to_string(i);
+        one["far_end"][1] = one["head"][1] = 0.2 + 0.05 * i;
+        if (i == 7) one["head"][0] = 1.1;  // the shortest
+        scene["bolts"].push_back(one);
+    }
+    for (const char* key : {"monitors", "quantities", "about"}) scene.erase(key);
+    scene["stages"][0]["motions"][0]["table"] = json::parse("[[0, 0], [1, 1e-4]]");
+    put("many.json", scene.dump());
+    const Ended run = keyblock({"run", "many.json"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("and 2 more with lower use; all are in 'info --json'"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("and 2 more with less energy"), std::string::npos) << run.out;
+    const std::string listed = run.out.substr(run.out.find("largest forces of each bolt"));
+    EXPECT_EQ(lines(listed).at(2).rfind("B7 ", 0), 0U) << listed;
+    EXPECT_EQ(json::parse(keyblock({"info", "many.kbrun", "--json"}).out).at("bolts").size(), 12U);
+}
+
+TEST_F(Runs, ACollapseNamesTheJointsAndBoltsThatFailed) {
+    putPullScene();
+    const Ended run = keyblock({"run", "pull.json", "--set", "analysis.gravity=[98.1,0]", "stages[0].motions=[]",
+                                "stages[0].increments=null", "about.expected=[]"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("joints around them"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("right on left"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("bolts across them that failed"), std::string::npos) << run.out;
+    const json verdict = json::parse(keyblock({"info", "pull.kbrun", "--json"}).out).at("verdict");
+    EXPECT_EQ(verdict.at("stands"), false);
+    ASSERT_EQ(verdict.at("joints").size(), 1U);
+    const json& joint = verdict.at("joints").at(0);
+    EXPECT_EQ(joint.at("block_a"), "right");
+    EXPECT_EQ(joint.at("block_b"), "left");
+    EXPECT_EQ(joint.at("mode"), "opened");
+    EXPECT_GT(joint.at("opening_m").get<double>(), joint.at("slip_m").get<double>());
+    ASSERT_FALSE(verdict.at("bolts").empty());
+    EXPECT_EQ(verdict.at("bolts").back().at("bolt"), "B");
+    EXPECT_EQ(verdict.at("bolts").back().at("event"), "debonding");
+    EXPECT_EQ(verdict.at("bolts").back().at("stage"), "pull");
+}
+
 TEST_F(Runs, OneAndTwoThreadsGiveTheSameBytes) {
     putPullScene();
     ASSERT_EQ(keyblock({"run", "pull.json", "--threads", "1", "--out", "one.kbrun"}).code, 0);
@@ -128,7 +204,7 @@ TEST_F(Runs, ProgressComesAsJsonLines) {
     for (const std::string& line : told) {
         const json progress = json::parse(line);
         EXPECT_EQ(progress.at("stage"), "pull");
-        for (const char* key : {"time_s", "fraction", "eta_s", "passes", "events"})
+        for (const char* key : {"time_s", "fraction", "eta_s", "passes", "events", "search"})
             EXPECT_TRUE(progress.contains(key)) << key;
     }
     EXPECT_NEAR(json::parse(told.back()).at("fraction").get<double>(), 1.0, 1e-9);

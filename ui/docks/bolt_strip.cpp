@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/bolt_strip.h"
 
+#include "solver/results/bolt_use.h"
 #include "solver/results/words.h"
 #include "ui/canvas/screen_marks.h"
 #include "ui/docks/chart_view.h"
@@ -113,7 +114,9 @@ void BoltStrip::resizeEvent(QResizeEvent*) { more_->move(width() - more_->width(
 
 QString BoltStrip::title() const {
     if (!shown_) return {};
-    return QStringLiteral("%1 · %2 · %3 m").arg(shown_->name, shown_->type, Display::number(shown_->chart.length, 3));
+    const QString text =
+        QStringLiteral("%1 · %2 · %3 m").arg(shown_->name, shown_->type, Display::number(shown_->chart.length, 3));
+    return shown_->use.isEmpty() ? text : text + QStringLiteral(" · ") + shown_->use;
 }
 
 void BoltStrip::runChanged() {
@@ -193,6 +196,8 @@ void BoltStrip::make() {
                 shown->blocks.emplace_back(node.s, blockName(moment->blockNames(), node.block));
             shown->name = QString::fromStdString(boltName(moment->scene(), bolt));
             shown->type = QString::fromStdString(moment->scene().bolts[static_cast<std::size_t>(bolt)].type);
+            if (const auto row = static_cast<std::size_t>(bolt); row < frame->extremes.size())
+                shown->use = QString::fromStdString(useText(boltUse(bolt, frame->extremes[row])));
             return [this, shown, known] {
                 if (cursor_.run() != known->run) return;
                 past_ = known;

@@ -53,7 +53,7 @@ private:
     struct Shown {
         BoltChart chart;
         std::vector<std::pair<double, std::string>> blocks;  // along the bolt [m]: names
-        QString name, type;
+        QString name, type, use;  // use: of the strength that governs, in the run so far
     };
 
     void runChanged();

@@ -41,9 +41,10 @@ protected:
         const Theme& theme = themes_.current();
         QString right = QStringLiteral("%1 %").arg(static_cast<int>(std::floor(100.0 * session->fraction())));
         QString left;
+        const QString search = session->searchText();  // shown in place of stage and step: it changes while the bar rests
         if (session->state() == RunSession::State::Paused) left = RunStatus::tr("paused");
         else if (session->state() == RunSession::State::Stopping) left = RunStatus::tr("stopping…");
-        else if (const auto seconds = session->secondsLeft()) left = leftText(*seconds);
+        else if (const auto seconds = session->secondsLeft(); seconds && search.isEmpty()) left = leftText(*seconds);
         double x = width();
         x = write(painter, left, false, theme.text2, x) - (left.isEmpty() ? 0.0 : 8.0);
         x = write(painter, right, true, theme.text, x) - 12.0;
@@ -52,7 +53,8 @@ protected:
         font.setWeight(QFont::DemiBold);
         painter.setFont(font);
         painter.setPen(theme.text);
-        const QString stage = painter.fontMetrics().elidedText(session->stageText(), Qt::ElideRight, int(x));
+        const QString stage = painter.fontMetrics().elidedText(
+            search.isEmpty() ? session->stageText() : search, Qt::ElideRight, int(x));
         painter.drawText(QRectF(0.0, 6.0, x, 16.0), Qt::AlignVCenter | Qt::AlignLeft, stage);
         const double at = painter.fontMetrics().horizontalAdvance(stage) + 8.0;
         font.setPixelSize(11);
@@ -60,7 +62,7 @@ protected:
         painter.setFont(font);
         painter.setPen(theme.text2);
         const QString step = RunStatus::tr("step %1").arg(Display::number(static_cast<double>(session->steps()), 9));
-        if (at + painter.fontMetrics().horizontalAdvance(step) < x)
+        if (search.isEmpty() && at + painter.fontMetrics().horizontalAdvance(step) < x)
             painter.drawText(QRectF(at, 6.0, x - at, 16.0), Qt::AlignVCenter | Qt::AlignLeft, step);
         painter.setPen(Qt::NoPen);
         painter.setBrush(theme.separator);

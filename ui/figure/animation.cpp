@@ -54,7 +54,7 @@ public:
         : run_(run), request_(request), frames_(framesOf(run, request.filter)),
           film_(run, colouredRequestOf(run, request), frames_), last_(film_.picture(frames_.size() - 1)),
           line_(run, frames_, last_.events), layout_(sharedLayout()) {
-        const Sheet sheet = sheetOf(last_);
+        const Sheet sheet = sheetOf(last_, frames_.back());
         const double around = sheet.heightAround(0.0) - sheet.top();
         height_ = std::ceil(layout_.map().min.y() + layout_.height() + filmLineGap + filmLineHeight + around);
     }
@@ -66,10 +66,10 @@ public:
         const SectionPicture picture = film_.picture(index);
         auto paper = emptyPaper();
         Ink ink(paper->painter());
-        sheetOf(picture).draw(ink, height_, footOf(run_, request_, frames_[index], height_));
+        sheetOf(picture, frames_[index]).draw(ink, height_, footOf(run_, request_, frames_[index], height_));
         layout_.draw(ink, picture, run_.scene());
         const Point below(paper_theme::margin, layout_.map().min.y() + layout_.height() + filmLineGap);
-        line_.draw(ink, below, sheetOf(picture).inner(), index);
+        line_.draw(ink, below, sheetOf(picture, frames_[index]).inner(), index);
         return paper;
     }
 
@@ -78,19 +78,21 @@ public:
     }
 
 private:
-    Sheet sheetOf(const SectionPicture& picture) const { return {request_.width, picture.title, picture.subtitle}; }
+    Sheet sheetOf(const SectionPicture& picture, std::size_t frame) const {
+        return {request_.width, picture.title, picture.subtitle, warningsOf(run_, frame)};
+    }
 
     /// Room for the longest title, all kinds of marks and the last list of events, which is the longest.
     SectionLayout sharedLayout() const {
         const auto layoutFrom = [&](double top, const std::optional<std::vector<MarkKind>>& kinds) {
-            return SectionLayout(last_, run_.scene(), request_.width, top, sheetOf(last_).inner(), kinds);
+            return SectionLayout(last_, run_.scene(), request_.width, top, sheetOf(last_, frames_.back()).inner(), kinds);
         };
-        double top = sheetOf(last_).top();
+        double top = sheetOf(last_, frames_.back()).top();
         const Box map = layoutFrom(top, {}).map();
         std::set<MarkKind> found;
         for (std::size_t i = 0; i < frames_.size(); ++i) {
             const SectionPicture picture = film_.picture(i);
-            top = std::max(top, sheetOf(picture).top());
+            top = std::max(top, sheetOf(picture, frames_[i]).top());
             for (const MarkKind kind : MapInk(picture, map).kinds()) found.insert(kind);
         }
         std::vector<MarkKind> kinds;

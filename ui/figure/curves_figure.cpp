@@ -71,7 +71,7 @@ Figure paintCurves(const RunSource& run, const FigureRequest& request) {
         if (problem.severity == Severity::Error)
             throw CannotDraw(problem.file + ": " + problem.message + ". " + problem.remedy);
     const std::string title = run.scene().title.empty() ? "History" : run.scene().title;
-    const Sheet sheet(request.width, title, subtitleOf(run, charts));
+    const Sheet sheet(request.width, title, subtitleOf(run, charts), warningsOf(run, std::nullopt));
     double content = -chartGap;
     for (const Chart& chart : charts.charts) content += heightOf(chart) + chartGap;
     const double height = std::ceil(sheet.heightAround(content));

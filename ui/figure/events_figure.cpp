@@ -228,7 +228,8 @@ Figure paintEvents(const RunSource& run, const FigureRequest& request) {
     const std::vector<Event> events = shownEvents(run, request);
     const EventList list = eventList(run, events, mostListed);
     const std::string title = "Events: " + (run.scene().title.empty() ? request.runName : run.scene().title);
-    const Sheet sheet(request.width, title, subtitleFor(request, run, list, events.size()));
+    const Sheet sheet(request.width, title, subtitleFor(request, run, list, events.size()),
+                      warningsOf(run, std::nullopt));
     const TimeLine line(time, run.scene(), kindRows(events, time), margin + names, request.width - margin - counts);
     const EventTable table(run.scene(), list, margin, sheet.inner());
     const double height = std::ceil(sheet.heightAround(line.height() + table.height()));

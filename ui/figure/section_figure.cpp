@@ -63,7 +63,8 @@ SectionRequest sectionRequestOf(const RunSource& run, const FigureRequest& reque
 Figure paintSection(const RunSource& run, const FigureRequest& request) {
     const SectionRequest section = sectionRequestOf(run, request);
     const SectionPicture picture = sectionPicture(run, section);
-    const Sheet sheet(request.width, picture.title, picture.subtitle);
+    const Sheet sheet(request.width, picture.title, picture.subtitle,
+                      section.frame ? warningsOf(run, section.frame) : std::vector<std::string>{});
     const SectionLayout layout(picture, run.scene(), request.width, sheet.top(), sheet.inner());
     const double height = std::ceil(sheet.heightAround(layout.height()));
     Paper paper(request.format, request.width, height, request.dpi, picture.title);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What every figure has round its content: a title of up to two lines, a line on
-// what is shown, and a foot that says where it came from.
+// what is shown, warnings where its numbers are doubtful, and a foot that says
+// where it came from.
 #pragma once
 
 #include "ui/figure/figure.h"
@@ -15,8 +16,8 @@ namespace keyblock {
 
 class Sheet {
 public:
-    /// A sheet of `width` [mm]; long texts are broken and then cut off.
-    Sheet(double width, const std::string& title, const std::string& subtitle);
+    /// A sheet of `width` [mm]; long texts are broken and then cut off. \param warnings as of `warningsOf`.
+    Sheet(double width, const std::string& title, const std::string& subtitle, const std::vector<std::string>& warnings);
 
     double width() const { return width_; }
     double inner() const { return width_ - 2.0 * paper_theme::margin; }
@@ -27,8 +28,11 @@ public:
 
 private:
     double width_;
-    std::vector<std::string> title_, subtitle_;
+    std::vector<std::string> title_, subtitle_, warnings_;
 };
+
+/// The warnings of the stage of a frame (`stageWarnings`), or of all stages where a figure shows the whole run.
+std::vector<std::string> warningsOf(const RunSource& run, std::optional<std::size_t> frame);
 
 /// "Keyblock · RUN, frame 12 of 67 · plane strain · 160 × 107 mm"
 std::string footOf(const RunSource& run, const FigureRequest& request, std::optional<std::size_t> frame, double height);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/picture/bolt_chart.h"
 
+#include "solver/results/bolt_use.h"
 #include "solver/results/frame_quantities.h"
 #include "solver/results/words.h"
 #include "ui/picture/captions.h"
@@ -183,7 +184,16 @@ private:
         if (now().lost) text += "; lost";
         const NodeQuantity& axial = *findQuantity(boltQuantities(), "axial_force");
         const double force = largest(now(), axial);
-        return text + "; largest axial force now " + numberText(force > nothing * reach_.largestForce() ? force * 1e-3 : 0.0) + " kN.";
+        return text + "; largest axial force now " + numberText(force > nothing * reach_.largestForce() ? force * 1e-3 : 0.0) + " kN" +
+               usedText() + ".";
+    }
+
+    /// Of the run so far.
+    std::string usedText() const {
+        const auto bolt = static_cast<std::size_t>(bolt_);
+        if (bolt >= frame_.extremes.size()) return {};
+        const std::string text = useText(boltUse(bolt_, frame_.extremes[bolt]));
+        return text.empty() ? "" : "; until now " + text;
     }
 
     /// Bond forces; slip, too, where some nodes have no anchor that could tell it.

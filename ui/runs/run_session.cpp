@@ -239,6 +239,11 @@ QString RunSession::stageText() const {
     return says ? at : tr("%1 · %2").arg(at, QString::fromStdString(name));
 }
 
+QString RunSession::searchText() const {
+    if (!run_ || !run_->progress() || isOver()) return {};
+    return QString::fromStdString(keyblock::searchText(run_->progress()->step, run_->blockNames()));
+}
+
 long RunSession::steps() const { return run_ && run_->progress() ? run_->progress()->steps : 0; }
 
 void RunSession::setState(State state) {

@@ -64,6 +64,7 @@ public:
     double fraction() const;  // of the whole run, 0 … 1
     std::optional<double> secondsLeft() const;  // none: too early to tell
     QString stageText() const;  // "Stage 4 of 4 · Burst"
+    QString searchText() const;  // of a long search for equilibrium, as of `searchText`; else empty
     long steps() const;
 
     // Once it is over.

@@ -11,6 +11,7 @@
 #include "ui/docks/run_list.h"
 #include "ui/docks/run_log.h"
 #include "ui/docks/run_status.h"
+#include "ui/docks/run_warning.h"
 #include "ui/docks/time_line.h"
 #include "ui/docks/view_bar.h"
 #include "ui/document/document.h"
@@ -81,6 +82,8 @@ void RunArea::place(QVBoxLayout& aboveCanvas, QBoxLayout& besideCanvas) {
     bar_ = new ViewBar(parts_.themes, parts_.commands, *settings_, &parts_.window);
     aboveCanvas.insertWidget(0, bar_);
     bar_->setVisible(feed_->showsResults());
+    warning_ = new RunWarning(parts_.themes, *cursor_, &parts_.window);
+    aboveCanvas.insertWidget(1, warning_);
     parts_.workflow.addRight(new RunStatus(parts_.themes, parts_.commands, *runs_, &parts_.workflow));
     placeDocks(besideCanvas);
     connect(runs_, &Runs::told, this, &RunArea::tell);
@@ -138,6 +141,7 @@ void RunArea::nameTabs() {
 void RunArea::showMode() {
     const bool results = feed_->showsResults();
     if (bar_) bar_->setVisible(results);
+    if (warning_) warning_->setOn(results);
     parts_.drawing.setOn(!results);
     Q_EMIT modeChanged(results);
     if (!results) return askBlock(-1, {});  // blocks of a run are not those of the drawing

@@ -35,6 +35,7 @@ class SectionFeed;
 class Selection;
 class Themes;
 class TimeCursor;
+class RunWarning;
 class ViewBar;
 class ViewSettings;
 class WorkflowBar;
@@ -99,6 +100,7 @@ private:
     CompareArea* compare_;
     int asked_ = -1;  // block that is outlined
     ViewBar* bar_ = nullptr;
+    RunWarning* warning_ = nullptr;
     HealthStrip* health_ = nullptr;
     EventsList* events_ = nullptr;
     RunLog* log_ = nullptr;

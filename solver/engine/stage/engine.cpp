@@ -64,6 +64,7 @@ SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen:
     ++engine.health.steps;
     engine.health.passes += std::max(1, report.passes);
     engine.health.work += report.work;
+    ++engine.newest.searched;
     engine.newest.passes = report.passes;
     engine.newest.worst = blockOfBody(engine.model, report.worst);
     for (const LimitPair& pair : problem.limitPairs) {

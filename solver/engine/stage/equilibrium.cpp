@@ -209,6 +209,7 @@ private:
         moveBodies(model_, state_, d);
         moved_ += d;
         falls_.note(moves.blocks, dt_, rest_.own);
+        noteFarthest();
         drifts_ = lastStep_.size() > 0 && d.dot(lastStep_) > 0.5 * d.norm() * lastStep_.norm();
         lastDt_ = dt_;
         lastLargest_ = moves.largest;
@@ -385,6 +386,13 @@ private:
                            [&](int row) { return falls_.decides(row) && falls_.hasLeft(state_.blocks, row); });
     }
 
+    /// For progress.
+    void noteFarthest() {
+        const int block = engine_.newest.moving = mostMoved();
+        engine_.newest.moved =
+            block < 0 ? 0.0 : falls_.moved(state_.blocks, block) * wholeSize(model_, wholeOf(model_, block));
+    }
+
     /// The block that has moved farthest, over its own size.
     int mostMoved() const {
         int most = -1;
@@ -432,6 +440,8 @@ private:
 
 StepEnding findEquilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path,
                            const StaticSettings& settings) {
+    engine.newest.searched = 0;
+    engine.newest.moving = -1;
     return Equilibrium(engine, state, loads, path, settings).find();
 }
 

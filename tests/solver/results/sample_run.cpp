@@ -148,6 +148,18 @@ FrameForces forces(bool moves, double grown) {
     return all;
 }
 
+BoltExtremes extremes(int stage, double grown) {
+    BoltExtremes bolt;
+    bolt.axialForce = {-1e5 * grown, 0.2, stage, 0.25};
+    bolt.shearForce = {2e3 * grown, 0.6, stage, 0.5};
+    bolt.moment = {12.5, 0.4, 0, 1.0 / 3.0};
+    bolt.steel = {0.5 * grown, 0.2, stage, 0.25};
+    bolt.shear = {0.25 * grown, 0.6, stage, 0.5};
+    bolt.bond = {0.8, 0.0, 0, 1.0 / 3.0};
+    bolt.plate.value = -1.0;
+    return bolt;
+}
+
 Frame frame(int stage, double time, long step) {
     const double grown = 0.01 * static_cast<double>(step);
     Frame result;
@@ -161,6 +173,7 @@ Frame frame(int stage, double time, long step) {
     result.energy = {grown, 2 * grown, 3 * grown, 4 * grown, 5 * grown, 6 * grown, 7 * grown, 8 * grown, 9 * grown,
                      1e-12};
     result.forces = forces(stage == 1, grown);
+    result.extremes = {extremes(stage, grown)};
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include "tests/ui/screen/screen.h"
 #include "ui/docks/events_list.h"
 #include "ui/docks/health_strip.h"
+#include "ui/docks/run_warning.h"
 #include "ui/docks/time_line.h"
 #include "ui/docks/time_track.h"
 #include "ui/document/document.h"
@@ -74,6 +75,28 @@ TEST(TimeTrack, ThousandsOfEventsThinOutAndTheGravestStay) {
         EXPECT_NE(placed[i].group, EventGroup::Falls);
     }
     EXPECT_TRUE(rupture);
+}
+
+TEST(RunWarning, ShowsWhyNumbersAreDoubtful) {
+    const Themes themes;
+    TimeCursor cursor;
+    RunWarning line(themes, cursor);
+    EXPECT_TRUE(line.isHidden());
+    const auto run = elevenFrames();
+    cursor.setRun(run, false);
+    EXPECT_TRUE(line.isHidden());
+    LiveBatch batch;
+    StageResult result;
+    result.outcome = Outcome::Duration;
+    result.health.balanceError = 0.76;
+    batch.stagesEnded = {result};
+    run->append(std::move(batch));
+    cursor.ranOut();
+    cursor.goTo(std::size_t{3});
+    EXPECT_FALSE(line.isHidden());
+    EXPECT_TRUE(line.text().startsWith("Warning: energy balance error of 76 %")) << line.text().toStdString();
+    line.setOn(false);
+    EXPECT_TRUE(line.isHidden());
 }
 
 TEST(TimeAxis, GivesDynamicStagesMoreRoomAndComesBack) {

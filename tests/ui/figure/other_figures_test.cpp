@@ -71,6 +71,17 @@ TEST_F(OtherFigures, SayTheirWordsInPdf) {
     }
 }
 
+TEST_F(OtherFigures, WarnOfNumbersThatAreDoubtful) {
+    StageResult result;
+    result.outcome = Outcome::Duration;
+    bricks.results.stages = {result};
+    for (const FigureKind kind : {FigureKind::Section, FigureKind::Bolt, FigureKind::Curves, FigureKind::Events})
+        EXPECT_EQ(painted(kind).bytes.find("Warning"), std::string::npos);
+    bricks.results.stages[0].health.balanceError = 0.76;
+    for (const FigureKind kind : {FigureKind::Section, FigureKind::Bolt, FigureKind::Curves, FigureKind::Events})
+        EXPECT_NE(painted(kind).bytes.find("Warning: energy balance error of 76 %"), std::string::npos);
+}
+
 TEST_F(OtherFigures, HaveTheirDataBesideThem) {
     EXPECT_EQ(painted(FigureKind::Bolt).data.size(), 2u);
     EXPECT_EQ(painted(FigureKind::Bolt).data[1].suffix, "-envelope");

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/results/bolt_use.h"
+
+#include "solver/scene/number_text.h"
+#include "solver/scene/solved_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace keyblock {
+
+namespace {
+
+/// Blocks of the scene that a bolt passes from its head on, without the one that holds its far end; by their first rows.
+std::vector<int> heldBlocks(const std::vector<BoltNodeFrame>& nodes, const SolvedBlocks& solved) {
+    std::vector<int> passed;  // from the far end
+    for (const BoltNodeFrame& node : nodes) {
+        if (node.block < 0) continue;
+        const int block = solved.blocks[static_cast<std::size_t>(node.block)].block;
+        const int row = solved.firstOf[static_cast<std::size_t>(block)];
+        if (std::find(passed.begin(), passed.end(), row) == passed.end()) passed.push_back(row);
+    }
+    if (!passed.empty()) passed.erase(passed.begin());
+    std::reverse(passed.begin(), passed.end());
+    return passed;
+}
+
+}  // namespace
+
+BoltUse boltUse(int bolt, const BoltExtremes& extremes) {
+    BoltUse result;
+    result.bolt = bolt;
+    result.extremes = extremes;
+    const BoltPeak* peaks[]{&extremes.steel, &extremes.shear, &extremes.bond, &extremes.plate};
+    double highest = 0.0;
+    for (std::size_t i = 0; i < result.use.size(); ++i) {
+        if (peaks[i]->value < 0.0) continue;
+        result.use[i] = peaks[i]->value;
+        if (peaks[i]->value <= highest) continue;
+        highest = peaks[i]->value;
+        result.governs = static_cast<BoltStrength>(i);
+    }
+    return result;
+}
+
+std::string useText(const BoltUse& use) {
+    if (!use.governs) return {};
+    return std::string(boltStrengthWords[static_cast<std::size_t>(*use.governs)]) + " used to " +
+           rounded(std::round(1000.0 * use.highest()) / 10.0) + " %";
+}
+
+/// Bolts come at the beginning of a stage, so that its first frame shows them.
+std::vector<std::vector<BoltNodeFrame>> boltsAsInstalled(const RunSource& run) {
+    std::vector<std::vector<BoltNodeFrame>> bolts(run.scene().bolts.size());
+    int stage = -1;
+    for (std::size_t i = 0; i < run.frames().size(); ++i) {
+        if (run.frames()[i].stage == stage) continue;
+        if (std::ranges::none_of(bolts, [](const auto& nodes) { return nodes.empty(); })) break;
+        stage = run.frames()[i].stage;
+        Frame frame = run.frame(i);
+        for (std::size_t b = 0; b < bolts.size(); ++b)
+            if (bolts[b].empty()) bolts[b] = std::move(frame.bolts[b].nodes);
+    }
+    return bolts;
+}
+
+std::vector<BoltUse> boltUses(const RunSource& run) {
+    std::vector<BoltUse> uses;
+    if (run.frames().empty()) return uses;
+    const Frame last = run.frame(run.frames().size() - 1);
+    for (std::size_t b = 0; b < last.extremes.size(); ++b)
+        uses.push_back(boltUse(static_cast<int>(b), last.extremes[b]));
+    if (uses.empty()) return uses;
+    const SolvedBlocks solved = solvedBlocks(run.scene());
+    const auto installed = boltsAsInstalled(run);
+    for (std::size_t b = 0; b < uses.size(); ++b) uses[b].holds = heldBlocks(installed[b], solved);
+    return uses;
+}
+
+}  // namespace keyblock

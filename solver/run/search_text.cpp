@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/results/words.h"
+#include "solver/run/run.h"
+#include "solver/scene/number_text.h"
+
+namespace keyblock {
+
+namespace {
+
+constexpr long shortSearch = 10;  // solves: most searches end before
+constexpr double leastMove = 1e-5;  // [m] worth naming a block
+
+}  // namespace
+
+std::string searchText(const StepHealth& step, const std::vector<std::string>& names) {
+    if (step.searched < shortSearch) return {};
+    const std::string text = "searching, " + std::to_string(step.searched) + " solves";
+    const std::string block = blockName(names, step.moving);
+    if (block.empty() || step.moved < leastMove) return text;
+    const bool far = step.moved >= 1.0;
+    return text + ": " + block + " moves " + rounded(far ? step.moved : 1e3 * step.moved) + (far ? " m" : " mm");
+}
+
+}  // namespace keyblock
