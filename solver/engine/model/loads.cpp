@@ -121,6 +121,10 @@ std::vector<SingleLoad> singleLoads(const Model& model, const State& state, cons
 
 Point accelerationOf(const Model& model, const LoadPoint& at) { return at.gravity * model.gravity + at.acceleration; }
 
+double weightPerMass(const Model& model, const LoadPoint& at) {
+    return std::max({model.gravity.norm(), at.acceleration.norm(), (model.gravity + at.acceleration).norm()});
+}
+
 Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                               double& total) {
     ForceSum sum(model, state);

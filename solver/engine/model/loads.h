@@ -91,6 +91,9 @@ std::vector<SingleLoad> singleLoads(const Model& model, const State& state, cons
 /// Force per mass of gravity and of accelerations that act like it [m/s²].
 Point accelerationOf(const Model& model, const LoadPoint& at);
 
+/// Weight per mass that what is unbalanced is compared with: the largest of gravity, body acceleration and both [m/s²].
+double weightPerMass(const Model& model, const LoadPoint& at);
+
 /// Generalised forces of gravity, forces, pressures and excavated walls on every unknown. \return summed magnitudes [N] in `total`.
 Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                               double& total);

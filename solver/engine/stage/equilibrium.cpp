@@ -301,7 +301,7 @@ private:
         const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
         correctFrictionLimits(problem, still);
         const Eigen::VectorXd net = netForce(problem, still);
-        rest_ = restForces(model_, state_, problem);
+        rest_ = restForces(model_, state_, problem, weightPerMass(model_, at_));
         unrest_ = farthestFromRest(model_, state_, problem, rest_, net, settings_.body);
         for (int i = 0; i < problem.unknowns(); ++i)
             if (problem.known[static_cast<std::size_t>(i)] && std::abs(problem.value[i]) > roundOff()) return false;
@@ -332,7 +332,7 @@ private:
 
     /// Under gravity short enough for what is loose; but no inertia may resist what a motion drives.
     double firstPseudoStep() const {
-        const double gravity = driven_ ? 0.0 : model_.gravity.norm();
+        const double gravity = driven_ ? 0.0 : weightPerMass(model_, at_);
         return gravity > 0.0 ? std::min(longest_, firstStep * std::sqrt(2.0 * moveLimit_ / gravity)) : longest_;
     }
 

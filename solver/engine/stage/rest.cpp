@@ -58,9 +58,10 @@ struct LinkSums {
 };
 
 /// Weight of a block; without gravity the largest of what acts on it from outside, else the largest contact force.
-double ownForceOf(const Model& model, const StepProblem& problem, const LinkSums& sums, std::size_t block) {
+double ownForceOf(const Model& model, const StepProblem& problem, const LinkSums& sums, std::size_t block,
+                  double weightPerMass) {
     const BlockModel& b = model.blocks[block];
-    const double weight = b.mass * model.gravity.norm(), least = leastForce(model, b);
+    const double weight = b.mass * weightPerMass, least = leastForce(model, b);
     if (weight > 0.0) return weight;
     const double outside = std::max(problem.ownForce[block] - least, sums.others[block]);
     return outside > least ? outside : std::max(sums.rock[block], least);
@@ -132,7 +133,7 @@ private:
         }
         compare(first, std::max(sum.force.norm(), std::abs(sum.moment) / std::sqrt(area)), own, share_, noise);
         const bool free = !model_.blocks[at(first)].fixed && !state_.blocks[at(first)].absent;
-        if (!free || model_.gravity.isZero() || hidden <= mostNoise * own) return;
+        if (!free || !forces_.weighs || hidden <= mostNoise * own) return;
         worst_.undecidable.push_back(first);
         worst_.noise = std::max(worst_.noise, hidden / own);
     }
@@ -169,8 +170,9 @@ private:
 
 }  // namespace
 
-RestForces restForces(const Model& model, const State& state, const StepProblem& problem) {
+RestForces restForces(const Model& model, const State& state, const StepProblem& problem, double weightPerMass) {
     RestForces forces;
+    forces.weighs = weightPerMass > 0.0;
     const LinkSums sums(problem);
     const double place = largestCoordinate(state);
     for (double squares : sums.springs) forces.noise.push_back(digits * place * std::sqrt(squares));
@@ -181,7 +183,7 @@ RestForces restForces(const Model& model, const State& state, const StepProblem&
         const BlockModel& block = model.blocks[i];
         const double stress = frameStress(block, state.blocks[i]).cwiseAbs().maxCoeff();
         forces.all[i] += stress * block.size * model.thickness;
-        const double own = ownForceOf(model, problem, sums, i);
+        const double own = ownForceOf(model, problem, sums, i, weightPerMass);
         forces.own.push_back(block.plateOf >= 0 ? std::max(own, forces.all[i]) : own);
     }
     const double lightest = *std::min_element(forces.own.begin(), forces.own.end());

@@ -20,10 +20,12 @@ struct RestForces {
     std::vector<double> all;  // summed forces of loads, links and stress
     std::vector<double> noise;  // that the digits of the coordinates leave
     std::vector<double> outerNoise;  // the same without glue, which acts within a block
+    bool weighs = false;  // gravity or a body acceleration acts
 };
 
+/// \param weightPerMass of gravity and body acceleration (loads.h); 0: neither acts [m/s²].
 /// \param problem of a step at rest from `state`, its friction limits those of the forces there.
-RestForces restForces(const Model& model, const State& state, const StepProblem& problem);
+RestForces restForces(const Model& model, const State& state, const StepProblem& problem, double weightPerMass);
 
 /// Of a block's weight, what round-off may hide if rest is to mean anything.
 inline constexpr double mostNoise = 0.02;

@@ -35,7 +35,8 @@ struct Floating {
     Unrest judge(double share = 1e-3) {
         StepProblem problem = buildStep(model, state, loads, at, {Inertia::Static, 1e-3});
         const Eigen::VectorXd net = netForce(problem, Eigen::VectorXd::Zero(problem.unknowns()));
-        return farthestFromRest(model, state, problem, restForces(model, state, problem), net, share);
+        const RestForces rest = restForces(model, state, problem, weightPerMass(model, at));
+        return farthestFromRest(model, state, problem, rest, net, share);
     }
 
     static Scene scene(double g) {
