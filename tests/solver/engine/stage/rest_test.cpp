@@ -89,6 +89,28 @@ TEST(Rest, IsMeasuredByLoadsWhereThereIsNoGravity) {
     EXPECT_EQ(unrest.restless, (std::vector<int>{0, 1}));
 }
 
+/// A seismic coefficient weighs a block as gravity does, so that a load cannot hide it.
+TEST(Rest, IsMeasuredByAnAccelerationWithoutGravity) {
+    Floating floating(0.0);
+    floating.at.acceleration = {gravity, 0.0};
+    floating.push(0, {-0.4 * pebbleWeight, 1e6 * pebbleWeight});
+    floating.push(0, {0.0, -1e6 * pebbleWeight});
+    floating.push(1, {-mountainWeight, 0.0});
+    const Unrest unrest = floating.judge();
+    EXPECT_EQ(unrest.body, 0);
+    EXPECT_NEAR(unrest.share, 0.6, 1e-9);
+}
+
+/// Of gravity, the acceleration and both together the largest counts.
+TEST(Rest, IsMeasuredByGravityAndAccelerationTogether) {
+    Floating floating;
+    floating.at.acceleration = {3.0 * gravity, -3.0 * gravity};
+    floating.push(0, {-3.0 * pebbleWeight, 3.5 * pebbleWeight});
+    EXPECT_NEAR(floating.judge().share, 1.0, 1e-9);
+    floating.push(1, {-3.0 * mountainWeight, 4.0 * mountainWeight});
+    EXPECT_NEAR(floating.judge().share, 0.1, 1e-9);
+}
+
 TEST(Rest, TakesWhatNothingActsOnAsAtRest) { EXPECT_LT(Floating(0.0).judge().beyond, 1e-12); }
 
 }  // namespace
