@@ -32,15 +32,17 @@ std::vector<double> limitsOf(const StepProblem& problem) {
 
 /// The link as it was when the search began. What multipliers carried does not follow from strain, and a contact that
 /// was met on the way may have stood behind its edge, beyond its end: it had what it took over there, or nothing.
-PathStart startOf(const Model& model, const Link& link, const Link& first, double limit, bool met,
+/// \param own the contact as it was accepted at the start; null: none, or it was met on the way
+PathStart startOf(const Model& model, const Link& link, const Link& first, double limit, const Contact* own,
                   const State& unaccepted) {
     if (!ofContact(link.kind)) return {first.strain, carriedForce(link.law, first.strain), limit};
+    const bool met = !own;
     const Contact& c = unaccepted.contacts[static_cast<std::size_t>(link.owner)];
     PathStart at{first.strain, carriedForce(link.law, first.strain), limit};
     if (link.law.rigid || met) at.force = link.kind == LinkKind::Normal ? -c.normalForce : c.shearForce;
     if (met) at.limit = std::max(0.0, c.normalForce) * frictionOf(model, c);
-    // a contact that is open now was locked anew where it stands: at the start it carried no more than its limit
-    if (link.kind == LinkKind::Friction) at.force = std::clamp(at.force, -at.limit, at.limit);
+    // what is open now was locked anew where it stands: seen from there it was sheared, but it carried nothing
+    if (link.kind == LinkKind::Friction && own && own->normalForce <= 0.0 && !own->bonded) at.force = 0.0;
     return at;
 }
 
@@ -119,9 +121,9 @@ StepProblem StaticAccount::atStart(const State& end) const {
     return problem;
 }
 
-bool StaticAccount::isMet(const Link& link, const State& end) const {
-    return ofContact(link.kind) &&
-           !sameContact(start_.contacts, end.contacts[static_cast<std::size_t>(link.owner)]);
+const Contact* StaticAccount::contactAtStart(const Link& link, const State& end) const {
+    return ofContact(link.kind) ? sameContact(start_.contacts, end.contacts[static_cast<std::size_t>(link.owner)])
+                                : nullptr;
 }
 
 /// Contacts that have ended: half of the force that they began with, times their path [J].
@@ -160,10 +162,10 @@ void StaticAccount::add(State& end, const LoadPoint& at, const Eigen::VectorXd& 
         const Link& link = problem.links[i];
         if (link.kind == LinkKind::Chord) continue;
         while (!sameLink(start.links.at(s), link)) ++s;  // the same links but for chords, in the same order
-        const bool met = isMet(link, end);
-        const PathStart from = startOf(model_, link, start.links[s], startLimits[s], met, end);
+        const Contact* own = contactAtStart(link, end);
+        const PathStart from = startOf(model_, link, start.links[s], startLimits[s], own, end);
         problem.slipForce[i] = addLink(link, from, end.energy);
-        if (met)  // the net force at the start knew nothing of it
+        if (ofContact(link.kind) && !own)  // the net force at the start knew nothing of it
             handed -= 0.5 * link.law.share * from.force * (link.strain - from.strain);
         ++s;
     }

@@ -32,7 +32,7 @@ private:
     };
     Forces forcesOf(StepProblem& problem, const State& state, const LoadPoint& at) const;
     StepProblem atStart(const State& end) const;
-    bool isMet(const Link& link, const State& end) const;
+    const Contact* contactAtStart(const Link& link, const State& end) const;
     double trapeziumOfEnded(const State& end, const Eigen::VectorXd& moved) const;
     void addBodies(EnergyLedger& energy, const Forces& last, const Eigen::VectorXd& moved,
                    const StepProblem& problem) const;

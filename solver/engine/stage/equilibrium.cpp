@@ -24,7 +24,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double moveShare = 0.05;  // of a block's size: its longest move in one pseudo-step
+constexpr double moveShare = 0.03;  // of a block's size: its longest move in one pseudo-step
 constexpr double sureMoveShare = 0.25;  // of the smallest block's: contacts are looked for as far as that at least
 constexpr double moveRoom = 1.5;  // over the move that the step before leads to expect: contacts are looked for so far
 constexpr double drivenShare = 0.05;  // of the smallest block's: how far a motion or dilation drives in one search
@@ -119,10 +119,11 @@ private:
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
         if (paths_ > 0) d = path_;
         else if (lastStep_.size() > 0) d = std::pow(dt_ / lastDt_, 2) * lastStep_;  // what falls goes on falling
-        report_ = solveStep(engine_, problem, state_, d,
-                            {.tolerance = tolerance_, .maxPasses = std::min(mostPasses, model_.analysis.maxPasses)});
+        const int passes = mayBeRough() ? std::min(mostPasses, model_.analysis.maxPasses) : 0;
+        report_ = solveStep(engine_, problem, state_, d, {.tolerance = tolerance_, .maxPasses = passes});
         if (report_.stopped) return Outcome::Stopped;
-        if (!report_.converged && !isGoodEnough()) return shorten(unsettledCut);
+        const bool goodEnough = mayBeRough() && !report_.singular && report_.residual < roughly;
+        if (!report_.converged && !goodEnough) return shorten(unsettledCut);
         const Moves moves = movesOf(problem, d);
         if (moves.overLimit > 1.0) return shorten(std::clamp(0.9 / std::sqrt(moves.overLimit), 0.01, 0.9));
         if (paths_ < mostPaths && entersElsewhere(d, moves.largest)) return keepPath(d);
@@ -137,8 +138,8 @@ private:
     }
 
     /// The forces are judged where the blocks come to, so that a step need not be solved well to be one towards rest.
-    bool isGoodEnough() const {
-        return !driven_ && !usesMultipliers(model_) && !report_.singular && report_.residual < roughly;
+    bool mayBeRough() const {
+        return !driven_ && !usesMultipliers(model_) && model_.analysis.iteration != Iteration::OpenClose;
     }
 
     /// Of the block that moved most in the last pseudo-step, where it goes on in the next [m].
