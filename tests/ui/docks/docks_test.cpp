@@ -77,28 +77,6 @@ TEST(TimeTrack, ThousandsOfEventsThinOutAndTheGravestStay) {
     EXPECT_TRUE(rupture);
 }
 
-TEST(RunWarning, ShowsWhyNumbersAreDoubtful) {
-    const Themes themes;
-    TimeCursor cursor;
-    RunWarning line(themes, cursor);
-    EXPECT_TRUE(line.isHidden());
-    const auto run = elevenFrames();
-    cursor.setRun(run, false);
-    EXPECT_TRUE(line.isHidden());
-    LiveBatch batch;
-    StageResult result;
-    result.outcome = Outcome::Duration;
-    result.health.balanceError = 0.76;
-    batch.stagesEnded = {result};
-    run->append(std::move(batch));
-    cursor.ranOut();
-    cursor.goTo(std::size_t{3});
-    EXPECT_FALSE(line.isHidden());
-    EXPECT_TRUE(line.text().startsWith("Warning: energy balance error of 76 %")) << line.text().toStdString();
-    line.setOn(false);
-    EXPECT_TRUE(line.isHidden());
-}
-
 TEST(TimeAxis, GivesDynamicStagesMoreRoomAndComesBack) {
     Scene scene;
     scene.stages.resize(2);
@@ -159,6 +137,28 @@ class DocksTest : public ::testing::Test {
 protected:
     void SetUp() override { NEED_SCREEN(); }
 };
+
+TEST_F(DocksTest, AWarningShowsWhyNumbersAreDoubtful) {
+    const Themes themes;
+    TimeCursor cursor;
+    RunWarning line(themes, cursor);
+    EXPECT_TRUE(line.isHidden());
+    const auto run = elevenFrames();
+    cursor.setRun(run, false);
+    EXPECT_TRUE(line.isHidden());
+    LiveBatch batch;
+    StageResult result;
+    result.outcome = Outcome::Duration;
+    result.health.balanceError = 0.76;
+    batch.stagesEnded = {result};
+    run->append(std::move(batch));
+    cursor.ranOut();
+    cursor.goTo(std::size_t{3});
+    EXPECT_FALSE(line.isHidden());
+    EXPECT_TRUE(line.text().startsWith("Warning: energy balance error of 76 %")) << line.text().toStdString();
+    line.setOn(false);
+    EXPECT_TRUE(line.isHidden());
+}
 
 TEST_F(DocksTest, AClickOnAnEventGoesThereAndSelectsItsBolt) {
     Themes themes;
