@@ -41,8 +41,11 @@ PathStart startOf(const Model& model, const Link& link, const Link& first, doubl
     PathStart at{first.strain, carriedForce(link.law, first.strain), limit};
     if (link.law.rigid || met) at.force = link.kind == LinkKind::Normal ? -c.normalForce : c.shearForce;
     if (met) at.limit = std::max(0.0, c.normalForce) * frictionOf(model, c);
-    // what is open now was locked anew where it stands: seen from there it was sheared, but it carried nothing
-    if (link.kind == LinkKind::Friction && own && own->normalForce <= 0.0 && !own->bonded) at.force = 0.0;
+    if (link.kind == LinkKind::Friction && own && !own->bonded) {
+        // what is open now was locked anew where it stands: seen from there it was sheared, but it never carried that
+        const double most = std::max(limit, std::abs(own->shearForce));
+        at.force = own->normalForce <= 0.0 ? 0.0 : std::clamp(at.force, -most, most);
+    }
     return at;
 }
 

@@ -32,6 +32,9 @@ constexpr double roomToDrive = 2.0;  // times as far, moves in one pseudo-step w
 constexpr double softestInertia = 1e-11;  // regularisation over the stiffest spring
 constexpr double firstStep = 0.3;  // of the time in which what falls freely moves by the longest move
 constexpr double bookedShare = 0.02;  // of a block's size: a longer path is accepted in pieces
+constexpr double longestPiece = 0.1;  // the same where the forces are not those of blocks that fall or slide
+constexpr double quietForce = 10.0;  // times the weight of the heaviest block that is not at rest: no larger unbalanced ones
+constexpr double jumpShare = 1e-3;  // the same of one pseudo-step in which a joint slides, opens or closes
 constexpr double shortestStep = 1e-7;  // over the longest pseudo-step
 constexpr double solvedShare = 1e-3;  // of what may be left on a body at rest: so much a pseudo-step leaves of its balance
 constexpr double solvedUnrest = 0.01;  // of what is off balance where it begins, if that is more
@@ -114,7 +117,7 @@ private:
             return Outcome::Balanced;
         }
         if (const std::vector<int> loose = falls_.loosePieces(state_.blocks); !loose.empty()) return letGo(problem, loose);
-        if (!driven_ && report_.converged && isLongPath()) return bookPath(problem);
+        if (!driven_ && settled_ && mayBook()) return bookPath(problem);
         problem.mayLeave = mayLeave();
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
         if (paths_ > 0) d = path_;
@@ -127,6 +130,10 @@ private:
         const Moves moves = movesOf(problem, d);
         if (moves.overLimit > 1.0) return shorten(std::clamp(0.9 / std::sqrt(moves.overLimit), 0.01, 0.9));
         if (paths_ < mostPaths && entersElsewhere(d, moves.largest)) return keepPath(d);
+        if (!driven_ && settled_ && !jumped_ && isJump(problem, d)) {  // forces that were at rest fall off before it
+            jumped_ = bookNext_ = true;
+            return keepPath(d);
+        }
         take(d, moves);
         return Outcome::Moved;
     }
@@ -156,10 +163,38 @@ private:
         acceptStep(model_, state_, problem, Eigen::VectorXd::Zero(problem.unknowns()));
     }
 
-    /// What moves so far follows its path: friction turns with it, and work is a sum over its pieces.
-    bool isLongPath() const {
+    /// What moves so far follows its path: friction turns with it, and work is a sum over its pieces. A piece does not end
+    /// where a corner has turned into its neighbour, and a force that is none tears at it, if that can wait.
+    bool mayBook() const {
+        const bool quiet = unrest_.force <= quietForce * heaviestRestless();
+        return isPathOver(quiet ? bookedShare : longestPiece) || (quiet && bookNext_);
+    }
+
+    bool isPathOver(double share) const {
         for (std::size_t i = 0; i < booked_.size(); ++i)
-            if ((state_.blocks[i].centroid - booked_[i].centroid).norm() > bookedShare * model_.blocks[i].size) return true;
+            if ((state_.blocks[i].centroid - booked_[i].centroid).norm() > share * model_.blocks[i].size) return true;
+        return false;
+    }
+
+    /// Weight of a block or cell that is not at rest [N].
+    double heaviestRestless() const {
+        double most = 0.0;
+        for (const int body : unrest_.restless)
+            if (blockOfBody(model_, body) >= 0) most = std::max(most, rest_.own[static_cast<std::size_t>(body)]);
+        return most;
+    }
+
+    /// True where a joint slides, opens or closes so far that its force does not change in proportion to the way.
+    bool isJump(const StepProblem& problem, const Eigen::VectorXd& d) const {
+        std::vector<double> after;
+        linkStrains(problem, d, after);
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            const Link& link = problem.links[i];
+            if (!ofContact(link.kind)) continue;
+            const double least = std::min(model_.blocks[static_cast<std::size_t>(link.a)].size,
+                                          model_.blocks[static_cast<std::size_t>(link.b)].size);
+            if (std::abs(after[i] - link.strain) > jumpShare * least) return true;
+        }
         return false;
     }
 
@@ -167,6 +202,7 @@ private:
     Outcome bookPath(StepProblem& problem) {
         accept(problem);
         startPath();
+        bookNext_ = false;
         return Outcome::Repeat;
     }
 
@@ -206,6 +242,7 @@ private:
 
     void take(const Eigen::VectorXd& d, const Moves& moves) {
         paths_ = 0;
+        settled_ = report_.converged;
         ++taken_;
         moveBodies(model_, state_, d);
         moved_ += d;
@@ -426,6 +463,9 @@ private:
     Unrest unrest_;
     bool locked_ = false;  // friction, in the last pseudo-step
     bool halved_ = false;  // the pseudo-step that comes is half as long, to prove a fall
+    bool settled_ = false;  // the last pseudo-step that was taken
+    bool jumped_ = false;  // in a pseudo-step of this search, the first was
+    bool bookNext_ = false;  // the path so far is booked before the next
     Eigen::VectorXd path_;  // of the step that is repeated
     int paths_ = 0;  // times that it was
     int taken_ = 0;
