@@ -69,7 +69,7 @@ public:
     Equilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path, const StaticSettings& settings)
         : engine_(engine), model_(engine.model), state_(state), loads_(loads), at_(path.at), settings_(settings),
           account_(std::in_place, engine.model, state, loads, path.before), booked_(state.blocks),
-          falls_(engine.model, state.blocks, settings.body, settings.smallest),
+          falls_(engine.model, state, settings.body, settings.smallest),
           moved_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model_.blocks.size()) + 3 * model_.nodes)),
           tolerance_(std::min(settings.unbalanced, engine.model.analysis.tolerance)),
           driven_(longestDrive(path.before, path.at) > 0.0),

@@ -17,14 +17,17 @@ constexpr double leastWay = 0.05;  // of a block's size: so far goes what others
 
 }  // namespace
 
-Falls::Falls(const Model& model, const std::vector<BlockMotion>& blocks, double share, double smallest)
-    : model_(model), share_(share) {
-    for (std::size_t row = 0; row < blocks.size(); ++row) {
+Falls::Falls(const Model& model, const State& state, double share, double smallest)
+    : model_(model), share_(share), bolted_(state.blocks.size(), 0) {
+    for (std::size_t row = 0; row < state.blocks.size(); ++row) {
         const int first = wholeOf(model, static_cast<int>(row));
-        places_.push_back(blocks[row].centroid);
+        places_.push_back(state.blocks[row].centroid);
         sizes_.push_back(wholeSize(model, first));
         small_.push_back(model.blocks[row].plateOf < 0 && wholeArea(model, first) < smallest);
     }
+    for (const BoltMotion& bolt : state.bolts)
+        for (const Slot& slot : bolt.slots)
+            if (!bolt.lost && !bolt.absent) bolted_[static_cast<std::size_t>(slot.block)] = 1;
 }
 
 void Falls::note(const std::vector<double>& moves, double dt, const std::vector<double>& own) {
@@ -32,15 +35,28 @@ void Falls::note(const std::vector<double>& moves, double dt, const std::vector<
     for (std::size_t i = 0; i < moves.size(); ++i)
         accelerations.push_back(model_.blocks[i].mass * 2.0 * moves[i] / (dt * dt) / own[i]);
     accelerations_.push_back(std::move(accelerations));
-    if (accelerations_.size() > remembered) accelerations_.pop_front();
+    moves_.push_back(moves);
+    if (accelerations_.size() <= remembered) return;
+    accelerations_.pop_front();
+    moves_.pop_front();
 }
 
 bool Falls::falls(const std::vector<BlockMotion>& blocks, int block) const {
     const auto at = static_cast<std::size_t>(block);
     if (accelerations_.size() < remembered || model_.blocks[at].plateOf >= 0) return false;
     const double now = accelerations_.back()[at], way = moved(blocks, block);
-    if (now < steady * accelerations_.front()[at]) return false;
+    if (now < steady * accelerations_.front()[at] || isCaught(block)) return false;
     return (now > quick * share_ && way > shortWay) || (now > share_ && way > longWay);
+}
+
+/// True where the acceleration of a bolted block falls so fast that its bolts carry it before it has moved by its size.
+bool Falls::isCaught(int block) const {
+    const auto at = static_cast<std::size_t>(block);
+    if (!bolted_[at]) return false;
+    double way = 0.0;
+    for (std::size_t step = 1; step < moves_.size(); ++step) way += moves_[step][at];
+    const double now = accelerations_.back()[at], taken = accelerations_.front()[at] - now;
+    return taken * sizes_[at] > now * way;
 }
 
 bool Falls::sameWhateverTheStep(int block) const {

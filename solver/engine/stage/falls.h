@@ -18,7 +18,7 @@ class Falls {
 public:
     /// \param share of its weight that may be unbalanced on a block at rest. \param smallest [m²]: blocks of less area do
     /// not decide.
-    Falls(const Model& model, const std::vector<BlockMotion>& blocks, double share, double smallest);
+    Falls(const Model& model, const State& state, double share, double smallest);
 
     /// Takes note of a pseudo-step.
     /// \param moves of the blocks in it [m]. \param own weights of the blocks, or what stands for them [N].
@@ -47,12 +47,16 @@ public:
     std::vector<int> loosePieces(const std::vector<BlockMotion>& blocks) const;
 
 private:
+    bool isCaught(int block) const;
+
     const Model& model_;
     std::vector<Point> places_;  // of the centroids at the start [m]
     std::vector<double> sizes_;  // √area of the blocks, of a cell that of the whole block [m]
     std::vector<char> small_;  // too small to decide
     double share_;
+    std::vector<char> bolted_;  // bolts hold on to the block
     std::deque<std::vector<double>> accelerations_;  // in the last pseudo-steps, over what `own` would give the blocks
+    std::deque<std::vector<double>> moves_;  // in the same [m]
 };
 
 }  // namespace keyblock

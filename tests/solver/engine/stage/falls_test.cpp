@@ -24,16 +24,25 @@ Scene oneBlock() {
     return scene;
 }
 
+/// At rest; with a bolt in its first block, if asked.
+State startOf(const Model& model, bool bolted) {
+    State state = makeState(model);
+    if (bolted) state.bolts.resize(1);
+    if (bolted) state.bolts[0].slots.push_back({0});
+    return state;
+}
+
 /// A block that is seen for some pseudo-steps and has then moved by a share of its size.
 struct Watched {
+    bool bolted = false;
     Model model = makeModel(oneBlock());
     std::vector<BlockMotion> blocks = makeState(model).blocks;
-    Falls falls{model, blocks, 1e-3, 0.01};
+    Falls falls{model, startOf(model, bolted), 1e-3, 0.01};
 
-    /// \param acceleration of a pseudo-step, over gravity; its length [s] is that of no other.
-    void see(int steps, const std::function<double(int)>& acceleration) {
+    /// \param acceleration of a pseudo-step, over gravity; its length, about `length` [s], is that of no other.
+    void see(int steps, const std::function<double(int)>& acceleration, double length = 1e-3) {
         for (int step = 0; step < steps; ++step) {
-            const double dt = 1e-3 * (1.0 + step % 3);
+            const double dt = length * (1.0 + step % 3);
             falls.note({0.5 * acceleration(step) * gravity * dt * dt}, dt, {weight});
         }
     }
@@ -58,6 +67,21 @@ TEST(Falls, ABlockThatIsCaughtDoesNot) {
     Watched caught;
     caught.see(30, [](int step) { return std::pow(0.99, step); });
     EXPECT_FALSE(caught.fallsAfter(0.8));
+}
+
+/// Its acceleration falls by 4 % over a way of 1 % of its size, so that a bolt carries all of it after a quarter of its
+/// size; over a way of half of its size it is not held in time.
+TEST(Falls, ABlockThatItsBoltIsAboutToHoldDoesNot) {
+    const auto losing = [](int step) { return 1.0 - 0.004 * step; };
+    const auto lengthFor = [](double way) {  // of 10 pseudo-steps whose lengths are 1, 2 and 3 of it
+        return std::sqrt(way / (0.5 * gravity * (3 * 14.0 + 4.0)));
+    };
+    for (const bool bolted : {true, false})
+        for (const double way : {0.01, 0.5}) {
+            Watched block{bolted};
+            block.see(11, losing, lengthFor(way));
+            EXPECT_EQ(block.fallsAfter(0.2), !bolted || way > 0.1) << bolted << " " << way;
+        }
 }
 
 /// Slower than ten times what equilibrium allows, it has to go half of its size first; slower than that, it rests.
