@@ -4,6 +4,7 @@
 
 #include "solver/engine/bolt/plate.h"
 #include "solver/engine/bolt/topology.h"
+#include "solver/engine/contact/limits.h"
 #include "solver/engine/stage/limit_search.h"
 #include "solver/engine/stage/limits.h"
 #include "solver/engine/stage/path_review.h"
@@ -81,7 +82,7 @@ private:
     StepEnding searchOn(State& state, double to) {
         for (;;) {
             const StepEnding ending = equilibrium(state, to, mostInSearch);
-            if (ending.ending != Ending::Undecided || ending.final || isWorkedOut() || passesLimit(state)) return ending;
+            if (ending.ending != Ending::Undecided || ending.final || isWorkedOut() || lettingGo(ending, state)) return ending;
         }
     }
 
@@ -93,6 +94,32 @@ private:
 
     bool passesLimit(const State& state) const {
         return worstLimit(heldLimits(engine_.model, state), 1.0 + reachedShare).has_value();
+    }
+
+    bool passesBoltLimit(const State& state) const {
+        std::vector<Limit> limits = heldLimits(engine_.model, state);
+        std::erase_if(limits, [](const Limit& limit) { return ofJoint(limit.kind); });
+        return worstLimit(limits, 1.0 + reachedShare).has_value();
+    }
+
+    /// True where a search ended among moving blocks and bolts have passed their limits on the way: these let go before
+    /// anything is told.
+    bool lettingGo(const StepEnding& ending, const State& state) const {
+        if (ending.ending == Ending::Undecided) return !ending.final && !isWorkedOut() && passesLimit(state);
+        return ending.ending == Ending::NoEquilibrium && passesBoltLimit(state);
+    }
+
+    /// Ends where the moving blocks had got to.
+    void leaveMoving(Reached moving) {
+        state_ = std::move(moving.state);
+        progress_.under = moving.share;
+    }
+
+    /// Goes on from a moving state as from one at rest, but with releases first.
+    StepEnding takeMoving(Reached moving) {
+        accept(std::move(moving));
+        progress_.moving = true;
+        return {};
     }
 
     /// As much work is done since the last event or accepted increment as may be.
@@ -128,8 +155,9 @@ private:
                 }
                 if (ending.ending == Ending::NoEquilibrium) ending = followFall(trial, to);
             }
+            if (lettingGo(ending, trial)) return takeMoving({std::move(trial), to});
             if (ending.ending != Ending::Done) {
-                if (isMoving(ending)) state_ = std::move(trial);
+                if (isMoving(ending)) leaveMoving({std::move(trial), to});
                 return ending;
             }
             Reached next{std::move(trial), to};
@@ -154,8 +182,9 @@ private:
                 shorten(length, ending.ending);
                 continue;
             }
+            if (!found && lettingGo(ending, next.state)) return takeMoving(std::move(next));
             if (ending.ending != Ending::Done) {
-                if (isMoving(ending) && !found) state_ = std::move(next.state);
+                if (isMoving(ending) && !found) leaveMoving(std::move(next));
                 return ending;
             }
             if (!take(std::move(next))) continue;
@@ -256,7 +285,7 @@ private:
         progress_.solves = 0;
         state_ = std::move(next.state);
         ++state_.step;
-        progress_.done = next.share;
+        progress_.done = progress_.under = next.share;
     }
 
     /// What was found at its limit is released first: under new tributary lengths it may be under its limit again.
@@ -318,9 +347,9 @@ private:
         const double time = reached().time;
         progress_.lastRelease =
             releaseAndReport(engine_.model, state_, released, time, causeOf(released), observer_);
-        if (!changesForces(engine_.model, released)) {
+        if (!changesForces(engine_.model, released) && (!progress_.moving || limit())) {
             observer_.afterEvent(state_, time);
-            return followUnlessAtLimit();
+            return progress_.moving ? StepEnding{} : followUnlessAtLimit();
         }
         const std::optional<State> sliding = ifSliding(state_);
         StepEnding ending = balanceAgain();
@@ -336,7 +365,8 @@ private:
         State trial = state_;
         const StepEnding ending = searchOn(trial, progress_.done);
         state_ = std::move(trial);
-        if (ending.ending == Ending::Undecided && passesLimit(state_)) return {};  // which is released next
+        progress_.moving = lettingGo(ending, state_);
+        if (progress_.moving) return {};  // what passed its limit is released next
         if (ending.ending != Ending::Done) return ending;
         ++state_.step;
         return follow();

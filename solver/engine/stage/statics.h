@@ -26,8 +26,10 @@ struct ChosenLength {
 /// How far an increment of load is; with the state it is all that the next move depends on.
 struct IncrementProgress {
     double done = 0.0;  // share of the increment
+    double under = 0.0;  // share that acts on the state: more than `done` where a search ended among moving blocks
     double step = 0.0;  // share that is tried next; 0: not begun
     bool releasing = false;  // something at its limit is released before the load continues
+    bool moving = false;  // the state is no equilibrium: blocks move, and bolts that passed their limits on the way let go
     double least = 0.0;  // of a limit, to be released
     long solves = 0;  // pseudo-steps since the last event or accepted increment
     std::vector<PassedLimit> passed;  // at this load

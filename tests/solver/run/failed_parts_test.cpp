@@ -33,6 +33,31 @@ TEST(FailedParts, ABrokenBoltAndTheJointThatOpens) {
     EXPECT_EQ(use.governs, BoltStrength::Steel);
 }
 
+/// A loose block falls, so no equilibrium is found; a bolt whose strength its own block passes breaks all the same, and
+/// both blocks are named.
+TEST(FailedParts, ABoltThatBreaksBesideABlockThatFalls) {
+    Scene scene = heldBlock(barOfStrength(15e3), elastic());
+    scene.blocks.push_back(boxBlock("loose", {1, 5}, {2, 6}));
+    const Solved solved = solve(scene);
+    const StageResult& result = solved.results.stages.at(0);
+    ASSERT_EQ(result.outcome, Outcome::Collapse);
+    EXPECT_TRUE(std::ranges::count(result.blocks, 1) && std::ranges::count(result.blocks, 2)) << result.message;
+    const MemoryRun run(solved.scene, solved.results);
+    const FailedParts parts = failedParts(run, verdictOf(run.stages(), 1));
+    ASSERT_EQ(parts.bolts.size(), 1U);
+    EXPECT_EQ(parts.bolts[0].event, EventKind::TensileRupture);
+    EXPECT_EQ(solved.results.events.back().kind, EventKind::Collapse);
+}
+
+/// The same with a bolt that holds its block: only the loose one is named.
+TEST(FailedParts, ABoltThatHoldsBesideABlockThatFalls) {
+    Scene scene = heldBlock(barOfStrength(100e3), elastic());
+    scene.blocks.push_back(boxBlock("loose", {1, 5}, {2, 6}));
+    const Solved solved = solve(scene);
+    EXPECT_EQ(solved.results.stages.at(0).blocks, std::vector<int>{2});
+    EXPECT_EQ(solved.results.events.size(), 1U);
+}
+
 TEST(FailedParts, ABoltThatHasDebondedOnOneSide) {
     const Anchor weak = anchorRange(Per::Node, AnchorLaw::PeakResidual, 100e6, 4e3, 0.1e3);
     const Solved solved = solve(heldBlock(barOfStrength(200e3), weak));
