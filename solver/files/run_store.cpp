@@ -12,6 +12,7 @@
 #include "solver/files/store_reading.h"
 #include "solver/results/history.h"
 #include "solver/results/words.h"
+#include "solver/scene/collapse_stage.h"
 #include "solver/scene/solved_blocks.h"
 
 #include <sqlite3.h>
@@ -126,7 +127,7 @@ void RunStore::readAbout() {
         const std::string first = reading.problems.empty() ? "" : " (" + oneLine(reading.problems.front()) + ")";
         cannotRead(path_, "this program does not accept the scene in it" + first + "; run the scene again");
     }
-    scene_ = std::move(reading.cut ? reading.cut->scene : *reading.scene);
+    scene_ = withCollapseStages(std::move(reading.cut ? reading.cut->scene : *reading.scene));
     names_ = keyblock::blockNames(scene_);
 }
 

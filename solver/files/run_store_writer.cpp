@@ -17,6 +17,7 @@
 #include "solver/files/whole_file.h"
 #include "solver/results/run_source.h"
 #include "solver/results/words.h"
+#include "solver/scene/collapse_stage.h"
 
 #include <sqlite3.h>
 #include <unistd.h>
@@ -255,7 +256,7 @@ void RunStoreWriter::write(Work work) {
 }
 
 void RunStoreWriter::begin(const Scene& scene, const HistoryColumns& columns) {
-    scene_ = scene;
+    scene_ = withCollapseStages(scene);
     requireFreeStore(path_, overwrite_);
     requireWritableFolder(path_);
     const fs::path part = partPath(path_);
@@ -277,7 +278,7 @@ void RunStoreWriter::begin(const Scene& scene, const HistoryColumns& columns) {
 }
 
 void RunStoreWriter::resume(const Scene& scene, const HistoryColumns&, const Checkpoint& from) {
-    scene_ = scene;
+    scene_ = withCollapseStages(scene);
     try {
         open_ = std::make_unique<Open>(path_);
     } catch (const sqlite::Error& error) {

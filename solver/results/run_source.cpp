@@ -4,6 +4,7 @@
 // The twin in memory of a run store, and what any run can be asked.
 #include "solver/results/run_source.h"
 
+#include "solver/scene/collapse_stage.h"
 #include "solver/scene/scene_cut.h"
 #include "solver/scene/solved_blocks.h"
 
@@ -13,12 +14,34 @@ bool endedUnstable(Outcome outcome) { return outcome == Outcome::Collapse || out
 
 bool endedAsPlanned(Outcome outcome) { return outcome == Outcome::Equilibrium || outcome == Outcome::Duration; }
 
+namespace {
+
+/// The stage after it, or the one after that where it is only for a collapse that did not happen.
+std::size_t stageBehind(const Scene& scene, const StageResult& result) {
+    const std::size_t next = static_cast<std::size_t>(result.stage) + 1;
+    const bool skips = next < scene.stages.size() && scene.stages[next].followsCollapse;
+    return skips && result.outcome != Outcome::Collapse ? next + 1 : next;
+}
+
+bool goesOn(const Scene& scene, const StageResult& result) {
+    const Stage& stage = scene.stages[static_cast<std::size_t>(result.stage)];
+    const std::size_t next = stageBehind(scene, result);
+    if (next < scene.stages.size() && scene.stages[next].followsCollapse) return true;
+    if (endedUnstable(result.outcome) || (stage.followsCollapse && endedAsPlanned(result.outcome)))
+        return stage.continueAfterCollapse;
+    return endedAsPlanned(result.outcome);
+}
+
+}  // namespace
+
+std::optional<int> stageAfter(const Scene& scene, const StageResult& result) {
+    const std::size_t next = stageBehind(scene, result);
+    if (next >= scene.stages.size() || !goesOn(scene, result)) return {};
+    return static_cast<int>(next);
+}
+
 bool endsRun(const Scene& scene, const StageResult& result) {
-    const auto stage = static_cast<std::size_t>(result.stage);
-    const bool last = stage + 1 == scene.stages.size();
-    if (endedUnstable(result.outcome))
-        return last || !scene.stages[stage].continueAfterCollapse;
-    return last && endedAsPlanned(result.outcome);
+    return (endedUnstable(result.outcome) || endedAsPlanned(result.outcome)) && !stageAfter(scene, result);
 }
 
 bool isFinished(const RunSource& run) {
@@ -27,7 +50,7 @@ bool isFinished(const RunSource& run) {
 }
 
 MemoryRun::MemoryRun(const Scene& scene, const Results& results)
-    : scene_(needsCut(scene) ? cutScene(scene).scene : scene), results_(results),
+    : scene_(withCollapseStages(needsCut(scene) ? cutScene(scene).scene : scene)), results_(results),
       names_(keyblock::blockNames(scene_)) {
     for (const Frame& frame : results.frames)
         heads_.push_back({frame.stage, frame.time, frame.step, frame.energy});

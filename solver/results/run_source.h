@@ -9,6 +9,7 @@
 #include "solver/results/results.h"
 #include "solver/scene/scene.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ class RunSource {
 public:
     virtual ~RunSource() = default;
 
-    virtual const Scene& scene() const = 0;  // as it was solved: cut
+    virtual const Scene& scene() const = 0;  // as it was run: cut, and with what may follow a collapse
     virtual const std::vector<std::string>& blockNames() const = 0;  // rows of a frame's blocks
     virtual const HistoryColumns& columns() const = 0;
     virtual std::vector<StageRecord> stages() const = 0;
@@ -45,8 +46,12 @@ public:
     virtual Frame frame(std::size_t index) const = 0;
 };
 
+/// The stage that a run goes on with after one that ended like this, if any: not after a collapse that says to stop, and
+/// only after a collapse what follows that. \param scene as it is run.
+std::optional<int> stageAfter(const Scene& scene, const StageResult& result);
+
 /// Whether a run that ends a stage like this is done: the scene's last stage, or a collapse after which it says to stop.
-/// A run that was stopped, failed or came to a limit is not.
+/// A run that was stopped, failed or came to a limit is not. \param scene as it is run.
 bool endsRun(const Scene& scene, const StageResult& result);
 
 /// Whether nothing is left to do of a run.

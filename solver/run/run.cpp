@@ -24,6 +24,7 @@
 #include "solver/run/run_limit.h"
 #include "solver/run/stability.h"
 #include "solver/run/stage_settings.h"
+#include "solver/scene/collapse_stage.h"
 #include "solver/scene/presence.h"
 
 #include <tbb/global_control.h>
@@ -195,7 +196,7 @@ private:
         }
         const StepEnding ending = moveStatic(engine_, now_.state, loads_.loads(), loadsBefore(), loadsAfter(),
                                              staticSettings(scene_, stage()), *this, now_.within);
-        now_.time = loadsReached().time;
+        now_.time = between(loadsBefore(), loadsAfter(), now_.within.done).time;
         if (ending.ending == Ending::Done && !now_.within.releasing)
             addExtremes(model_, now_.state, now_.stage, now_.time, now_.extremes);
         if (ending.ending != Ending::Done || now_.within.releasing) return ending;
@@ -231,7 +232,7 @@ private:
     LoadPoint loadsReached() const {
         if (!isStatic()) return loads_.at(now_.time);
         if (increment() == times_.size()) return loads_.at(times_.back());
-        return between(loadsBefore(), loadsAfter(), now_.within.done);
+        return between(loadsBefore(), loadsAfter(), now_.within.under);
     }
 
     DynamicStage dynamics() {
@@ -254,12 +255,12 @@ private:
         if (ending.ending == Ending::Done && isStatic()) now_.time = 1.0;
         const StageResult result = resultOf(ending);
         ended_.reset();
-        const bool continues = stage().continueAfterCollapse;
+        const std::optional<int> next = stageAfter(scene_, result);
         now_.results.push_back(result);
         sink_.stageEnds(result);
-        ++now_.stage;
+        now_.stage = next.value_or(now_.stage + 1);
         now_.begun = false;
-        return endedAsPlanned(result.outcome) || (endedUnstable(result.outcome) && continues);
+        return next.has_value();
     }
 
     StageResult resultOf(const StepEnding& ending) {
@@ -459,7 +460,8 @@ std::vector<StageResult> run(const Scene& scene, Sink& sink, Control& control, c
     std::optional<SceneCut> own;
     if (!settings.cut && needsCut(scene)) own = cutScene(scene);
     const SceneCut* cut = own ? &*own : settings.cut;
-    return Runner(scene, cut ? cut->scene : scene, sink, control).run(from);
+    const Scene solved = withCollapseStages(cut ? cut->scene : scene);
+    return Runner(scene, solved, sink, control).run(from);
 }
 
 Results runInMemory(const Scene& scene, const RunSettings& settings) {

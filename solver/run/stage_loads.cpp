@@ -183,10 +183,12 @@ void StageLoads::begin(int stage, State& state) {
     if (!keepsAcceleration()) memory_.start.acceleration = {0.0, 0.0};
 }
 
-/// That of a dynamic stage ends with it, and a dynamic stage starts without any; static ones change it in proportion.
+/// That of a dynamic stage ends with it, and a dynamic stage starts without any, but for what follows a collapse; static
+/// ones change it in proportion.
 bool StageLoads::keepsAcceleration() const {
     const bool follows = memory_.stage > 0;
-    return follows && stage().kind == StageKind::Static && stageAt(memory_.stage - 1).kind == StageKind::Static;
+    const bool takesOver = stage().kind == StageKind::Static || stage().followsCollapse;
+    return follows && takesOver && stageAt(memory_.stage - 1).kind == StageKind::Static;
 }
 
 void StageLoads::hold(const std::vector<WallForce>& walls) {
@@ -254,6 +256,7 @@ void StageLoads::addOpenings(double time, LoadPoint& point) const {
 
 Point StageLoads::bodyAccelerationAt(double time) const {
     const Point own = bodyForceAt(stage(), time), &before = memory_.start.acceleration;
+    if (stage().followsCollapse) return before;
     if (stage().kind == StageKind::Dynamic || time >= 1.0) return own;
     return before + std::max(time, 0.0) * (own - before);
 }

@@ -116,7 +116,10 @@ Scene withReducedStrength(const Scene& scene, double factor) {
     Scene reduced = scene;
     if (reducesJoints(scene)) reduceJoints(reduced, factor);
     if (reducesBonds(scene)) reduceBonds(reduced, factor);
-    for (Stage& stage : reduced.stages) stage.continueAfterCollapse = false;
+    for (Stage& stage : reduced.stages) {
+        stage.continueAfterCollapse = false;
+        stage.onCollapse = OnCollapse::End;
+    }
     return reduced;
 }
 

@@ -7,6 +7,7 @@
 #include "geometry/segment.h"
 #include "geometry/sub_blocks.h"
 #include "solver/scene/check_report.h"
+#include "solver/scene/collapse_stage.h"
 #include "solver/scene/deciding.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/number_text.h"
@@ -258,6 +259,20 @@ void checkSmallest(const Stage& stage, const std::string& pointer, CheckContext&
                            "Give less than a twentieth of that, or 0 so that all blocks decide");
 }
 
+/// What follows a collapse has a name of its own in tables.
+void checkCollapseNames(const std::vector<Stage>& stages, CheckReport& report) {
+    for (const Stage& stage : stages) {
+        if (stage.kind != StageKind::Static || stage.onCollapse == OnCollapse::End) continue;
+        const std::string taken = nameOfCollapse(stage);
+        for (std::size_t i = 0; i < stages.size(); ++i)
+            if (stages[i].name == taken)
+                report.error(under(under("/stages", i), "name"),
+                             "the motion after a collapse of stage " + inQuotes(stage.name) + " is called " + inQuotes(taken) +
+                                 ", too",
+                             "Give this stage another name");
+    }
+}
+
 void checkStage(std::size_t index, const std::string& pointer, CheckContext& context) {
     const Stage& stage = context.scene.stages[index];
     checkTimes(stage, pointer, context.report);
@@ -293,6 +308,7 @@ void checkStages(CheckContext& context) {
     checkNamesDiffer(
         stages.size(), [&](std::size_t i) { return stages[i].name; },
         [](std::size_t i) { return under(under("/stages", i), "name"); }, "stage", context.report);
+    checkCollapseNames(stages, context.report);
     for (std::size_t i = 0; i < stages.size(); ++i)
         checkStage(i, under("/stages", i), context);
     checkPresence(context);

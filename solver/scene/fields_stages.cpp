@@ -226,6 +226,14 @@ const Structure& structureOf(const Stage*) {
                                     "them releases it. Null: all of what this stage excavates, at once in a dynamic "
                                     "stage.",
                                     {.range = within(0, 1)}),
+            row<&Stage::onCollapse>("on_collapse",
+                                    "What follows where the stage ends as a collapse: the next stage, or first the "
+                                    "motion of the falling blocks, as rows of a dynamic stage of its own, called by "
+                                    "the name of this one and `(collapse)`. It begins at rest where the collapse was "
+                                    "found, under the loads of then.",
+                                    {.only = staticOnly}),
+            row<&Stage::collapseDuration>("collapse_duration", "How long that motion lasts.",
+                                          {.unit = "s", .range = above(0), .only = staticOnly}),
             row<&Stage::duration>("duration", "How long the stage lasts.",
                                   {.unit = "s", .range = atLeast(0), .only = dynamicOnly}),
             row<&Stage::timeStep>("time_step", "Longest step; null: chosen by the program.",

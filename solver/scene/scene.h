@@ -314,6 +314,7 @@ struct Dilation {
 };
 
 enum class StageKind { Static, Dynamic };
+enum class OnCollapse { End, Dynamic };
 
 struct Stage {
     std::string name;
@@ -330,6 +331,8 @@ struct Stage {
     Until until;
     std::optional<int> increments;  // over pseudo-time 0 … 1; null: chosen by the program
     std::optional<double> relaxation;  // share of the walls' forces released by the end; null: 1 of what it excavates
+    OnCollapse onCollapse = OnCollapse::End;  // what a collapse is followed by
+    double collapseDuration = 1.0;  // [s] of the motion that follows it
     // dynamic
     double duration = 0.0;  // [s]
     std::optional<double> timeStep;  // [s]; null: chosen by the program
@@ -340,6 +343,7 @@ struct Stage {
     std::optional<Acceleration> baseAcceleration;  // of the ground, which everything that is held follows
     // static and dynamic
     std::optional<Acceleration> bodyAcceleration;  // force per mass in addition to gravity
+    bool followsCollapse = false;  // runs only after a collapse of the stage before, by `withCollapseStages`; no file says it
 
     bool operator==(const Stage&) const = default;
 };

@@ -24,6 +24,7 @@ inline constexpr std::array<std::string_view, 2> contactMethodWords{"penalty", "
 inline constexpr std::array<std::string_view, 4> fixWords{"all", "x", "y", "xy"};
 inline constexpr std::array<std::string_view, 2> rotationWords{"held", "free"};
 inline constexpr std::array<std::string_view, 2> stageKindWords{"static", "dynamic"};
+inline constexpr std::array<std::string_view, 2> onCollapseWords{"end", "dynamic"};
 inline constexpr std::array<std::string_view, 4> boltClassWords{"CMC", "CFC", "DMC", "DFC"};
 inline constexpr std::array<std::string_view, 3> bendingWords{"none", "elastic", "elastic-plastic"};
 inline constexpr std::array<std::string_view, 2> perWords{"node", "length"};
@@ -45,6 +46,7 @@ constexpr Words wordsOf(ContactMethod) { return contactMethodWords; }
 constexpr Words wordsOf(Fix) { return fixWords; }
 constexpr Words wordsOf(Rotation) { return rotationWords; }
 constexpr Words wordsOf(StageKind) { return stageKindWords; }
+constexpr Words wordsOf(OnCollapse) { return onCollapseWords; }
 constexpr Words wordsOf(BoltClass) { return boltClassWords; }
 constexpr Words wordsOf(Bending) { return bendingWords; }
 constexpr Words wordsOf(Per) { return perWords; }

@@ -8,6 +8,7 @@
 #include "solver/results/run_source.h"
 #include "solver/results/words.h"
 #include "solver/scene/check.h"
+#include "solver/scene/collapse_stage.h"
 #include "ui/runs/live_run.h"
 
 #include <pthread.h>
@@ -92,7 +93,7 @@ void RunSession::runIt(Ending& ending) {
         requireRunnable(scene, own);
         cut = own ? &*own : nullptr;
     }
-    const auto solved = cut ? std::make_shared<const Scene>(cut->scene) : order_.scene;
+    const auto solved = std::make_shared<const Scene>(withCollapseStages(cut ? cut->scene : scene));
     const Resumption from = order_.resume ? resumptionOf(order_.store, scene) : Resumption{};
     ending.nothingToDo = from.finished;
     if (from.finished) return;
