@@ -25,6 +25,7 @@ constexpr double followShare = 1e-9;  // of the scene: embedded lengths that cha
 constexpr int mostRounds = 6;
 constexpr int mostTries = 60;  // to locate an event
 constexpr double narrowest = 1e-12;  // of an increment, when one is
+constexpr int mostStalled = 3;  // of these that come no nearer
 constexpr double locateShare = 1e-4;  // an event is located at least to this share of its limit
 
 // Of increments that the program chooses, in pseudo-time.
@@ -314,6 +315,8 @@ private:
         if (!worstLimit(atEnd, 1.0 + reachedShare)) return {};
         over.atLimit = true;
         LimitSearch search(progress_.done, heldLimits(engine_.model, state_), over.share, std::move(atEnd));
+        double nearest = std::numeric_limits<double>::max();  // to the limit, over it
+        int stalled = 0;  // tries since that was halved: equilibria are not exact enough for more
         for (int tries = 0;; ++tries) {
             const double middle = search.next();
             State trial = state_;
@@ -323,7 +326,9 @@ private:
             const auto worst = worstLimit(limits, 0.0);
             const double off = worst ? worst->ratio - 1.0 : -1.0;
             const bool exact = std::abs(off) <= reachedShare;
-            const bool goodEnough = std::abs(off) <= locateShare && tries > 12;
+            stalled = std::abs(off) < 0.5 * nearest ? 0 : stalled + 1;
+            nearest = std::min(nearest, std::abs(off));
+            const bool goodEnough = std::abs(off) <= locateShare && stalled >= mostStalled;
             if (exact || goodEnough) {
                 over.state = std::move(trial);
                 over.share = middle;
