@@ -301,7 +301,7 @@ std::string infoJson(const RunStore& store) {
                    {"chains", chainsJson(store, happened)},
                    {"bolts", boltsJson(store)},
                    {"health", healthJson(healthOf(records))},
-                   {"verdict", verdictJson(store, verdictOf(records, store.scene().stages.size()))},
+                   {"verdict", verdictJson(store, verdictOf(records, store.scene()))},
                    {"worst_balance", worstBalanceJson(store, worstBalanced(records))},
                    {"warnings", warningsJson(store)},
                    {"loose", looseJson(store, records)}},

@@ -6,7 +6,9 @@
 
 #include "app/cli/output.h"
 #include "app/cli/text_table.h"
+#include "solver/results/run_source.h"
 #include "solver/results/words.h"
+#include "solver/scene/collapse_stage.h"
 #include "solver/scene/solved_blocks.h"
 
 #include <algorithm>
@@ -73,7 +75,7 @@ ProgressKind chosenProgress(ProgressKind kind) {
 }
 
 ProgressSink::ProgressSink(const Scene& scene, Sink& next, ProgressKind kind, std::string label)
-    : scene_(scene),
+    : scene_(withCollapseStages(scene)),
       blocks_(blockNames(scene)),
       next_(next),
       kind_(kind),
@@ -107,8 +109,7 @@ void ProgressSink::stageEnds(const StageResult& result) {
     stageSeconds_[result.stage] = secondsSince(stageStart_);
     progress_.stage = result.stage;
     progress_.time = result.time;
-    const bool wentOn = result.outcome != Outcome::Stopped && result.outcome != Outcome::Failed;
-    if (wentOn && static_cast<std::size_t>(result.stage) + 1 == scene_.stages.size())
+    if (endsRun(scene_, result))
         progress_.fraction = 1.0;
     untold_ = true;
     next_.stageEnds(result);

@@ -53,7 +53,7 @@ private:
     void tell();
     std::string barText(const ProgressLine& line) const;
 
-    const Scene& scene_;
+    Scene scene_;  // as it is run
     const std::vector<std::string> blocks_;  // names
     Sink& next_;
     ProgressKind kind_;

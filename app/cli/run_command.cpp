@@ -58,7 +58,7 @@ ExitCode exitCodeOf(const std::vector<StageResult>& results) {
 }
 
 bool stands(const RunSource& run) {
-    return verdictOf(run.stages(), run.scene().stages.size()).stands.value_or(true);
+    return verdictOf(run.stages(), run.scene()).stands.value_or(true);
 }
 
 void tellWhyItEnded(ExitCode code, const Scene& scene, const std::vector<StageResult>& results, const fs::path& out) {

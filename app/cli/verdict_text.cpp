@@ -95,7 +95,7 @@ std::string warningLines(const RunSource& run) {
 
 std::string verdictText(const RunSource& run) {
     const std::vector<StageRecord> records = run.stages();
-    const Verdict verdict = verdictOf(records, run.scene().stages.size());
+    const Verdict verdict = verdictOf(records, run.scene());
     const FailedParts failed = failedParts(run, verdict);
     return "stable  " + answer(verdict) + "\n" + blockTable(run, verdict) + jointTable(run, failed.joints) +
            boltTable(run, failed.bolts) + worstLine(run, records) + looseLine(run, records) + warningLines(run);

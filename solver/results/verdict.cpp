@@ -19,9 +19,9 @@ std::string percent(double share) { return rounded(100.0 * share) + " %"; }
 
 }  // namespace
 
-Verdict verdictOf(const std::vector<StageRecord>& records, std::size_t stages) {
+Verdict verdictOf(const std::vector<StageRecord>& records, const Scene& scene) {
     Verdict verdict;
-    bool decided = records.size() == stages;
+    bool decided = records.empty() ? scene.stages.empty() : !stageAfter(scene, records.back().result);
     for (const StageRecord& record : records) {
         const Outcome outcome = record.result.outcome;
         decided = decided && record.ended && (endedAsPlanned(outcome) || endedUnstable(outcome));

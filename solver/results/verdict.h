@@ -23,8 +23,8 @@ struct Verdict {
     std::vector<StageUnstable> blocks;  // that do not stand, a block once, by the first stage that says so
 };
 
-/// \param stages of the scene, of which `records` may be the first.
-Verdict verdictOf(const std::vector<StageRecord>& records, std::size_t stages);
+/// \param scene as it is run, of whose stages `records` may be the first.
+Verdict verdictOf(const std::vector<StageRecord>& records, const Scene& scene);
 
 /// Why the numbers of a stage are doubtful.
 struct StageWarning {

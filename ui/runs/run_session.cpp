@@ -234,8 +234,8 @@ std::optional<double> RunSession::secondsLeft() const {
 QString RunSession::stageText() const {
     if (!run_) return tr("Preparing");
     const int stage = run_->progress() ? run_->progress()->stage : 0;
-    const QString at = tr("Stage %1 of %2").arg(stage + 1).arg(order_.scene->stages.size());
-    const std::string name = stageName(*order_.scene, stage);
+    const QString at = tr("Stage %1 of %2").arg(stage + 1).arg(run_->scene().stages.size());
+    const std::string name = stageName(run_->scene(), stage);
     const bool says = name == "stage " + std::to_string(stage + 1);  // as new ones are called
     return says ? at : tr("%1 · %2").arg(at, QString::fromStdString(name));
 }

@@ -5,6 +5,7 @@
 #include "solver/scene/collapse_stage.h"
 
 #include "solver/results/run_source.h"
+#include "solver/results/verdict.h"
 #include "solver/results/words.h"
 #include "solver/run/run.h"
 #include "solver/scene/check.h"
@@ -73,7 +74,9 @@ TEST(CollapseStage, IsSkippedWhereNothingFalls) {
     const Scene scene = slidingScene(32.0, false);
     const Results results = runInMemory(scene);
     EXPECT_EQ(stagesRun(scene, results), (std::vector<std::string>{"settle", "weaken", "after"}));
-    EXPECT_TRUE(isFinished(MemoryRun(scene, results)));
+    const MemoryRun run(scene, results);
+    EXPECT_TRUE(isFinished(run));
+    EXPECT_EQ(verdictOf(run.stages(), run.scene()).stands, true);
 }
 
 TEST(CollapseStage, EndsTheRunThatIsNotToGoOn) {

@@ -20,7 +20,7 @@ TEST(FailedParts, ABrokenBoltAndTheJointThatOpens) {
     const Solved solved = solve(heldBlock(barOfStrength(15e3), elastic()));
     ASSERT_EQ(solved.results.stages.at(0).outcome, Outcome::Collapse);
     const MemoryRun run(solved.scene, solved.results);
-    const FailedParts parts = failedParts(run, verdictOf(run.stages(), 1));
+    const FailedParts parts = failedParts(run, verdictOf(run.stages(), run.scene()));
     ASSERT_EQ(parts.joints.size(), 1U);
     EXPECT_EQ(parts.joints[0].blockA, 1);
     EXPECT_EQ(parts.joints[0].blockB, 0);
@@ -43,7 +43,7 @@ TEST(FailedParts, ABoltThatBreaksBesideABlockThatFalls) {
     ASSERT_EQ(result.outcome, Outcome::Collapse);
     EXPECT_TRUE(std::ranges::count(result.blocks, 1) && std::ranges::count(result.blocks, 2)) << result.message;
     const MemoryRun run(solved.scene, solved.results);
-    const FailedParts parts = failedParts(run, verdictOf(run.stages(), 1));
+    const FailedParts parts = failedParts(run, verdictOf(run.stages(), run.scene()));
     ASSERT_EQ(parts.bolts.size(), 1U);
     EXPECT_EQ(parts.bolts[0].event, EventKind::TensileRupture);
     EXPECT_EQ(solved.results.events.back().kind, EventKind::Collapse);
@@ -63,7 +63,7 @@ TEST(FailedParts, ABoltThatHasDebondedOnOneSide) {
     const Solved solved = solve(heldBlock(barOfStrength(200e3), weak));
     ASSERT_EQ(solved.results.stages.at(0).outcome, Outcome::Collapse);
     const MemoryRun run(solved.scene, solved.results);
-    const FailedParts parts = failedParts(run, verdictOf(run.stages(), 1));
+    const FailedParts parts = failedParts(run, verdictOf(run.stages(), run.scene()));
     const auto debonded = std::ranges::find_if(
         parts.bolts, [](const FailedBolt& bolt) { return bolt.event == EventKind::Debonding; });
     ASSERT_NE(debonded, parts.bolts.end());
@@ -75,7 +75,7 @@ TEST(FailedParts, ABoltThatHasDebondedOnOneSide) {
 TEST(FailedParts, NothingFailsWhereTheBlockIsHeld) {
     const Solved solved = solve(heldBlock(barOfStrength(100e3), elastic()));
     const MemoryRun run(solved.scene, solved.results);
-    const FailedParts parts = failedParts(run, verdictOf(run.stages(), 1));
+    const FailedParts parts = failedParts(run, verdictOf(run.stages(), run.scene()));
     EXPECT_TRUE(parts.joints.empty());
     EXPECT_TRUE(parts.bolts.empty());
 }
@@ -87,7 +87,7 @@ TEST(FailedParts, AJointThatSlides) {
     const Solved solved = solve(scene);
     ASSERT_EQ(solved.results.stages.at(0).outcome, Outcome::Collapse);
     const MemoryRun run(solved.scene, solved.results);
-    const FailedParts parts = failedParts(run, verdictOf(run.stages(), 1));
+    const FailedParts parts = failedParts(run, verdictOf(run.stages(), run.scene()));
     ASSERT_EQ(parts.joints.size(), 1U);
     EXPECT_FALSE(parts.joints[0].opened);
     EXPECT_GT(parts.joints[0].slip, 0.5);

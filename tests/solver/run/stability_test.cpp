@@ -28,7 +28,8 @@ Scene boxOverFloor(double gap) {
 }
 
 Verdict verdictOfRun(const Scene& scene, const Results& results) {
-    return verdictOf(MemoryRun(scene, results).stages(), scene.stages.size());
+    const MemoryRun run(scene, results);
+    return verdictOf(run.stages(), run.scene());
 }
 
 /// Half a metre of box reaches 0.707 m from its centre: a tenth of that is the boundary.
