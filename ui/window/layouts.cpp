@@ -30,7 +30,7 @@ using Groups = std::vector<std::vector<const char*>>;
 const Groups& groupsOf(Arrangement arrangement) {
     static const Groups drawing{{"problemsDock", "stagesDock", "libraryDock"}, {"censusDock"}};
     static const Groups results{{"stripDock"}, {"curvesDock"},
-                                {"healthDock", "eventsDock", "energyDock", "runsDock", "logDock"}};
+                                {"stabilityDock", "healthDock", "eventsDock", "energyDock", "runsDock", "logDock"}};
     return arrangement == Arrangement::Drawing ? drawing : results;
 }
 

@@ -12,6 +12,7 @@
 #include "ui/docks/run_log.h"
 #include "ui/docks/run_status.h"
 #include "ui/docks/run_warning.h"
+#include "ui/docks/stability_panel.h"
 #include "ui/docks/time_line.h"
 #include "ui/docks/view_bar.h"
 #include "ui/document/document.h"
@@ -114,6 +115,8 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
     auto* allCurves = new Curves(themes, parts_.display, *cursor_, CurveKind::All, pins_, &window);
     auto* energies = new Curves(themes, parts_.display, *cursor_, CurveKind::Energies, nullptr, &window);
     QDockWidget* curves = makeDock(window, themes, "curvesDock", tr("Curves"), allCurves);
+    auto* stability = new StabilityPanel(themes, parts_.display, *cursor_, *choice_, &window);
+    QDockWidget* verdict = makeDock(window, themes, "stabilityDock", tr("Stability"), stability);
     QDockWidget* health = makeDock(window, themes, "healthDock", tr("Health"), health_);
     eventsDock_ = makeDock(window, themes, "eventsDock", tr("Events"), events_);
     QDockWidget* energy = makeDock(window, themes, "energyDock", tr("Energy"), energies);
@@ -121,13 +124,15 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
     QDockWidget* list = makeDock(window, themes, "runsDock", tr("Runs"),
                                  new RunList(themes, parts_.commands, *runs_, *comparison_, &window));
     QDockWidget* log = makeDock(window, themes, "logDock", tr("Log"), log_);
-    for (QDockWidget* dock : {time, strip, curves, health, eventsDock_, energy, list, log})
+    for (QDockWidget* dock : {time, strip, curves, verdict, health, eventsDock_, energy, list, log})
         window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // where, is for the layouts to say
     connect(health_, &HealthStrip::blockAsked, this, &RunArea::askBlock);
-    connect(events_, &EventsList::blockAsked, this, [this](int block, const QString& what) {
+    const auto outline = [this](int block, const QString& what) {
         asked_ = -1;
         askBlock(block, what);
-    });
+    };
+    connect(events_, &EventsList::blockAsked, this, outline);
+    connect(stability, &StabilityPanel::blockAsked, this, outline);
     connect(events_, &EventsList::countChanged, this, &RunArea::nameTabs);
 }
 

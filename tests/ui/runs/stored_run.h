@@ -13,17 +13,26 @@
 
 namespace keyblock::test {
 
-/// The sample slides for so long [s], with a frame every tenth of it.
-inline std::shared_ptr<LiveRun> slidingRun(const std::filesystem::path& store, double duration) {
-    SceneReading reading = readSceneFile(std::filesystem::path(KEYBLOCK_SAMPLES_DIR) / "incline.json");
+inline Scene sample(const std::string& name) {
+    const SceneReading reading = readSceneFile(std::filesystem::path(KEYBLOCK_SAMPLES_DIR) / name);
     EXPECT_TRUE(reading.scene);
-    reading.scene->stages.front().duration = duration;
-    reading.scene->output.every = 0.1 * duration;
+    return reading.scene.value();
+}
+
+inline std::shared_ptr<LiveRun> storedRun(const Scene& scene, const std::filesystem::path& store) {
     RunStoreWriter writer(store, false);
     Control control;
-    run(*reading.scene, writer, control);
+    run(scene, writer, control);
     writer.close();
     return LiveRun::opened(store);
+}
+
+/// The sample slides for so long [s], with a frame every tenth of it.
+inline std::shared_ptr<LiveRun> slidingRun(const std::filesystem::path& store, double duration) {
+    Scene scene = sample("incline.json");
+    scene.stages.front().duration = duration;
+    scene.output.every = 0.1 * duration;
+    return storedRun(scene, store);
 }
 
 }  // namespace keyblock::test

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The panel that says whether a run stands: its answer, its tables, and where a click
+// on them leads.
+#include "ui/docks/stability_panel.h"
+
+#include "tests/scratch_folder.h"
+#include "tests/ui/bricks.h"
+#include "tests/ui/runs/stored_run.h"
+#include "tests/ui/screen/screen.h"
+#include "ui/document/document.h"
+#include "ui/document/selection.h"
+#include "ui/look/display.h"
+#include "ui/look/theme.h"
+#include "ui/runs/bolt_choice.h"
+#include "ui/runs/time_cursor.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QTest>
+#include <QTreeWidget>
+
+namespace keyblock {
+namespace {
+
+struct ShownPanel {
+    ShownPanel() {
+        document.startNew(test::bricks());
+        panel.resize(900, 300);
+        panel.show();
+    }
+
+    QString answer() const { return panel.findChild<QLabel*>("stabilityAnswer")->text(); }
+    QTreeWidget* tree(const char* name) const { return panel.findChild<QTreeWidget*>(name); }
+
+    void click(QTreeWidget* in, int row) {
+        QTest::mouseClick(in->viewport(), Qt::LeftButton, {}, in->visualItemRect(in->topLevelItem(row)).center());
+    }
+
+    Themes themes;
+    Display display;
+    TimeCursor cursor;
+    Selection selection;
+    Document document;
+    BoltChoice choice{document, selection, cursor};
+    StabilityPanel panel{themes, display, cursor, choice};
+};
+
+class StabilityPanelTest : public ::testing::Test {
+protected:
+    void SetUp() override { NEED_SCREEN(); }
+
+    test::ScratchFolder folder_;
+};
+
+TEST_F(StabilityPanelTest, SaysThatAHungBlockStandsAndHowItsBoltIsUsed) {
+    ShownPanel shown;
+    EXPECT_FALSE(shown.answer().contains("Stable"));
+    shown.cursor.setRun(test::storedRun(test::sample("suspended-block.json"), folder_.path() / "a.kbrun"), false);
+    EXPECT_TRUE(shown.answer().startsWith("Stable: yes")) << shown.answer().toStdString();
+    EXPECT_TRUE(shown.tree("unstableBlocks")->isHidden());
+    QTreeWidget* bolts = shown.tree("boltUses");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bolts->topLevelItemCount() == 1; }));
+    const QTreeWidgetItem* row = bolts->topLevelItem(0);
+    EXPECT_EQ(row->text(0), "B");
+    EXPECT_TRUE(row->text(1).startsWith("26.5 kN at ")) << row->text(1).toStdString();  // 2.7 t of rock
+    EXPECT_EQ(row->text(9), "hung");
+    shown.click(bolts, 0);
+    EXPECT_EQ(shown.choice.bolt(), 0);
+}
+
+TEST_F(StabilityPanelTest, NamesWhatFallsAndOutlinesItOnAClick) {
+    ShownPanel shown;
+    Scene scene = test::sample("suspended-block.json");
+    Block loose = scene.blocks.back();
+    loose.name = "loose";
+    for (Point& corner : loose.points) corner += Point(3.0, 0.0);
+    scene.blocks.push_back(loose);
+    shown.cursor.setRun(test::storedRun(scene, folder_.path() / "b.kbrun"), false);
+    EXPECT_TRUE(shown.answer().startsWith("Stable: NO")) << shown.answer().toStdString();
+    QTreeWidget* blocks = shown.tree("unstableBlocks");
+    ASSERT_EQ(blocks->topLevelItemCount(), 1);
+    EXPECT_EQ(blocks->topLevelItem(0)->text(0), "loose");
+    EXPECT_EQ(blocks->topLevelItem(0)->text(1), "falls");
+    int asked = -1;
+    QString how;
+    QObject::connect(&shown.panel, &StabilityPanel::blockAsked, &shown.panel, [&](int block, const QString& what) {
+        asked = block;
+        how = what;
+    });
+    shown.click(blocks, 0);
+    EXPECT_EQ(asked, 2);
+    EXPECT_EQ(how, "falls");
+    shown.cursor.setRun(nullptr, false);
+    EXPECT_FALSE(shown.answer().contains("Stable"));
+    EXPECT_EQ(shown.tree("boltUses")->topLevelItemCount(), 0);
+}
+
+}  // namespace
+}  // namespace keyblock

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/stability_panel.h"
+
+#include "solver/results/words.h"
+#include "ui/look/display.h"
+#include "ui/look/plain_text.h"
+#include "ui/look/theme.h"
+#include "ui/runs/bolt_choice.h"
+#include "ui/runs/live_run.h"
+#include "ui/runs/time_cursor.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <exception>
+
+namespace keyblock {
+
+namespace {
+
+enum BlockColumn { BlockName, How, Moved, Weight, StageOf };
+enum BoltColumn { BoltName, AxialPeak, ShearPeak, MomentPeak, SteelUse, ShearUse, BondUse, PlateUse, Governs, Holds };
+
+constexpr int mostNamed = 3;  // blocks in a cell
+
+QString text(std::string_view word) { return QString::fromUtf8(word.data(), static_cast<int>(word.size())); }
+
+QTreeWidget* table(const char* name, const QString& says, const QStringList& heads, int firstNumber, int lastNumber,
+                   QWidget* parent) {
+    auto* tree = new QTreeWidget(parent);
+    tree->setObjectName(name);
+    tree->setAccessibleName(says);
+    tree->setRootIsDecorated(false);
+    tree->setUniformRowHeights(true);
+    tree->setHeaderLabels(heads);
+    tree->header()->setStretchLastSection(true);
+    for (int c = firstNumber; c <= lastNumber; ++c) tree->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
+    return tree;
+}
+
+QTreeWidgetItem* addRow(QTreeWidget* tree, const QStringList& cells, int key) {
+    auto* item = new QTreeWidgetItem(tree, cells);
+    item->setData(0, Qt::UserRole, key);
+    for (int c = 0; c < tree->columnCount(); ++c)
+        item->setTextAlignment(c, Qt::AlignVCenter | tree->headerItem()->textAlignment(c));
+    return item;
+}
+
+void fitColumns(QTreeWidget* tree) {
+    for (int c = 0; c + 1 < tree->columnCount(); ++c) tree->resizeColumnToContents(c);
+}
+
+/// As high as its rows, up to a few, where another table needs room below.
+void fitRows(QTreeWidget* tree, bool leavesRoom) {
+    const int rows = std::min(3, tree->topLevelItemCount());
+    tree->setMaximumHeight(leavesRoom ? tree->header()->sizeHint().height() + 26 * rows + 4 : QWIDGETSIZE_MAX);
+}
+
+QString percent(const std::optional<double>& use) {
+    if (!use) return QStringLiteral("–");
+    const double shown = 100.0 * *use;
+    return Display::number(shown, shown < 10.0 ? 2 : 3);
+}
+
+}  // namespace
+
+StabilityPanel::StabilityPanel(const Themes& themes, const Display& display, TimeCursor& cursor, BoltChoice& choice,
+                               QWidget* parent)
+    : QWidget(parent), themes_(themes), display_(display), cursor_(cursor), answer_(new QLabel(this)), worst_(new QLabel(this)),
+      blocks_(table("unstableBlocks", tr("Blocks that do not stand"),
+                    {tr("Block"), tr("How"), tr("Moved"), tr("Weight"), tr("Stage")}, Moved, Weight, this)),
+      bolts_(table("boltUses", tr("Largest forces and use of each bolt"),
+                   {tr("Bolt"), tr("N"), tr("Q"), tr("M"), tr("Steel, %"), tr("Shear, %"), tr("Bond, %"), tr("Plate, %"),
+                    tr("Governs"), tr("Holds")},
+                   AxialPeak, PlateUse, this)) {
+    setObjectName("stabilityPanel");
+    setAttribute(Qt::WA_StyledBackground);
+    setAccessibleName(tr("Stability"));
+    answer_->setObjectName("stabilityAnswer");
+    answer_->setContentsMargins(12, 6, 12, 2);
+    worst_->setContentsMargins(12, 0, 12, 6);
+    for (QLabel* label : {answer_, worst_}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+    }
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(answer_);
+    column->addWidget(worst_);
+    column->addWidget(blocks_, 1);
+    column->addWidget(bolts_, 2);
+    column->addStretch(0);
+    for (const auto signal : {&TimeCursor::runChanged, &TimeCursor::runGrew})
+        connect(&cursor, signal, this, &StabilityPanel::takeRun);
+    connect(&themes, &Themes::changed, this, &StabilityPanel::fill);
+    connect(&display, &Display::changed, this, &StabilityPanel::fill);
+    connect(blocks_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
+        Q_EMIT blockAsked(item->data(0, Qt::UserRole).toInt(), item->text(How));
+    });
+    connect(bolts_, &QTreeWidget::itemClicked, this,
+            [&choice](QTreeWidgetItem* item) { choice.choose(item->data(0, Qt::UserRole).toInt()); });
+    takeRun();
+}
+
+void StabilityPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    takeRun();
+}
+
+void StabilityPanel::takeRun() {
+    if (run_ != cursor_.run()) {
+        run_ = cursor_.run();
+        read_ = 0;
+        uses_.clear();
+    }
+    if (!isVisible()) return;
+    readBolts();
+    fill();
+}
+
+/// Extremes come with every frame; reading one takes longer than the window may wait.
+void StabilityPanel::readBolts() {
+    if (!run_ || run_->frames().size() == read_ || run_->scene().bolts.empty()) return;
+    read_ = run_->frames().size();
+    reader_.ask([this, run = run_, soFar = std::make_shared<const RunSoFar>(run_)]() -> Background::Result {
+        std::vector<BoltUse> uses;
+        try {
+            uses = boltUses(*soFar);
+        } catch (const std::exception&) {
+            return {};  // the run's store is gone, which its own messages tell
+        }
+        std::stable_sort(uses.begin(), uses.end(),
+                         [](const BoltUse& a, const BoltUse& b) { return a.highest() > b.highest(); });
+        return [this, run, uses = std::move(uses)] {
+            if (run != run_) return;
+            uses_ = uses;
+            fill();
+        };
+    });
+}
+
+void StabilityPanel::fill() {
+    const Verdict verdict = run_ ? verdictOf(run_->stageList(), run_->scene()) : Verdict{};
+    const bool over = run_ && isFinished(*run_);
+    QString answer = tr("A run says here whether it stands.");
+    QColor colour = themes_.current().text2;
+    if (run_ && verdict.stands) {
+        answer = *verdict.stands ? tr("Stable: yes") : tr("Stable: NO");
+        colour = *verdict.stands ? themes_.current().ok : themes_.current().error;
+    } else if (run_) {
+        answer = over ? tr("Stable: undecided") : tr("Stable: not known yet");
+    }
+    answer_->setText(answer);
+    answer_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(colour.name()));
+    const auto worst = run_ ? worstBalanced(run_->stageList()) : std::nullopt;
+    if (worst)
+        worst_->setText(tr("Least balanced: block %1, %2 of its weight")
+                            .arg(QString::fromStdString(blockName(run_->blockNames(), worst->health.worst.block)),
+                                 Display::number(worst->health.worst.share, 2)));
+    worst_->setVisible(worst.has_value());
+    fillBlocks(verdict);
+    fillBolts();
+}
+
+void StabilityPanel::fillBlocks(const Verdict& verdict) {
+    blocks_->clear();
+    const ShownUnit force = display_.shown("N"), length = display_.shown("m");
+    for (const StageUnstable& one : verdict.blocks)
+        addRow(blocks_,
+               {QString::fromStdString(blockName(run_->blockNames(), one.block.block)), text(wordOf(one.block.mode)),
+                Display::number(length.factor * one.block.moved, 3) + ' ' + length.symbol,
+                Display::number(force.factor * one.block.weight, 3) + ' ' + force.symbol,
+                QString::fromStdString(stageName(run_->scene(), one.stage))},
+               one.block.block);
+    blocks_->setVisible(blocks_->topLevelItemCount() > 0);
+    fitColumns(blocks_);
+    fitRows(blocks_, !uses_.empty());
+}
+
+void StabilityPanel::fillBolts() {
+    bolts_->clear();
+    for (const BoltUse& use : uses_) {
+        const BoltExtremes& peaks = use.extremes;
+        const auto share = [&](BoltStrength strength) { return percent(use.use[static_cast<std::size_t>(strength)]); };
+        QTreeWidgetItem* row = addRow(
+            bolts_,
+            {QString::fromStdString(boltName(run_->scene(), use.bolt)), peakText(peaks.axialForce, "N"),
+             peakText(peaks.shearForce, "N"), peakText(peaks.moment, "N m"), share(BoltStrength::Steel),
+             share(BoltStrength::Shear), share(BoltStrength::Bond), share(BoltStrength::Plate),
+             use.governs ? text(boltStrengthWords[static_cast<std::size_t>(*use.governs)]) : QStringLiteral("–"),
+             namesOf(use.holds)},
+            use.bolt);
+        row->setToolTip(AxialPeak, whenText(peaks.axialForce));
+        row->setToolTip(ShearPeak, whenText(peaks.shearForce));
+        row->setToolTip(MomentPeak, whenText(peaks.moment));
+    }
+    bolts_->setVisible(!uses_.empty());
+    fitColumns(bolts_);
+}
+
+/// "62.1 kN at 1.25 m", from the far end.
+QString StabilityPanel::peakText(const BoltPeak& peak, const char* unit) const {
+    if (peak.stage < 0) return QStringLiteral("–");
+    const ShownUnit shown = display_.shown(unit);
+    return tr("%1 %2 at %3 m").arg(Display::number(shown.factor * peak.value, 3), shown.symbol, Display::number(peak.at, 3));
+}
+
+QString StabilityPanel::whenText(const BoltPeak& peak) const {
+    if (peak.stage < 0) return {};
+    return asTip(tr("in stage %1, at %2, measured from the far end")
+                     .arg(QString::fromStdString(stageName(run_->scene(), peak.stage)), Display::number(peak.time, 4)));
+}
+
+QString StabilityPanel::namesOf(const std::vector<int>& blocks) const {
+    QStringList names;
+    for (const int block : blocks) {
+        if (names.size() == mostNamed) return tr("%1 and %2 more").arg(names.join(", ")).arg(blocks.size() - mostNamed);
+        names += QString::fromStdString(blockName(run_->blockNames(), block));
+    }
+    return names.isEmpty() ? tr("nothing") : names.join(", ");
+}
+
+}  // namespace keyblock

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a designer asks of a run: whether it stands, which blocks do not, and how far
+// each bolt is used. A click on a block outlines it, one on a bolt chooses it.
+#pragma once
+
+#include "solver/results/bolt_use.h"
+#include "solver/results/verdict.h"
+#include "ui/document/background.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QLabel;
+class QTreeWidget;
+
+namespace keyblock {
+
+class BoltChoice;
+class Display;
+class LiveRun;
+class Themes;
+class TimeCursor;
+
+class StabilityPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    StabilityPanel(const Themes& themes, const Display& display, TimeCursor& cursor, BoltChoice& choice,
+                   QWidget* parent = nullptr);
+
+    QSize sizeHint() const override { return {415, 214}; }
+
+Q_SIGNALS:
+    void blockAsked(int block, const QString& how);  // row of the solved blocks
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void takeRun();
+    void readBolts();
+    void fill();
+    void fillBlocks(const Verdict& verdict);
+    void fillBolts();
+    QString peakText(const BoltPeak& peak, const char* unit) const;
+    QString whenText(const BoltPeak& peak) const;
+    QString namesOf(const std::vector<int>& blocks) const;
+
+    const Themes& themes_;
+    const Display& display_;
+    TimeCursor& cursor_;
+    QLabel* answer_;
+    QLabel* worst_;
+    QTreeWidget* blocks_;
+    QTreeWidget* bolts_;
+    std::shared_ptr<const LiveRun> run_;  // null: none is shown
+    std::size_t read_ = 0;  // frames of the run when its bolts were last read
+    std::vector<BoltUse> uses_;  // of the run so far, most used first
+    Background reader_;  // last: it ends before what its results go to
+};
+
+}  // namespace keyblock
