@@ -8,7 +8,7 @@
 
 A stage that ends in equilibrium, or displaced, is proved at its last frame: force and moment on every free block within
 2 % of its weight (from area, density and gravity), every contact pressed and within its friction (but for intact rock),
-every bolt within its strength. In motion, what was at rest goes on for 1 s under the same loads and no block may move
+every bolt within its strength. The energy balance of every run closes to 1 %. In motion, what was at rest goes on for 1 s under the same loads and no block may move
 more than 5 mm; where a collapse was found, the last equilibrium is made again, the rest of the load put on over 0.3 s and
 followed for 1.5 s: every block that was named has to move more than 5 % of its size, and every block that does so before
 the first of them has moved by its own size has to be named.
@@ -27,6 +27,7 @@ from drifts import seeds_of
 
 SMALLEST = 0.01  # m2, blocks under it do not decide
 REST = 0.005  # m in 1 s
+BALANCE = 0.01  # energy balance error, at the end of any run
 
 
 def call(*words, codes=(0,)):
@@ -138,6 +139,8 @@ def prove(program, folder, seed):
             proof = Proof(program, run, scene, stage["name"])
             worst = max(worst, proof.prove())
             faults += [f"{stage['name']}: {fault}" for fault in proof.faults]
+    if abs(told["health"]["balance_error"]) > BALANCE:
+        faults.append(f"energy balance error {told['health']['balance_error']:.2g}")
     print(f"{seed:>4} {outcomes[-1]:<12} stands {told['verdict']['stands']!s:<6} worst {worst[0]:.2g} {worst[1]:<6} "
           f"balance {told['health']['balance_error']:.1e}", *faults, sep="\n     ", flush=True)
     return told, faults
