@@ -23,7 +23,7 @@ namespace keyblock {
 namespace {
 
 enum BlockColumn { BlockName, How, Moved, Weight, StageOf };
-enum BoltColumn { BoltName, AxialPeak, ShearPeak, MomentPeak, SteelUse, ShearUse, BondUse, PlateUse, Governs, Holds };
+enum BoltColumn { BoltName, Governs, Holds, AxialPeak, ShearPeak, MomentPeak, SteelUse, ShearUse, BondUse, PlateUse };
 
 constexpr int mostNamed = 3;  // blocks in a cell
 
@@ -74,8 +74,8 @@ StabilityPanel::StabilityPanel(const Themes& themes, const Display& display, Tim
       blocks_(table("unstableBlocks", tr("Blocks that do not stand"),
                     {tr("Block"), tr("How"), tr("Moved"), tr("Weight"), tr("Stage")}, Moved, Weight, this)),
       bolts_(table("boltUses", tr("Largest forces and use of each bolt"),
-                   {tr("Bolt"), tr("N"), tr("Q"), tr("M"), tr("Steel, %"), tr("Shear, %"), tr("Bond, %"), tr("Plate, %"),
-                    tr("Governs"), tr("Holds")},
+                   {tr("Bolt"), tr("Governs"), tr("Holds"), tr("N"), tr("Q"), tr("M"), tr("Steel, %"), tr("Shear, %"),
+                    tr("Bond, %"), tr("Plate, %")},
                    AxialPeak, PlateUse, this)) {
     setObjectName("stabilityPanel");
     setAttribute(Qt::WA_StyledBackground);
@@ -189,11 +189,13 @@ void StabilityPanel::fillBolts() {
         const auto share = [&](BoltStrength strength) { return percent(use.use[static_cast<std::size_t>(strength)]); };
         QTreeWidgetItem* row = addRow(
             bolts_,
-            {QString::fromStdString(boltName(run_->scene(), use.bolt)), peakText(peaks.axialForce, "N"),
-             peakText(peaks.shearForce, "N"), peakText(peaks.moment, "N m"), share(BoltStrength::Steel),
-             share(BoltStrength::Shear), share(BoltStrength::Bond), share(BoltStrength::Plate),
-             use.governs ? text(boltStrengthWords[static_cast<std::size_t>(*use.governs)]) : QStringLiteral("–"),
-             namesOf(use.holds)},
+            {QString::fromStdString(boltName(run_->scene(), use.bolt)),
+             use.governs ? tr("%1 %2 %").arg(text(boltStrengthWords[static_cast<std::size_t>(*use.governs)]),
+                                             percent(use.highest()))
+                         : QStringLiteral("–"),
+             namesOf(use.holds), peakText(peaks.axialForce, "N"), peakText(peaks.shearForce, "N"),
+             peakText(peaks.moment, "N m"), share(BoltStrength::Steel), share(BoltStrength::Shear),
+             share(BoltStrength::Bond), share(BoltStrength::Plate)},
             use.bolt);
         row->setToolTip(AxialPeak, whenText(peaks.axialForce));
         row->setToolTip(ShearPeak, whenText(peaks.shearForce));
