@@ -38,12 +38,12 @@ void addElement(const BoltModel& bolt, const BoltMotion& motion, std::size_t e, 
     notes.add(out.shearForce, element.shearForce, middle);
     notes.add(out.moment, moment, node);
     if (bolt.tensileStrength > 0.0) {
-        const double strength = motion.strengthFactor * bolt.tensileStrength;
+        const double strength = motion.strength.steel * bolt.tensileStrength;
         const double plastic = strength * bolt.plasticModulus / bolt.section.area;
         notes.addUse(out.steel, steelUse(element.axialForce / strength, bolt.bends ? moment / plastic : 0.0), middle);
     }
     if (bolt.shearStrength > 0.0)
-        notes.addUse(out.shear, std::abs(element.shearForce) / (motion.strengthFactor * bolt.shearStrength), middle);
+        notes.addUse(out.shear, std::abs(element.shearForce) / (motion.strength.steel * bolt.shearStrength), middle);
 }
 
 void addNode(const BoltModel& bolt, const BoltMotion& motion, std::size_t n, const Notes& notes, BoltExtremes& out) {
@@ -57,7 +57,7 @@ void addPlate(const BoltModel& bolt, const BoltMotion& motion, const Notes& note
     const PlateModel& plate = bolt.plate;
     const double normal = plate.normalStrength ? std::abs(motion.plateNormal) / *plate.normalStrength : 0.0;
     const double shear = plate.shearStrength ? std::abs(motion.plateShear) / *plate.shearStrength : 0.0;
-    notes.addUse(out.plate, std::max(normal, shear) / motion.strengthFactor, bolt.s.back());
+    notes.addUse(out.plate, std::max(normal, shear) / motion.strength.plate, bolt.s.back());
 }
 
 bool hasBondStrength(const BoltModel& bolt) {

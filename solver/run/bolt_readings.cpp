@@ -55,7 +55,7 @@ NodeState stateOf(const AnchorModel& anchor, const BoltNode& node) {
 void addBondLimits(const AnchorModel& anchor, const BoltMotion& motion, const BoltNode& node, BoltNodeFrame& frame) {
     frame.bondStrength = bondStrengthNow(anchor, motion, node);
     if (frame.bondStrength > 0.0 && !anchor.curve)
-        frame.bondResidual = slidingLimit(anchor, node, motion.strengthFactor) * node.bond.share;
+        frame.bondResidual = slidingLimit(anchor, node, motion.strength.bond) * node.bond.share;
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ double bondStrengthNow(const AnchorModel& anchor, const BoltMotion& motion, cons
     if (!anchor.real || node.slot < 0 || node.bond.gone) return 0.0;
     if (const Backbone* curve = curveNow(anchor, motion))
         return *std::max_element(curve->force.begin(), curve->force.end()) * node.bond.share;
-    return bondStrength(anchor, node, motion.strengthFactor).value_or(0.0);
+    return bondStrength(anchor, node, motion.strength.bond).value_or(0.0);
 }
 
 BoltFrame boltFrame(const BoltModel& bolt, const BoltMotion& motion, const Point& origin) {

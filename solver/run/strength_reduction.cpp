@@ -47,11 +47,13 @@ void reduceJoints(Scene& scene, double factor) {
         }
 }
 
-/// A curve shrinks towards its origin, so that its slopes stay, as the stiffness of the other laws does.
+/// A curve shrinks towards its origin, so that its slopes stay, as the stiffness of the other laws does; a bond that
+/// softens likewise.
 void reduceAnchors(std::vector<Anchor>& anchors, double factor) {
     for (Anchor& anchor : anchors) {
         divide(anchor.strength, factor);
         anchor.residual /= factor;
+        anchor.softeningSlip /= factor;
         anchor.frictionAngle = reducedAngle(anchor.frictionAngle, factor);
         for (auto& [slip, force] : anchor.curve) {
             slip /= factor;

@@ -131,6 +131,18 @@ void checkLimited(const Anchor& anchor, const std::string& pointer, CheckReport&
                      "Give at most the strength; for friction at full strength use the law 'frictional'");
 }
 
+void checkSoftening(const Anchor& anchor, const std::string& pointer, CheckReport& report) {
+    if (anchor.softeningSlip == 0.0)
+        return;
+    const std::string place = under(pointer, "softening_slip");
+    if (anchor.frictionAngle != 0.0)
+        report.error(place, "a bond whose strength grows with the normal force cannot soften over a slip",
+                     "Leave out 'softening_slip' or 'friction_angle'");
+    if (!anchor.restick)
+        report.error(place, "a bond that softens over a slip unloads along its stiffness and sticks again",
+                     "Leave out 'restick', or 'softening_slip'");
+}
+
 void checkAnchorCurve(const Anchor& anchor, const std::string& pointer, CheckReport& report) {
     const std::string place = under(pointer, "points");
     if (!checkCurve(anchor.curve, "slip", "force", place, report))
@@ -147,6 +159,7 @@ void checkLaw(const Anchor& anchor, const std::string& pointer, CheckReport& rep
         report.error(under(pointer, "stiffness"), "the law needs a stiffness", "Give a stiffness above 0");
     if (anchor.law != AnchorLaw::Elastic)
         checkLimited(anchor, pointer, report);
+    checkSoftening(anchor, pointer, report);
 }
 
 }  // namespace

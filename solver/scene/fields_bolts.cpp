@@ -42,6 +42,13 @@ const Structure& structureOf(const Anchor*) {
             row<&Anchor::residual>("residual", "Friction that is left after letting go.",
                                    {.unit = "N, or N/m", .range = atLeast(0),
                                     .only = {.key = "law", .words = {"peak-residual"}}}),
+            row<&Anchor::softeningSlip>("softening_slip",
+                                        "Slip over which strength falls straight to the residual once the peak is "
+                                        "reached; 0: at once. The fracture energy for each metre of bolt is half "
+                                        "this slip times (strength − residual) × (1 + (strength − residual)/"
+                                        "(stiffness × this slip)).",
+                                        {.unit = "m", .range = atLeast(0),
+                                         .only = {.key = "law", .words = {"peak-residual"}}}),
             row<&Anchor::restick>("restick",
                                   "Whether the anchor sticks again when its sliding stops; else it keeps the force "
                                   "it had after letting go.",
@@ -77,11 +84,11 @@ const Structure& structureOf(const Plate*) {
             row<&Plate::width>("width", "Width.", {.unit = "m", .range = above(0)}),
             row<&Plate::thickness>("thickness", "Thickness.", {.unit = "m", .range = above(0)}),
             row<&Plate::youngsModulus>("youngs_modulus", "Young's modulus.",
-                                       {.unit = "Pa", .range = above(0), .source = boltPaper}),
+                                       {.unit = "Pa", .range = moduli, .source = boltPaper}),
             row<&Plate::poissonsRatio>("poissons_ratio", "Poisson's ratio.",
                                        {.range = between(-1, 0.5), .source = boltPaper}),
             row<&Plate::density>("density", "Mass per volume.",
-                                 {.unit = "kg/m³", .range = above(0), .source = usualSteel}),
+                                 {.unit = "kg/m³", .range = densities, .source = usualSteel}),
         }};
     return structure;
 }
@@ -105,14 +112,14 @@ const Structure& structureOf(const BoltType*) {
             row<&BoltType::plasticModulus>("plastic_modulus", "Plastic section modulus; null: from diameter and area.",
                                            {.unit = "m³", .range = above(0)}),
             row<&BoltType::density>("density", "Mass per volume.",
-                                    {.unit = "kg/m³", .range = above(0), .source = usualSteel}),
+                                    {.unit = "kg/m³", .range = densities, .source = usualSteel}),
             row<&BoltType::shearModulus>("shear_modulus", "Shear modulus.",
                                          {.unit = "Pa", .range = above(0), .source = usualSteel}),
             row<&BoltType::shearCoefficient>("shear_coefficient", "Of elements that cross a joint.",
                                              {.range = above(0), .source = boltPaper}),
             row<&BoltType::youngsModulus>("youngs_modulus",
                                           "Young's modulus; null: from the first piece of `steel`.",
-                                          {.unit = "Pa", .range = above(0)}),
+                                          {.unit = "Pa", .range = moduli}),
             row<&BoltType::steel>("steel",
                                   "Strain and stress from the origin to rupture; null: linear and unbreakable.",
                                   {.unit = "–, Pa", .emptyIsNull = true}),
@@ -135,9 +142,12 @@ const Structure& structureOf(const BoltType*) {
             row<&BoltType::anchors>("anchors", "Which nodes are real anchors."),
             row<&BoltType::plate>("plate", "The plate at the head."),
             row<&BoltType::dynamicFactor>("dynamic_factor",
-                                          "Dynamic over static strength of anchors, steel, shear and plate, in "
-                                          "dynamic stages.",
+                                          "Dynamic over static strength of the anchors, in dynamic stages.",
                                           {.range = above(0)}),
+            row<&BoltType::steelDynamicFactor>("steel_dynamic_factor",
+                                               "The same of the steel, in tension, shear and bending.",
+                                               {.range = above(0)}),
+            row<&BoltType::plateDynamicFactor>("plate_dynamic_factor", "The same of the plate.", {.range = above(0)}),
             row<&BoltType::sources>("sources", "Where single numbers come from, by key."),
         }};
     return structure;
@@ -166,6 +176,14 @@ const Structure& structureOf(const Bolt*) {
                                    "locks off. Needs a plate.",
                                    {.unit = "N", .range = atLeast(0)}),
             row<&Bolt::anchors>("anchors", "Anchors of this bolt; null: those of its type."),
+            row<&Bolt::dynamicFactor>("dynamic_factor",
+                                      "Dynamic over static strength of its anchors, in dynamic stages; null: as its "
+                                      "type.",
+                                      {.range = above(0)}),
+            row<&Bolt::steelDynamicFactor>("steel_dynamic_factor", "The same of its steel; null: as its type.",
+                                           {.range = above(0)}),
+            row<&Bolt::plateDynamicFactor>("plate_dynamic_factor", "The same of its plate; null: as its type.",
+                                           {.range = above(0)}),
         }};
     return structure;
 }

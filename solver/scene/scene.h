@@ -374,6 +374,7 @@ struct Anchor {
     double stiffness = 0.0;  // [N/m], or [N/m per m] per length
     std::optional<double> strength;  // [N] or [N/m]; null: unlimited (elastic)
     double residual = 0.0;  // [N] or [N/m], peak–residual only
+    double softeningSlip = 0.0;  // [m] from the peak to the residual, peak–residual only; 0: brittle
     double frictionAngle = 0.0;  // [°] adds tan of it times the normal spring's force to strength and residual
     bool restick = true;
     Table curve;  // (slip [m], force [N] or [N/m]), from the origin
@@ -422,7 +423,9 @@ struct BoltType {
     Per normalPer = Per::Node;
     std::vector<Anchor> anchors;
     Plate plate;
-    double dynamicFactor = 1.0;  // dynamic over static strength
+    double dynamicFactor = 1.0;  // dynamic over static strength of the bond
+    double steelDynamicFactor = 1.0;  // and of the steel, in tension, shear and bending
+    double plateDynamicFactor = 1.0;  // and of the plate
     std::map<std::string, std::string> sources;  // field name → where its number comes from
 
     bool operator==(const BoltType&) const = default;
@@ -440,6 +443,7 @@ struct Bolt {
     std::optional<double> spacingOutOfPlane;  // [m]; null: the thickness
     double pretension = 0.0;  // [N] that the plate pulls the head to when the bolt is installed
     std::optional<std::vector<Anchor>> anchors;  // null: those of the type
+    std::optional<double> dynamicFactor, steelDynamicFactor, plateDynamicFactor;  // null: those of the type
     int pattern = -1;  // the scene's pattern that `cutScene` made it from; no file says it
 
     bool operator==(const Bolt&) const = default;

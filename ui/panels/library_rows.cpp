@@ -3,6 +3,7 @@
 #include "ui/panels/library_rows.h"
 
 #include "solver/files/bolt_library.h"
+#include "solver/scene/anchor_curve.h"
 #include "solver/scene/words.h"
 #include "ui/look/display.h"
 #include "ui/panels/field_words.h"
@@ -119,7 +120,8 @@ QString lawTitle(const Anchor& anchor) {
         : Texts::tr("Bond per metre, %1").arg(law);
 }
 
-double farthestSlip(const Anchor& anchor) {
+double farthestSlip(const Anchor& written) {
+    const Anchor anchor = withCurve(written);
     if (anchor.law == AnchorLaw::Curve) return anchor.curve.empty() ? 0.001 : anchor.curve.back().first;
     const bool limited = anchor.strength && anchor.stiffness > 0.0;
     return limited ? 6.0 * *anchor.strength / anchor.stiffness : 0.002;
@@ -153,7 +155,8 @@ ShownCurve steelCurve(const BoltType& type, const Display& display) {
     return curve;
 }
 
-Table bondCurve(const Anchor& anchor, double farthest) {
+Table bondCurve(const Anchor& written, double farthest) {
+    const Anchor anchor = withCurve(written);
     switch (anchor.law) {
         case AnchorLaw::Curve: return anchor.curve;
         case AnchorLaw::Elastic: return {{0.0, 0.0}, {farthest, anchor.stiffness * farthest}};

@@ -45,7 +45,7 @@ void setSlipLaw(const AnchorModel& anchor, const BoltNode& node, const BoltMotio
     } else {
         law.kind = LawKind::Capped;
         law.offset = bond.offset;
-        law.limit = slidingLimit(anchor, node, motion.strengthFactor);
+        law.limit = slidingLimit(anchor, node, motion.strength.bond);
     }
 }
 
@@ -125,7 +125,7 @@ void relockNormal(const State& state, BoltMotion& motion, EnergyLedger& energy, 
 
 const Backbone* curveNow(const AnchorModel& anchor, const BoltMotion& motion) {
     if (!anchor.curve) return nullptr;
-    return motion.strengthFactor != 1.0 && anchor.dynamicCurve ? &*anchor.dynamicCurve : &*anchor.curve;
+    return motion.strength.bond != 1.0 && anchor.dynamicCurve ? &*anchor.dynamicCurve : &*anchor.curve;
 }
 
 double slidingLimit(const AnchorModel& anchor, const BoltNode& node, double strengthFactor) {
@@ -158,7 +158,7 @@ void addAnchorLinks(BoltStep& step, int n) {
     setSlipLaw(anchor, node, step.motion, l.law);
     if (l.law.kind != LawKind::Capped || anchor.tanPhi == 0.0 || normalAt < 0) return;
     step.problem.limitPairs.push_back({step.last(), normalAt, anchor.tanPhi * node.normalShare / node.bond.share,
-                                       step.motion.strengthFactor * anchor.residual, LimitPair::Rule::Clamp});
+                                       step.motion.strength.bond * anchor.residual, LimitPair::Rule::Clamp});
 }
 
 bool ofAnchor(LinkKind kind) { return kind == LinkKind::AnchorSlip || kind == LinkKind::AnchorNormal; }
@@ -188,7 +188,7 @@ void addAnchorLimits(const BoltModel& bolt, const BoltMotion& motion, int owner,
         if (anchor.curveEnds) add(LimitKind::CurveEnd, std::abs(node.bond.slip) / curve->lastStrain);
         const double first = curve->force.front() / curve->modulus;
         if (node.bond.bonded) add(LimitKind::Bond, std::abs(node.bond.slip) / first);
-    } else if (const auto strength = bondStrength(anchor, node, motion.strengthFactor)) {
+    } else if (const auto strength = bondStrength(anchor, node, motion.strength.bond)) {
         if (node.bond.bonded) add(LimitKind::Bond, std::abs(node.bond.force) / *strength);
     }
 }
@@ -201,7 +201,7 @@ bool anchorChangesForces(const AnchorModel& anchor, const Limit& limit) {
 
 void releaseAnchor(const AnchorModel& anchor, const Limit& limit, BoltMotion& motion) {
     if (limit.kind == LimitKind::Bond) {
-        debond(anchor, motion.strengthFactor, motion.nodes[limit.part]);
+        debond(anchor, motion.strength.bond, motion.nodes[limit.part]);
         return;
     }
     NodeBond& bond = motion.nodes[limit.part].bond;

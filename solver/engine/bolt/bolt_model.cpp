@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/bolt/bolt_model.h"
 
+#include "solver/engine/bolt/acts_across.h"
+#include "solver/engine/bolt/bolt_mesh.h"
 #include "solver/engine/bolt/slots.h"
+#include "solver/scene/anchor_curve.h"
 #include "solver/scene/lookup.h"
 
 #include <algorithm>
@@ -16,7 +19,10 @@ namespace {
 /// Normal spring of the shank per metre where a type gives none: a 20 mm bar grouted
 /// into a 33 mm hole, 2·E_g/(D/d − 1) with E_g 8.8 GPa (theory, "The dowel") [N/m²].
 constexpr double groutNormalStiffness = 27.08e9;
-constexpr double coarseDivisions = 60.0;
+constexpr double bondedDivisions = 60.0;  // least of an automatic mesh; what holds for each node counts on it
+constexpr double freeDivisions = 20.0;  // the same of a bolt that is held at single places only
+constexpr double transferShare = 0.25;  // of the transfer length, for an element: a pull opens its joint 0.8 % too far
+constexpr double softeningShare = 0.15;  // the same of a bond that falls from its peak: it is reached 8 % too late
 
 BeamSection sectionOf(const BoltType& type) {
     const double d = type.diameter;
@@ -48,21 +54,22 @@ double plasticModulusOf(const BoltType& type, double area) {
 
 void setSteel(const BoltType& type, BoltModel& bolt) {
     bolt.diameter = type.diameter;
-    bolt.dynamicFactor = type.dynamicFactor;
     bolt.bends = type.bending != Bending::None;
     bolt.plasticModulus = plasticModulusOf(type, bolt.section.area);
     bolt.tensileStrength = tensileStrengthOf(type, bolt.section.area);
     bolt.shearStrength = type.shearStrengthRatio * bolt.tensileStrength;
     if (type.steel.empty()) return;
     bolt.steel = Backbone::of(type.steel);
-    if (type.dynamicFactor != 1.0) bolt.dynamicSteel = bolt.steel->strengthened(type.dynamicFactor);
+    if (const double factor = bolt.dynamicFactors.steel; factor != 1.0)
+        bolt.dynamicSteel = bolt.steel->strengthened(factor);
     bolt.hinges = type.bending == Bending::ElasticPlastic;
     bolt.interacts = type.ruptureRule == RuptureRule::Interaction;
 }
 
 double placeOf(const BoltPlace& place, double length) { return place.head ? length : place.s; }
 
-AnchorModel anchorModel(const Anchor& anchor, double dynamicFactor) {
+AnchorModel anchorModel(const Anchor& written, double dynamicFactor) {
+    const Anchor anchor = withCurve(written);
     AnchorModel model;
     model.real = true;
     model.law = anchor.law;
@@ -170,7 +177,7 @@ void setNormalSprings(BoltModel& bolt, const BoltType& type, bool automatic) {
     bolt.normalStiffness = type.normalStiffness.value_or(groutNormalStiffness);
     bolt.normalPer = type.normalStiffness ? type.normalPer : Per::Length;
     if (automatic && bolt.normalPer == Per::Node) {
-        bolt.normalStiffness *= coarseDivisions / bolt.s.back();
+        bolt.normalStiffness *= bondedDivisions / bolt.s.back();
         bolt.normalPer = Per::Length;
     }
 }
@@ -178,25 +185,81 @@ void setNormalSprings(BoltModel& bolt, const BoltType& type, bool automatic) {
 /// Length over which a dowel in these springs bends: 1/β, β = (K/4EI)^¼ [m].
 double dowelLengthOf(const BoltType& type, const BeamSection& section, double length) {
     double k = type.normalStiffness.value_or(groutNormalStiffness);
-    if (type.normalStiffness && type.normalPer == Per::Node) k *= coarseDivisions / length;
+    if (type.normalStiffness && type.normalPer == Per::Node) k *= bondedDivisions / length;
     return std::pow(4.0 * section.youngsModulus * section.secondMoment / k, 0.25);
 }
 
-/// Adds nodes up to `to`, in equal elements no longer than `longest`; nothing where `to` is the last node but for
-/// round-off.
-void fill(std::vector<double>& nodes, double to, double longest) {
-    const double from = nodes.back();
-    if (to - from <= 1e-9 * longest) return;
-    const int count = std::max(1, static_cast<int>(std::ceil((to - from) / longest - 1e-9)));
-    for (int i = 1; i <= count; ++i) nodes.push_back(from + (to - from) * i / count);
+/// Numbers of a bond that its mesh goes by, for a metre of bolt.
+struct Bond {
+    double stiffness = 0.0, peak = 0.0, residual = 0.0;  // [N/m², N/m]; peak 0: without limit
+    double softeningSlip = 0.0;  // [m]
+};
+
+Bond bondOf(const Anchor& anchor) {
+    if (anchor.law != AnchorLaw::Curve) {
+        const double peak = anchor.strength.value_or(0.0);
+        return {anchor.stiffness, peak, anchor.law == AnchorLaw::Frictional ? peak : anchor.residual, anchor.softeningSlip};
+    }
+    Bond bond;
+    bond.stiffness = anchor.curve[1].second / anchor.curve[1].first;
+    bond.residual = anchor.after == AfterCurve::Last ? anchor.curve.back().second : 0.0;
+    for (const auto& [slip, force] : anchor.curve) {
+        bond.peak = std::max(bond.peak, force);
+        if (force == bond.peak) bond.softeningSlip = anchor.curve.back().first - slip;
+    }
+    return bond;
 }
 
-/// Half the element around a joint: no longer than `longest`, clear of the other joints and within the bolt [m].
-double halfElement(const std::vector<double>& joints, std::size_t joint, double length, double longest) {
-    double room = std::min({longest, 2.0 * joints[joint], 2.0 * (length - joints[joint])});
-    if (joint > 0) room = std::min(room, joints[joint] - joints[joint - 1]);
-    if (joint + 1 < joints.size()) room = std::min(room, joints[joint + 1] - joints[joint]);
-    return 0.5 * room;
+/// How far from where its force comes in a bond works, at most: three transfer lengths, the way over which it softens,
+/// and the way over which it lets go before the steel is at its strength [m]. The front of a bond that lets go carries
+/// √(2·EA·G), G the work per area of its curve down to the residual.
+double reachOf(const Bond& bond, double transfer, double axialStiffness, double steelStrength, double length) {
+    if (bond.peak <= 0.0) return 3.0 * transfer;
+    const double softened = (bond.peak - bond.residual) * bond.softeningSlip;
+    const double front = std::sqrt(axialStiffness * (bond.peak * bond.peak / bond.stiffness + softened));
+    const double soft = bond.softeningSlip > 0.0 ? front / (0.5 * (bond.peak + bond.residual)) : 0.0;
+    const double left = steelStrength > 0.0 ? std::max(0.0, steelStrength - front) : axialStiffness;
+    const double gone = left > 0.0 ? left / std::max(bond.residual, left / length) : 0.0;
+    return 3.0 * transfer + soft + gone;
+}
+
+/// Short elements where force comes into a bond: at joints, at the plate and where the bond begins or ends inside the bolt.
+void addTransferPlaces(const Anchor& anchor, const std::vector<Interval>& intervals, const BoltModel& b, bool plated,
+                       MeshRequest& request) {
+    const Bond bond = bondOf(anchor);
+    if (bond.stiffness <= 0.0) return;
+    const double axial = b.section.youngsModulus * b.section.area;
+    const double transfer = std::sqrt(axial / bond.stiffness);
+    const double share = bond.residual < bond.peak ? softeningShare : transferShare;
+    const double reach = reachOf(bond, transfer, axial, b.tensileStrength, request.length);
+    const auto add = [&](double s) { request.fine.push_back({s, share * transfer, reach}); };
+    for (const auto& [from, to] : intervals) {
+        for (double joint : request.joints)
+            if (joint >= from && joint <= to) add(joint);
+        if (from > 0.0) add(from);
+        if (to < request.length || plated) add(to);
+    }
+}
+
+bool isBonded(const std::vector<Anchor>& anchors) {
+    return std::any_of(anchors.begin(), anchors.end(), [](const Anchor& anchor) { return !anchor.at; });
+}
+
+/// The automatic mesh (theory, "Divisions").
+MeshRequest meshRequest(const std::vector<Anchor>& anchors, const BoltModel& b, double length, bool plated) {
+    MeshRequest request;
+    request.length = length;
+    request.longest = length / (isBonded(anchors) ? bondedDivisions : freeDivisions);
+    request.joints = b.joints;
+    if (plated) request.fine.push_back({length, length / bondedDivisions, 0.0});
+    if (b.bends && b.shears)
+        for (double joint : b.joints) request.fine.push_back({joint, b.dowelLength / 8.0, b.dowelLength});
+    for (std::size_t e = 0; e < anchors.size(); ++e) {
+        if (anchors[e].at) request.nodes.push_back(placeOf(*anchors[e].at, length));
+        else if (anchors[e].per == Per::Length) addTransferPlaces(anchors[e], b.intervals[e], b, plated, request);
+    }
+    std::sort(request.nodes.begin(), request.nodes.end());
+    return request;
 }
 
 }  // namespace
@@ -213,12 +276,18 @@ BoltModel boltModel(const Scene& scene, int index, const Model& model) {
     b.angle = std::atan2(b.axis.y(), b.axis.x());
     b.share = model.thickness / bolt.spacingOutOfPlane.value_or(model.thickness);
     b.section = sectionOf(type);
+    b.dynamicFactors = {bolt.dynamicFactor.value_or(type.dynamicFactor),
+                        bolt.steelDynamicFactor.value_or(type.steelDynamicFactor),
+                        bolt.plateDynamicFactor.value_or(type.plateDynamicFactor)};
     setSteel(type, b);
     b.pretension = bolt.pretension;
     b.slots = slotsAlong(model, b.farEnd, head);
     b.joints = jointPlaces(model, b.slots, length);
     b.dowelLength = dowelLengthOf(type, b.section, length);
-    b.s = boltNodes(length, bolt.divisions, b.joints, b.dowelLength);
+    b.shears = actsAcross(scene, model, b.axis, b.slots);
+    b.intervals = intervalsOf(anchorsOf(scene, bolt), length);
+    b.s = bolt.divisions ? equalNodes(length, *bolt.divisions)
+                         : gradedNodes(meshRequest(anchorsOf(scene, bolt), b, length, bolt.plate != PlateKind::None));
     for (std::size_t i = 0; i + 1 < b.s.size(); ++i) {
         const bool shears = std::any_of(b.joints.begin(), b.joints.end(), [&](double s) {
             return s >= b.s[i] - model.tolerance && s <= b.s[i + 1] + model.tolerance;
@@ -226,39 +295,13 @@ BoltModel boltModel(const Scene& scene, int index, const Model& model) {
         b.elements.push_back({b.s[i + 1] - b.s[i], shears});
     }
     for (double s : b.s) b.startBlock.push_back(startBlockOf(model, b.slots, s));
-    b.anchors = anchorsOfNodes(anchorsOf(scene, bolt), b.s, length, model.tolerance, type.dynamicFactor);
-    b.intervals = intervalsOf(anchorsOf(scene, bolt), length);
+    b.anchors = anchorsOfNodes(anchorsOf(scene, bolt), b.s, length, model.tolerance,
+                               b.dynamicFactors.bond);
     setNormalSprings(b, type, !bolt.divisions);
     if (bolt.plate == PlateKind::Spring) b.plate = plateModel(model, b, type);
     if (bolt.plate == PlateKind::Block) b.plate = blockPlate(model, b, index, type);
     b.firstNode = model.nodes;
     return b;
-}
-
-std::vector<double> boltNodes(double length, std::optional<int> divisions, const std::vector<double>& joints,
-                              double dowel) {
-    std::vector<double> nodes{0.0};
-    if (divisions) {
-        fill(nodes, length, length / *divisions * (1.0 + 1e-9));
-        return nodes;
-    }
-    const double coarse = length / coarseDivisions;
-    const double fine = std::min(coarse, dowel / 8.0);
-    const double zone = 3.0 * dowel;
-    double fineUntil = -1.0;  // how far the zone of the last joint reaches
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        const double half = halfElement(joints, i, length, fine);
-        const double first = joints[i] - half;
-        fill(nodes, std::min(fineUntil, first), fine);
-        fill(nodes, std::min(std::max(nodes.back(), joints[i] - zone), first), coarse);
-        fill(nodes, first, fine);
-        nodes.push_back(joints[i] + half);
-        fineUntil = std::min(joints[i] + zone, length);
-    }
-    fill(nodes, fineUntil, fine);
-    fill(nodes, length, coarse);
-    nodes.back() = length;
-    return nodes;
 }
 
 }  // namespace keyblock

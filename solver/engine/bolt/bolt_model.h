@@ -7,17 +7,9 @@
 
 #include "solver/engine/model/model.h"
 
-#include <optional>
-#include <vector>
-
 namespace keyblock {
 
 /// \pre the model has its blocks, and `nodes` counts those of the bolts before this one
 BoltModel boltModel(const Scene& scene, int index, const Model& model);
-
-/// Distances of a bolt's nodes from its far end: the given divisions, or short
-/// elements with every joint in the middle of one (theory, "Divisions").
-std::vector<double> boltNodes(double length, std::optional<int> divisions, const std::vector<double>& joints,
-                              double dowelLength);
 
 }  // namespace keyblock

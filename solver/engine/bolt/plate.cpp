@@ -49,7 +49,7 @@ void addPlateLimit(const BoltModel& bolt, const BoltMotion& motion, int owner, s
     const double normal = plate.normalStrength ? std::abs(motion.plateNormal) / *plate.normalStrength : 0.0;
     const double shear = plate.shearStrength ? std::abs(motion.plateShear) / *plate.shearStrength : 0.0;
     const int head = static_cast<int>(motion.nodes.size()) - 1;
-    limits.push_back({LimitKind::Plate, owner, head, std::max(normal, shear) / motion.strengthFactor});
+    limits.push_back({LimitKind::Plate, owner, head, std::max(normal, shear) / motion.strength.plate});
 }
 
 void losePlate(BoltMotion& motion) {

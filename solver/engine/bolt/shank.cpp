@@ -54,7 +54,7 @@ void turnHinge(double& offset, double strain, EnergyLedger& energy, BoltMotion& 
 
 const Backbone* steelNow(const BoltModel& bolt, const BoltMotion& motion) {
     if (!bolt.steel) return nullptr;
-    return motion.strengthFactor != 1.0 && bolt.dynamicSteel ? &*bolt.dynamicSteel : &*bolt.steel;
+    return motion.strength.steel != 1.0 && bolt.dynamicSteel ? &*bolt.dynamicSteel : &*bolt.steel;
 }
 
 BeamStrains strainsOf(const BoltModel& bolt, const BoltMotion& motion, int e) {
@@ -80,7 +80,7 @@ double hingeLimit(const BoltModel& bolt, const BoltMotion& motion, int e) {
 Utilisation utilisationOf(const BoltModel& bolt, const BoltMotion& motion, int e) {
     if (bolt.tensileStrength <= 0.0) return {};
     const BoltElementState& element = motion.elements[e];
-    const double factor = motion.strengthFactor;
+    const double factor = motion.strength.steel;
     const double moment = std::max(std::abs(element.moment1), std::abs(element.moment2));
     const double plastic = factor * bolt.plasticModulus * bolt.tensileStrength / bolt.section.area;
     Utilisation u;
@@ -183,7 +183,7 @@ void addShankLimits(const BoltModel& bolt, const BoltMotion& motion, int owner, 
     if (bolt.interacts)
         add(LimitKind::Interaction, std::sqrt(utilisationOf(bolt, motion, e).forces));
     else if (bolt.shearStrength > 0.0)
-        add(LimitKind::ShearRupture, std::abs(element.shearForce) / (motion.strengthFactor * bolt.shearStrength));
+        add(LimitKind::ShearRupture, std::abs(element.shearForce) / (motion.strength.steel * bolt.shearStrength));
 }
 
 void releaseShank(BoltMotion& motion, const Limit& limit) {

@@ -92,7 +92,7 @@ struct AnchorModel {
     bool restick = true;
     bool boltLost = false;  // this anchor's failure loses the whole bolt
     bool curveEnds = false;  // nothing past the curve's last slip
-    std::optional<Backbone> curve;
+    std::optional<Backbone> curve;  // of a force–slip curve, or of a bond that softens
     std::optional<Backbone> dynamicCurve;  // where the dynamic factor changes it
     int entry = -1;  // row of BoltModel::intervals
 };
@@ -100,6 +100,11 @@ struct AnchorModel {
 struct BoltElement {
     double length = 0.0;  // [m]
     bool shears = false;  // crosses or touches a joint
+};
+
+/// Dynamic over static strength of the parts of a bolt.
+struct StrengthFactors {
+    double bond = 1.0, steel = 1.0, plate = 1.0;
 };
 
 struct PlateModel {
@@ -120,6 +125,7 @@ struct BoltModel {
     std::vector<Slot> slots;  // along the bolt
     std::vector<double> joints;  // where slots end inside the bolt [m]
     double dowelLength = 0.0;  // over which a dowel bends, 1/β [m]
+    bool shears = true;  // something in the scene may shear it at a joint
     std::vector<int> startBlock;  // a row per node; −1: gap, joint or outside
     Point farEnd{0.0, 0.0}, axis{1.0, 0.0};
     double angle = 0.0;  // [rad]
@@ -132,7 +138,7 @@ struct BoltModel {
     bool interacts = false;  // tension and shear rupture it together
     bool hinges = false;
     double plasticModulus = 0.0;  // Z [m³]
-    double dynamicFactor = 1.0;
+    StrengthFactors dynamicFactors;  // in dynamic stages
     double pretension = 0.0;  // [N]
     double diameter = 0.0;  // [m]
     bool bends = true;

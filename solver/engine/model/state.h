@@ -111,7 +111,7 @@ struct BoltMotion {
     bool tensioning = false;  // the plate pulls with the pretension and is not locked off yet
     double plateStretch = 0.0, plateOffset = 0.0;  // of the normal spring: last accepted, and where it vanishes [m]
     double plateShearOffset = 0.0;  // where the plate's shear spring vanishes [m]
-    double strengthFactor = 1.0;  // dynamic over static strength, in this stage
+    StrengthFactors strength;  // in this stage
     double plasticEnergy = 0.0, bondEnergy = 0.0;  // [J] used since the start
     bool lost = false;
     bool absent = false;  // not installed yet, or removed

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/setup/mesh_check.h"
 
+#include "solver/engine/bolt/bolt_mesh.h"
 #include "solver/engine/setup/make_model.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/pointer.h"
@@ -12,6 +13,8 @@
 
 namespace keyblock {
 namespace {
+
+constexpr double largestShare = 0.3;  // of the transfer length: a pull opens its joint 1 % too far
 
 std::string millimetres(double metres) {
     char text[32];
@@ -52,6 +55,75 @@ void checkAnchorNodes(const Scene& scene, std::size_t index, const BoltModel& bo
     }
 }
 
+/// Share of the transfer length √(EA/k) that an element takes up, the largest at a joint where the bond is per metre.
+/// What holds for each node has no transfer length of its own: the number of nodes is part of that law.
+struct BondMesh {
+    double element = 0.0, transfer = 0.0;  // [m]
+
+    double share() const { return transfer > 0.0 ? element / transfer : 0.0; }
+};
+
+BondMesh bondMeshOf(const BoltModel& bolt) {
+    BondMesh worst;
+    const double axial = bolt.section.youngsModulus * bolt.section.area;
+    for (std::size_t e = 0; e < bolt.elements.size(); ++e)
+        for (const std::size_t n : {e, e + 1}) {
+            const AnchorModel& anchor = bolt.anchors[n];
+            const double stiffness = anchor.curve ? anchor.curve->modulus : anchor.stiffness;
+            if (!bolt.elements[e].shears || !anchor.real || anchor.per != Per::Length || stiffness <= 0.0) continue;
+            const BondMesh here{bolt.elements[e].length, std::sqrt(axial / stiffness)};
+            if (here.share() > worst.share()) worst = here;
+        }
+    return worst;
+}
+
+std::string percent(double share) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", 100.0 * share);
+    return text + std::string(" %");
+}
+
+/// Of an endless bar with springs at every node and a joint in the middle of an element, against the continuous bond
+/// (theory, "Divisions").
+void checkBond(const Scene& scene, std::size_t index, const BoltModel& bolt, std::vector<Problem>& problems) {
+    const BondMesh mesh = bondMeshOf(bolt);
+    const double x = mesh.share();
+    if (x <= largestShare) return;
+    const double opens = std::sqrt(1.0 + 0.25 * x * x) - 1.0, lasts = std::expm1(2.0 * std::asinh(0.5 * x)) / x - 1.0;
+    const int wanted = static_cast<int>(std::ceil(bolt.s.back() / (0.25 * mesh.transfer)));
+    Problem problem;
+    problem.severity = Severity::Warning;
+    problem.pointer = under(boltPointer(scene, index), "divisions");
+    problem.message = "bolt " + bolt.name + " has elements of " + millimetres(mesh.element) + " at a joint, " +
+                      percent(x) + " of the " + millimetres(mesh.transfer) +
+                      " over which its bond takes up a force: under a pull the joint opens " + percent(opens) +
+                      " too far, and a bond with a peak holds " + percent(lasts) + " too much before it lets go";
+    problem.remedy = scene.bolts[index].divisions
+                         ? "leave divisions out, or give at least " + std::to_string(wanted)
+                         : "shorten the bolt: an automatic mesh has at most " + std::to_string(mostElements) + " elements";
+    problems.push_back(std::move(problem));
+}
+
+/// Given divisions that are too long for a dowel.
+void checkDowel(const Scene& scene, std::size_t index, const BoltModel& bolt, double tolerance,
+                std::vector<Problem>& problems) {
+    if (!scene.bolts[index].divisions || !bolt.bends || !bolt.shears) return;
+    const double fine = bolt.dowelLength / 8.0, longest = longestAtJoints(bolt);
+    const bool node = std::any_of(bolt.joints.begin(), bolt.joints.end(),
+                                  [&](double joint) { return onNode(bolt, joint, tolerance); });
+    if (longest <= fine * (1.0 + 1e-9) && !node) return;
+    Problem problem;
+    problem.severity = Severity::Warning;
+    problem.pointer = under(boltPointer(scene, index), "divisions");
+    problem.message = "bolt " + bolt.name + " has " +
+                      (longest > fine ? "elements of " + millimetres(longest) + " at a joint, where shear wants " +
+                                            millimetres(fine) + " or less"
+                                      : std::string("a node on a joint")) +
+                      ": its dowel forces come out too soft";
+    problem.remedy = "leave divisions out, and the program refines the bolt at every joint";
+    problems.push_back(std::move(problem));
+}
+
 }  // namespace
 
 std::vector<Problem> checkMeshes(const Scene& scene) {
@@ -59,23 +131,9 @@ std::vector<Problem> checkMeshes(const Scene& scene) {
     if (scene.blocks.empty()) return problems;
     const Model model = makeModel(scene);
     for (std::size_t i = 0; i < scene.bolts.size(); ++i) {
-        const BoltModel& bolt = model.bolts[i];
-        checkAnchorNodes(scene, i, bolt, problems);
-        if (!scene.bolts[i].divisions || !bolt.bends) continue;
-        const double fine = bolt.dowelLength / 8.0, longest = longestAtJoints(bolt);
-        const bool node = std::any_of(bolt.joints.begin(), bolt.joints.end(),
-                                      [&](double joint) { return onNode(bolt, joint, model.tolerance); });
-        if (longest <= fine * (1.0 + 1e-9) && !node) continue;
-        Problem problem;
-        problem.severity = Severity::Warning;
-        problem.pointer = under(boltPointer(scene, i), "divisions");
-        problem.message = "bolt " + bolt.name + " has " +
-                          (longest > fine ? "elements of " + millimetres(longest) + " at a joint, where shear wants " +
-                                                millimetres(fine) + " or less"
-                                          : std::string("a node on a joint")) +
-                          ": its dowel forces come out too soft; its pull is right";
-        problem.remedy = "leave divisions out, and the program refines the bolt at every joint";
-        problems.push_back(std::move(problem));
+        checkAnchorNodes(scene, i, model.bolts[i], problems);
+        checkBond(scene, i, model.bolts[i], problems);
+        checkDowel(scene, i, model.bolts[i], model.tolerance, problems);
     }
     return problems;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Given divisions are used as given; where they are too coarse for a joint to
-// shear the bolt, a person should know before believing the dowel forces.
+// Divisions are used as given; where they are too coarse for what happens at a
+// joint, a person should know before believing the forces.
 #pragma once
 
 #include "solver/scene/problem.h"
@@ -12,9 +12,10 @@
 
 namespace keyblock {
 
-/// A warning for every anchor named by its place whose node lies on a joint or in a gap, where it holds nothing; and for
-/// every bolt whose given elements at a joint are longer than an eighth of the length over which a dowel bends, or that
-/// has a node on a joint (theory, "Divisions"). Automatic divisions never are or do.
+/// A warning for every anchor named by its place whose node lies on a joint or in a gap, where it holds nothing; for every
+/// bolt whose elements at a joint take up more than 0.3 of the length over which its bond takes up a force, with what that
+/// costs; and, where something may shear the bolt, for given elements at a joint that are longer than an eighth of the
+/// length over which a dowel bends, or a node on a joint (theory, "Divisions").
 /// \pre the scene has no error.
 std::vector<Problem> checkMeshes(const Scene& scene);
 

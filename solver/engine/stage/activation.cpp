@@ -105,9 +105,9 @@ std::vector<WallForce> excavate(const Model& model, State& state, const std::vec
 void installBolt(const Model& model, State& state, int index) {
     const BoltModel& bolt = model.bolts[index];
     BoltMotion& motion = state.bolts[index];
-    const double factor = motion.strengthFactor;
+    const StrengthFactors strength = motion.strength;
     motion = boltAtRest(bolt);
-    motion.strengthFactor = factor;
+    motion.strength = strength;
     if (const int plate = plateRow(model, index); plate >= 0) placePlate(model, state, plate);
     const BoltLine line = lineNow(bolt, state);
     const double turn = std::atan2(cross(bolt.axis, line.along), bolt.axis.dot(line.along));

@@ -211,6 +211,66 @@ TEST(BoltLaws, TheDynamicFactorScalesWhatAnAnchorHolds) {
     }
 }
 
+/// A friction bolt embedded over 1.5 m, its plate under a slab of 1 m³ that flies off at 1 m/s, weight along the bolt.
+Scene caughtSlab(double bondFactor) {
+    Scene scene = twoBlocks(rigidRock, 2.0, 3.0);
+    scene.analysis.tolerance = 1e-8;
+    scene.analysis.gravity = {gravity, 0.0};
+    BoltType tube = linearType(380e-6, 200e9);
+    Anchor hole = anchorRange(Per::Length, AnchorLaw::Frictional, 750e6, 54e3, 0.0);
+    hole.to = BoltPlace{false, 1.5};
+    tube.anchors = {hole};
+    tube.dynamicFactor = bondFactor;
+    tube.plate.normalStrength = 60e3;
+    addBolt(scene, tube, 0.5, 3.0, 100, PlateKind::Spring);
+    Stage stage;
+    stage.name = "fall";
+    stage.kind = StageKind::Dynamic;
+    stage.duration = 0.3;
+    stage.timeStep = 5e-4;
+    InitialVelocity start;
+    start.blockAt = Point(2.6, 0.6);
+    start.velocity = {1.0, 0.0};
+    stage.initialVelocities = {start};
+    scene.stages = {stage};
+    return scene;
+}
+
+/// (pL − mg)·s − ½ps² = ½mv²
+double slidingWay(double perMetre) {
+    const double mass = 2700.0, spare = 1.5 * perMetre - mass * gravity;
+    return (spare - std::sqrt(spare * spare - perMetre * mass)) / perMetre;
+}
+
+TEST(BoltLaws, AFrictionBoltCatchesASlabWithItsDynamicBondAndItsWholePlate) {
+    const Solved solved = solve(caughtSlab(0.5));
+    const double way = slidingWay(27e3);
+    EXPECT_NEAR(reading(solved, "max opening"), way, 0.02 * way);
+    EXPECT_EQ(countOf(solved, EventKind::PlateLoss), 0);
+}
+
+TEST(BoltLaws, TheFactorsOfSteelAndPlateAreTheirOwn) {
+    Scene plate = caughtSlab(0.5);
+    plate.boltTypes[0].plateDynamicFactor = 0.5;  // 30 kN, less than the 40.5 kN at which the bond slides
+    EXPECT_EQ(countOf(solve(plate), EventKind::PlateLoss), 1);
+    Scene steel = caughtSlab(0.5);
+    steel.boltTypes[0].youngsModulus.reset();
+    steel.boltTypes[0].steel = {{0.0, 0.0}, {0.001, 200e6}, {0.01, 201e6}};  // 76 kN
+    steel.boltTypes[0].bending = Bending::None;
+    EXPECT_EQ(countOf(solve(steel), EventKind::Yield), 0);
+    steel.boltTypes[0].steelDynamicFactor = 0.5;  // 38 kN
+    EXPECT_GT(countOf(solve(steel), EventKind::Yield), 0);
+}
+
+TEST(BoltLaws, ABoltsOwnFactorsStandInPlaceOfItsTypes) {
+    Scene scene = caughtSlab(1.0);
+    scene.bolts[0].dynamicFactor = 0.5;
+    const double way = slidingWay(27e3);
+    EXPECT_NEAR(reading(solve(scene), "max opening"), way, 0.02 * way);
+    scene.bolts[0].plateDynamicFactor = 0.5;
+    EXPECT_EQ(countOf(solve(scene), EventKind::PlateLoss), 1);
+}
+
 // Friction p per metre over what is left in the hole, until nothing is: force p·(embedded length), then none.
 TEST(BoltLaws, ABoltCanBePulledRightOut) {
     const double perMetre = 50e3, embedded = 0.105;

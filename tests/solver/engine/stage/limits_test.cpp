@@ -120,7 +120,7 @@ struct LoadedBolt {
     static Scene scene(RuptureRule rule) {
         Scene scene = twoBlocks(10e9, 1.0, 2.0);
         BoltType bar = steelType(barArea(), {{0, 0}, {0.0025, 500e6}, {0.1, 600e6}});
-        bar.dynamicFactor = 2.0;
+        bar.dynamicFactor = bar.steelDynamicFactor = bar.plateDynamicFactor = 2.0;
         bar.ruptureRule = rule;
         bar.plate.normalStrength = 100e3;
         bar.anchors = {anchorRange(Per::Node, AnchorLaw::PeakResidual, 1e8, 20e3, 2e3)};
@@ -152,7 +152,7 @@ TEST(Limits, OfABoltGrowWithTheDynamicFactor) {
     for (const RuptureRule rule : {RuptureRule::Independent, RuptureRule::Interaction}) {
         LoadedBolt bolt(rule);
         const LoadedBolt slow = bolt;
-        bolt.state.bolts[0].strengthFactor = 2.0;
+        bolt.state.bolts[0].strength = {2.0, 2.0, 2.0};
         for (const LimitKind kind : {LimitKind::Bond, LimitKind::Yield, LimitKind::ShearRupture,
                                      LimitKind::Interaction, LimitKind::Plate})
             EXPECT_NEAR(bolt.ratio(kind), 0.5 * slow.ratio(kind), 1e-12) << static_cast<int>(kind);
@@ -180,7 +180,7 @@ TEST(Limits, OfAHingeAreMomentsThatWereHeld) {
     EXPECT_NEAR(ratioOf(0.5, 0.4, 0.8), 0.5 / 0.4, 1e-12);
     EXPECT_NEAR(ratioOf(5e-4, 1.0, 1.1), 0.5, 1e-12);  // of a thousandth, where nothing is left
     EXPECT_EQ(ratioOf(0.5, 0.0, 1.1), 0.0);
-    motion.strengthFactor = 2.0;
+    motion.strength = {2.0, 2.0, 2.0};
     EXPECT_NEAR(ratioOf(0.5, 2.0, 0.0), 0.25, 1e-12);
 }
 
