@@ -44,7 +44,8 @@ struct Checkpoint {
     StageStart start;  // of the stage
     Health health;  // of the stage
     long firstStep = 0;  // when the stage began
-    long passes = 0;  // of the stage, when the last checkpoint was kept
+    long passes = 0;  // when the last checkpoint was kept; less than 0 where that was before the stage
+    std::size_t resultsKept = 0;  // stages that had ended then
     FrameClock frames;
     Written written;
     std::vector<BoltExtremes> extremes;  // of the bolts, over the run so far

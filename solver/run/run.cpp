@@ -39,6 +39,7 @@ namespace keyblock {
 namespace {
 
 constexpr long fewestPasses = 200;  // between checkpoints: a new pattern and a written state cost two or three
+constexpr std::size_t stagesToEach = 64;  // that ended before, to each that may begin without a checkpoint
 constexpr long workBetween = 2000;  // passes times bodies between the checkpoints of the smallest models
 
 /// Blocks and bolts where the scene has them.
@@ -72,7 +73,7 @@ public:
         while (on && now_.stage < static_cast<int>(scene_.stages.size())) {
             stepping_ = false;
             show();
-            if (!now_.begun || checkpointDue()) keepCheckpoint();
+            if (now_.begun ? checkpointDue() : checkpointDueBetweenStages()) keepCheckpoint();
             StepEnding ending;
             atRest_ = true;
             const bool stop = stopAsked();
@@ -102,7 +103,14 @@ private:
         return engine_.health.passes - now_.passes >= std::max(fewestPasses, workBetween / std::max(1L, bodies));
     }
 
+    /// A checkpoint holds the results of all stages before, so after thousands of short stages not each can have its own.
+    bool checkpointDueBetweenStages() const {
+        const std::size_t since = now_.results.size() - now_.resultsKept;
+        return now_.results.empty() || since * stagesToEach >= now_.results.size() || checkpointDue();
+    }
+
     void keepCheckpoint() {
+        now_.resultsKept = now_.results.size();
         now_.health = engine_.health;
         now_.passes = engine_.health.passes;
         engine_.solver = {};
@@ -122,7 +130,7 @@ private:
         now_.within = {};
         now_.pace = {};
         now_.firstStep = now_.state.step;
-        now_.passes = 0;
+        now_.passes -= engine_.health.passes;  // it counts on from the last checkpoint
         engine_.health = {};
         setStrengths();
         const std::vector<WallForce> walls = changePresence();
@@ -164,7 +172,7 @@ private:
 
     void setStrengths() {
         for (std::size_t b = 0; b < now_.state.bolts.size(); ++b)
-            now_.state.bolts[b].strengthFactor = isStatic() ? 1.0 : model_.bolts[b].dynamicFactor;
+            now_.state.bolts[b].strength = isStatic() ? StrengthFactors{} : model_.bolts[b].dynamicFactors;
     }
 
     StepEnding standStill() {
