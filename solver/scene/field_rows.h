@@ -71,6 +71,10 @@ struct Says {
 /// Coordinates of places [m].
 inline constexpr Range coordinates{.least = -farthestCoordinate, .most = farthestCoordinate};
 
+/// What a solid can have, with room to either side: beyond, products of such numbers leave the range of a double.
+inline constexpr Range densities{.least = 1e-6, .most = 1e9};  // [kg/m³]
+inline constexpr Range moduli{.least = 1.0, .most = 1e18};  // [Pa]
+
 inline Range above(double least) { return {.least = least, .leastExcluded = true}; }
 inline Range atLeast(double least) { return {.least = least}; }
 inline Range within(double least, double most) { return {.least = least, .most = most}; }

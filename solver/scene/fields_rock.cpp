@@ -13,9 +13,9 @@ const Structure& structureOf(const Material*) {
         defaultsOf<Material>(),
         {
             row<&Material::density>("density", "Mass per volume.",
-                                    {.unit = "kg/m³", .range = above(0), .required = true}),
+                                    {.unit = "kg/m³", .range = densities, .required = true}),
             row<&Material::youngsModulus>("youngs_modulus", "Young's modulus.",
-                                          {.unit = "Pa", .range = above(0), .required = true}),
+                                          {.unit = "Pa", .range = moduli, .required = true}),
             row<&Material::poissonsRatio>("poissons_ratio", "Poisson's ratio.",
                                           {.range = between(-1, 0.5), .required = true}),
         }};

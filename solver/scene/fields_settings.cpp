@@ -60,9 +60,9 @@ const Structure& structureOf(const Analysis*) {
         {
             row<&Analysis::plane>("plane", "Plane stress or plane strain."),
             row<&Analysis::thickness>("thickness", "Thickness of the model out of the plane.",
-                                      {.unit = "m", .range = above(0)}),
+                                      {.unit = "m", .range = within(1e-6, 1e6)}),
             row<&Analysis::gravity>("gravity", "Acceleration that acts on every block and bolt; [] is zero.",
-                                    {.unit = "m/s²", .emptyIsZero = true}),
+                                    {.unit = "m/s²", .range = within(-1e6, 1e6), .emptyIsZero = true}),
             row<&Analysis::integration>("integration", "Time integration of dynamic stages that name none."),
             row<&Analysis::rhoInf>("rho_inf",
                                    "Share of very stiff motion that a step of `generalized-alpha` keeps, in stages "

@@ -95,6 +95,40 @@ TEST(CheckScene, BearsNumbersThatAreNotFinite) {
     }
 }
 
+/// Numbers whose products leave the range of a double let blocks hang in the air.
+TEST(CheckScene, RefusesNumbersThatNoSolidCanHave) {
+    const auto error = Severity::Error;
+    for (const double bad : {1e-300, 1e300}) {
+        expectProblem([&](Scene& s) { s.materials[0].second.density = bad; }, "/materials/rock/density", error);
+        expectProblem([&](Scene& s) { s.materials[0].second.youngsModulus = bad; }, "/materials/rock/youngs_modulus",
+                      error);
+        expectProblem([&](Scene& s) { s.analysis.thickness = bad; }, "/analysis/thickness", error);
+        expectProblem([&](Scene& s) { s.boltTypes[0].youngsModulus = bad; }, "/bolt_types/bar/youngs_modulus", error);
+        expectProblem([&](Scene& s) { s.boltTypes[0].density = bad; }, "/bolt_types/bar/density", error);
+    }
+    expectProblem([](Scene& s) { s.analysis.gravity.y() = -1e300; }, "/analysis/gravity", error);
+}
+
+TEST(CheckScene, RefusesASofteningBondThatIsSomethingElseToo) {
+    const auto soft = [](Scene& s) -> Anchor& {
+        Anchor anchor;
+        anchor.law = AnchorLaw::PeakResidual;
+        anchor.stiffness = 1e9;
+        anchor.strength = 1e5;
+        anchor.softeningSlip = 1e-3;
+        s.boltTypes[0].anchors = {anchor};
+        return s.boltTypes[0].anchors[0];
+    };
+    Scene sound = soundScene();
+    soft(sound);
+    EXPECT_TRUE(checkScene(sound).empty()) << listing(checkScene(sound));
+    const std::string place = "/bolt_types/bar/anchors/0/softening_slip";
+    expectProblem([&](Scene& s) { soft(s).frictionAngle = 20.0; }, place, Severity::Error);
+    expectProblem([&](Scene& s) { soft(s).restick = false; }, place, Severity::Error);
+    expectProblem([&](Scene& s) { soft(s).softeningSlip = -1e-3; }, place, Severity::Error);
+    expectProblem([&](Scene& s) { soft(s).law = AnchorLaw::Frictional; }, place, Severity::Error);
+}
+
 TEST(CheckScene, FindsWhatOnlyCodeCanBuild) {
     const auto error = Severity::Error;
     expectProblem([](Scene& s) { s.materials.push_back(s.materials[0]); }, "/materials/rock", error);
