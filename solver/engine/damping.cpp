@@ -25,6 +25,7 @@ Link dragOf(const StepProblem& problem, const Link& link, double damping, const 
     const double force = damping * drag.law.stiffness * strainRate(problem, drag, motion);
     const double stiffness = damping * drag.law.stiffness * factors.rate.d;
     drag.kind = LinkKind::Drag;
+    if (factors.rate.v != 0.0) drag.shift = 0.0;  // a rate at one moment, no mean over the step
     const double share = drag.law.share;
     drag.law = {};
     drag.law.share = share;

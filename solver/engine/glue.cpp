@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/glue.h"
 
+#include "solver/engine/step/step_forces.h"
 #include "solver/scene/lookup.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace keyblock {
 namespace {
 
 constexpr double leastWay = 0.5;  // of the smaller cell: cells that joined slivers may have close centroids
+constexpr double turnShare = 1e-4;  // of the largest force of a block's glue: what the turning of its cells may add to one
+constexpr double placeDigits = 1e-14;  // of a place: strains of less are round-off
 
 Point turned(const Point& p, double angle) {
     return {std::cos(angle) * p.x() - std::sin(angle) * p.y(), std::sin(angle) * p.x() + std::cos(angle) * p.y()};
@@ -38,35 +42,66 @@ GlueLine glueLine(const GlueModel& glue, const BlockMotion& a, const BlockMotion
     return line;
 }
 
-BlockMotion ahead(const BlockModel& block, const BlockMotion& motion, double time) {
-    BlockMotion moved = motion;
-    if (time > 0.0 && !block.fixed) moveBlock(block, moved, time * motion.velocity);
-    return moved;
+/// Weighted mean of both. Half-way its directions are means too, a little shorter than 1: so strain grows over the step
+/// by what the gradients there say (theory, "Sub-blocks").
+GlueLine between(const GlueLine& from, const GlueLine& to, double share) {
+    const auto mean = [&](const auto& a, const auto& b) -> std::decay_t<decltype(a)> { return a + share * (b - a); };
+    return {mean(from.along, to.along), mean(from.across, to.across), mean(from.jump, to.jump),
+            mean(from.middle, to.middle), mean(from.slope, to.slope)};
+}
+
+std::array<double, 3> strainsOf(const GlueLine& line) {
+    return {line.across.dot(line.jump), line.along.dot(line.jump), line.slope};
+}
+
+/// Of all cells of a block together [m/s].
+Point meanVelocity(const Model& model, const State& state, int first) {
+    Point momentum(0.0, 0.0);
+    double mass = 0.0;
+    for (int i = first; i < endOfWhole(model, first); ++i) {
+        momentum += model.blocks[i].mass * centroidVelocity(state.blocks[i]);
+        mass += model.blocks[i].mass;
+    }
+    return momentum / mass;
+}
+
+Vector6 wayOf(const Eigen::VectorXd& path, int block) { return path.segment<6>(6 * static_cast<Eigen::Index>(block)); }
+
+/// Where cells are after a share of the path; other blocks have no entry of use.
+std::vector<BlockMotion> cellsAlong(const Model& model, const std::vector<BlockMotion>& from,
+                                    const Eigen::VectorXd& path, double share) {
+    std::vector<BlockMotion> cells(from.size());
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        if (!model.blocks[i].cell) continue;
+        cells[i] = from[i];
+        if (!model.blocks[i].fixed) moveBlock(model.blocks[i], cells[i], share * wayOf(path, static_cast<int>(i)));
+    }
+    return cells;
 }
 
 class GlueLinks {
 public:
-    GlueLinks(const GlueModel& glue, const BlockMotion& a, const BlockMotion& b, int owner, StepProblem& problem)
-        : glue_(glue), a_(a), b_(b), line_(glueLine(glue, a, b)), owner_(owner), problem_(problem) {}
+    /// \param line where the edge is with the cells at `a` and `b`.
+    GlueLinks(const GlueModel& glue, const BlockMotion& a, const BlockMotion& b, const GlueLine& line, int owner,
+              StepProblem& problem)
+        : glue_(glue), a_(a), b_(b), line_(line), owner_(owner), problem_(problem) {}
 
-    /// \param now where the edge is at the start of the step, from which strains count.
-    void add(const GlueLine& now, const std::array<double, 3>& offsets) {
+    /// \param strains at the start of the step, from which they count.
+    void add(const std::array<double, 3>& strains, const std::array<double, 3>& offsets) {
         const auto ta = displacementMatrix(a_, line_.middle), tb = displacementMatrix(b_, line_.middle);
-        link(0, now.across.dot(now.jump), glue_.normal, offsets, -ta.transpose() * line_.across,
-             tb.transpose() * line_.across);
-        link(1, now.along.dot(now.jump), glue_.shear, offsets, -ta.transpose() * line_.along,
-             tb.transpose() * line_.along);
+        link(0, strains, glue_.normal, offsets, -ta.transpose() * line_.across, tb.transpose() * line_.across);
+        link(1, strains, glue_.shear, offsets, -ta.transpose() * line_.along, tb.transpose() * line_.along);
         const Point half = 0.5 * line_.along;
         const auto slopeOf = [&](const BlockMotion& motion) -> Vector6 {
             return (displacementMatrix(motion, line_.middle + half) - displacementMatrix(motion, line_.middle - half))
                        .transpose() * line_.across;
         };
-        link(2, now.slope, glue_.turn, offsets, -slopeOf(a_), slopeOf(b_));
+        link(2, strains, glue_.turn, offsets, -slopeOf(a_), slopeOf(b_));
     }
 
 private:
-    void link(int part, double strain, double stiffness, const std::array<double, 3>& offsets, const Vector6& ga,
-              const Vector6& gb) {
+    void link(int part, const std::array<double, 3>& strains, double stiffness, const std::array<double, 3>& offsets,
+              const Vector6& ga, const Vector6& gb) {
         Link& l = problem_.links.emplace_back();
         l.kind = LinkKind::Glue;
         l.owner = owner_;
@@ -75,7 +110,7 @@ private:
         l.b = glue_.b;
         l.ga = ga;
         l.gb = gb;
-        l.strain = strain;
+        l.strain = strains[static_cast<std::size_t>(part)];
         l.law.stiffness = stiffness;
         l.law.offset = offsets[static_cast<std::size_t>(part)];
     }
@@ -88,14 +123,22 @@ private:
     StepProblem& problem_;
 };
 
-/// Half of a step in motion: it keeps the angular momentum.
+bool carries(const Model& model, const State& state, const GlueModel& glue) {
+    if (model.blocks[glue.a].fixed && model.blocks[glue.b].fixed) return false;
+    return !state.blocks[glue.a].absent;  // with all cells of its block
+}
+
 void addLinks(const StepInput& input, StepProblem& problem) {
-    addGlueLinks(input.model, input.state, problem.moves ? 0.5 * input.options.dt : 0.0, problem);
+    const StepOptions& options = input.options;
+    if (!problem.moves || input.model.glue.empty()) return addGlueLinks(input.model, input.state, problem);
+    addGlueLinksOver(input.model, input.state,
+                     options.cellPath ? *options.cellPath : predictedCellPath(input.model, input.state, options.dt),
+                     factorsOf(options).glueTime, problem);
 }
 
 void addStoredEnergy(const Model& model, const State& state, StoredEnergy& energy) {
     StepProblem links = stepForLinks(model);
-    addGlueLinks(model, state, 0.0, links);
+    addGlueLinks(model, state, links);
     energy.strain = addLinkEnergy(links, energy.strain);
 }
 
@@ -125,19 +168,77 @@ GlueModel glueModel(const Scene& scene, const Model& model, const SharedEdge& ed
     return glue;
 }
 
-void addGlueLinks(const Model& model, const State& state, double lead, StepProblem& problem) {
-    std::vector<BlockMotion> places;  // taken ahead only where something is glued
-    if (!model.glue.empty() && lead > 0.0)
-        for (std::size_t i = 0; i < model.blocks.size(); ++i)
-            places.push_back(model.blocks[i].cell ? ahead(model.blocks[i], state.blocks[i], lead) : BlockMotion{});
-    const std::vector<BlockMotion>& at = places.empty() ? state.blocks : places;
+void addGlueLinks(const Model& model, const State& state, StepProblem& problem) {
     for (std::size_t i = 0; i < model.glue.size(); ++i) {
         const GlueModel& glue = model.glue[i];
-        if (model.blocks[glue.a].fixed && model.blocks[glue.b].fixed) continue;
-        if (state.blocks[glue.a].absent) continue;  // with all cells of its block
-        GlueLinks(glue, at[glue.a], at[glue.b], static_cast<int>(i), problem)
-            .add(glueLine(glue, state.blocks[glue.a], state.blocks[glue.b]), state.glue[i].offset);
+        if (!carries(model, state, glue)) continue;
+        const BlockMotion &a = state.blocks[glue.a], &b = state.blocks[glue.b];
+        const GlueLine line = glueLine(glue, a, b);
+        GlueLinks(glue, a, b, line, static_cast<int>(i), problem).add(strainsOf(line), state.glue[i].offset);
     }
+}
+
+void addGlueLinksOver(const Model& model, const State& state, const Eigen::VectorXd& path, double share,
+                      StepProblem& problem) {
+    const std::vector<BlockMotion> middle = cellsAlong(model, state.blocks, path, share);
+    const std::vector<BlockMotion> end = cellsAlong(model, state.blocks, path, 1.0);
+    for (std::size_t i = 0; i < model.glue.size(); ++i) {
+        const GlueModel& glue = model.glue[i];
+        if (!carries(model, state, glue)) continue;
+        const GlueLine from = glueLine(glue, state.blocks[glue.a], state.blocks[glue.b]);
+        const GlueLine to = glueLine(glue, end[glue.a], end[glue.b]);
+        const std::size_t first = problem.links.size();
+        GlueLinks(glue, middle[glue.a], middle[glue.b], between(from, to, share), static_cast<int>(i), problem)
+            .add(strainsOf(from), state.glue[i].offset);
+        const std::array<double, 3> after = strainsOf(to);
+        for (std::size_t part = 0; part < 3; ++part) {
+            Link& link = problem.links[first + part];
+            link.shift = after[part] - link.strain - link.ga.dot(wayOf(path, link.a)) - link.gb.dot(wayOf(path, link.b));
+        }
+    }
+}
+
+Eigen::VectorXd predictedCellPath(const Model& model, const State& state, double time) {
+    Eigen::VectorXd path = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model.blocks.size()));
+    for (int first = 0; first < static_cast<int>(model.blocks.size()); first = endOfWhole(model, first)) {
+        if (!model.blocks[first].cell) continue;
+        const Point mean = meanVelocity(model, state, first);
+        for (int i = first; i < endOfWhole(model, first); ++i) {
+            const BlockMotion& cell = state.blocks[i];
+            const Point own = centroidVelocity(cell) - mean;
+            const Point chord = time * (mean + 0.5 * (own + turned(own, time * cell.velocity[2])));
+            Vector6 way = time * cell.velocity;
+            way.head<2>() << chord.dot(cell.axis), chord.dot(turnLeft(cell.axis));
+            path.segment<6>(6 * static_cast<Eigen::Index>(i)) = way;
+        }
+    }
+    return path;
+}
+
+bool glueHolds(const Model& model, const std::vector<BlockMotion>& from, const StepProblem& problem,
+               const Eigen::VectorXd& d) {
+    if (model.glue.empty()) return true;
+    const std::vector<BlockMotion> end = cellsAlong(model, from, d, 1.0);
+    std::vector<double> strains;
+    linkStrains(problem, d, strains);
+    std::vector<double> most(model.firstOf.size(), 0.0), off = most;  // per block of the scene [N]
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const Link& link = problem.links[i];
+        if (link.kind != LinkKind::Glue) continue;
+        const GlueModel& glue = model.glue[static_cast<std::size_t>(link.owner)];
+        const GlueLine to = glueLine(glue, end[glue.a], end[glue.b]);
+        const double arm = link.part == 2 ? 0.5 * glue.length : 1.0;
+        const double error = std::abs(strainsOf(to)[static_cast<std::size_t>(link.part)] - strains[i]);
+        const double noise = placeDigits * (model.size + to.middle.norm()) / arm;
+        const auto rock = static_cast<std::size_t>(model.blocks[glue.a].rock);
+        const double force = std::max(std::abs(respond(link.law, strains[i]).force),
+                                      std::abs(respond(link.law, link.strain).force));
+        most[rock] = std::max(most[rock], force / arm);
+        if (error > noise) off[rock] = std::max(off[rock], link.law.stiffness * error / arm);
+    }
+    for (std::size_t rock = 0; rock < most.size(); ++rock)
+        if (off[rock] > turnShare * most[rock]) return false;
+    return true;
 }
 
 const Carrier glueCarrier{.name = "glue", .addLinks = addLinks, .addStoredEnergy = addStoredEnergy};

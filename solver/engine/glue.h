@@ -18,9 +18,20 @@ inline constexpr double glueMultiple = 1000.0;
 /// Bond along one edge. \param edge by rows of the model's blocks, which exist already.
 GlueModel glueModel(const Scene& scene, const Model& model, const SharedEdge& edge);
 
-/// Links of all glued edges: normal, shear, turn for each. \param lead time from the state to the position at which
-/// directions and lever arms are taken [s]: half of a dynamic step keeps the angular momentum, 0 in a static one.
-void addGlueLinks(const Model& model, const State& state, double lead, StepProblem& problem);
+/// Links of all glued edges where the cells are: normal, shear, turn for each.
+void addGlueLinks(const Model& model, const State& state, StepProblem& problem);
+
+/// The same for a step in motion that moves blocks by about `path` (six rows per block). Directions and lever arms are
+/// those after `share` of it; strains at its end are exact, and near it linear.
+void addGlueLinksOver(const Model& model, const State& state, const Eigen::VectorXd& path, double share,
+                      StepProblem& problem);
+
+/// Displacement of cells over a time in which each block turns evenly about its own centroid; zero for other blocks.
+Eigen::VectorXd predictedCellPath(const Model& model, const State& state, double time);
+
+/// True where the glue carries what it would carry where the cells really come to by `d`.
+bool glueHolds(const Model& model, const std::vector<BlockMotion>& from, const StepProblem& problem,
+               const Eigen::VectorXd& d);
 
 /// Links and energy of the glue.
 extern const Carrier glueCarrier;

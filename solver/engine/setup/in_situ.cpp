@@ -88,7 +88,7 @@ void preloadContacts(const Model& model, State& state, const Tractions& traction
 /// varies along the edge and only strains them stays.
 void preloadGlue(const Model& model, State& state, const Tractions& tractions) {
     StepProblem problem = stepForLinks(model);
-    addGlueLinks(model, state, 0.0, problem);
+    addGlueLinks(model, state, problem);
     for (std::size_t first = 0; first + 2 < problem.links.size(); first += 3) {
         const GlueModel& glue = model.glue[static_cast<std::size_t>(problem.links[first].owner)];
         const Point middle = model.blocks[glue.a].centroid + glue.placeA, outward = -turnLeft(glue.along);

@@ -6,6 +6,7 @@
 #include "solver/engine/contact/joint.h"
 #include "solver/engine/contact/search.h"
 #include "solver/engine/contact/springs.h"
+#include "solver/engine/glue.h"
 #include "solver/engine/stage/energy_account.h"
 #include "solver/engine/stage/limits.h"
 #include "solver/engine/stage/preload.h"
@@ -31,6 +32,7 @@ constexpr int mostPaths = 2;  // times that a step is done again because it does
 constexpr double arcShare = 1e-2;  // of the forces at play: what the turning of blocks may add to a contact's
 constexpr int mostArcs = 2;  // times that a step is done again because it adds more, before it is cut
 constexpr double arcStep = 1e-3;  // over the given step: shorter ones are taken as they are
+constexpr int mostTurns = 10;  // times that a step is done again because cells turn otherwise than the glue took it
 constexpr double closeEnergy = 1e-3;  // of what a step loses: what its balance may leave over at the first solution
 constexpr double mostEnergy = 1e-2;  // the same, before the step is cut
 constexpr double energyCut = 0.5;
@@ -151,7 +153,8 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         guess.segment<6>(6 * static_cast<Eigen::Index>(i)) = dt * state.blocks[i].velocity;
     Eigen::VectorXd path = guess, start = guess;  // a step that is done again starts from its last solution
     bool again = false;
-    for (int paths = 0, arcs = 0;; again = true) {
+    Eigen::VectorXd cellPath;
+    for (int paths = 0, arcs = 0, turns = 0;; again = true) {
         trial.state = state;
         FoundCorners corners;
         trial.state.contacts = findContacts(model, state.blocks, state.contacts,
@@ -187,6 +190,13 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
             ++arcs;
             continue;
         }
+        if (!glueHolds(model, state.blocks, problem, d)) {
+            if (turns == mostTurns) return Attempt::TooLong;
+            cellPath = start = d;
+            options.cellPath = &cellPath;
+            ++turns;
+            continue;
+        }
         pace.lastMove = move;
         double total = 0.0;
         const Eigen::VectorXd external = externalForce(model, trial.state, loads_, at, total);
@@ -195,13 +205,14 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         acceptStep(model, trial.state, problem, d);
         trial.residual = report.residual;
         const bool knowsPath = options.path != nullptr;
-        options.path = nullptr;
+        options.path = options.cellPath = nullptr;
         trial.taken = {{}, std::move(problem), std::move(d), at, options};
         if (energyCut * dt < energyStep * settings_.timeStep) return Attempt::Settled;
         const StepEnergy energy = energyOfStep(model, state, trial.state);
         if (!knowsPath && energy.leavesMoreThan(closeEnergy)) {
-            guess = start = trial.taken.d;
+            guess = start = cellPath = trial.taken.d;
             options.path = &guess;
+            options.cellPath = &cellPath;
             continue;
         }
         return energy.leavesMoreThan(mostEnergy) ? Attempt::Unbalanced : Attempt::Settled;

@@ -90,7 +90,9 @@ void accountStep(const Model& model, State& state, const StepProblem& problem, c
         state.energy.damped += lawLoss(link.law, link.strain, after[i], ruleOf(problem, link));
         if (link.shift == 0.0) continue;
         const double force = respondOverStep(link.law, link.strain, after[i], ruleOf(problem, link)).force;
-        state.energy.external += link.law.share * force * link.shift;  // of what dilates
+        const double shifted = link.law.share * force * link.shift;
+        if (ofContact(link.kind)) state.energy.external += shifted;  // of what dilates
+        else state.energy.damped -= shifted;  // no body was moved by it
     }
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const Eigen::Vector3d strain = d.segment<3>(6 * static_cast<Eigen::Index>(i) + 3);

@@ -21,7 +21,7 @@ SchemeFactors generalizedAlpha(double rho, double dt) {
     f.acceleration = {1.0 / (beta * dt * dt), -1.0 / (beta * dt), 1.0 - 0.5 / beta};
     f.rate = {end * f.velocity.d, end * f.velocity.v + alphaF, end * f.velocity.a};
     f.rule = {ForceRule::Blend, end};
-    f.elastic = f.loadTime = end;
+    f.elastic = f.loadTime = f.glueTime = end;
     f.contactShare = 0.5 * (1.0 - alphaM) / beta;
     return f;
 }

@@ -31,6 +31,7 @@ struct StepOptions {
     double rhoInf = 1.0;  // GeneralizedAlpha: spectral radius of modes much stiffer than the step
     Damping damping{};  // dynamic schemes only
     const Eigen::VectorXd* path = nullptr;  // displacement over the step, where it is known already
+    const Eigen::VectorXd* cellPath = nullptr;  // the same for the glue of cells; null: predicted from velocities
 };
 
 /// d·D + v·(velocity) + a·(acceleration) at the step's start.
@@ -48,6 +49,7 @@ struct SchemeFactors {
     double contactShare = 1.0;  // of contacts in the step's balance
     double elastic = 1.0;  // share of D at which the stress of blocks is taken
     double loadTime = 1.0;  // share of the step at which loads are taken
+    double glueTime = 0.5;  // share of the step at which the glue of cells takes its directions
 };
 SchemeFactors factorsOf(const StepOptions& options);
 

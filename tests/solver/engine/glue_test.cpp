@@ -34,10 +34,10 @@ Scene square(double modulus) {
     return scene;
 }
 
-StepProblem glueOnly(const Model& model, const State& state, double lead) {
+StepProblem glueOnly(const Model& model, const State& state) {
     StepProblem problem;
     problem.blocks = static_cast<int>(model.blocks.size());
-    addGlueLinks(model, state, lead, problem);
+    addGlueLinks(model, state, problem);
     return problem;
 }
 
@@ -91,7 +91,7 @@ TEST(Glue, IsWithoutForceInABlockThatMovedAndTurnedAsAWhole) {
     State state = makeState(model);
     turnWhole(state, 2.0);
     for (BlockMotion& motion : state.blocks) motion.centroid += Point(3.0, -1.0);
-    for (const Link& link : glueOnly(model, state, 0.0).links) EXPECT_NEAR(link.strain, 0.0, 1e-14);
+    for (const Link& link : glueOnly(model, state).links) EXPECT_NEAR(link.strain, 0.0, 1e-14);
 }
 
 TEST(Glue, StrainsGrowAsTheirDerivativesSay) {
@@ -103,7 +103,7 @@ TEST(Glue, StrainsGrowAsTheirDerivativesSay) {
     turnWhole(state, 0.3);
     moveBlock(model.blocks[0], state.blocks[0], first);
     moveBlock(model.blocks[1], state.blocks[1], second);
-    const StepProblem problem = glueOnly(model, state, 0.0);
+    const StepProblem problem = glueOnly(model, state);
     const double tiny = 1e-7;
     for (int unknown = 0; unknown < 12; ++unknown) {
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
@@ -112,7 +112,7 @@ TEST(Glue, StrainsGrowAsTheirDerivativesSay) {
         for (const int block : {0, 1}) moveBlock(model.blocks[block], moved.blocks[block], d.segment<6>(6 * block));
         std::vector<double> predicted;
         linkStrains(problem, d, predicted);
-        const StepProblem after = glueOnly(model, moved, 0.0);
+        const StepProblem after = glueOnly(model, moved);
         for (std::size_t i = 0; i < predicted.size(); ++i)
             EXPECT_NEAR((after.links[i].strain - problem.links[i].strain) / tiny,
                         (predicted[i] - problem.links[i].strain) / tiny, 1e-3)
