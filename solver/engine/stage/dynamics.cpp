@@ -32,6 +32,7 @@ constexpr int mostPaths = 2;  // times that a step is done again because it does
 constexpr double arcShare = 1e-2;  // of the forces at play: what the turning of blocks may add to a contact's
 constexpr int mostArcs = 2;  // times that a step is done again because it adds more, before it is cut
 constexpr double arcStep = 1e-3;  // over the given step: shorter ones are taken as they are
+constexpr double mostTurn = 0.2;  // of a cell in a step [rad]: generalized-alpha gains energy where it is much more
 constexpr int mostTurns = 10;  // times that a step is done again because cells turn otherwise than the glue took it
 constexpr double closeEnergy = 1e-3;  // of what a step loses: what its balance may leave over at the first solution
 constexpr double mostEnergy = 1e-2;  // the same, before the step is cut
@@ -61,6 +62,21 @@ bool arcsHold(const Model& model, const std::vector<BlockMotion>& from, const St
         if (std::abs(off) > arcShare * reference) return false;
     }
     return true;
+}
+
+/// The given step, divided evenly where cells would turn too far in it: while they spin evenly, steps are equal.
+double longestStep(const Model& model, const State& state, double given) {
+    double spin = 0.0;
+    for (std::size_t i = 0; i < model.blocks.size(); ++i)
+        if (model.blocks[i].cell && !state.blocks[i].absent) spin = std::max(spin, std::abs(state.blocks[i].velocity[2]));
+    return given / std::max(1.0, std::ceil(spin * given / mostTurn));
+}
+
+/// Spins that a step itself brings about may pass the limit twice over.
+bool turnsTooFar(const Model& model, const Eigen::VectorXd& d) {
+    for (std::size_t i = 0; i < model.blocks.size(); ++i)
+        if (model.blocks[i].cell && std::abs(d[6 * static_cast<Eigen::Index>(i) + 2]) > 2.0 * mostTurn) return true;
+    return false;
 }
 
 /// Sums steps with what rounding took from the sum before, so that a million of them lose nothing (Kahan 1965).
@@ -190,6 +206,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
             ++arcs;
             continue;
         }
+        if (turnsTooFar(model, d)) return Attempt::TooLong;
         if (!glueHolds(model, state.blocks, problem, d)) {
             if (turns == mostTurns) return Attempt::TooLong;
             cellPath = start = d;
@@ -223,7 +240,8 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
     const Model& model = engine_.model;
     const double rest = end - time;
     if (pace.dt == 0.0) pace.dt = settings_.timeStep;
-    double dt = pace.dt >= rest * (1.0 - 1e-9) ? rest : pace.dt;
+    double dt = std::min(pace.dt, longestStep(model, state, settings_.timeStep));
+    if (dt >= rest * (1.0 - 1e-9)) dt = rest;
     const std::vector<Limit> before = heldLimits(model, state);
     const auto start = worstLimit(before, 0.0);
     const double startRatio = start ? std::min(start->ratio, 1.0) : 0.0;

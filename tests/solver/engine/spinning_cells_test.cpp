@@ -134,6 +134,17 @@ INSTANTIATE_TEST_SUITE_P(Rates, Spinning,
                          testing::Values(Spin{7.0, 1e-3, 1.0}, Spin{7.0, 5e-3, 2.0}, Spin{1.0, 1e-2, 5.0},
                                          Spin{0.1, 1e-2, 2.0}));
 
+/// Half a radian in a step is too much for generalized-α: it is divided.
+TEST(FastSpin, IsFollowedInShorterSteps) {
+    for (const Inertia scheme : {Inertia::Newmark, Inertia::Shi, Inertia::GeneralizedAlpha}) {
+        SpinningCells cells(50.0);
+        const double start = cells.energy();
+        ASSERT_TRUE(cells.run({50.0, 0.01, 1.0}, scheme)) << static_cast<int>(scheme);
+        EXPECT_NEAR(cells.energy() / start, 1.0, 0.01) << static_cast<int>(scheme);
+        EXPECT_NEAR(energyOf(cells.model, cells.state).balanceError, 0.0, 1e-5) << static_cast<int>(scheme);
+    }
+}
+
 /// Damping by stiffness resists strain, and a turning block has none but that of its spin.
 TEST(SpinningCellsDamping, ByStiffnessKeepsTheSpin) {
     for (const Inertia scheme :
