@@ -8,6 +8,7 @@
 
 #include "solver/engine/stage/dynamics.h"
 #include "solver/engine/stage/statics.h"
+#include "solver/run/energy_limit.h"
 #include "solver/run/observation.h"
 #include "solver/run/stability.h"
 #include "solver/run/stage_loads.h"
@@ -42,6 +43,7 @@ struct Checkpoint {
     Reference reference;
     WatchMemory watch;
     StageStart start;  // of the stage
+    EnergyMark energy;  // of the stage
     Health health;  // of the stage
     long firstStep = 0;  // when the stage began
     long passes = 0;  // when the last checkpoint was kept; less than 0 where that was before the stage

@@ -25,6 +25,7 @@
 #include "solver/run/stability.h"
 #include "solver/run/stage_settings.h"
 #include "solver/scene/collapse_stage.h"
+#include "solver/scene/number_text.h"
 #include "solver/scene/presence.h"
 
 #include <tbb/global_control.h>
@@ -40,6 +41,7 @@ namespace {
 
 constexpr long fewestPasses = 200;  // between checkpoints: a new pattern and a written state cost two or three
 constexpr std::size_t stagesToEach = 64;  // that ended before, to each that may begin without a checkpoint
+constexpr long energyEvery = 8;  // steps in motion between two looks at the energy balance
 constexpr long workBetween = 2000;  // passes times bodies between the checkpoints of the smallest models
 
 /// Blocks and bolts where the scene has them.
@@ -143,6 +145,7 @@ private:
         now_.start = startOfStage(model_, now_.state);
         enterStage();
         const StepEnding ending = isStatic() ? standStill() : setMoving();
+        markEnergy(model_, now_.state, now_.energy);
         keepFrame(false);
         return ending;
     }
@@ -195,7 +198,8 @@ private:
     /// One accepted step, or one move within an increment.
     StepEnding advance() {
         if (!isStatic()) {
-            const StepEnding ending = dynamics().step(now_.state, now_.time, stage().duration, now_.pace, *this);
+            StepEnding ending = dynamics().step(now_.state, now_.time, stage().duration, now_.pace, *this);
+            if (ending.ending == Ending::Done) ending = checkEnergy();
             mark(now_.start, now_.state, now_.time, stage().duration);
             addExtremes(model_, now_.state, now_.stage, now_.time, now_.extremes);
             lookAround();
@@ -213,6 +217,24 @@ private:
         lookAround();
         keepFrame(false);
         return ending;
+    }
+
+    /// Energy from nowhere is no result: the stage fails where its balance leaves over more than the scene allows.
+    StepEnding checkEnergy() {
+        if (now_.state.step % energyEvery != 0 && !stageOver()) return {};
+        const auto excess = energyExcess(model_, now_.state, now_.start.blocks, scene_.limits.energy, now_.energy);
+        if (!excess) return {};
+        StepEnding failed{Ending::Failed,
+                          "the energy balance leaves over " + rounded(100.0 * excess->share) + " %, more than " +
+                              rounded(100.0 * scene_.limits.energy) + " % ('limits.energy')",
+                          {}};
+        if (excess->block >= 0) {
+            failed.message += "; most of it is near block " + model_.blocks[static_cast<std::size_t>(excess->block)].name;
+            failed.blocks.push_back(excess->block);
+        }
+        failed.message += ": use a 'time_step' of " + rounded(0.5 * dynamicSettings(scene_, stage()).timeStep) +
+                          " s or less";
+        return failed;
     }
 
     /// Lengths that were chosen hold until the load turns.

@@ -171,6 +171,10 @@ const Structure& structureOf(const RunLimits*) {
                                         "Pseudo-steps of a static stage since the last event or accepted increment, "
                                         "after which the stage ends as undecided; null: 20000.",
                                         {.range = within(1, 2e9)}),
+            row<&RunLimits::energy>("energy",
+                                    "Energy balance error at which a dynamic stage ends as failed, over the largest "
+                                    "term of the balance.",
+                                    {.range = {.least = 0.0, .most = 1.0, .leastExcluded = true}}),
         }};
     return structure;
 }

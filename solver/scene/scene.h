@@ -504,6 +504,7 @@ struct RunLimits {
     std::optional<double> wallTime;  // [s] by the clock on the wall
     std::optional<int> steps;  // accepted ones, over all stages
     std::optional<int> iterations;  // pseudo-steps without an event or an accepted increment; null: 20,000
+    double energy = 0.05;  // that a dynamic stage leaves over, of the largest term of the energy balance
 
     bool operator==(const RunLimits&) const = default;
 };

@@ -16,18 +16,24 @@ namespace {
 
 constexpr double roundOffEnergy = 1e-18;  // over E · volume: less is no energy to balance
 
+double strainEnergy(const Model& model, const BlockModel& block, const BlockMotion& motion) {
+    const Eigen::Vector3d stress = frameStress(block, motion);
+    return 0.5 * block.area * model.thickness * stress.dot(block.elasticity.inverse() * stress);
+}
+
 double blockEnergy(const Model& model, const State& state) {
     double energy = 0.0;
-    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-        if (state.blocks[i].absent) continue;
-        const Eigen::Vector3d stress = frameStress(model.blocks[i], state.blocks[i]);
-        energy += 0.5 * model.blocks[i].area * model.thickness *
-                  stress.dot(model.blocks[i].elasticity.inverse() * stress);
-    }
+    for (std::size_t i = 0; i < model.blocks.size(); ++i)
+        if (!state.blocks[i].absent) energy += strainEnergy(model, model.blocks[i], state.blocks[i]);
     return energy;
 }
 
 }  // namespace
+
+double energyOfBlock(const Model& model, int row, const BlockMotion& motion) {
+    const BlockModel& block = model.blocks[static_cast<std::size_t>(row)];
+    return 0.5 * motion.velocity.dot(block.massMatrix * motion.velocity) + strainEnergy(model, block, motion);
+}
 
 StoredEnergy storedEnergy(const Model& model, const State& state) {
     StoredEnergy energy;

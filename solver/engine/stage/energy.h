@@ -12,6 +12,9 @@ namespace keyblock {
 /// Elastic energy held by the links and blocks where they are [J], by kind.
 StoredEnergy storedEnergy(const Model& model, const State& state);
 
+/// Kinetic energy of a block, and what its stress stores [J].
+double energyOfBlock(const Model& model, int row, const BlockMotion& motion);
+
 /// All energies with their balance.
 Energy energyOf(const Model& model, const State& state);
 

@@ -231,6 +231,7 @@ const std::vector<BrokenScene>& brokenScenes() {
         {"set-friction-90", "/stages/0/set/0/friction_angle", "out of range"},
         {"limit-no-steps", "/limits/steps", "out of range"},
         {"limit-no-time", "/limits/wall_time", "out of range"},
+        {"limit-no-energy", "/limits/energy", "out of range"},
         {"monitor-of-unknown-bolt", "/monitors/1/bolt", "'C'"},
         {"monitor-past-end", "/monitors/1/at", "past the end"},
         {"monitor-of-nothing", "/monitors/1", "exactly one"},
