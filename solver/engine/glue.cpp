@@ -133,7 +133,7 @@ void addLinks(const StepInput& input, StepProblem& problem) {
     if (!problem.moves || input.model.glue.empty()) return addGlueLinks(input.model, input.state, problem);
     addGlueLinksOver(input.model, input.state,
                      options.cellPath ? *options.cellPath : predictedCellPath(input.model, input.state, options.dt),
-                     factorsOf(options).glueTime, problem);
+                     factorsOf(options).armTime, problem);
 }
 
 void addStoredEnergy(const Model& model, const State& state, StoredEnergy& energy) {

@@ -31,11 +31,13 @@ void fixBoundary(const Scene& scene, const Support& support, Model& model, Bound
     }
 }
 
-void addLinks(const StepInput& input, StepProblem& problem) { addSupportLinks(input.model, input.state, problem); }
+void addLinks(const StepInput& input, StepProblem& problem) {
+    addSupportLinks(input.model, input.state, moveOf(input.options), problem);
+}
 
 void addStoredEnergy(const Model& model, const State& state, StoredEnergy& energy) {
     StepProblem links = stepForLinks(model);
-    addSupportLinks(model, state, links);
+    addSupportLinks(model, state, {}, links);
     energy.strain = addLinkEnergy(links, energy.strain);
 }
 
@@ -67,21 +69,23 @@ void addSupports(const Scene& scene, Model& model) {
     }
 }
 
-void addSupportLinks(const Model& model, const State& state, StepProblem& problem) {
+void addSupportLinks(const Model& model, const State& state, const StepMove& move, StepProblem& problem) {
     for (std::size_t h = 0; h < model.supports.size(); ++h) {
         const PointSupport& point = model.supports[h];
         const BlockMotion& block = state.blocks[point.block];
         if (block.absent || (!state.supports.empty() && state.supports[h].quiet)) continue;
-        const Point now = materialPoint(block, point.place);
-        const Point moved = now - (model.blocks[point.block].centroid + point.place);
-        const Eigen::Matrix<double, 2, 6> t = displacementMatrix(block, now);
+        const Point moved = materialPoint(block, point.place) - startOf(model, point);
+        const PointMove over = pointMove(model, state, point.block, point.place, move);
         for (int axis : {0, 1}) {
             if (!(axis == 0 ? point.x : point.y)) continue;
             Link& link = problem.links.emplace_back();
             link.kind = LinkKind::Support;
             link.a = point.block;
-            link.ga = t.row(axis).transpose();
+            link.owner = static_cast<int>(h);
+            link.part = axis;
+            link.ga = over.t.row(axis).transpose();
             link.strain = moved[axis];
+            link.shift = over.beyond[axis];
             link.law.stiffness = point.stiffness;
             link.law.offset = point.preload[axis] / point.stiffness;
             if (!state.supports.empty()) link.law.offset += state.supports[h].offset[axis];
@@ -91,6 +95,11 @@ void addSupportLinks(const Model& model, const State& state, StepProblem& proble
 
 Point startOf(const Model& model, const PointSupport& support) {
     return model.blocks[support.block].centroid + support.place;
+}
+
+double supportStrain(const Model& model, const BlockMotion& block, const Link& link) {
+    const PointSupport& point = model.supports[static_cast<std::size_t>(link.owner)];
+    return (materialPoint(block, point.place) - startOf(model, point))[link.part];
 }
 
 WallForce releaseSupport(const Model& model, State& state, std::size_t support) {

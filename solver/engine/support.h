@@ -13,8 +13,11 @@ namespace keyblock {
 /// \pre the model has its blocks
 void addSupports(const Scene& scene, Model& model);
 
-/// Links of the point supports.
-void addSupportLinks(const Model& model, const State& state, StepProblem& problem);
+/// Links of the point supports. \param move of the blocks over the step, within which supports take their lever arms.
+void addSupportLinks(const Model& model, const State& state, const StepMove& move, StepProblem& problem);
+
+/// Strain of a support's link where its block is [m].
+double supportStrain(const Model& model, const BlockMotion& block, const Link& link);
 
 /// Position of a point support at the start [m].
 Point startOf(const Model& model, const PointSupport& support);

@@ -22,8 +22,7 @@ std::vector<BlockMotion> halfway(const Model& model, const State& state, double 
     std::vector<BlockMotion> blocks = state.blocks;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         if (model.blocks[i].fixed) continue;
-        Vector6 way = ahead * blocks[i].velocity;
-        if (path) way = 0.5 * path->segment<6>(6 * static_cast<Eigen::Index>(i));
+        Vector6 way = 0.5 * expectedMove(model, state, static_cast<int>(i), {2.0 * ahead, 0.5, path});
         way.tail<3>().setZero();
         moveBlock(model.blocks[i], blocks[i], way);
     }

@@ -15,6 +15,7 @@
 #include "solver/engine/stage/step_build.h"
 #include "solver/engine/stage/step_energy.h"
 #include "solver/engine/step/step_forces.h"
+#include "solver/engine/support.h"
 #include "solver/engine/time/mass.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ constexpr double locateShare = 1e-4;
 constexpr double nearShare = 1e-3;  // of the smallest block: contacts are always sought this far
 constexpr double pathShare = 1e-5;  // of the smallest block: a longer move may come in by another edge than it seemed
 constexpr int mostPaths = 2;  // times that a step is done again because it does
-constexpr double arcShare = 1e-2;  // of the forces at play: what the turning of blocks may add to a contact's
+constexpr double arcShare = 1e-2;  // of the forces at play: what the turning of blocks may add to one
 constexpr int mostArcs = 2;  // times that a step is done again because it adds more, before it is cut
 constexpr double arcStep = 1e-3;  // over the given step: shorter ones are taken as they are
 constexpr double mostTurn = 0.2;  // of a cell in a step [rad]: generalized-alpha gains energy where it is much more
@@ -61,6 +62,25 @@ bool arcsHold(const Model& model, const std::vector<BlockMotion>& from, const St
         const double off = respond(link.law, strain).force - respond(link.law, strains[i]).force;
         if (std::abs(off) > arcShare * reference) return false;
     }
+    return true;
+}
+
+/// Whether point supports do so, too; compared with the loads of their block and the forces of its supports.
+bool supportArcsHold(const Model& model, const State& from, const StepProblem& problem, const Eigen::VectorXd& d) {
+    std::vector<double> reference = problem.ownForce, beyond(reference.size(), 0.0);
+    for (const Link& link : problem.links) {
+        if (link.kind != LinkKind::Support) continue;
+        const auto row = static_cast<std::size_t>(link.a);
+        const Vector6 way = d.segment<6>(6 * static_cast<Eigen::Index>(link.a));
+        if (model.blocks[row].size * way[2] * way[2] < model.tolerance) continue;
+        const double strain = link.strain + link.shift + link.ga.dot(way);
+        BlockMotion end = from.blocks[row];
+        moveBlock(model.blocks[row], end, way);
+        reference[row] += std::abs(respond(problem, link, strain).force);
+        beyond[row] += link.law.stiffness * std::abs(supportStrain(model, end, link) - strain);
+    }
+    for (std::size_t i = 0; i < reference.size(); ++i)
+        if (beyond[i] > arcShare * reference[i]) return false;
     return true;
 }
 
@@ -199,7 +219,8 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
             ++paths;
             continue;
         }
-        if (dt > arcStep * settings_.timeStep && !arcsHold(model, state.blocks, problem, trial.state.contacts, d)) {
+        if (dt > arcStep * settings_.timeStep && !(arcsHold(model, state.blocks, problem, trial.state.contacts, d) &&
+                                                   supportArcsHold(model, state, problem, d))) {
             if (arcs == mostArcs) return Attempt::TooLong;
             guess = start = d;
             options.path = &guess;

@@ -92,7 +92,7 @@ void accountStep(const Model& model, State& state, const StepProblem& problem, c
         const double force = respondOverStep(link.law, link.strain, after[i], ruleOf(problem, link)).force;
         const double shifted = link.law.share * force * link.shift;
         if (ofContact(link.kind)) state.energy.external += shifted;  // of what dilates
-        else state.energy.damped -= shifted;  // no body was moved by it
+        else state.energy.damped -= shifted;  // of what g·D misses of a rotation: no body was moved by it
     }
     for (std::size_t i = 0; i < model.blocks.size(); ++i) {
         const Eigen::Vector3d strain = d.segment<3>(6 * static_cast<Eigen::Index>(i) + 3);

@@ -23,7 +23,7 @@ struct Link {
     LinkKind kind = LinkKind::Normal;
     int a = -1, b = -1;  // bodies; b may be −1
     double strain = 0.0;
-    double shift = 0.0;  // added to the strain over the step by what dilates, or by the turning of cells [m]
+    double shift = 0.0;  // added to the strain by what dilates over the step, or by what ga·D misses of a rotation [m]
     Law law;
     int owner = -1;  // contact, or bolt
     int part = -1;  // node or element of the bolt

@@ -21,7 +21,7 @@ SchemeFactors generalizedAlpha(double rho, double dt) {
     f.acceleration = {1.0 / (beta * dt * dt), -1.0 / (beta * dt), 1.0 - 0.5 / beta};
     f.rate = {end * f.velocity.d, end * f.velocity.v + alphaF, end * f.velocity.a};
     f.rule = {ForceRule::Blend, end};
-    f.elastic = f.loadTime = f.glueTime = end;
+    f.elastic = f.loadTime = f.armTime = end;
     f.contactShare = 0.5 * (1.0 - alphaM) / beta;
     return f;
 }
@@ -123,6 +123,11 @@ SchemeFactors factorsOf(const StepOptions& options) {
         case Inertia::GeneralizedAlpha: return generalizedAlpha(options.rhoInf, dt);
     }
     return f;
+}
+
+StepMove moveOf(const StepOptions& options) {
+    if (options.inertia == Inertia::None || options.inertia == Inertia::Static) return {};
+    return {options.dt, factorsOf(options).armTime, options.path};
 }
 
 bool losesMotion(Inertia inertia) { return inertia == Inertia::BackwardEuler || inertia == Inertia::GeneralizedAlpha; }

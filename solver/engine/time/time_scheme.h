@@ -8,7 +8,7 @@
 #pragma once
 
 #include "solver/engine/laws/step_law.h"
-#include "solver/engine/model/state.h"
+#include "solver/engine/model/step_move.h"
 #include "solver/scene/scene.h"
 
 namespace keyblock {
@@ -49,9 +49,12 @@ struct SchemeFactors {
     double contactShare = 1.0;  // of contacts in the step's balance
     double elastic = 1.0;  // share of D at which the stress of blocks is taken
     double loadTime = 1.0;  // share of the step at which loads are taken
-    double glueTime = 0.5;  // share of the step at which the glue of cells takes its directions
+    double armTime = 0.5;  // share of the step at which forces on points of blocks take their direction and lever arm
 };
 SchemeFactors factorsOf(const StepOptions& options);
+
+/// How far the bodies are known to move in a step, and where on the way forces act on them.
+StepMove moveOf(const StepOptions& options);
 
 /// True for the schemes that lose kinetic energy beyond the work of their forces.
 bool losesMotion(Inertia inertia);

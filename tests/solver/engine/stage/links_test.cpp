@@ -65,7 +65,7 @@ struct Setting {
         problem.blocks = static_cast<int>(model.blocks.size());
         problem.nodes = model.nodes;
         addContactLinks(model, at, false, problem);
-        addSupportLinks(model, at, problem);
+        addSupportLinks(model, at, {}, problem);
         addBoltLinks(model, at, 0, problem);
         // the chord's strain is of the step alone, and it is there in tension only
         std::erase_if(problem.links, [](const Link& link) { return link.kind == LinkKind::Chord; });
