@@ -77,12 +77,13 @@ void addLinks(const StepInput& input, StepProblem& problem) {
     if (!problem.moves || input.loads.dashpots.empty()) return;
     const State& state = input.state;
     const SchemeFactors factors = factorsOf(input.options);
+    const StepMove move = moveOf(input.options);
     const Eigen::VectorXd motion =
         factors.rate.v * velocitiesOf(input.model, state) + factors.rate.a * accelerationsOf(input.model, state);
     for (const Dashpot& dashpot : input.loads.dashpots) {
         const BlockMotion& block = state.blocks[dashpot.block];
         if (block.absent) continue;
-        const auto t = displacementMatrix(block, materialPoint(block, dashpot.place));
+        const auto t = pointMove(input.model, state, dashpot.block, dashpot.place, move).t;
         for (const auto& [axis, damping] : {std::pair(dashpot.across, dashpot.pressure),
                                             std::pair(Point(turnLeft(dashpot.across)), dashpot.shear)}) {
             Link& link = problem.links.emplace_back();

@@ -18,23 +18,22 @@ std::vector<double> mix(const std::vector<double>& a, const std::vector<double>&
 
 class ForceSum {
 public:
-    ForceSum(const Model& model, const State& state)
-        : state_(state), forces(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(model.blocks.size()) +
-                                                      3 * model.nodes)) {}
+    explicit ForceSum(const Model& model)
+        : blocks_(static_cast<Eigen::Index>(model.blocks.size())),
+          forces(Eigen::VectorXd::Zero(6 * blocks_ + 3 * model.nodes)) {}
 
-    void onBlock(int block, const Point& place, const Point& force) {
-        const BlockMotion& motion = state_.blocks[block];
-        forces.segment<6>(6 * block) += displacementMatrix(motion, place).transpose() * force;
+    void onBlock(int block, const Vector6& onUnknowns, const Point& force) {
+        forces.segment<6>(6 * static_cast<Eigen::Index>(block)) += onUnknowns;
         total += force.norm();
     }
 
     void onNode(int node, const Point& force) {
-        forces.segment<2>(6 * static_cast<Eigen::Index>(state_.blocks.size()) + 3 * node) += force;
+        forces.segment<2>(6 * blocks_ + 3 * node) += force;
         total += force.norm();
     }
 
 private:
-    const State& state_;
+    Eigen::Index blocks_;
 
 public:
     Eigen::VectorXd forces;
@@ -43,9 +42,12 @@ public:
 
 void addGravity(const Model& model, const State& state, const Point& gravity, ForceSum& sum) {
     if (gravity.isZero(0.0)) return;
-    for (std::size_t i = 0; i < model.blocks.size(); ++i)
-        if (!state.blocks[i].absent)
-            sum.onBlock(static_cast<int>(i), state.blocks[i].centroid, model.blocks[i].mass * gravity);
+    for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+        const BlockMotion& motion = state.blocks[i];
+        const Point weight = model.blocks[i].mass * gravity;
+        if (!motion.absent)
+            sum.onBlock(static_cast<int>(i), displacementMatrix(motion, motion.centroid).transpose() * weight, weight);
+    }
     Eigen::Index first = 6 * static_cast<Eigen::Index>(model.blocks.size());
     for (std::size_t b = 0; b < model.bolts.size(); ++b) {
         const BoltModel& bolt = model.bolts[b];
@@ -57,6 +59,11 @@ void addGravity(const Model& model, const State& state, const Point& gravity, Fo
         }
         first += 3 * static_cast<Eigen::Index>(bolt.s.size());
     }
+}
+
+/// \param motion of the block where the force acts.
+SingleLoad onBlock(ForceSource source, int block, const BlockMotion& motion, const Point& place, const Point& force) {
+    return {source, block, -1, place - motion.centroid, force, displacementMatrix(motion, place).transpose() * force};
 }
 
 }  // namespace
@@ -91,30 +98,38 @@ bool isSameLoad(const LoadPoint& a, const LoadPoint& b) {
            a.pressures == b.pressures && a.walls == b.walls && longestDrive(a, b) == 0.0;
 }
 
-std::vector<SingleLoad> singleLoads(const Model& model, const State& state, const Loads& loads, const LoadPoint& at) {
+std::vector<SingleLoad> singleLoads(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
+                                    const StepMove& move) {
     std::vector<SingleLoad> singles;
     singles.reserve(loads.forces.size() + loads.pressures.size() + loads.walls.size());
     for (std::size_t i = 0; i < loads.forces.size(); ++i) {
         const PointForce& f = loads.forces[i];
-        singles.push_back({ForceSource::Load, f.block, -1, materialPoint(state.blocks[f.block], f.place),
-                           at.forces[i] * f.force});
+        const BlockMotion motion = onTheWay(model, state, f.block, move);
+        singles.push_back(
+            onBlock(ForceSource::Load, f.block, motion, materialPoint(motion, f.place), at.forces[i] * f.force));
     }
     for (std::size_t i = 0; i < loads.pressures.size(); ++i) {
         const EdgePressure& p = loads.pressures[i];
-        const Edge edge = edgeOf(state.blocks[p.block].corners, p.edge);
+        const BlockMotion motion = onTheWay(model, state, p.block, move);
+        const Edge edge = edgeOf(motion.corners, p.edge);
         const double length = (p.to - p.from) * edge.length;
         const Point middle = edge.start + 0.5 * (p.from + p.to) * edge.length * edge.along;
-        singles.push_back({ForceSource::Load, p.block, -1, middle,
-                           -at.pressures[i] * p.pressure * length * model.thickness * edge.outward});
+        singles.push_back(onBlock(ForceSource::Load, p.block, motion, middle,
+                                  -at.pressures[i] * p.pressure * length * model.thickness * edge.outward));
     }
     for (std::size_t i = 0; i < loads.walls.size(); ++i) {
         const WallForce& w = loads.walls[i];
-        SingleLoad& single = singles.emplace_back();
-        single.source = w.ofSupport ? ForceSource::Support : ForceSource::Wall;
-        single.block = w.block;
-        single.force = at.walls[i] * w.force;
-        if (w.block >= 0) single.place = materialPoint(state.blocks[w.block], w.place);
-        else single.node = model.bolts[w.bolt].firstNode + w.node;
+        const ForceSource source = w.ofSupport ? ForceSource::Support : ForceSource::Wall;
+        const Point force = at.walls[i] * w.force;
+        if (w.block >= 0) {
+            const BlockMotion motion = onTheWay(model, state, w.block, move);
+            singles.push_back(onBlock(source, w.block, motion, materialPoint(motion, w.place), force));
+        } else {
+            SingleLoad& single = singles.emplace_back();
+            single.source = source;
+            single.node = model.bolts[w.bolt].firstNode + w.node;
+            single.force = force;
+        }
     }
     return singles;
 }
@@ -126,11 +141,11 @@ double weightPerMass(const Model& model, const LoadPoint& at) {
 }
 
 Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
-                              double& total) {
-    ForceSum sum(model, state);
+                              const StepMove& move, double& total) {
+    ForceSum sum(model);
     addGravity(model, state, accelerationOf(model, at), sum);
-    for (const SingleLoad& load : singleLoads(model, state, loads, at)) {
-        if (load.block >= 0) sum.onBlock(load.block, load.place, load.force);
+    for (const SingleLoad& load : singleLoads(model, state, loads, at, move)) {
+        if (load.block >= 0) sum.onBlock(load.block, load.onUnknowns, load.force);
         else sum.onNode(load.node, load.force);
     }
     total = sum.total;

@@ -6,7 +6,7 @@
 // that an increment follows.
 #pragma once
 
-#include "solver/engine/model/state.h"
+#include "solver/engine/model/step_move.h"
 
 #include <vector>
 
@@ -81,12 +81,15 @@ struct SingleLoad {
     ForceSource source = ForceSource::Load;  // load, wall or support
     int block = -1;  // −1: on the node
     int node = -1;  // of all nodes
-    Point place{0.0, 0.0};  // where it acts on a block now [m]
+    Point arm{0.0, 0.0};  // from the block's centroid to where it acts [m]
     Point force{0.0, 0.0};  // [N]
+    Vector6 onUnknowns = Vector6::Zero();  // of the block
 };
 
-/// Point forces, pressures and forces of walls as they act.
-std::vector<SingleLoad> singleLoads(const Model& model, const State& state, const Loads& loads, const LoadPoint& at);
+/// Point forces, pressures and forces of walls. \param move of the blocks over the step, within which loads take their
+/// directions and lever arms.
+std::vector<SingleLoad> singleLoads(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
+                                    const StepMove& move);
 
 /// Force per mass of gravity and of accelerations that act like it [m/s²].
 Point accelerationOf(const Model& model, const LoadPoint& at);
@@ -94,8 +97,9 @@ Point accelerationOf(const Model& model, const LoadPoint& at);
 /// Weight per mass that what is unbalanced is compared with: the largest of gravity, body acceleration and both [m/s²].
 double weightPerMass(const Model& model, const LoadPoint& at);
 
-/// Generalised forces of gravity, forces, pressures and excavated walls on every unknown. \return summed magnitudes [N] in `total`.
+/// Generalised forces of gravity, forces, pressures and excavated walls on every unknown. \param move as for
+/// `singleLoads`. \return summed magnitudes [N] in `total`.
 Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
-                              double& total);
+                              const StepMove& move, double& total);
 
 }  // namespace keyblock

@@ -153,12 +153,11 @@ void addLoads(const StepView& view, ForceList& list) {
     for (std::size_t i = 0; i < view.model.blocks.size(); ++i)
         list.add(onBlock(i, ForceSource::Weight),
                  generalised(view.state.blocks[i], view.model.blocks[i].mass * perMass, 0.0));
-    for (const SingleLoad& load : singleLoads(view.model, view.state, view.loads, view.at)) {
+    for (const SingleLoad& load : singleLoads(view.model, view.state, view.loads, view.at, moveOf(view.options))) {
         if (load.block < 0) continue;
-        const BlockMotion& motion = view.state.blocks[static_cast<std::size_t>(load.block)];
         SingleForce force = onBlock(static_cast<std::size_t>(load.block), load.source);
-        force.force.position = load.place - motion.centroid;
-        list.add(force, generalised(motion, load.force, cross(force.force.position, load.force)));
+        force.force.position = load.arm;
+        list.add(force, load.onUnknowns);
     }
 }
 
@@ -238,7 +237,9 @@ std::vector<SingleForce> forcesAtStart(const Model& model, const State& state, c
 }
 
 std::vector<SingleForce> forcesOver(const Model& model, const Loads& loads, const TakenStep& step) {
-    const StepView view{model, step.before, loads, step.at, step.options, step.problem, step.d};
+    StepOptions options = step.options;
+    if (step.path.size() > 0) options.path = &step.path;
+    const StepView view{model, step.before, loads, step.at, options, step.problem, step.d};
     ForceList list = allButInertia(view, netForce(step.problem, step.d));
     addBodyForces(view, ForceSource::Dashpot, massDamping(view), list);
     addBodyForces(view, ForceSource::Inertia, inertiaOver(view), list);

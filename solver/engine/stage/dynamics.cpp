@@ -237,14 +237,14 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
         }
         pace.lastMove = move;
         double total = 0.0;
-        const Eigen::VectorXd external = externalForce(model, trial.state, loads_, at, total);
+        const Eigen::VectorXd external = externalForce(model, trial.state, loads_, at, moveOf(options), total);
         accountStep(model, trial.state, problem, external, d, options);
         moveOn(model, trial.state, problem, d, options);
         acceptStep(model, trial.state, problem, d);
         trial.residual = report.residual;
-        const bool knowsPath = options.path != nullptr;
-        options.path = options.cellPath = nullptr;
-        trial.taken = {{}, std::move(problem), std::move(d), at, options};
+        const bool knowsPath = std::exchange(options.path, nullptr) != nullptr;
+        options.cellPath = nullptr;
+        trial.taken = {{}, std::move(problem), std::move(d), at, options, knowsPath ? guess : Eigen::VectorXd{}};
         if (energyCut * dt < energyStep * settings_.timeStep) return Attempt::Settled;
         const StepEnergy energy = energyOfStep(model, state, trial.state);
         if (!knowsPath && energy.leavesMoreThan(closeEnergy)) {

@@ -113,7 +113,7 @@ StaticAccount::Forces StaticAccount::forcesOf(StepProblem& problem, const State&
     const Eigen::VectorXd still = Eigen::VectorXd::Zero(problem.unknowns());
     correctFrictionLimits(problem, still);
     double total = 0.0;
-    return {externalForce(model_, state, loads_, at, total), netForce(problem, still)};
+    return {externalForce(model_, state, loads_, at, {}, total), netForce(problem, still)};
 }
 
 /// The links of the end as they were at the start.

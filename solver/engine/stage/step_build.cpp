@@ -94,7 +94,7 @@ StepProblem buildStep(const Model& model, const State& state, const Loads& loads
     problem.blocks = static_cast<int>(model.blocks.size());
     problem.nodes = model.nodes;
     const int n = problem.unknowns();
-    const Eigen::VectorXd external = externalForce(model, state, loads, at, problem.externalForce);
+    const Eigen::VectorXd external = externalForce(model, state, loads, at, moveOf(options), problem.externalForce);
     problem.load = external;
     problem.known.assign(n, 0);
     problem.value = Eigen::VectorXd::Zero(n);

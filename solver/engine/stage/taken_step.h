@@ -16,7 +16,8 @@ struct TakenStep {
     StepProblem problem;
     Eigen::VectorXd d;  // displacement over the step, of every unknown
     LoadPoint at;  // loads that the step took
-    StepOptions options;
+    StepOptions options;  // without path
+    Eigen::VectorXd path;  // along which it was solved, where it was known before; empty: it was not
     long step = -1;  // number of the step that it led to; −1: none was taken
 };
 

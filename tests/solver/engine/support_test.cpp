@@ -227,5 +227,59 @@ TEST(PointMoves, AreExactForTheDisplacementThatIsExpected) {
     EXPECT_TRUE(still.beyond.isZero(0.0));
 }
 
+/// A force of constant direction on a point has the potential −F·x: its work is F times the way of its point, and the
+/// block, without gravity, has just that as kinetic energy.
+TEST(PointLoad, DoesTheWorkOfItsPointOnATurningBlock) {
+    Scene scene = pendulum(0.0);
+    scene.analysis.gravity = {0.0, 0.0};
+    scene.supports.clear();
+    Loads loads;
+    loads.forces = {{0, {0.0, 0.5}, {5e3, 0.0}}};
+    LoadPoint at;
+    at.forces = {1.0};
+    for (const Case& c : keeping) {
+        Motion motion(scene, c.scheme, 1e-3, loads, at);
+        const Point start = materialPoint(motion.state.blocks[0], loads.forces[0].place);
+        for (int step = 0; step < 3000; ++step) ASSERT_TRUE(motion.step());
+        const Point way = materialPoint(motion.state.blocks[0], loads.forces[0].place) - start;
+        const Energy energy = energyOf(motion.model, motion.state);
+        const double work = loads.forces[0].force.dot(way);
+        EXPECT_GT(std::abs(motion.state.blocks[0].angle), 1.0) << c.name;
+        EXPECT_NEAR(energy.external / work, 1.0, 1e-4) << c.name;
+        EXPECT_NEAR(energy.kinetic / work, 1.0, 1e-3) << c.name;
+        EXPECT_LT(std::abs(motion.leftOver()) / work, 1e-6) << c.name;
+    }
+}
+
+/// A block on a support, without gravity, is a pendulum in the field of a force of constant direction on another point.
+TEST(PointLoad, DrivesAPendulumOfItsOwnPeriod) {
+    Scene scene = pendulum(radians(60.0));
+    scene.analysis.gravity = {0.0, 0.0};
+    const double force = 2e4, lever = 0.9;  // from the support to the lower edge [m]
+    Loads loads;
+    loads.forces = {{0, turned({0.0, -0.5 * height}, radians(60.0)), {0.0, -force}}};
+    LoadPoint at;
+    at.forces = {1.0};
+    for (const Case& c : keeping) {
+        Motion motion(scene, c.scheme, 1e-3, loads, at);
+        const double mass = motion.model.blocks[0].mass;
+        const double period = exactPeriod(radians(60.0)) * std::sqrt(mass * gravity * arm / (force * lever));
+        double angle = radians(60.0), farthest = 0.0, lastPass = 0.0, firstPass = 0.0;
+        int passes = 0;
+        while (passes < 21) {
+            const double before = motion.time, angleBefore = angle;
+            ASSERT_TRUE(motion.step()) << c.name;
+            angle = radians(60.0) + motion.state.blocks[0].angle;
+            farthest = std::max(farthest, std::abs(angle));
+            if (angle * angleBefore > 0.0) continue;
+            lastPass = before + (motion.time - before) * angleBefore / (angleBefore - angle);
+            if (passes++ == 0) firstPass = lastPass;
+            if (passes < 21) farthest = 0.0;
+        }
+        EXPECT_NEAR(farthest / radians(60.0), 1.0, c.mostChange) << c.name;
+        EXPECT_NEAR((lastPass - firstPass) / (10.0 * period), 1.0, 1e-4) << c.name;
+    }
+}
+
 }  // namespace
 }  // namespace keyblock
