@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A link has no point of action, only the gradient of its strain by the unknowns of
-// a block. That is T(x)ᵀ·n, from which both the direction n and the point x follow.
+// a block. That is T(x)ᵀ·n, from which both the direction n and the point x follow,
+// but for the rotation of a step; a support knows its point.
 // So every carrier that adds links to a step is listed here, with no code of its own.
 #include "solver/engine/stage/block_forces.h"
 
@@ -52,7 +53,8 @@ Point armOf(const BlockMotion& motion, const Vector6& gradient) {
 /// Lists forces; what one contact, bond, support, anchored point or plate gives at one place is one row.
 class ForceList {
 public:
-    ForceList(const Model& model, const State& state) : model_(model), state_(state) {}
+    /// \param move of the blocks over the step, within which supports took their lever arms.
+    ForceList(const Model& model, const State& state, const StepMove& move) : model_(model), state_(state), move_(move) {}
 
     /// \param force generalised force on the block; its first three rows count.
     void add(const SingleForce& part, const Vector6& force) {
@@ -86,10 +88,16 @@ private:
         if (part.force.source == ForceSource::Bolt && !ofPlateLink(link.kind)) part.part = other - problem.blocks;
         SingleForce* row = part.part >= 0 ? rowFor(part) : nullptr;  // all its links act at one place
         if (!row && gradient.head<2>().norm() >= noDirection)
-            part.force.position = armOf(state_.blocks[at(body)], gradient);
+            part.force.position = link.kind == LinkKind::Support ? armOfSupport(link)
+                                                                 : armOf(state_.blocks[at(body)], gradient);
         if (part.part < 0) row = rowFor(part);
         if (row) join(*row, -force * gradient);
         else add(part, -force * gradient);
+    }
+
+    Point armOfSupport(const Link& link) const {
+        const BlockMotion motion = onTheWay(model_, state_, link.a, move_);
+        return materialPoint(motion, model_.supports[at(link.owner)].place) - motion.centroid;
     }
 
     /// The row of the same part, if it is among the last: either end has given one or two since.
@@ -114,6 +122,7 @@ private:
 
     const Model& model_;
     const State& state_;
+    StepMove move_;
     std::vector<SingleForce> forces_;
 };
 
@@ -181,7 +190,7 @@ void addReactions(const StepView& view, const Eigen::VectorXd& net, ForceList& l
 
 /// All but inertia and damping by mass.
 ForceList allButInertia(const StepView& view, const Eigen::VectorXd& net) {
-    ForceList list(view.model, view.state);
+    ForceList list(view.model, view.state, moveOf(view.options));
     addLoads(view, list);
     addLinks(view, list);
     addReactions(view, net, list);

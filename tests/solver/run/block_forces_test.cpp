@@ -243,6 +243,36 @@ TEST(BlockForces, ASlidingBlockBalancesInEveryFrameUnderEveryScheme) {
 }
 
 /// A column pushed by its weight onto a side that lets waves out: what held it is kept, dashpots resist its motion.
+TEST(BlockForces, TheSupportOfASwingingBlockHasTheMomentOfItsForce) {
+    for (const Integration scheme : {Integration::Shi, Integration::Newmark, Integration::GeneralizedAlpha}) {
+        Scene scene = emptyScene(10e9, 0.25, 30.0);
+        scene.analysis.gravity = {0.0, -gravity};
+        scene.blocks = {boxBlock("pendulum", {0.0, 0.0}, {1.0, 0.5})};
+        Support support;
+        support.point = Point(0.1, 0.2);
+        support.fix = Fix::XY;
+        scene.supports = {support};
+        Stage swing;
+        swing.name = "swing";
+        swing.kind = StageKind::Dynamic;
+        swing.duration = 0.4;
+        swing.timeStep = 2e-3;
+        swing.integration = scheme;
+        scene.stages = {swing};
+        const Solved solved = solve(scene);
+        const Frame& frame = last(solved);
+        expectBalance(frame, 0, 1e-6);
+        const BlockState& state = frame.blocks[0];
+        int rows = 0;
+        for (const BlockForce& row : blockForces(frame)) {
+            if (row.source != ForceSource::Support) continue;
+            ++rows;
+            EXPECT_NEAR(row.moment, momentAbout(state.centroid, row.position, row.force), 1e-5 * state.weight);
+        }
+        EXPECT_EQ(rows, 1);
+    }
+}
+
 TEST(BlockForces, DashpotsAndKeptSupportsBalanceABlockOnAViscousSide) {
     Scene scene = emptyScene(1e9, 0.0, 30.0);
     scene.blocks = {boxBlock("block", {0, 0}, {1, 1})};
