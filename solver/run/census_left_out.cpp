@@ -62,14 +62,16 @@ private:
     void addBolts() {
         add(counts_.bolts == 0, "bolts", "the scene has none", "three unknowns a node");
         if (counts_.bolts == 0) return;
-        int straight = 0, noHinge = 0, noRupture = 0, pulledOnly = 0;
+        int straight = 0, noHinge = 0, noRupture = 0, pulledOnly = 0, pullTests = 0;
         for (std::size_t i = 0; i < model_.bolts.size(); ++i) {
             const BoltModel& bolt = model_.bolts[i];
             const int elements = static_cast<int>(bolt.elements.size());
             straight += bolt.bends ? 0 : elements + 1;
             noHinge += bolt.bends && !bolt.hinges ? elements : 0;
             noRupture += bolt.steel ? 0 : elements;
-            pulledOnly += bolt.joints.empty() && !scene_.bolts[i].divisions ? 1 : 0;
+            if (scene_.bolts[i].divisions || !bolt.bends) continue;
+            pulledOnly += bolt.joints.empty() ? 1 : 0;
+            pullTests += bolt.joints.empty() || bolt.shears ? 0 : 1;
         }
         add(straight > 0, "rotation of nodes", "their type has \"bending\": \"none\"", counted(straight, "unknown"));
         add(noHinge > 0, "plastic hinges", "\"bending\" is not \"elastic-plastic\", or no 'steel' is given",
@@ -77,6 +79,8 @@ private:
         add(noRupture > 0, "yield and rupture of the shank", "the type has no 'steel'",
             counted(2 * noRupture, "limit") + " to be judged");
         add(pulledOnly > 0, "fine elements", "no joint crosses " + counted(pulledOnly, "bolt"),
+            "the elements of at most an eighth of the length over which a dowel bends");
+        add(pullTests > 0, "fine elements at joints", "the scene is a pull test of its bolt, which shears nothing",
             "the elements of at most an eighth of the length over which a dowel bends");
         const int artificial = counts_.nodes - counts_.realAnchors;
         add(artificial > 0, "bond along the bolt at artificial anchors", "the type holds other nodes there",

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ends a dynamic stage whose energy does not balance: motion that comes from nothing
-// must not pass for a result.
+// Ends a dynamic stage whose energy balance error is too large.
 #pragma once
 
 #include "solver/engine/model/state.h"

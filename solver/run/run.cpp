@@ -40,7 +40,7 @@ namespace keyblock {
 namespace {
 
 constexpr long fewestPasses = 200;  // between checkpoints: a new pattern and a written state cost two or three
-constexpr std::size_t stagesToEach = 64;  // that ended before, to each that may begin without a checkpoint
+constexpr std::size_t stagesToEach = 64;  // finished ones per stage that may start without a checkpoint
 constexpr long energyEvery = 8;  // steps in motion between two looks at the energy balance
 constexpr long workBetween = 2000;  // passes times bodies between the checkpoints of the smallest models
 

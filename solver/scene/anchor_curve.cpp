@@ -5,7 +5,9 @@
 namespace keyblock {
 
 Anchor withCurve(const Anchor& anchor) {
-    if (anchor.law != AnchorLaw::PeakResidual || anchor.softeningSlip <= 0.0 || !anchor.strength) return anchor;
+    if (anchor.law != AnchorLaw::PeakResidual || anchor.softeningSlip <= 0.0 || !anchor.strength ||
+        anchor.stiffness <= 0.0)
+        return anchor;
     const double atPeak = *anchor.strength / anchor.stiffness;
     Anchor curved = anchor;
     curved.law = AnchorLaw::Curve;

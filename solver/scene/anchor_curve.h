@@ -9,8 +9,7 @@
 
 namespace keyblock {
 
-/// The anchor with a curve in place of its softening slip; any other as it is.
-/// \pre the anchor was checked without errors.
+/// The anchor with a curve in place of its softening slip; any other as it is, and one that lacks strength or stiffness.
 Anchor withCurve(const Anchor& anchor);
 
 }  // namespace keyblock

@@ -131,6 +131,8 @@ void checkLimited(const Anchor& anchor, const std::string& pointer, CheckReport&
                      "Give at most the strength; for friction at full strength use the law 'frictional'");
 }
 
+constexpr double leastSoftening = 1e-3;  // slip over the slip at the peak
+
 void checkSoftening(const Anchor& anchor, const std::string& pointer, CheckReport& report) {
     if (anchor.softeningSlip == 0.0)
         return;
@@ -141,6 +143,12 @@ void checkSoftening(const Anchor& anchor, const std::string& pointer, CheckRepor
     if (!anchor.restick)
         report.error(place, "a bond that softens over a slip unloads along its stiffness and sticks again",
                      "Leave out 'restick', or 'softening_slip'");
+    if (anchor.onFailure == OnFailure::BoltLost)
+        report.error(place, "a bolt that is lost with this anchor is lost at its peak, before it can soften",
+                     "Leave out 'on_failure', or 'softening_slip'");
+    if (anchor.strength && anchor.softeningSlip * anchor.stiffness < leastSoftening * *anchor.strength)
+        report.error(place, "the bond softens over less than a thousandth of the slip at its peak",
+                     "Leave it out for a brittle bond, or give a longer slip");
 }
 
 void checkAnchorCurve(const Anchor& anchor, const std::string& pointer, CheckReport& report) {

@@ -43,10 +43,8 @@ const Structure& structureOf(const Anchor*) {
                                    {.unit = "N, or N/m", .range = atLeast(0),
                                     .only = {.key = "law", .words = {"peak-residual"}}}),
             row<&Anchor::softeningSlip>("softening_slip",
-                                        "Slip over which strength falls straight to the residual once the peak is "
-                                        "reached; 0: at once. The fracture energy for each metre of bolt is half "
-                                        "this slip times (strength − residual) × (1 + (strength − residual)/"
-                                        "(stiffness × this slip)).",
+                                        "Slip from the peak to the residual, linear; 0: brittle. Fracture energy "
+                                        "per metre: ½·(strength − residual)·(slip + (strength − residual)/stiffness).",
                                         {.unit = "m", .range = atLeast(0),
                                          .only = {.key = "law", .words = {"peak-residual"}}}),
             row<&Anchor::restick>("restick",
@@ -145,9 +143,9 @@ const Structure& structureOf(const BoltType*) {
                                           "Dynamic over static strength of the anchors, in dynamic stages.",
                                           {.range = above(0)}),
             row<&BoltType::steelDynamicFactor>("steel_dynamic_factor",
-                                               "The same of the steel, in tension, shear and bending.",
+                                               "Dynamic over static strength of the steel, in tension, shear and bending.",
                                                {.range = above(0)}),
-            row<&BoltType::plateDynamicFactor>("plate_dynamic_factor", "The same of the plate.", {.range = above(0)}),
+            row<&BoltType::plateDynamicFactor>("plate_dynamic_factor", "Dynamic over static strength of the plate.", {.range = above(0)}),
             row<&BoltType::sources>("sources", "Where single numbers come from, by key."),
         }};
     return structure;
@@ -180,9 +178,9 @@ const Structure& structureOf(const Bolt*) {
                                       "Dynamic over static strength of its anchors, in dynamic stages; null: as its "
                                       "type.",
                                       {.range = above(0)}),
-            row<&Bolt::steelDynamicFactor>("steel_dynamic_factor", "The same of its steel; null: as its type.",
+            row<&Bolt::steelDynamicFactor>("steel_dynamic_factor", "Dynamic over static strength of its steel; null: as its type.",
                                            {.range = above(0)}),
-            row<&Bolt::plateDynamicFactor>("plate_dynamic_factor", "The same of its plate; null: as its type.",
+            row<&Bolt::plateDynamicFactor>("plate_dynamic_factor", "Dynamic over static strength of its plate; null: as its type.",
                                            {.range = above(0)}),
         }};
     return structure;

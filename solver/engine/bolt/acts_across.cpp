@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/bolt/acts_across.h"
 
-#include "geometry/point.h"
+#include "geometry/polygon.h"
+#include "solver/scene/lookup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,57 +11,66 @@
 namespace keyblock {
 namespace {
 
-constexpr double straight = 1e-9;  // sine of the angle to the axis, below which a direction is along it
+constexpr double straight = 1e-9;  // sine of an angle below which two directions are parallel
 
-bool isAcross(const Point& direction, const Point& axis) {
-    return std::abs(cross(direction, axis)) > straight * direction.norm();
-}
+/// The line of a bolt, in the scene's coordinates.
+struct BoltLine {
+    const Scene& scene;
+    Point place{0.0, 0.0}, axis{1.0, 0.0};
+    double tolerance = 0.0;  // [m]
 
-bool loadsAcross(const Stage& stage, const Point& axis) {
-    return std::ranges::any_of(stage.loads, [&](const Load& load) { return load.along || isAcross(load.force, axis); });
-}
-
-bool movesAcross(const Stage& stage, const Point& axis) {
-    const auto motion = [&](const Motion& m) { return m.rotation == Rotation::Free || isAcross(m.axis, axis); };
-    const auto start = [&](const InitialVelocity& v) { return v.spin != 0.0 || isAcross(v.velocity, axis); };
-    return std::ranges::any_of(stage.motions, motion) || std::ranges::any_of(stage.initialVelocities, start);
-}
-
-bool shakesAcross(const Stage& stage, const Point& axis) {
-    const auto across = [&](const std::optional<Acceleration>& a) { return a && isAcross(a->axis, axis); };
-    return across(stage.baseAcceleration) || across(stage.bodyAcceleration);
-}
-
-bool stageActsAcross(const Stage& stage, const Point& axis) {
-    return !stage.dilations.empty() || loadsAcross(stage, axis) || movesAcross(stage, axis) || shakesAcross(stage, axis);
-}
-
-bool hasStress(const Scene& scene) {
-    const auto stressed = [](const Block& block) { return block.initialStress != Block{}.initialStress; };
-    return scene.inSituStress || std::ranges::any_of(scene.blocks, stressed);
-}
-
-/// The edge of a slot's block at one of the slot's ends, as far as it is not square to the axis.
-bool endsAskew(const Model& model, const Slot& slot, const Point& end, const Point& axis) {
-    const std::vector<Point>& shape = model.blocks[slot.block].shape;
-    for (std::size_t i = 0; i < shape.size(); ++i) {
-        const Point edge = shape[(i + 1) % shape.size()] - shape[i];
-        const Point away = end - shape[i];
-        const double along = away.dot(edge) / edge.squaredNorm();
-        const bool holds = std::abs(cross(edge, away)) <= model.tolerance * edge.norm() && along >= 0.0 && along <= 1.0;
-        if (holds && std::abs(edge.dot(axis)) > straight * edge.norm()) return true;
+    bool isAlong(const Point& direction) const {
+        return std::abs(cross(direction, axis)) <= straight * direction.norm();
     }
-    return false;
+    bool isOn(const Point& point) const { return std::abs(cross(point - place, axis)) <= tolerance; }
+    /// True where the centroid of the block at `point` lies on the line.
+    bool passesBlockAt(const Point& point) const {
+        const int block = blockAt(scene, point);
+        return block >= 0 && isOn(moments(scene.blocks[static_cast<std::size_t>(block)].points).centroid);
+    }
+};
+
+bool pulls(const BoltLine& line, const Load& load) {
+    if (load.along || !line.isAlong(load.force)) return false;
+    if (const auto& point = load.at ? load.at : load.point) return line.isOn(*point);
+    return load.blockAt && line.passesBlockAt(*load.blockAt);
+}
+
+bool pulls(const BoltLine& line, const Motion& motion) {
+    return motion.rotation == Rotation::Held && line.isAlong(motion.axis);
+}
+
+bool pulls(const BoltLine& line, const InitialVelocity& start) {
+    return start.spin == 0.0 && line.isAlong(start.velocity) && line.passesBlockAt(start.blockAt);
+}
+
+bool pulls(const BoltLine& line, const Stage& stage) {
+    const auto each = [&](const auto& list) {
+        return std::ranges::all_of(list, [&](const auto& one) { return pulls(line, one); });
+    };
+    return !stage.baseAcceleration && !stage.bodyAcceleration && stage.dilations.empty() && each(stage.loads) &&
+           each(stage.motions) && each(stage.initialVelocities);
+}
+
+/// No edge is oblique, and nothing strains the block.
+bool isSquare(const BoltLine& line, const Block& block) {
+    for (std::size_t i = 0; i < block.points.size(); ++i) {
+        const Point edge = block.points[(i + 1) % block.points.size()] - block.points[i];
+        if (!line.isAlong(edge) && !line.isAlong(turnLeft(edge))) return false;
+    }
+    return block.initialStress == Block{}.initialStress;
 }
 
 }  // namespace
 
-bool actsAcross(const Scene& scene, const Model& model, const Point& axis, const std::vector<Slot>& slots) {
-    const auto askew = [&](const Slot& slot) {
-        return endsAskew(model, slot, slot.p2, axis) || endsAskew(model, slot, slot.p3, axis);
-    };
-    return isAcross(scene.analysis.gravity, axis) || hasStress(scene) || std::ranges::any_of(slots, askew) ||
-           std::ranges::any_of(scene.stages, [&](const Stage& stage) { return stageActsAcross(stage, axis); });
+bool actsAcross(const Scene& scene, const BoltModel& bolt, const Model& model) {
+    const BoltLine line{scene, bolt.farEnd + model.origin, bolt.axis, model.tolerance};
+    const auto held = [](const Support& support) { return support.blockAt.has_value(); };
+    const auto square = [&](const Block& block) { return isSquare(line, block); };
+    const auto pull = [&](const Stage& stage) { return pulls(line, stage); };
+    return scene.bolts.size() > 1 || scene.inSituStress || scene.analysis.gravity != Point(0.0, 0.0) ||
+           !std::ranges::all_of(scene.supports, held) || !std::ranges::all_of(scene.blocks, square) ||
+           !std::ranges::all_of(scene.stages, pull);
 }
 
 }  // namespace keyblock

@@ -9,8 +9,9 @@
 
 namespace keyblock {
 
-/// False where every load, motion, velocity and acceleration of the scene acts along `axis`, there is no stress in the
-/// rock, and each joint that the bolt crosses is square to it.
-bool actsAcross(const Scene& scene, const Model& model, const Point& axis, const std::vector<Slot>& slots);
+/// False in a pull test along the bolt alone: the scene has no other bolt, no weight, acceleration, stress, pressure,
+/// dilation or point support; every edge of its blocks is parallel or square to the bolt; and every load, motion and
+/// velocity acts along the bolt's own line and turns no block.
+bool actsAcross(const Scene& scene, const BoltModel& bolt, const Model& model);
 
 }  // namespace keyblock

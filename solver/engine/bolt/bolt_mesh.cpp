@@ -11,6 +11,7 @@ namespace {
 constexpr double growth = 0.2;  // of an element, over its distance from a zone
 constexpr double samplesAnElement = 8.0;  // of the density of nodes
 constexpr double mostSamples = 2e5;
+constexpr double leastShare = 0.05;  // of an element: a place nearer to a node than this has that node
 
 /// Longest element at each place.
 class ElementSize {
@@ -49,7 +50,7 @@ private:
     double stretch_ = 1.0;
 };
 
-/// Adds nodes up to `to`, each element an equal share of what fits; nothing where `to` is the last node but for round-off.
+/// Adds nodes up to `to`, each element an equal share of what fits; nothing where `to` is the last node.
 void fill(std::vector<double>& nodes, double to, const ElementSize& size, double tolerance) {
     const double from = nodes.back();
     if (to - from <= tolerance) return;
@@ -91,8 +92,10 @@ std::vector<double> gradedNodes(const MeshRequest& request) {
     std::vector<double> nodes{0.0};
     auto wanted = request.nodes.begin();
     const auto fillTo = [&](double to) {
-        for (; wanted != request.nodes.end() && *wanted < to; ++wanted)
-            if (*wanted > nodes.back()) fill(nodes, *wanted, size, tolerance);
+        for (; wanted != request.nodes.end() && *wanted < to; ++wanted) {
+            const double least = leastShare * size.at(*wanted);
+            if (*wanted - nodes.back() > least && to - *wanted > least) fill(nodes, *wanted, size, tolerance);
+        }
         fill(nodes, to, size, tolerance);
     };
     for (std::size_t i = 0; i < request.joints.size(); ++i) {

@@ -68,8 +68,15 @@ void setSteel(const BoltType& type, BoltModel& bolt) {
 
 double placeOf(const BoltPlace& place, double length) { return place.head ? length : place.s; }
 
+Anchor strengthened(Anchor anchor, double factor) {
+    *anchor.strength *= factor;
+    anchor.residual *= factor;
+    return anchor;
+}
+
 AnchorModel anchorModel(const Anchor& written, double dynamicFactor) {
     const Anchor anchor = withCurve(written);
+    const bool softens = written.law == AnchorLaw::PeakResidual;  // by a slip that does not change with its strength
     AnchorModel model;
     model.real = true;
     model.law = anchor.law;
@@ -82,7 +89,9 @@ AnchorModel anchorModel(const Anchor& written, double dynamicFactor) {
     model.boltLost = anchor.onFailure == OnFailure::BoltLost;
     model.curveEnds = anchor.law == AnchorLaw::Curve && anchor.after == AfterCurve::Zero;
     if (anchor.law == AnchorLaw::Curve) model.curve = Backbone::of(anchor.curve);
-    if (model.curve && dynamicFactor != 1.0) model.dynamicCurve = model.curve->strengthened(dynamicFactor);
+    if (model.curve && dynamicFactor != 1.0)
+        model.dynamicCurve = softens ? Backbone::of(withCurve(strengthened(written, dynamicFactor)).curve)
+                                     : model.curve->strengthened(dynamicFactor);
     return model;
 }
 
@@ -155,10 +164,11 @@ PlateModel blockPlate(const Model& model, const BoltModel& bolt, int index, cons
     return plate;
 }
 
-PlateModel plateModel(const Model& model, const BoltModel& bolt, const BoltType& type) {
+/// \param divisions of the bolt, which say how near to rock the head must be; null: automatic.
+PlateModel plateModel(const Model& model, const BoltModel& bolt, const BoltType& type, std::optional<int> divisions) {
     PlateModel plate;
     const double length = bolt.s.back();
-    const double reach = bolt.elements.back().length + model.tolerance;
+    const double reach = length / divisions.value_or(static_cast<int>(bondedDivisions)) + model.tolerance;
     double nearest = std::numeric_limits<double>::max();
     for (const Slot& slot : bolt.slots) {
         const double away = std::max(0.0, length - slot.s3);
@@ -198,7 +208,8 @@ struct Bond {
 Bond bondOf(const Anchor& anchor) {
     if (anchor.law != AnchorLaw::Curve) {
         const double peak = anchor.strength.value_or(0.0);
-        return {anchor.stiffness, peak, anchor.law == AnchorLaw::Frictional ? peak : anchor.residual, anchor.softeningSlip};
+        const double residual = anchor.law == AnchorLaw::Frictional ? peak : anchor.residual;
+        return {anchor.stiffness, peak, residual, anchor.softeningSlip};
     }
     Bond bond;
     bond.stiffness = anchor.curve[1].second / anchor.curve[1].first;
@@ -210,9 +221,9 @@ Bond bondOf(const Anchor& anchor) {
     return bond;
 }
 
-/// How far from where its force comes in a bond works, at most: three transfer lengths, the way over which it softens,
-/// and the way over which it lets go before the steel is at its strength [m]. The front of a bond that lets go carries
-/// √(2·EA·G), G the work per area of its curve down to the residual.
+/// How far a bond works from where load is transferred to it, at most: three transfer lengths, the length over which it
+/// softens, and the length over which it debonds before the steel is at its strength [m]. The front of debonding carries
+/// about √(2·EA·G), G the work of the bond's curve per metre of bolt.
 double reachOf(const Bond& bond, double transfer, double axialStiffness, double steelStrength, double length) {
     if (bond.peak <= 0.0) return 3.0 * transfer;
     const double softened = (bond.peak - bond.residual) * bond.softeningSlip;
@@ -223,7 +234,8 @@ double reachOf(const Bond& bond, double transfer, double axialStiffness, double 
     return 3.0 * transfer + soft + gone;
 }
 
-/// Short elements where force comes into a bond: at joints, at the plate and where the bond begins or ends inside the bolt.
+/// Short elements where load is transferred to a bond: at joints, at the plate and where the bond begins or ends inside
+/// the bolt.
 void addTransferPlaces(const Anchor& anchor, const std::vector<Interval>& intervals, const BoltModel& b, bool plated,
                        MeshRequest& request) {
     const Bond bond = bondOf(anchor);
@@ -251,7 +263,6 @@ MeshRequest meshRequest(const std::vector<Anchor>& anchors, const BoltModel& b, 
     request.length = length;
     request.longest = length / (isBonded(anchors) ? bondedDivisions : freeDivisions);
     request.joints = b.joints;
-    if (plated) request.fine.push_back({length, length / bondedDivisions, 0.0});
     if (b.bends && b.shears)
         for (double joint : b.joints) request.fine.push_back({joint, b.dowelLength / 8.0, b.dowelLength});
     for (std::size_t e = 0; e < anchors.size(); ++e) {
@@ -284,7 +295,7 @@ BoltModel boltModel(const Scene& scene, int index, const Model& model) {
     b.slots = slotsAlong(model, b.farEnd, head);
     b.joints = jointPlaces(model, b.slots, length);
     b.dowelLength = dowelLengthOf(type, b.section, length);
-    b.shears = actsAcross(scene, model, b.axis, b.slots);
+    b.shears = actsAcross(scene, b, model);
     b.intervals = intervalsOf(anchorsOf(scene, bolt), length);
     b.s = bolt.divisions ? equalNodes(length, *bolt.divisions)
                          : gradedNodes(meshRequest(anchorsOf(scene, bolt), b, length, bolt.plate != PlateKind::None));
@@ -298,7 +309,7 @@ BoltModel boltModel(const Scene& scene, int index, const Model& model) {
     b.anchors = anchorsOfNodes(anchorsOf(scene, bolt), b.s, length, model.tolerance,
                                b.dynamicFactors.bond);
     setNormalSprings(b, type, !bolt.divisions);
-    if (bolt.plate == PlateKind::Spring) b.plate = plateModel(model, b, type);
+    if (bolt.plate == PlateKind::Spring) b.plate = plateModel(model, b, type, bolt.divisions);
     if (bolt.plate == PlateKind::Block) b.plate = blockPlate(model, b, index, type);
     b.firstNode = model.nodes;
     return b;

@@ -79,7 +79,7 @@ BondMesh bondMeshOf(const BoltModel& bolt) {
 
 std::string percent(double share) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.2g", 100.0 * share);
+    std::snprintf(text, sizeof text, share < 0.1 ? "%.1f" : "%.0f", 100.0 * share);
     return text + std::string(" %");
 }
 
@@ -90,17 +90,20 @@ void checkBond(const Scene& scene, std::size_t index, const BoltModel& bolt, std
     const double x = mesh.share();
     if (x <= largestShare) return;
     const double opens = std::sqrt(1.0 + 0.25 * x * x) - 1.0, lasts = std::expm1(2.0 * std::asinh(0.5 * x)) / x - 1.0;
-    const int wanted = static_cast<int>(std::ceil(bolt.s.back() / (0.25 * mesh.transfer)));
+    const double wanted = std::ceil(bolt.s.back() / (0.25 * mesh.transfer));
+    const bool possible = wanted <= 1e5;
     Problem problem;
     problem.severity = Severity::Warning;
     problem.pointer = under(boltPointer(scene, index), "divisions");
     problem.message = "bolt " + bolt.name + " has elements of " + millimetres(mesh.element) + " at a joint, " +
                       percent(x) + " of the " + millimetres(mesh.transfer) +
                       " over which its bond takes up a force: under a pull the joint opens " + percent(opens) +
-                      " too far, and a bond with a peak holds " + percent(lasts) + " too much before it lets go";
+                      " too far, and a bond with a peak strength fails at a load " + percent(lasts) + " too high";
     problem.remedy = scene.bolts[index].divisions
-                         ? "leave divisions out, or give at least " + std::to_string(wanted)
-                         : "shorten the bolt: an automatic mesh has at most " + std::to_string(mostElements) + " elements";
+                         ? "leave divisions out" +
+                               (possible ? ", or give at least " + std::to_string(static_cast<int>(wanted)) : "")
+                         : "shorten the bolt: an automatic mesh has at most about " + std::to_string(mostElements) +
+                               " elements";
     problems.push_back(std::move(problem));
 }
 
@@ -116,7 +119,7 @@ void checkDowel(const Scene& scene, std::size_t index, const BoltModel& bolt, do
     problem.severity = Severity::Warning;
     problem.pointer = under(boltPointer(scene, index), "divisions");
     problem.message = "bolt " + bolt.name + " has " +
-                      (longest > fine ? "elements of " + millimetres(longest) + " at a joint, where shear wants " +
+                      (longest > fine ? "elements of " + millimetres(longest) + " at a joint, where shear requires " +
                                             millimetres(fine) + " or less"
                                       : std::string("a node on a joint")) +
                       ": its dowel forces come out too soft";

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Divisions are used as given; where they are too coarse for what happens at a
-// joint, a person should know before believing the forces.
+// Divisions are used as given; where they are too coarse at a joint, the user is
+// warned.
 #pragma once
 
 #include "solver/scene/problem.h"
@@ -12,10 +12,10 @@
 
 namespace keyblock {
 
-/// A warning for every anchor named by its place whose node lies on a joint or in a gap, where it holds nothing; for every
-/// bolt whose elements at a joint take up more than 0.3 of the length over which its bond takes up a force, with what that
-/// costs; and, where something may shear the bolt, for given elements at a joint that are longer than an eighth of the
-/// length over which a dowel bends, or a node on a joint (theory, "Divisions").
+/// A warning for every anchor named by its place whose node lies on a joint or in a gap, where it holds nothing; for
+/// every bolt whose elements at a joint are longer than 0.3 of the transfer length of its bond, with the error of a pull;
+/// and, unless the scene is a pull test, for given elements at a joint that are longer than an eighth of the length over
+/// which a dowel bends, or a node on a joint (theory, "Divisions").
 /// \pre the scene has no error.
 std::vector<Problem> checkMeshes(const Scene& scene);
 

@@ -228,7 +228,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
             continue;
         }
         if (turnsTooFar(model, d)) return Attempt::TooLong;
-        if (!glueHolds(model, state.blocks, problem, d)) {
+        if (dt > arcStep * settings_.timeStep && !glueHolds(model, state.blocks, problem, d)) {
             if (turns == mostTurns) return Attempt::TooLong;
             cellPath = start = d;
             options.cellPath = &cellPath;

@@ -16,7 +16,7 @@ using namespace keyblock;
 Scene drawn() {
     Scene scene = sampleScene("drift-bolted");
     scene.joints.push_back({"fault", {{-14, 3}, {14, 6}}, "joint"});
-    scene.bolts.push_back({"B1", "rebar-20", {6, 6}, {6, 8}, {}, PlateKind::None, {}, 0.0, {}, -1});
+    scene.bolts.push_back({"B1", "rebar-20", {6, 6}, {6, 8}, {}, PlateKind::None, {}, 0.0, {}, {}, {}, {}, -1});
     scene.stages[2].install.push_back("B1");
     scene.stages[4].dilations.push_back({"fault", 1e-3, -1});
     scene.stages[4].set.push_back({"joint", 25.0, {}, {}, {}});
