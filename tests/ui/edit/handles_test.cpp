@@ -43,7 +43,8 @@ TEST(Handles, ATunnelKeepsItsFloorAndItsMiddle) {
 
 TEST(Handles, PatternsAndBoltsStayOnTheWall) {
     Scene scene = sampleScene("drift-bolted");
-    scene.bolts.push_back({"B1", "d-bolt-20", {-4.65, 0}, {-2.25, 0}, {}, PlateKind::Spring, {}, 0.0, {}, {}, {}, {}, -1});
+    scene.bolts.push_back(
+        {"B1", "d-bolt-20", {-4.65, 0}, {-2.25, 0}, {}, PlateKind::Spring, {}, 0.0, {}, {}, {}, {}, -1});
     const Edit pattern = dragHandle(scene, "/bolt_patterns/0", 0, {2.4, -1.0}, 0.0);
     EXPECT_NEAR((pattern.scene.boltPatterns[0].from - Point(2.25, -1.0)).norm(), 0.0, 1e-12);
     const std::vector<Handle> handles = handlesOf(scene, "/bolts/0");
