@@ -22,6 +22,7 @@ constexpr double groutNormalStiffness = 27.08e9;
 constexpr double bondedDivisions = 60.0;  // least of an automatic mesh; what holds for each node counts on it
 constexpr double freeDivisions = 20.0;  // the same of a bolt that is held at single places only
 constexpr double transferShare = 0.25;  // of the transfer length, for an element: a pull opens its joint 0.8 % too far
+constexpr double elementsBetween = 12.0;  // joints, where they are closer than the transfer length
 constexpr double softeningShare = 0.15;  // the same of a bond that falls from its peak: it is reached 8 % too late
 
 BeamSection sectionOf(const BoltType& type) {
@@ -234,6 +235,15 @@ double reachOf(const Bond& bond, double transfer, double axialStiffness, double 
     return 3.0 * transfer + soft + gone;
 }
 
+/// From a joint to the nearest other one, or to an end of the bolt [m].
+double spacingAt(const MeshRequest& request, std::size_t joint) {
+    const double s = request.joints[joint];
+    double spacing = std::min(s, request.length - s);
+    if (joint > 0) spacing = std::min(spacing, s - request.joints[joint - 1]);
+    if (joint + 1 < request.joints.size()) spacing = std::min(spacing, request.joints[joint + 1] - s);
+    return spacing;
+}
+
 /// Short elements where load is transferred to a bond: at joints, at the plate and where the bond begins or ends inside
 /// the bolt.
 void addTransferPlaces(const Anchor& anchor, const std::vector<Interval>& intervals, const BoltModel& b, bool plated,
@@ -246,8 +256,13 @@ void addTransferPlaces(const Anchor& anchor, const std::vector<Interval>& interv
     const double reach = reachOf(bond, transfer, axial, b.tensileStrength, request.length);
     const auto add = [&](double s) { request.fine.push_back({s, share * transfer, reach}); };
     for (const auto& [from, to] : intervals) {
-        for (double joint : request.joints)
-            if (joint >= from && joint <= to) add(joint);
+        for (std::size_t i = 0; i < request.joints.size(); ++i) {
+            if (request.joints[i] < from || request.joints[i] > to) continue;
+            add(request.joints[i]);
+            const double spacing = spacingAt(request, i);
+            const double between = std::max(spacing / elementsBetween, share * transfer / 20.0);
+            request.fine.push_back({request.joints[i], between, spacing});
+        }
         if (from > 0.0) add(from);
         if (to < request.length || plated) add(to);
     }

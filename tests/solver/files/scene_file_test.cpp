@@ -125,9 +125,16 @@ TEST(SceneFile, ReadsWhatTheFileSays) {
     EXPECT_EQ(scene.monitors.at(3).quantity, BoltQuantity::Slip);
     EXPECT_EQ(scene.output.every, 0.05);
     const BoltType& mine = boltTypeOf(scene, scene.bolts.at(0));
-    ASSERT_EQ(mine.anchors.size(), 4u);
+    ASSERT_EQ(mine.anchors.size(), 5u);
     EXPECT_EQ(mine.anchors[1].at, (BoltPlace{true, 0.0}));
-    EXPECT_EQ(mine.anchors[3].onFailure, OnFailure::BoltLost);
+    EXPECT_EQ(mine.anchors[3].softeningSlip, 2e-3);
+    EXPECT_EQ(mine.anchors[4].onFailure, OnFailure::BoltLost);
+    EXPECT_EQ(mine.steelDynamicFactor, 1.1);
+    EXPECT_EQ(mine.plateDynamicFactor, 0.9);
+    EXPECT_EQ(scene.bolts.at(0).dynamicFactor, 0.8);
+    EXPECT_EQ(scene.bolts.at(0).steelDynamicFactor, 1.05);
+    EXPECT_EQ(scene.bolts.at(0).plateDynamicFactor, 0.7);
+    EXPECT_FALSE(scene.bolts.at(1).plateDynamicFactor);
 }
 
 TEST(SceneFile, FollowsLikeThroughOwnAndBuiltInTypes) {

@@ -117,8 +117,11 @@ private:
     std::vector<std::string> made_;
 };
 
-/// A bolt may name a type that is gone; the file says so too.
-bool isNameOnly(const Problem& problem) { return problem.message.starts_with("there is no bolt type"); }
+/// A bolt may name a type that is gone, an acceleration a file that is; the file says so too.
+bool isNameOnly(const Problem& problem) {
+    return problem.message.starts_with("there is no bolt type") ||
+           problem.message.find("the file cannot be opened") != std::string::npos;
+}
 
 void expectOpensAsItself(const Scene& scene, const std::string& did) {
     const std::string text = wholeSceneText(scene);
