@@ -186,6 +186,20 @@ TEST(BoltLaws, PretensionOverThePlatesStrengthLosesIt) {
     EXPECT_EQ(countOf(solved, EventKind::PlateLoss), 1);
 }
 
+/// The block there starts at 1 m/s along the bolt.
+Stage thrown(const Point& blockAt) {
+    Stage stage;
+    stage.name = "burst";
+    stage.kind = StageKind::Dynamic;
+    stage.duration = 0.3;
+    stage.timeStep = 5e-4;
+    InitialVelocity start;
+    start.blockAt = blockAt;
+    start.velocity = {1.0, 0.0};
+    stage.initialVelocities = {start};
+    return stage;
+}
+
 // A block of mass m that flies at v is stopped by friction f over m·v²/2f; dynamic strength shortens the way.
 TEST(BoltLaws, TheDynamicFactorScalesWhatAnAnchorHolds) {
     for (const double factor : {1.0, 1.5}) {
@@ -196,16 +210,7 @@ TEST(BoltLaws, TheDynamicFactorScalesWhatAnAnchorHolds) {
         type.anchors = {slipping, anchorAt(0.5, AnchorLaw::Elastic, 1e9)};
         type.dynamicFactor = factor;
         addBolt(scene, type, 0.75, 1.25, 10, PlateKind::None);
-        Stage stage;
-        stage.name = "burst";
-        stage.kind = StageKind::Dynamic;
-        stage.duration = 0.3;
-        stage.timeStep = 5e-4;
-        InitialVelocity start;
-        start.blockAt = Point(1.6, 0.6);
-        start.velocity = {1.0, 0.0};
-        stage.initialVelocities = {start};
-        scene.stages = {stage};
+        scene.stages = {thrown(Point(1.6, 0.6))};
         const double way = 0.5 * 2700.0 * 1.0 / (factor * friction);
         EXPECT_NEAR(reading(solve(scene), "max opening"), way, 0.02 * way) << factor;
     }
@@ -223,16 +228,7 @@ Scene caughtSlab(double bondFactor) {
     tube.dynamicFactor = bondFactor;
     tube.plate.normalStrength = 60e3;
     addBolt(scene, tube, 0.5, 3.0, 100, PlateKind::Spring);
-    Stage stage;
-    stage.name = "fall";
-    stage.kind = StageKind::Dynamic;
-    stage.duration = 0.3;
-    stage.timeStep = 5e-4;
-    InitialVelocity start;
-    start.blockAt = Point(2.6, 0.6);
-    start.velocity = {1.0, 0.0};
-    stage.initialVelocities = {start};
-    scene.stages = {stage};
+    scene.stages = {thrown(Point(2.6, 0.6))};
     return scene;
 }
 

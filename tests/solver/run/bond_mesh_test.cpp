@@ -55,29 +55,29 @@ TEST(BondMesh, ElasticCablesOpenAsTheClosedFormSays) {
         }
 }
 
-/// One side of a joint whose bond has let go over c: at the front strength/λ·tanh(λ(ℓ − c)), along c the residual (Li
+/// One side of a joint that has debonded over c: at the front strength/λ·tanh(λ(ℓ − c)), along c the residual (Li
 /// and Stillborg 1999).
 struct Side {
     double slip = 0.0, pull = 0.0;
 };
 
-Side letGo(const BondedBar& bar, double embedded, double c) {
+Side debonded(const BondedBar& bar, double embedded, double c) {
     const double front = bar.peak / bar.lambda() * std::tanh(bar.lambda() * (embedded - c));
     return {bar.peak / bar.bond + (front * c + 0.5 * bar.residual * c * c) / bar.axial, front + bar.residual * c};
 }
 
-/// Pull at an opening that both sides share, each far longer than what has let go.
+/// Pull at an opening that both sides share, each far longer than what has debonded.
 double brittlePull(const BondedBar& bar, double opening) {
     double low = 0.0, high = std::min(bar.joint, bar.length - bar.joint);
     for (int i = 0; i < 100; ++i) {
         const double c = 0.5 * (low + high);
-        (2.0 * letGo(bar, bar.joint, c).slip < opening ? low : high) = c;
+        (2.0 * debonded(bar, bar.joint, c).slip < opening ? low : high) = c;
     }
-    return letGo(bar, bar.joint, low).pull;
+    return debonded(bar, bar.joint, low).pull;
 }
 
 /// The exact sum over the nodes of a mesh: bars between nodes, a spring at each until its strength is reached, then the
-/// residual; one lets go at a time, the most overloaded first.
+/// residual; one debonds at a time, the most overloaded first.
 class NodeSum {
 public:
     NodeSum(const BondedBar& bar, const std::vector<double>& nodes) : bar_(bar), nodes_(nodes), bonded_(nodes.size(), true) {}
