@@ -72,10 +72,15 @@ void debond(const AnchorModel& anchor, double strengthFactor, BoltNode& node) {
     bond.force = -bond.keptForce * bond.share;
 }
 
-/// Friction of a point that does not stick again stays the same whatever moves.
+/// Friction of a point that does not stick again stays the same whatever moves. On a way back it pulls the way that the
+/// point goes, as a dead load does, and that work is a load's.
 void accountKeptForce(const NodeBond& bond, BoltMotion& motion, EnergyLedger& energy, const SolvedLink& solved) {
     const Law& law = solved.link.law;
     const double work = law.share * law.limit * (solved.strain + bond.slip);
+    if (work < 0.0) {
+        energy.external -= work;
+        return;
+    }
     energy.friction += work;
     motion.bondEnergy += work;
 }

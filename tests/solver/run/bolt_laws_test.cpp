@@ -75,6 +75,13 @@ TEST(BoltLaws, WithoutRestickingTheForceStays) {
         if (row.time > 0.2) {
             EXPECT_NEAR(row.values[1], friction, 1e-6 * friction);
         }
+    // On the way back by 2U the force pulls the way that the bar goes: a load's work, no friction.
+    const double flexibility = 1.0 / 50e6 + 0.5 / (200e9 * barArea()) + 1.0 / 100e6;
+    const double slide = 3e-3 - friction * flexibility + 6e-3;
+    EXPECT_NEAR(solved.results.frames.back().energy.friction, friction * slide, 1e-5 * friction * slide);
+    for (std::size_t i = 1; i < solved.results.frames.size(); ++i)
+        EXPECT_GE(solved.results.frames[i].energy.friction, solved.results.frames[i - 1].energy.friction * (1.0 - 1e-12));
+    EXPECT_LT(std::abs(solved.results.stages[0].health.balanceError), 1e-6);
 }
 
 /// The head is the only node in the block that is pulled, and carries what presses that block across the bolt.
