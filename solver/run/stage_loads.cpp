@@ -172,6 +172,7 @@ void StageLoads::addMotion(int row, State& state) {
 
 void StageLoads::begin(int stage, State& state) {
     memory_.stage = stage;
+    forgetReplaced();
     if (this->stage().zeroDisplacements) {
         memory_.zero.clear();
         for (const BlockMotion& block : state.blocks) memory_.zero.push_back(block.centroid);
@@ -236,6 +237,19 @@ void StageLoads::forgetAbsent(const State& state) {
         walls[i] = walls[i] || start.walls[i] == 0.0 || (bolt >= 0 && state.bolts[bolt].absent);
     }
     dropRows(walls, loads.walls, memory_.wallStages, start.walls);
+}
+
+/// Loads that have faded out; a stage that ended before its time leaves some of them.
+void StageLoads::forgetReplaced() {
+    const auto gone = [](const std::vector<LoadSource>& sources, const std::vector<double>& values) {
+        std::vector<char> drop;
+        for (std::size_t i = 0; i < sources.size(); ++i) drop.push_back(sources[i].replaced && values[i] == 0.0);
+        return drop;
+    };
+    Loads& loads = memory_.loads;
+    LoadPoint& start = memory_.start;
+    dropRows(gone(memory_.forceSources, start.forces), loads.forces, memory_.forceSources, start.forces);
+    dropRows(gone(memory_.pressureSources, start.pressures), loads.pressures, memory_.pressureSources, start.pressures);
 }
 
 /// How far the block was along the motion's axis where displacements begin to count.

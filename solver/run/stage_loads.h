@@ -78,6 +78,7 @@ private:
     void addOpenings(double time, LoadPoint& point) const;
     void addMotion(int row, State& state);
     void replace(const Load& load, int block);
+    void forgetReplaced();
     int blockHolding(const State& state, const Point& place) const;
     double zeroOf(const PrescribedMotion& motion) const;
     std::vector<const Table*> tables() const;
