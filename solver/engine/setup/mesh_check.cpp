@@ -107,6 +107,26 @@ void checkBond(const Scene& scene, std::size_t index, const BoltModel& bolt, std
     problems.push_back(std::move(problem));
 }
 
+/// A range of anchors, each of the same strength, on a mesh that nobody gave: their number decides what it holds.
+void checkAnchorCount(const Scene& scene, std::size_t index, const BoltModel& bolt, std::vector<Problem>& problems) {
+    if (scene.bolts[index].divisions) return;
+    const std::vector<Anchor>& anchors = anchorsOf(scene, scene.bolts[index]);
+    for (std::size_t entry = 0; entry < anchors.size(); ++entry) {
+        if (anchors[entry].at || anchors[entry].per != Per::Node) continue;
+        const auto nodes = std::count_if(bolt.anchors.begin(), bolt.anchors.end(), [&](const AnchorModel& anchor) {
+            return anchor.real && anchor.entry == static_cast<int>(entry);
+        });
+        const std::string place = boltPointer(scene, index);
+        Problem problem;
+        problem.severity = Severity::Warning;
+        problem.pointer = under(place, "divisions");
+        problem.message = "the bond of bolt " + bolt.name + " is given for each node, and its automatic divisions make " +
+                          std::to_string(nodes) + " of them: its strength depends on that number";
+        problem.remedy = "give the divisions for which the anchors were measured, or give the bond per length";
+        problems.push_back(std::move(problem));
+    }
+}
+
 /// Given divisions that are too long for a dowel.
 void checkDowel(const Scene& scene, std::size_t index, const BoltModel& bolt, double tolerance,
                 std::vector<Problem>& problems) {
@@ -136,6 +156,7 @@ std::vector<Problem> checkMeshes(const Scene& scene) {
     for (std::size_t i = 0; i < scene.bolts.size(); ++i) {
         checkAnchorNodes(scene, i, model.bolts[i], problems);
         checkBond(scene, i, model.bolts[i], problems);
+        checkAnchorCount(scene, i, model.bolts[i], problems);
         checkDowel(scene, i, model.bolts[i], model.tolerance, problems);
     }
     return problems;

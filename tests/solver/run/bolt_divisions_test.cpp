@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 
 namespace keyblock {
 namespace {
@@ -145,6 +147,22 @@ TEST(BoltDivisions, WarnOfAnAnchorOnAJoint) {
                                       [](const Problem& p) { return p.pointer == "/bolts/0/anchors/0/at"; });
         EXPECT_EQ(told, at == 0.5) << at;
     }
+}
+
+TEST(BoltDivisions, WarnOfAnchorsForEachNodeOnAMeshThatNobodyGave) {
+    const auto warnings = [](Per per, std::optional<int> divisions) {
+        Scene scene = row({1.0, 2.0});
+        addBar(scene, 0.1, 1.9);
+        scene.boltTypes.back().anchors = {anchorRange(per, AnchorLaw::Elastic, 1e7, std::nullopt, 0.0)};
+        scene.bolts.back().divisions = divisions;
+        int found = 0;
+        for (const Problem& problem : checkMeshes(scene))
+            if (problem.message.find("for each node") != std::string::npos) ++found;
+        return found;
+    };
+    EXPECT_EQ(warnings(Per::Node, {}), 1);
+    EXPECT_EQ(warnings(Per::Node, 60), 0);
+    EXPECT_EQ(warnings(Per::Length, {}), 0);
 }
 
 }  // namespace
