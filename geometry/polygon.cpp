@@ -145,6 +145,12 @@ bool overlap(std::span<const Point> a, std::span<const Point> b, double toleranc
     return within && isDeepInside(b, *within, tolerance);
 }
 
+bool contains(std::span<const Point> outer, std::span<const Point> inner, double tolerance) {
+    if (outer.empty() || inner.empty() || outlineEnters(outer, inner, tolerance)) return false;
+    const std::optional<Point> within = deepPoint(inner);
+    return within && isDeepInside(outer, *within, tolerance);
+}
+
 Box boxOf(std::span<const Point> points) {
     Box box{points.front(), points.front()};
     for (const Point& p : points) {

@@ -51,6 +51,10 @@ std::optional<Point> crossesItself(std::span<const Point> polygon, double tolera
 /// \pre neither crosses itself.
 bool overlap(std::span<const Point> a, std::span<const Point> b, double tolerance);
 
+/// True when `inner` lies within `outer` from end to end, but for a seam of depth `tolerance` [m].
+/// \pre neither crosses itself.
+bool contains(std::span<const Point> outer, std::span<const Point> inner, double tolerance);
+
 /// Upright rectangle.
 struct Box {
     Point min{0.0, 0.0};  // [m]

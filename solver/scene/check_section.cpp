@@ -89,11 +89,12 @@ void checkOverlapWithDomain(CheckContext& context) {
         const std::vector<Point>& points = scene.blocks[i].points;
         const bool sound = points.size() >= 3 && std::all_of(points.begin(), points.end(), isUsable) &&
                            !crossesItself(points, context.tolerance);
-        if (sound && overlap(scene.domain->boundary, points, context.tolerance))
+        if (sound && overlap(scene.domain->boundary, points, context.tolerance) &&
+            !standsInOpening(scene, points))
             context.report.error(under("/blocks", i),
                                  "the block " + inQuotes(displayName(scene, static_cast<int>(i))) +
                                      " overlaps the domain",
-                                 "Move it out of the domain, or draw it there by joints");
+                                 "Move it out of the domain, wholly into a tunnel that no stage excavates, or draw it there by joints");
     }
 }
 

@@ -35,8 +35,9 @@ const Structure& sceneStructure() {
             row<&Scene::voronoi>("voronoi", "Voronoi cells; null: none."),
             row<&Scene::regions>("regions", "Parts of the section that joint sets and Voronoi cells refer to."),
             row<&Scene::tunnels>("tunnels", "Openings in the domain."),
-            row<&Scene::blocks>("blocks", "Blocks given by their corners. They may touch each other and the domain but "
-                                          "not overlap. The blocks of the domain follow them: the first without a name "
+            row<&Scene::blocks>("blocks", "Blocks given by their corners. They may touch each other and the domain, and stand "
+                                          "in its tunnels that no stage excavates, but not overlap. The blocks of the "
+                                          "domain follow them: the first without a name "
                                           "is `b` and its place among all."),
             row<&Scene::supports>("supports", "What is held."),
             row<&Scene::inSituStress>("in_situ_stress", "Stress before anything is excavated; null: none."),

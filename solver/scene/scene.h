@@ -122,6 +122,7 @@ struct Block {
     std::optional<std::string> jointMaterial;
     Stress initialStress{0.0, 0.0, 0.0};  // [Pa]
     std::optional<CellSettings> subBlocks;  // null: one block with one stress
+    bool inOpening = false;  // wholly in a tunnel that no stage excavates: no stress in situ; `cutScene` says it, no file
     // of blocks that `cutScene` made; no file says it
     std::vector<CutFace> faces{};  // a row per edge, counter-clockwise; empty: not cut
     std::vector<int> tunnels{};  // the scene's that it lies in

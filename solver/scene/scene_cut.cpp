@@ -230,7 +230,11 @@ bool needsCut(const Scene& scene) {
 SceneCut cutScene(const Scene& scene, const std::atomic<bool>* stop) {
     SceneCut result;
     result.scene = scene;
-    if (scene.domain) cutDomain(scene, result, stop);
+    if (scene.domain) {
+        for (Block& block : result.scene.blocks)
+            block.inOpening = standsInOpening(scene, block.points);
+        cutDomain(scene, result, stop);
+    }
     for (std::size_t i = 0; i < scene.boltPatterns.size() && !isLaidOut(scene); ++i)
         layOutPattern(scene, static_cast<int>(i), result.scene.bolts);
     return result;

@@ -112,6 +112,14 @@ bool isOpenFromStart(const Scene& scene, const SceneTunnel& tunnel) {
     });
 }
 
+bool standsInOpening(const Scene& scene, const std::vector<Point>& points) {
+    return std::any_of(scene.tunnels.begin(), scene.tunnels.end(), [&](const SceneTunnel& tunnel) {
+        const ProfileShape shape = shapeOf(tunnel);
+        if (!isOpenFromStart(scene, tunnel) || profileProblem(shape)) return false;
+        return contains(outline(tunnelProfile(shape)), points, toleranceOf(scene));
+    });
+}
+
 SceneTraces tracesOf(const Scene& scene) {
     Collector out;
     for (const SceneJoint& joint : scene.joints) {

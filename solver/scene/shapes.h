@@ -38,6 +38,10 @@ BoundarySide sideOf(const Point& from, const Point& to);
 /// True for a tunnel that no stage excavates.
 bool isOpenFromStart(const Scene& scene, const SceneTunnel& tunnel);
 
+/// True for an outline that lies wholly in such a tunnel, where there is no rock. \pre the scene has a domain,
+/// and `points` do not cross themselves.
+bool standsInOpening(const Scene& scene, const std::vector<Point>& points);
+
 /// Where traces come from, by their source.
 struct TraceSource {
     std::string text;  // for people: joint 'fault', tunnel 'drift', …

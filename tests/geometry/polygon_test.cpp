@@ -169,6 +169,18 @@ TEST(Overlap, KnowsThatAConcaveShapeLeavesRoom) {
     EXPECT_TRUE(overlap(ell, rectangle(0.9, 0.9, 3, 3), 1e-6));
 }
 
+TEST(Contains, AsksForAllOfIt) {
+    const Polygon square = rectangle(0, 0, 1, 1);
+    EXPECT_TRUE(contains(square, rectangle(0.4, 0.4, 0.6, 0.6), 1e-6));
+    EXPECT_TRUE(contains(square, rectangle(0.4, 0, 0.6, 0.2), 1e-6));  // on its floor
+    EXPECT_TRUE(contains(square, square, 1e-6));
+    EXPECT_TRUE(contains(square, rectangle(0.5, 0.5, 1 + 0.5e-6, 0.8), 1e-6));
+    EXPECT_FALSE(contains(square, rectangle(0.5, 0.5, 1.1, 0.8), 1e-6));  // through a side
+    EXPECT_FALSE(contains(square, rectangle(3, 3, 4, 4), 1e-6));
+    EXPECT_FALSE(contains(rectangle(0.4, 0.4, 0.6, 0.6), square, 1e-6));  // the other way round
+    EXPECT_FALSE(contains(ell, rectangle(0.5, 0.5, 2, 2), 1e-6));  // all corners but one, across the notch
+}
+
 TEST(Box, HoldsGrowsAndMeets) {
     const Box box = boxOf(ell);
     EXPECT_EQ(box.min, Point(0, 0));

@@ -40,6 +40,12 @@ public:
     }
 
 private:
+    /// A plate, or a block that stands in an opening: the stress does not pass through it.
+    bool isApart(int block) const {
+        const BlockModel& model = model_.blocks[block];
+        return model.plateOf >= 0 || scene_.blocks[static_cast<std::size_t>(model.rock)].inOpening;
+    }
+
     const Scene& scene_;
     const Model& model_;
 };
@@ -69,8 +75,8 @@ Point cornerForce(const Model& model, const State& state, const Tractions& tract
 
 void preloadContacts(const Model& model, State& state, const Tractions& tractions) {
     for (Contact& c : state.contacts) {
-        const bool plate = model.blocks[c.blockA].plateOf >= 0 || model.blocks[c.blockB].plateOf >= 0;
-        if (plate || std::abs(c.gap) > touching * model.tolerance) continue;
+        const bool apart = tractions.isApart(c.blockA) || tractions.isApart(c.blockB);
+        if (apart || std::abs(c.gap) > touching * model.tolerance) continue;
         const Point force = cornerForce(model, state, tractions, c);
         const Edge edge = edgeOf(state.blocks[c.blockB].corners, c.edge);
         const double normal = edge.outward.dot(force), shear = -edge.along.dot(force);
@@ -94,6 +100,7 @@ void preloadGlue(const Model& model, State& state, const Tractions& tractions) {
         const Point middle = model.blocks[glue.a].centroid + glue.placeA, outward = -turnLeft(glue.along);
         const Point from = middle - 0.5 * glue.length * glue.along, to = middle + 0.5 * glue.length * glue.along;
         const BlockMotion& a = state.blocks[glue.a];
+        if (tractions.isApart(glue.a)) continue;
         const Vector6 force = displacementMatrix(a, from).transpose() * tractions.endForce(from, to, outward) +
                               displacementMatrix(a, to).transpose() * tractions.endForce(to, from, outward);
         Eigen::Matrix<double, 6, 3> ways;
@@ -165,6 +172,7 @@ void preloadSupports(const Scene& scene, Model& model) {
         const Point place = model.blocks[support.block].centroid + support.place;
         const Point force = freeForce(model, tractions, rock, support.block, place);
         for (int axis : {0, 1}) {
+        if (tractions.isApart(support.block)) continue;
             const auto fixes = [&](const PointSupport& other) {
                 const bool same = other.block == support.block;
                 return same && (other.place - support.place).norm() <= model.tolerance && (axis == 0 ? other.x : other.y);

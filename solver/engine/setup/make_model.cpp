@@ -135,7 +135,7 @@ BlockModel blockModel(const Scene& scene, const Point& origin, const SolvedBlock
     model.massMatrix = massOf(m, material.density * scene.analysis.thickness);
     model.elasticity = elasticityOf(material, scene.analysis.plane);
     model.youngsModulus = material.youngsModulus;
-    if (!plate) {
+    if (!plate && !block.inOpening) {
         const Stress inSitu = inSituStressAt(scene, m.centroid + origin);
         for (std::size_t i = 0; i < inSitu.size(); ++i) model.initialStress[i] = block.initialStress[i] + inSitu[i];
     }

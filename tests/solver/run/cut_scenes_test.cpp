@@ -397,5 +397,53 @@ TEST(JointedRock, AThousandCellsSettle) {
     EXPECT_LT(std::abs(results.frames.back().energy.balanceError), 1e-2);
 }
 
+/// Rock of 10 m under stress, held all round, with a room of 4 m in it, on whose floor lies a block of 1 m.
+Scene blockInRoom() {
+    Scene scene = emptyScene(10e9, 0.2, 30.0);
+    scene.domain = SceneDomain{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}, scene.materials.front().first, {}};
+    SceneTunnel room;
+    room.name = "room";
+    room.profile = ProfileKind::Polygon;
+    room.points = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
+    scene.tunnels = {room};
+    for (const BoundarySide each : {BoundarySide::Bottom, BoundarySide::Top, BoundarySide::Left, BoundarySide::Right})
+        scene.supports.push_back(side(each, Fix::All));
+    scene.blocks = {boxBlock("loose", {-0.5, -2}, {0.5, -1})};
+    scene.analysis.gravity = {0.0, -gravity};
+    scene.inSituStress = InSituStress{-1e6, -1e6, 0.0, {}, 0.0};
+    scene.stages = {test::settle()};
+    return scene;
+}
+
+bool isRefused(const Scene& scene) {
+    const std::vector<Problem> problems = checkScene(scene);
+    return std::any_of(problems.begin(), problems.end(), [](const Problem& problem) {
+        return problem.severity == Severity::Error && problem.pointer == "/blocks/0";
+    });
+}
+
+TEST(CutScenes, ABlockMayStandInATunnelThatIsOpen) {
+    EXPECT_FALSE(isRefused(blockInRoom()));
+    Scene later = blockInRoom();
+    later.stages[0].excavate = {"room"};
+    EXPECT_TRUE(isRefused(later));
+    Scene across = blockInRoom();
+    across.blocks[0] = boxBlock("loose", {-0.5, -2.5}, {0.5, -1});
+    EXPECT_TRUE(isRefused(across));
+}
+
+TEST(CutScenes, ABlockInAnOpeningBearsItsWeightAndNoStressInSitu) {
+    const Solved solved = solve(blockInRoom());
+    ASSERT_EQ(solved.results.stages[0].outcome, Outcome::Equilibrium) << solved.results.stages[0].message;
+    const double weight = solved.scene.materials.front().second.density * gravity;
+    double carried = 0.0;
+    for (const ContactFrame& contact : solved.results.frames.back().contacts)
+        if (contact.blockA == 0 || contact.blockB == 0) carried += contact.normalForce;
+    EXPECT_NEAR(carried, weight, 1e-3 * weight);
+    EXPECT_NEAR(solved.results.frames.back().blocks[0].stress[1], -0.5 * weight, 1e-2 * weight);
+    const double confined = 0.2 / (1.0 - 0.2) * 0.5 * weight;  // where the floor's friction held it altogether
+    EXPECT_LE(std::abs(solved.results.frames.back().blocks[0].stress[0]), confined);
+}
+
 }  // namespace
 }  // namespace keyblock
