@@ -3,6 +3,7 @@
 #include "solver/run/observation.h"
 
 #include "solver/engine/bolt/bolt.h"
+#include "solver/engine/contact/bonded_face.h"
 #include "solver/engine/contact/search.h"
 #include "solver/engine/contact/springs.h"
 #include "solver/engine/model/edge.h"
@@ -44,8 +45,9 @@ ContactFrame contactFrame(const Contact& c, const Model& model, const State& sta
     f.position = c.position + model.origin;
     f.normal = edgeOf(state.blocks[static_cast<std::size_t>(c.blockB)].corners, c.edge).outward;
     f.state = contactState(c);
-    f.normalForce = c.normalForce;
-    f.shearForce = c.shearForce;
+    const ContactForces forces = forcesAtCorner(state.contacts, c);
+    f.normalForce = forces.normal;
+    f.shearForce = forces.shear;
     f.penetration = -c.gap;
     f.slip = c.slip;
     return f;

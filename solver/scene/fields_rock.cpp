@@ -33,7 +33,10 @@ const Structure& structureOf(const JointMaterial*) {
                 {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}}),
             row<&JointMaterial::cohesion>("cohesion", "Cohesion on the contact length.",
                                           {.unit = "Pa", .range = atLeast(0)}),
-            row<&JointMaterial::tensileStrength>("tensile_strength", "Tensile strength on the contact length.",
+            row<&JointMaterial::tensileStrength>("tensile_strength",
+                                                 "Tensile strength on the contact length. A bent joint cracks at "
+                                                 "`tensile_strength`·h²/6 per metre of thickness where blocks have "
+                                                 "`sub_blocks`, at three times that between whole blocks.",
                                                  {.unit = "Pa", .range = atLeast(0)}),
             row<&JointMaterial::residualFrictionAngle>(
                 "residual_friction_angle",

@@ -13,6 +13,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace keyblock {
 
@@ -184,12 +187,69 @@ std::vector<CaseResult> ringingBar() {
     return checks.take();
 }
 
+/// Moment at which the first contact of a bonded joint fails [N m], and where.
+struct Crack {
+    double moment = 0.0, height = 0.0;
+};
+
+/// A beam of 6 m × 1 m with a bonded joint at half its length, bent by two pairs of forces. \param rows of cells; 0: the
+/// halves are whole blocks.
+Crack crackOf(int rows, double tensileStrength, std::optional<double> normalStiffness) {
+    const double length = 6.0, depth = 1.0, cell = depth / std::max(rows, 1);
+    Scene scene = emptyScene(modulus, 0.2, 40.0);
+    scene.analysis.plane = Plane::Stress;
+    JointMaterial& joint = scene.jointMaterials.front().second;
+    joint.cohesion = 100.0 * tensileStrength;
+    joint.tensileStrength = tensileStrength;
+    joint.normalStiffness = joint.shearStiffness = normalStiffness;
+    scene.blocks = {cutBlock("left", {0, 0}, {0.5 * length, depth}, cell),
+                    cutBlock("right", {0.5 * length, 0}, {length, depth}, cell)};
+    if (rows == 0)
+        for (Block& half : scene.blocks) half.subBlocks.reset();
+    const auto middleOfCell = [&](double x) { return (std::floor(x / cell) + 0.5) * cell; };
+    const double outer = middleOfCell(0.5), inner = middleOfCell(2.0);
+    const double most = (rows == 0 ? 4.0 : 1.3) * tensileStrength * depth * depth / 6.0;
+    const double force = most / (inner - outer) * cell / depth;
+    Stage stage = staticStage({});
+    stage.until.unbalanced = 1e-6;
+    for (double y = 0.5 * cell; y < depth; y += cell)
+        for (const double x : {outer, inner, length - inner, length - outer}) {
+            const bool isOuter = x == outer || x == length - outer;
+            stage.loads.push_back(forceAt({x, y}, {0.0, isOuter ? force : -force}));
+            stage.loads.back().table = Table{{0.0, 0.0}, {1.0, 1.0}};
+        }
+    scene.supports = {heldAt({0.5 * length - 0.3, 0.5 * cell}, Fix::XY), heldAt({0.5 * length + 0.3, 0.5 * cell}, Fix::Y)};
+    scene.stages = {stage};
+    scene.limits.iterations = 40;  // what follows the first crack is of no interest
+    const Solved solved = solve(scene);
+    if (solved.results.events.empty()) return {std::nan(""), std::nan("")};
+    const Event& first = solved.results.events.front();
+    return {most * first.time, first.position.y()};
+}
+
+std::vector<CaseResult> cracks() {
+    Checks checks("crack of a bent beam");
+    const double strength = 1e5, beam = strength / 6.0;
+    const std::array<std::pair<int, double>, 3> rows{{{2, 0.10}, {4, 0.05}, {8, 0.03}}};
+    for (const auto& [count, tolerance] : rows)
+        for (const std::optional<double> stiffness : {std::optional<double>(), std::optional<double>(1e11)}) {
+            const Crack crack = crackOf(count, strength, stiffness);
+            const std::string of = std::to_string(count) + " rows of cells" + (stiffness ? ", joint of 1e11 Pa/m" : "");
+            checks.relative("moment at the first crack over the beam's, " + of, crack.moment / beam, 1.0, tolerance);
+            checks.absolute("height of the first crack, " + of + " [m]", crack.height, 0.0, 1e-3);
+        }
+    checks.relative("moment at the first crack over the beam's, whole blocks", crackOf(0, strength, {}).moment / beam, 3.0,
+                    1e-3);
+    return checks.take();
+}
+
 }  // namespace
 
 std::vector<Case> cellCases() {
     return {
         {"patch of cells", "A block in cells under uniform tension and shear.", patch},
         {"cantilever of sub-blocks", "A beam of span 10 × depth in cells bends as a beam with shear.", cantilevers},
+        {"crack of a bent beam", "A bonded joint between blocks in cells cracks at the tension edge under f_t·h²/6.", cracks},
         {"bar of cells", "A free bar in cells rings at the frequency of its length.", ringingBar},
     };
 }

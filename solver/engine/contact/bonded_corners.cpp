@@ -22,14 +22,20 @@ struct Bond {
     Point place{0.0, 0.0};  // at the start [m]
 };
 
-/// The bonds of every block, block by block.
+/// The bonds of every block, block by block, with those of cells to their neighbours; none without a bonded contact.
 std::vector<Bond> bondsOf(const Model& model, const std::vector<Contact>& contacts) {
     std::vector<Bond> bonds;
-    for (const Contact& c : contacts) {
-        if (!c.bonded) continue;
-        const Point place = startOf(model, c);
-        bonds.push_back({c.blockA, c.blockB, place});
-        bonds.push_back({c.blockB, c.blockA, place});
+    const auto add = [&](int a, int b, const Point& place) {
+        bonds.push_back({a, b, place});
+        bonds.push_back({b, a, place});
+    };
+    for (const Contact& c : contacts)
+        if (c.bonded) add(c.blockA, c.blockB, startOf(model, c));
+    if (bonds.empty()) return bonds;
+    for (const GlueModel& glue : model.glue) {
+        const Point middle = model.blocks[glue.a].centroid + glue.placeA, half = 0.5 * glue.length * glue.along;
+        add(glue.a, glue.b, middle - half);
+        add(glue.a, glue.b, middle + half);
     }
     std::stable_sort(bonds.begin(), bonds.end(), [](const Bond& x, const Bond& y) { return x.block < y.block; });
     return bonds;

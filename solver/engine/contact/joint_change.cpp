@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/contact/joint_change.h"
 
+#include "solver/engine/contact/bonded_face.h"
 #include "solver/engine/contact/history.h"
 #include "solver/engine/contact/joint.h"
 #include "solver/engine/contact/springs.h"
@@ -69,9 +70,13 @@ void changeJoints(const Scene& scene, int stage, Model& model, State& state) {
         c.joint = governingJoint(model, state.blocks, c, false);
         const JointModel& joint = model.joints[c.joint];
         if (neverBonded && bonds(joint)) bond(model, state, c);
-        if (c.bonded && !bonds(joint) && frictionBears(joint, c)) c.bonded = false;
+        if (c.bonded && !bonds(joint)) {
+            state.energy.released += partBondedFace(model, state.blocks, state.contacts, c);
+            if (frictionBears(joint, c)) c.bonded = false;
+        }
         if (!c.bonded) c.limit = std::max(0.0, c.normalForce) * frictionOf(model, c);
     }
+    state.energy.released += joinBondedFaces(model, state.blocks, state.contacts);
 }
 
 }  // namespace keyblock

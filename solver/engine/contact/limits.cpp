@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/contact/limits.h"
 
+#include "solver/engine/contact/bonded_face.h"
 #include "solver/engine/contact/springs.h"
 
 #include <algorithm>
@@ -13,18 +14,19 @@ namespace {
 constexpr double leastFriction = 1e-12;  // of E · size · thickness: less is round-off
 constexpr double leastTension = 1e-6;  // of the cohesive strength, for joints without tensile strength
 
-double tensionRatio(const Model& model, const Contact& c) {
+/// \param compression at the contact's end of its face [N].
+double tensionRatio(const Model& model, const Contact& c, double compression) {
     const JointModel& joint = model.joints[c.joint];
     const double face = c.length * model.thickness;
     const double strength = std::max(joint.tensileStrength, leastTension * joint.cohesion) * face;
-    if (strength <= 0.0) return c.normalForce < 0.0 ? 1.0 / leastTension : 0.0;  // taken away by a stage
-    return std::max(0.0, -c.normalForce) / strength;
+    if (strength <= 0.0) return compression < 0.0 ? 1.0 / leastTension : 0.0;  // taken away by a stage
+    return std::max(0.0, -compression) / strength;
 }
 
-double shearRatio(const Model& model, const Contact& c) {
+double shearRatio(const Model& model, const Contact& c, double compression) {
     const JointModel& joint = model.joints[c.joint];
     const double strength =
-        joint.cohesion * c.length * model.thickness + std::max(0.0, c.normalForce) * joint.tanPhi;
+        joint.cohesion * c.length * model.thickness + std::max(0.0, compression) * joint.tanPhi;
     return strength > 0.0 ? std::abs(c.shearForce) / strength : (c.shearForce == 0.0 ? 0.0 : 1.0 / leastTension);
 }
 
@@ -59,22 +61,25 @@ void addJointLimits(const Model& model, const State& state, std::vector<Limit>& 
         if (holdsPeak(model, c))
             limits.push_back({LimitKind::PeakFriction, static_cast<int>(i), 0, peakRatio(model, c)});
         if (!c.bonded) continue;
-        limits.push_back({LimitKind::JointBond, static_cast<int>(i), 0, std::max(tensionRatio(model, c),
-                                                                                 shearRatio(model, c))});
+        const double compression = edgeCompression(state.contacts, c);
+        limits.push_back({LimitKind::JointBond, static_cast<int>(i), 0,
+                          std::max(tensionRatio(model, c, compression), shearRatio(model, c, compression))});
     }
 }
 
 std::vector<Event> releaseJoint(const Model& model, State& state, const Limit& limit) {
     Contact& c = state.contacts[limit.owner];
     Event event;
-    const bool opens = c.bonded && tensionRatio(model, c) >= shearRatio(model, c);
+    const double compression = edgeCompression(state.contacts, c);
+    const bool opens = c.bonded && tensionRatio(model, c, compression) >= shearRatio(model, c, compression);
     event.kind = opens ? EventKind::JointOpen : EventKind::JointSlip;
     event.block = c.blockA;
     event.otherBlock = c.blockB;
     event.position = c.position;
-    event.axialForce = -c.normalForce;
+    event.axialForce = -compression;
     event.shearForce = c.shearForce;
     event.slip = c.slip;
+    state.energy.released += partBondedFace(model, state.blocks, state.contacts, c);
     state.energy.released += contactEnergy(model, state.blocks, c);
     c.bonded = false;
     c.slipped = c.slipped || !opens;

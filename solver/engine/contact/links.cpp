@@ -38,9 +38,9 @@ public:
     void add(int index) {
         const Contact& c = state_.contacts[static_cast<std::size_t>(index)];
         const BlockMotion &a = halfway_[c.blockA], &b = halfway_[c.blockB];
-        const Point& corner = a.corners[c.corner];
+        const Point place = contactPoint(halfway_, c);
         const Edge edge = edgeOf(b.corners, c.edge);
-        const Eigen::Matrix<double, 2, 6> ta = displacementMatrix(a, corner), tb = displacementMatrix(b, corner);
+        const Eigen::Matrix<double, 2, 6> ta = displacementMatrix(a, place), tb = displacementMatrix(b, place);
         const auto link = [&](LinkKind kind, const Point& direction, double strain) -> Link& {
             Link& added = problem_.links.emplace_back();
             added.kind = kind;
@@ -162,7 +162,7 @@ void addWallForces(const Model& model, const State& state, const std::vector<cha
         if (excavated[c.blockA] == excavated[c.blockB] || isRoundOff(model, c)) continue;
         const Edge edge = edgeOf(state.blocks[c.blockB].corners, c.edge);
         const Point force = c.normalForce * edge.outward - c.shearForce * edge.along;
-        const Point& at = state.blocks[c.blockA].corners[c.corner];
+        const Point at = contactPoint(state.blocks, c);
         walls.push_back(excavated[c.blockB] ? onBlock(state, c.blockA, at, force)
                                             : onBlock(state, c.blockB, at, -force));
     }

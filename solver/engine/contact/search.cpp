@@ -4,6 +4,7 @@
 
 #include "geometry/grid.h"
 #include "solver/engine/contact/bonded_corners.h"
+#include "solver/engine/contact/bonded_face.h"
 #include "solver/engine/contact/candidates.h"
 #include "solver/engine/contact/history.h"
 #include "solver/engine/model/edge.h"
@@ -181,6 +182,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
     const double ended = handOver(model, blocks, before, asked.underWay, contacts);
     if (asked.released) *asked.released += std::accumulate(lost.begin(), lost.end(), ended);
     dropHeldCorners(model, contacts);
+    if (asked.first) joinBondedFaces(model, blocks, contacts);
     return contacts;
 }
 

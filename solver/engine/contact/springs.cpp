@@ -10,19 +10,30 @@
 
 namespace keyblock {
 
+Point contactPoint(const std::vector<BlockMotion>& blocks, const Contact& c) {
+    const std::vector<Point>& corners = blocks[c.blockA].corners;
+    if (c.face.toward < 0) return corners[c.corner];
+    return (1.0 - c.face.inward) * corners[c.corner] + c.face.inward * corners[c.face.toward];
+}
+
+double placeOnEdge(const std::vector<BlockMotion>& blocks, const Contact& c) {
+    const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
+    return edge.along.dot(contactPoint(blocks, c) - edge.start) / edge.length;
+}
+
 double gapOf(const std::vector<BlockMotion>& blocks, const Contact& c) {
     const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
-    return edge.outward.dot(blocks[c.blockA].corners[c.corner] - edge.start);
+    return edge.outward.dot(contactPoint(blocks, c) - edge.start);
 }
 
 double slipOf(const std::vector<BlockMotion>& blocks, const Contact& c) {
     const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
-    return edge.along.dot(blocks[c.blockA].corners[c.corner] - edge.start) - c.lockPlace * edge.length;
+    return edge.along.dot(contactPoint(blocks, c) - edge.start) - c.lockPlace * edge.length;
 }
 
 bool isAugmented(const Model& model, const Contact& c) {
     return model.analysis.contact == ContactMethod::AugmentedLagrangian &&
-           !(model.joints[c.joint].normalStiffness && c.length > 0.0);
+           !(model.joints[c.joint].normalStiffness && c.length > 0.0) && c.face.toward < 0;
 }
 
 ContactSprings contactSprings(const Model& model, const Contact& c) {

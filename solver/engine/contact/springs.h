@@ -13,12 +13,18 @@
 
 namespace keyblock {
 
+/// Where a contact acts on block A: its corner, or a place on a bonded face [m].
+Point contactPoint(const std::vector<BlockMotion>& blocks, const Contact& contact);
+
+/// Share of the edge of block B at which that lies.
+double placeOnEdge(const std::vector<BlockMotion>& blocks, const Contact& contact);
+
 /// Gap and slip of a contact where the blocks are [m].
 double gapOf(const std::vector<BlockMotion>& blocks, const Contact& contact);
 double slipOf(const std::vector<BlockMotion>& blocks, const Contact& contact);
 
-/// True where the scene asks for multipliers and the contact is no joint with a stiffness of its own: such a joint
-/// deforms by that stiffness, other contacts need no penetration to carry force.
+/// True where the scene asks for multipliers and the contact is no joint with a stiffness of its own and no end of a
+/// bonded face: those deform by their stiffness, other contacts need no penetration to carry force.
 bool isAugmented(const Model& model, const Contact& contact);
 
 /// Springs of one contact [N/m].

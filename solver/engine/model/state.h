@@ -28,6 +28,16 @@ struct BlockMotion {
     bool operator==(const BlockMotion&) const = default;
 };
 
+/// Of a contact at an end of a bonded face of a cell (contact/bonded_face.h).
+struct BondedFace {
+    int toward = -1;  // corner of block A at the other end of its edge; −1: the contact acts at its corner
+    double inward = 0.0;  // share of the way there at which it acts
+    double spread = 0.0;  // from place to place of the two contacts, over the length of the face
+    std::array<int, 4> other{-1, -1, -1, -1};  // blockA, corner, blockB, edge of the contact at the other end
+
+    bool operator==(const BondedFace&) const = default;
+};
+
 /// A corner of one block before an edge of another. Its history belongs to the
 /// pair of features, whatever its place in the list.
 struct Contact {
@@ -42,6 +52,7 @@ struct Contact {
     double limit = 0.0;  // friction limit last used [N]
     double length = 0.0;  // of joint tributary to this corner [m]
     bool bonded = false;  // cohesion and tension not lost yet
+    BondedFace face;
     bool slipped = false;  // friction has fallen to its residual angle
     double slid = 0.0;  // in the last accepted step [m]
     double normalMultiplier = 0.0, shearMultiplier = 0.0;  // forces without strain, augmented Lagrangian [N]

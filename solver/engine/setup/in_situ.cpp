@@ -3,6 +3,7 @@
 #include "solver/engine/setup/in_situ.h"
 
 #include "geometry/grid.h"
+#include "solver/engine/contact/bonded_face.h"
 #include "solver/engine/contact/candidates.h"
 #include "solver/engine/contact/springs.h"
 #include "solver/engine/glue.h"
@@ -39,13 +40,13 @@ public:
         return model_.thickness * length / 6.0 * (2.0 * at(near, outward) + at(far, outward));
     }
 
-private:
     /// A plate, or a block that stands in an opening: the stress does not pass through it.
     bool isApart(int block) const {
         const BlockModel& model = model_.blocks[block];
         return model.plateOf >= 0 || scene_.blocks[static_cast<std::size_t>(model.rock)].inOpening;
     }
 
+private:
     const Scene& scene_;
     const Model& model_;
 };
@@ -74,6 +75,7 @@ Point cornerForce(const Model& model, const State& state, const Tractions& tract
 }
 
 void preloadContacts(const Model& model, State& state, const Tractions& tractions) {
+    for (Contact& c : state.contacts) partBondedFace(model, state.blocks, state.contacts, c);  // forces are of corners
     for (Contact& c : state.contacts) {
         const bool apart = tractions.isApart(c.blockA) || tractions.isApart(c.blockB);
         if (apart || std::abs(c.gap) > touching * model.tolerance) continue;
@@ -88,6 +90,7 @@ void preloadContacts(const Model& model, State& state, const Tractions& traction
         c.shearForce = shear;
         c.limit = normal * frictionOf(model, c);
     }
+    joinBondedFaces(model, state.blocks, state.contacts);
 }
 
 /// The three springs of every edge carry the traction on it, as far as they can: in both cells the part of a shear that
@@ -97,10 +100,10 @@ void preloadGlue(const Model& model, State& state, const Tractions& tractions) {
     addGlueLinks(model, state, problem);
     for (std::size_t first = 0; first + 2 < problem.links.size(); first += 3) {
         const GlueModel& glue = model.glue[static_cast<std::size_t>(problem.links[first].owner)];
+        if (tractions.isApart(glue.a)) continue;
         const Point middle = model.blocks[glue.a].centroid + glue.placeA, outward = -turnLeft(glue.along);
         const Point from = middle - 0.5 * glue.length * glue.along, to = middle + 0.5 * glue.length * glue.along;
         const BlockMotion& a = state.blocks[glue.a];
-        if (tractions.isApart(glue.a)) continue;
         const Vector6 force = displacementMatrix(a, from).transpose() * tractions.endForce(from, to, outward) +
                               displacementMatrix(a, to).transpose() * tractions.endForce(to, from, outward);
         Eigen::Matrix<double, 6, 3> ways;
@@ -169,10 +172,10 @@ void preloadSupports(const Scene& scene, Model& model) {
     const Tractions tractions(scene, model);
     const BoxGrid rock = rockGrid(model);
     for (PointSupport& support : model.supports) {
+        if (tractions.isApart(support.block)) continue;
         const Point place = model.blocks[support.block].centroid + support.place;
         const Point force = freeForce(model, tractions, rock, support.block, place);
         for (int axis : {0, 1}) {
-        if (tractions.isApart(support.block)) continue;
             const auto fixes = [&](const PointSupport& other) {
                 const bool same = other.block == support.block;
                 return same && (other.place - support.place).norm() <= model.tolerance && (axis == 0 ? other.x : other.y);
