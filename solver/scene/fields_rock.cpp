@@ -126,7 +126,9 @@ const Structure& structureOf(const Support*) {
     static const Structure structure{
         "support",
         "Holds a whole block (`block_at`, fix `all`), a point of a block (`point`, fix `x`, `y` or `xy`), or a side of "
-        "the domain (`boundary`): with fix `all` every block that has a face there, else the corners of those faces.",
+        "the domain (`boundary`): with fix `all` every block that has a face there, else the corners of those faces. "
+        "Whole blocks do not move at all; points and corners are held by springs of `penalty_ratio` × E × thickness and "
+        "give way by the force over that.",
         defaultsOf<Support>(),
         {
             row<&Support::blockAt>("block_at", "A point inside the block that is held.", {.unit = "m"}),
