@@ -7,6 +7,7 @@
 #include "solver/files/scene_file.h"
 #include "solver/run/run.h"
 #include "tests/verify/reference/bolts.h"
+#include "tests/verify/reference/softening_bar.h"
 
 #include <gtest/gtest.h>
 
@@ -123,12 +124,21 @@ TEST(SampleReference, GroutedRebarExpectsTheReference) {
     const BarResult result = pullTo(problem, 0.01);
     const auto yield = result.first(BarEventKind::Corner);
     ASSERT_TRUE(yield);
-    const Scene scene = sample("rebar-20");
+    const Scene scene = sample("rebar-brittle");
     EXPECT_NEAR(expectedOf(scene, "first debonding joint force"), result.releases().front().load, 0.1);
     EXPECT_NEAR(expectedOf(scene, "first debonding dilation"), result.releases().front().opening, 1e-9);
     EXPECT_NEAR(expectedOf(scene, "first yield joint force"), yield->load, 0.1);
     EXPECT_NEAR(expectedOf(scene, "first yield dilation"), yield->opening, 1e-9);
     EXPECT_NEAR(expectedOf(scene, "last joint force"), result.path.back().second, 0.1);
+}
+
+TEST(SampleReference, RebarWithASofteningBondExpectsTheContinuousBar) {
+    const EmbeddedBar half{1.0, barArea, textSteel, {2543.4e6, 736.8e3, 67.2e3, 7e-3}};
+    const Scene scene = sample("rebar-20");
+    const double yield = expectedOf(scene, "first yield joint force");
+    EXPECT_NEAR(yield, 490e6 * barArea, 1.0);
+    EXPECT_NEAR(expectedOf(scene, "first yield dilation"), 2.0 * slipAtForce(half, yield), 1e-9);
+    EXPECT_NEAR(expectedOf(scene, "last joint force"), forceAtSlip(half, 0.005), 1.0);
 }
 
 TEST(SampleReference, BoltsHeldAtTheirEndsExpectTheReference) {

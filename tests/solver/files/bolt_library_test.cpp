@@ -34,7 +34,8 @@ TEST(BoltLibrary, GivesASourceForEveryNumberThatIsNotTheDefault) {
     for (const BoltType& type : builtInBoltTypes()) {
         EXPECT_TRUE(type.builtIn);
         EXPECT_FALSE(type.source.empty()) << type.name;
-        for (const std::string key : {"diameter", "area", "steel", "youngs_modulus", "anchors", "dynamic_factor"}) {
+        for (const std::string key : {"diameter", "area", "steel", "youngs_modulus", "anchors", "dynamic_factor",
+                                      "steel_dynamic_factor", "plate_dynamic_factor"}) {
             const Field* field = findField(structure, key);
             ASSERT_NE(field, nullptr);
             const bool isGiven = !sameValue(*field, &type, structure.defaults);
