@@ -9,14 +9,18 @@
 #include "solver/scene/lookup.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
+#include "solver/scene/presence.h"
 #include "solver/scene/suggest.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace keyblock {
 
 namespace {
+
+constexpr double roundOff = 1e-9;  // of the largest stress
 
 bool areUsable(const std::vector<Point>& points) {
     return std::all_of(points.begin(), points.end(), isUsable);  // else the table's ranges have said so
@@ -182,6 +186,29 @@ void checkKeysDiffer(const std::vector<std::pair<std::string, Named>>& items, co
         [&](std::size_t i) { return under(list, items[i].first); }, what, report);
 }
 
+// The stress is linear with height, so it is most tensile at the lowest or the highest place of the rock.
+void checkInSituStress(CheckContext& context) {
+    const Scene& scene = context.scene;
+    if (!scene.inSituStress)
+        return;
+    for (const auto& [component, key] : {std::pair(0u, "sxx"), std::pair(1u, "syy")}) {
+        double most = 0.0, largest = 0.0, height = 0.0;
+        for (const Block& block : scene.blocks)
+            for (const Point& place : block.points) {
+                const double stress = inSituStressAt(scene, place)[component];
+                largest = std::max(largest, std::abs(stress));
+                if (stress > most)
+                    most = stress, height = place.y();
+            }
+        if (!(most > roundOff * largest) || !std::isfinite(most))
+            continue;
+        context.report.warning(under("/in_situ_stress", key),
+                               "the rock is under tension: " + shortest(most) + " Pa at y = " + shortest(height) + " m",
+                               "In a file tension is positive: give compression as a negative number, and a "
+                               "'reference_y' at which the stress is known");
+    }
+}
+
 }  // namespace
 
 void checkRock(CheckContext& context) {
@@ -204,6 +231,7 @@ void checkRock(CheckContext& context) {
     checkOverlaps(context);
     for (std::size_t i = 0; i < scene.supports.size(); ++i)
         checkSupport(scene.supports[i], under("/supports", i), context);
+    checkInSituStress(context);
 }
 
 }  // namespace keyblock

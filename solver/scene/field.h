@@ -91,6 +91,7 @@ struct Field {
     bool nullable = false;  // null is a value of its own, or stands for the empty one
     bool emptyIsNull = false;  // the latter
     bool emptyIsZero = false;  // a Vector that may be written []
+    bool isStress = false;  // of rock, positive in tension: a window may show it the other way round
     Only only{};
     std::span<const std::string_view> words{};  // of a Word
     std::vector<std::string_view> laterWords{};  // words of the format that this program does not know

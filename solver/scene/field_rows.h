@@ -62,6 +62,7 @@ struct Says {
     bool required = false;
     bool emptyIsNull = false;  // null stands for the empty text, list or table
     bool emptyIsZero = false;
+    bool isStress = false;
     bool isAxis = false;
     Only only{};
     std::vector<std::string_view> laterWords{};
@@ -330,6 +331,7 @@ Field row(std::string_view key, std::string_view help, Says says = {}) {
     field.nullable = rows::isOptional<member> || says.emptyIsNull;
     field.emptyIsNull = says.emptyIsNull;
     field.emptyIsZero = says.emptyIsZero;
+    field.isStress = says.isStress;
     field.only = std::move(says.only);
     field.laterWords = std::move(says.laterWords);
     rows::describeAccess<member>(field);

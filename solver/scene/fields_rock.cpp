@@ -82,8 +82,8 @@ const Structure& structureOf(const Block*) {
             row<&Block::jointMaterial>("joint_material",
                                        "Name of the joint material of its faces; null: the first of "
                                        "`joint_materials`."),
-            row<&Block::initialStress>("initial_stress", "Stress at the start, sxx, syy, sxy, tension positive.",
-                                       {.unit = "Pa"}),
+            row<&Block::initialStress>("initial_stress",
+                                       "Stress at the start, sxx, syy, sxy; in a file tension is positive.", {.unit = "Pa", .isStress = true}),
             row<&Block::subBlocks>("sub_blocks", "Cells to cut the block into; null: none."),
         }};
     return structure;
@@ -95,11 +95,11 @@ const Structure& structureOf(const StressGradient*) {
         "How the stress changes per metre upwards.",
         defaultsOf<StressGradient>(),
         {
-            row<&StressGradient::sxx>("sxx", "Of the horizontal stress.", {.unit = "Pa/m"}),
-            row<&StressGradient::syy>("syy", "Of the vertical stress: density times gravity where it bears the rock "
-                                             "above.",
-                                      {.unit = "Pa/m"}),
-            row<&StressGradient::sxy>("sxy", "Of the shear stress.", {.unit = "Pa/m"}),
+            row<&StressGradient::sxx>("sxx", "Of the horizontal stress.", {.unit = "Pa/m", .isStress = true}),
+            row<&StressGradient::syy>("syy", "Of the vertical stress: density times gravity (tension positive) where it "
+                                             "bears the rock above.",
+                                      {.unit = "Pa/m", .isStress = true}),
+            row<&StressGradient::sxy>("sxy", "Of the shear stress.", {.unit = "Pa/m", .isStress = true}),
         }};
     return structure;
 }
@@ -107,14 +107,14 @@ const Structure& structureOf(const StressGradient*) {
 const Structure& structureOf(const InSituStress*) {
     static const Structure structure{
         "in-situ stress",
-        "Stress under which the rock stands before anything is excavated, tension positive. Blocks, contacts, cells and "
-        "held points start with it, beside `initial_stress`; what it does not hold in equilibrium moves in the first "
-        "stage.",
+        "Stress under which the rock stands before anything is excavated; in a file tension is positive. Blocks, "
+        "contacts, cells and held points start with it, beside `initial_stress`; what it does not hold in equilibrium "
+        "moves in the first stage.",
         defaultsOf<InSituStress>(),
         {
-            row<&InSituStress::sxx>("sxx", "Horizontal stress at `reference_y`.", {.unit = "Pa"}),
-            row<&InSituStress::syy>("syy", "Vertical stress at `reference_y`.", {.unit = "Pa"}),
-            row<&InSituStress::sxy>("sxy", "Shear stress at `reference_y`.", {.unit = "Pa"}),
+            row<&InSituStress::sxx>("sxx", "Horizontal stress at `reference_y`.", {.unit = "Pa", .isStress = true}),
+            row<&InSituStress::syy>("syy", "Vertical stress at `reference_y`.", {.unit = "Pa", .isStress = true}),
+            row<&InSituStress::sxy>("sxy", "Shear stress at `reference_y`.", {.unit = "Pa", .isStress = true}),
             row<&InSituStress::gradientY>("gradient_y", "Change of the stress per metre upwards."),
             row<&InSituStress::referenceY>("reference_y", "Height at which the stress is the given one.",
                                            {.unit = "m", .range = coordinates}),

@@ -116,6 +116,12 @@ QString labelOf(const Field& field) {
     return own != ownLabels().constEnd() ? *own : capitalised(key.replace('_', ' '));
 }
 
+QString labelOf(const Field& field, const Display& display) {
+    if (!field.isStress) return labelOf(field);
+    const QString sign = display.compressionPositive() ? Texts::tr("compression +") : Texts::tr("tension +");
+    return QString("%1 (%2)").arg(labelOf(field), sign);
+}
+
 QString titleOf(const Structure& structure) { return capitalised(fromUtf8(structure.name)); }
 
 QString countedOf(const Structure& structure, int count) {

@@ -5,6 +5,7 @@
 // number has beside the other fields of its object.
 #pragma once
 
+#include "ui/look/display.h"
 #include "ui/panels/object_at.h"
 
 #include <QString>
@@ -17,6 +18,9 @@ namespace keyblock {
 
 /// `Spacing out of plane`, `Young's modulus`.
 QString labelOf(const Field& field);
+
+/// The same beside its value: of a stress with the sign that is positive.
+QString labelOf(const Field& field, const Display& display);
 
 /// `Joint set`.
 QString titleOf(const Structure& structure);

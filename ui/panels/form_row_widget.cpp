@@ -95,7 +95,7 @@ void FormRowWidget::layOut() {
 
 void FormRowWidget::present(const FormRow& row, const QString& problems, bool error) {
     row_ = row;
-    label_->setText(labelOf(*row.field));
+    label_->setText(labelOf(*row.field, context_.display));
     setWeight(*label_, row.changed);
     const std::string unit = unitOf(row.at, *row.field);
     unit_->setText(unit.empty() ? QString() : context_.display.shown(unit).symbol);

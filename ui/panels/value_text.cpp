@@ -27,6 +27,11 @@ double fromShown(double shown, double factor) {
     return factor == 1.0 ? shown : withoutRoundOff(shown * (1.0 / factor));
 }
 
+/// −1 for a stress that is shown with compression positive.
+double signOf(const Field& field, const Display& display) {
+    return field.isStress && display.compressionPositive() ? -1.0 : 1.0;
+}
+
 bool isOneOf(const QString& text, const QStringList& list) { return list.contains(text, Qt::CaseInsensitive); }
 
 bool asksForNull(const QString& text) {
@@ -71,10 +76,15 @@ Typed<FieldValue> readPoint(const QString& text, std::string_view unit, const Di
     return {FieldValue(Point((*numbers.value)[0], (*numbers.value)[1])), {}};
 }
 
-Typed<FieldValue> readTriple(const QString& text, std::string_view unit, const Display& display) {
+/// `sign` times what is typed; a zero keeps none.
+double withSign(double sign, double typed) { return typed == 0.0 ? 0.0 : sign * typed; }
+
+Typed<FieldValue> readTriple(const QString& text, double sign, std::string_view unit, const Display& display) {
     const auto numbers = readNumbers(text, 3, unit, display);
     if (!numbers.value) return {{}, numbers.problem};
-    return {FieldValue(Stress{(*numbers.value)[0], (*numbers.value)[1], (*numbers.value)[2]}), {}};
+    Stress stress{};
+    for (std::size_t i = 0; i < stress.size(); ++i) stress[i] = withSign(sign, (*numbers.value)[i]);
+    return {FieldValue(stress), {}};
 }
 
 Typed<FieldValue> readAxis(const QString& text, const Display& display) {
@@ -124,8 +134,9 @@ Typed<double> readNumber(const QString& text, std::string_view unit, const Displ
 
 QString valueText(const FieldValue& value, const Field& field, std::string_view unit, const Display& display,
                   bool exact) {
+    const double sign = signOf(field, display);
     const auto number = [&](double x) {
-        return exact ? exactNumberText(x, unit, display) : numberText(x, unit, display);
+        return exact ? exactNumberText(sign * x, unit, display) : numberText(sign * x, unit, display);
     };
     if (const auto* text = std::get_if<std::string>(&value)) return QString::fromStdString(*text);
     if (const auto* x = std::get_if<double>(&value)) return number(*x);
@@ -148,13 +159,13 @@ Typed<FieldValue> readValue(const QString& typedText, const Field& field, std::s
         case FieldKind::Integer: return readInteger(text, unit, display);
         case FieldKind::Vector: return readPoint(text, unit, display);
         case FieldKind::Axis: return readAxis(text, display);
-        case FieldKind::Triple: return readTriple(text, unit, display);
+        case FieldKind::Triple: return readTriple(text, signOf(field, display), unit, display);
         case FieldKind::Place: return readPlace(text, unit, display);
         default: break;
     }
     const Typed<double> number = readNumber(text, unit, display);
     if (!number.value) return {{}, number.problem};
-    return {FieldValue(*number.value), {}};
+    return {FieldValue(withSign(signOf(field, display), *number.value)), {}};
 }
 
 QString summaryOf(const FieldValue& value, const Field& field, std::string_view unit, const Display& display) {

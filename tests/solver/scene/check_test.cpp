@@ -109,6 +109,13 @@ TEST(CheckScene, RefusesNumbersThatNoSolidCanHave) {
     expectProblem([](Scene& s) { s.analysis.gravity.y() = -1e300; }, "/analysis/gravity", error);
 }
 
+TEST(CheckScene, WarnsOfRockUnderTensionInSitu) {
+    const auto warning = Severity::Warning;
+    expectProblem([](Scene& s) { s.inSituStress = InSituStress{5e6, -5e6, 0.0, {}, 0.0}; }, "/in_situ_stress/sxx", warning);
+    expectProblem([](Scene& s) { s.inSituStress = InSituStress{-1e3, -1e3, 0.0, {0.0, 1e5, 0.0}, 0.0}; },
+                  "/in_situ_stress/syy", warning);
+}
+
 TEST(CheckScene, RefusesASofteningBondThatIsSomethingElseToo) {
     const auto soft = [](Scene& s) -> Anchor& {
         Anchor anchor;

@@ -14,7 +14,10 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QWheelEvent>
+
+#include <cmath>
 
 namespace keyblock {
 namespace {
@@ -65,6 +68,72 @@ TEST(FieldForm, NumbersAreShownAndTypedInTheUnitsOfTheDisplay) {
     bench.type("youngs_modulus", "5.5e10");
     EXPECT_EQ(bench.document.scene()->materials[0].second.youngsModulus, 5.5e10);
     EXPECT_EQ(Display::number(-0.0), "0");
+}
+
+TEST(FieldForm, LongNamesLeaveTheFieldsInSight) {
+    NEED_SCREEN();
+    Scene scene = sampleScene("drift-bolted");
+    scene.boltPatterns[0].name = "Systematic roof bolting, chainage 1+240 to 1+310, second round & relaxation";
+    for (Stage& stage : scene.stages) stage.install.clear();
+    FormBench bench(scene);
+    bench.choose({"/stages/1"});
+    FormRowWidget* name = bench.row("name");
+    ASSERT_TRUE(name && bench.row("install"));
+    EXPECT_LE(bench.form.minimumSizeHint().width(), 300);
+    for (FormRowWidget* row : bench.form.findChildren<FormRowWidget*>())
+        EXPECT_LE(row->mapTo(&bench.form, QPoint(row->width(), 0)).x(), bench.form.width())
+            << row->objectName().toStdString();
+    const auto ticks = bench.row("install")->findChildren<QCheckBox*>();
+    ASSERT_FALSE(ticks.empty());
+    EXPECT_EQ(ticks[0]->toolTip().toStdString(), scene.boltPatterns[0].name);
+    EXPECT_LT(ticks[0]->text().size(), static_cast<int>(scene.boltPatterns[0].name.size()));
+}
+
+TEST(FieldForm, StressesFollowTheSignSwitchInAndOut) {
+    NEED_SCREEN();
+    Scene scene = sampleScene("drift-bolted");
+    scene.inSituStress = InSituStress{};
+    FormBench bench(scene);
+    const auto stress = [&] { return bench.document.scene()->inSituStress->sxx; };
+    const auto label = [&] { return bench.row("sxx")->findChild<QLabel*>()->text().toStdString(); };
+    bench.display.setCompressionPositive(true);
+    bench.choose({"/in_situ_stress"});
+    EXPECT_EQ(label(), "σxx (compression +)");
+    bench.type("sxx", "5");
+    EXPECT_EQ(stress(), -5e6);
+    EXPECT_EQ(bench.line("sxx")->text(), "5");
+    bench.type("sxx", "0");
+    EXPECT_FALSE(std::signbit(stress()));
+    bench.document.undo().undo();
+    bench.form.refresh();
+    EXPECT_EQ(stress(), -5e6);
+    EXPECT_EQ(bench.line("sxx")->text(), "5");
+    bench.line("sxx")->setFocus();
+    bench.line("sxx")->selectAll();
+    QApplication::clipboard()->setText("7.5 MPa");
+    QTest::keyClick(bench.line("sxx"), Qt::Key_V, Qt::ControlModifier);
+    QTest::keyClick(bench.line("sxx"), Qt::Key_Return);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(stress(), -7.5e6);
+    bench.display.setCompressionPositive(false);
+    bench.form.refresh();
+    EXPECT_EQ(label(), "σxx (tension +)");
+    EXPECT_EQ(bench.line("sxx")->text().toStdString(), "−7.5");
+    bench.type("sxx", "5");
+    EXPECT_EQ(stress(), 5e6);
+    bench.display.setCompressionPositive(true);
+}
+
+TEST(FieldForm, AStressOfSeveralBlocksFollowsTheSignSwitch) {
+    NEED_SCREEN();
+    Scene two = sampleScene("rebar-20");
+    ASSERT_EQ(two.blocks.size(), 2u);
+    FormBench blocks(two);
+    blocks.display.setCompressionPositive(true);
+    blocks.choose({"/blocks/0", "/blocks/1"});
+    blocks.type("initial_stress", "1, 2, 0");
+    for (const Block& block : blocks.document.scene()->blocks) EXPECT_EQ(block.initialStress, (Stress{-1e6, -2e6, 0.0}));
+    EXPECT_EQ(blocks.line("initial_stress")->text(), "1, 2, 0");
 }
 
 TEST(FieldForm, WhatIsOutOfRangeIsRefusedAtTheFieldAndNotLost) {
