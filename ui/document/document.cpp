@@ -215,6 +215,7 @@ void Document::take(const Scene& from, const std::shared_ptr<const Scene>& to, c
 void Document::start(Scene scene, const QString& path, const QString& name) {
     settle(scene);
     undo_->clear();
+    undo_->setClean();  // clear() leaves an empty stack marked as changed
     path_ = path;
     name_ = name;
     setScene(std::make_shared<const Scene>(std::move(scene)));

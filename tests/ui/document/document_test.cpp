@@ -76,6 +76,18 @@ TEST(Documents, AnEditThatChangesNothingLeavesNoTrace) {
     EXPECT_EQ(document.undo().count(), 0);
 }
 
+TEST(Documents, WhatIsOpenedAfterWorkThatWasNeverSavedIsNotModified) {
+    NEED_SCREEN();
+    Document document;
+    document.startNew(titled("imported"), "imported", true);
+    EXPECT_TRUE(document.isModified());
+    document.startNew(titled("second"));
+    EXPECT_FALSE(document.isModified());
+    document.startNew(titled("imported"), "imported", true);
+    EXPECT_TRUE(document.open(KEYBLOCK_SAMPLES_DIR "/rebar-20.json").empty());
+    EXPECT_FALSE(document.isModified());
+}
+
 TEST(Documents, APreviewIsShownAndForgotten) {
     NEED_SCREEN();
     Document document;
