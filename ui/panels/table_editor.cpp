@@ -11,6 +11,8 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QStyle>
+#include <QStyleOptionButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -23,6 +25,30 @@ bool holdsNumbers(const FormRow& row) {
     const FieldKind kind = row.field->kind;
     return kind == FieldKind::Points || kind == FieldKind::PointPair || kind == FieldKind::Pairs;
 }
+
+/// A check box that shortens a long name in its middle instead of widening the panel; its tooltip has all of it.
+class NameTick : public QCheckBox {
+public:
+    NameTick(const QString& name, QWidget* parent) : QCheckBox(parent), name_(name) {
+        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        setToolTip(name);
+        setText(plain(name));
+    }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QCheckBox::resizeEvent(event);
+        QStyleOptionButton option;
+        initStyleOption(&option);
+        const int room = style()->subElementRect(QStyle::SE_CheckBoxContents, &option, this).width();
+        setText(plain(fontMetrics().elidedText(name_, Qt::ElideMiddle, room)));
+    }
+
+private:
+    static QString plain(QString text) { return text.replace('&', "&&"); }  // no mnemonic
+
+    QString name_;
+};
 
 QString withUnit(const QString& title, const QString& symbol) {
     return symbol.isEmpty() ? title : QString("%1 (%2)").arg(title, symbol);
@@ -175,7 +201,7 @@ void NamesEditor::addNothing() {
 }
 
 void NamesEditor::addTick(const QString& name, bool missing) {
-    auto* tick = new QCheckBox(missing ? tr("%1 (missing)").arg(name) : name, this);
+    auto* tick = new NameTick(missing ? tr("%1 (missing)").arg(name) : name, this);
     tick->setAccessibleName(tr("%1: %2").arg(labelOf(*row_.field), name));
     connect(tick, &QCheckBox::clicked, this, [this, name, tick] {
         const bool on = tick->checkState() != Qt::Unchecked;
