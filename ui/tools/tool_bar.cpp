@@ -79,6 +79,16 @@ private:
     const Themes& themes_;
 };
 
+/// The next chip that is shown, or the one before; null where there is none.
+ToolChip* beside(const std::vector<ToolChip*>& chips, const QString& id, bool forwards) {
+    const auto isIt = [&](const ToolChip* chip) { return chip->id() == id; };
+    auto at = std::distance(chips.begin(), std::find_if(chips.begin(), chips.end(), isIt));
+    const auto count = static_cast<std::ptrdiff_t>(chips.size()), step = std::ptrdiff_t{forwards ? 1 : -1};
+    for (at += step; at >= 0 && at < count; at += step)
+        if (chips[static_cast<std::size_t>(at)]->isVisible()) return chips[static_cast<std::size_t>(at)];
+    return nullptr;
+}
+
 }  // namespace
 
 ToolBar::ToolBar(const Display& display, const Themes& themes, QWidget* parent)
@@ -160,6 +170,10 @@ void ToolBar::rebuild(Tool& tool) {
     for (ToolField& field : fields) {
         auto* chip = new ToolChip(std::move(field), display_, themes_, options_);
         connect(chip, &ToolChip::done, this, &ToolBar::leftField);
+        connect(chip, &ToolChip::passed, this, [this, id = chip->id()](bool forwards) {
+            if (ToolChip* next = beside(chips_, id, forwards)) next->enter();
+            else Q_EMIT leftField();
+        });
         chips_.push_back(chip);
     }
 }
@@ -191,12 +205,19 @@ void ToolBar::showMore() {
     auto* column = new QVBoxLayout(popup);
     column->setContentsMargins(gap, gap, gap, gap);
     std::vector<ToolField> fields = tool_->fields();
+    std::vector<ToolChip*> further;
     for (std::size_t i = 0; i < fields.size() && i < chips_.size(); ++i) {
         if (chips_[i]->isVisible()) continue;
         auto* chip = new ToolChip(std::move(fields[i]), display_, themes_, popup);
         connect(chip, &ToolChip::done, popup, &QWidget::close);
         column->addWidget(chip);
+        further.push_back(chip);
     }
+    for (ToolChip* chip : further)
+        connect(chip, &ToolChip::passed, popup, [further, popup, id = chip->id()](bool forwards) {
+            if (ToolChip* next = beside(further, id, forwards)) next->enter();
+            else popup->close();
+        });
     popup->adjustSize();
     popup->move(more_->mapToGlobal(QPoint(more_->width() - popup->width(), more_->height() + 4)));
     popup->show();

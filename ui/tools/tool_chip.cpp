@@ -50,6 +50,7 @@ void ToolChip::makeChoice() {
     choice_->setAccessibleName(field_.label);
     choice_->addItems(field_.choices);
     choice_->setFocusPolicy(Qt::ClickFocus);
+    choice_->installEventFilter(this);
     layout()->addWidget(choice_);
     connect(choice_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
         const bool none = !field_.none.isEmpty() && index == 0;  // a name may be the same word
@@ -161,13 +162,32 @@ void ToolChip::setWrong(const QString& problem) {
     style()->polish(this);
 }
 
+void ToolChip::enter() {
+    if (choice_) return choice_->setFocus(Qt::TabFocusReason);
+    edit_->setFocus(Qt::TabFocusReason);
+    edit_->selectAll();
+}
+
+/// Tab walks from field to field; Qt's own would leave the bar, as none of them takes the keys by Tab from elsewhere.
+bool ToolChip::isPassing(QEvent& event) {
+    if (event.type() != QEvent::KeyPress && event.type() != QEvent::ShortcutOverride) return false;
+    const int key = static_cast<QKeyEvent&>(event).key();
+    if (key != Qt::Key_Tab && key != Qt::Key_Backtab) return false;
+    event.accept();
+    if (event.type() == QEvent::ShortcutOverride) return true;
+    if (edit_) take(true);
+    if (!property("wrong").toBool()) Q_EMIT passed(key == Qt::Key_Tab);
+    return true;
+}
+
 bool ToolChip::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) {
         setProperty("active", event->type() == QEvent::FocusIn);
         style()->unpolish(this);
         style()->polish(this);
     }
-    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (isPassing(*event)) return true;
+    const bool isKey = edit_ && (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride);
     const int key = isKey ? static_cast<QKeyEvent*>(event)->key() : 0;
     if (key != Qt::Key_Return && key != Qt::Key_Enter && key != Qt::Key_Escape) return QFrame::eventFilter(watched, event);
     event->accept();

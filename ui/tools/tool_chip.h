@@ -25,9 +25,12 @@ public:
     const QString& id() const { return field_.id; }
     /// Shows the value again, of the field as the tool gives it now; not what a person is typing.
     void refresh(ToolField field);
+    /// Puts the cursor into it, with all of its text selected.
+    void enter();
 
 Q_SIGNALS:
     void done();  // Enter or Esc: the keys belong to the canvas again
+    void passed(bool forwards);  // Tab, or Shift+Tab: what was typed is taken, the next field has the keys
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -37,6 +40,7 @@ private:
     void makeEdit();
     void showValue();
     void showTheme();
+    bool isPassing(QEvent& event);
     void take(bool finally);
     void setWrong(const QString& problem);
     QString shownUnit() const;

@@ -377,6 +377,41 @@ TEST(Tools, OptionsInTheBarChangeTheGhost) {
     EXPECT_DOUBLE_EQ(place.scene().boltPatterns[0].spacing, 2.0);
 }
 
+TEST(Tools, TabWalksThroughTheFieldsOfATool) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    place.choose("joint-set");
+    ToolBar& bar = place.desk->bar();
+    bar.resize(1600, 36);
+    bar.QWidget::show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&bar));
+    QApplication::setActiveWindow(&bar);
+    const auto field = [&](const char* id) { return bar.findChild<QLineEdit*>(QString("option.") + id); };
+    ASSERT_TRUE(field("dip") && field("spacing") && field("spacing_deviation"));
+    field("dip")->setFocus();
+    field("dip")->selectAll();
+    const auto typeAndTab = [&](const char* text, Qt::Key key) {
+        auto* at = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+        ASSERT_TRUE(at) << text;
+        QTest::keyClicks(at, text);
+        QTest::keyClick(at, key);
+    };
+    typeAndTab("52", Qt::Key_Tab);
+    EXPECT_TRUE(field("spacing")->hasFocus());
+    typeAndTab("1.8", Qt::Key_Tab);
+    EXPECT_TRUE(field("spacing_deviation")->hasFocus());
+    typeAndTab("0.4", Qt::Key_Backtab);
+    EXPECT_TRUE(field("spacing")->hasFocus());
+    typeAndTab("-3", Qt::Key_Tab);
+    EXPECT_TRUE(field("spacing")->hasFocus()) << "what is wrong keeps the cursor";
+    typeAndTab("1.6", Qt::Key_Return);
+    EXPECT_EQ(field("dip")->text().toDouble(), 52.0);
+    EXPECT_EQ(field("spacing")->text().toDouble(), 1.6);
+    EXPECT_EQ(field("spacing_deviation")->text().toDouble(), 0.4);
+    EXPECT_FALSE(place.canvas.findChild<QLineEdit*>("coordinate.x")->isVisible());
+}
+
 QMenu* menuAt(Place& place, const Point& at) {
     const QPoint pixel = place.pixel(at);
     QContextMenuEvent event(QContextMenuEvent::Mouse, pixel, place.canvas.mapToGlobal(pixel));
