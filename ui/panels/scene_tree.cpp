@@ -144,13 +144,16 @@ void SceneTree::fillAddMenu() {
     if (!addMenu_->isEmpty()) addMenu_->addSeparator();
     const Scene& scene = *document_.scene();
     const std::vector<std::pair<QString, const char*>> items{
-        {tr("Material"), "/materials"}, {tr("Joint material"), "/joint_materials"}, {tr("Joint set"), "/joint_sets"},
-        {tr("Support"), "/supports"}, {tr("Stage"), "/stages"}, {tr("Monitor"), "/monitors"},
+        {tr("Material"), "/materials"}, {tr("Joint material"), "/joint_materials"}, {tr("Stage"), "/stages"},
         {tr("Bolt type"), "/bolt_types"}};
     for (const auto& [text, list] : items)
         addMenu_->addAction(text, this, [this, at = QString(list)] { addItem(at); });
-    if (!scene.inSituStress) addMenu_->addAction(tr("In-situ stress"), this, [this] { addItem("/in_situ_stress"); });
     if (!scene.voronoi) addMenu_->addAction(tr("Voronoi cells"), this, [this] { addItem("/voronoi"); });
+}
+
+void SceneTree::addInSituStress() {
+    if (document_.scene()->inSituStress) selection_.set({"/in_situ_stress"});
+    else addItem("/in_situ_stress");
 }
 
 void SceneTree::addItem(const QString& list) {
@@ -306,6 +309,8 @@ void SceneTree::openMenu(const QPoint& place) {
         menu.addSeparator();
     } else if (id.startsWith('/') && id.count('/') == 1 && id != "/blocks") {
         menu.addAction(tr("Add"), this, [this, id] { addItem(id); });
+    } else if (id == "#loads" && !document_.scene()->inSituStress) {
+        menu.addAction(tr("Add in-situ stress"), this, &SceneTree::addInSituStress);
     }
     if (node.canHide) {
         const bool hidden = visibility_.isHidden(id);

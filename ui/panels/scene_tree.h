@@ -42,6 +42,9 @@ public:
 
     TreeView& view() const { return *view_; }
 
+    /// Gives the scene a stress in situ, if it has none, and selects it.
+    void addInSituStress();
+
     /// Shows the scene as it is now, without waiting for the next round of events.
     void refresh();
 

@@ -96,6 +96,10 @@ Panels placePanels(QMainWindow& window, const PanelNeeds& needs) {
     const FormContext context{needs.document, needs.display, needs.themes};
     panels.tree = new SceneTree(needs.document, needs.selection, needs.visibility, needs.display, needs.commands,
                                 needs.themes, &window);
+    needs.commands.add({"scene.inSituStress", QMainWindow::tr("In-situ stress"), "Insert", "stress-cross",
+                        QMainWindow::tr("Stress of the rock before anything is excavated, constant or rising with depth."),
+                        {}, false, "stress"},
+                       [tree = panels.tree] { tree->addInSituStress(); });
     panels.properties = new PropertyPanel(context, needs.selection, &window);
     panels.tree->setMinimumWidth(140);
     panels.properties->setMinimumWidth(240);

@@ -73,6 +73,20 @@ TEST(SceneTree, TheSelectionGoesBothWays) {
     EXPECT_FALSE(bench.tree.view().selectionModel()->isSelected(bench.at("/joint_sets/1")));
 }
 
+TEST(SceneTree, StressInSituIsGivenOnceAndSelected) {
+    NEED_SCREEN();
+    Scene scene = sampleScene("drift-bolted");
+    scene.inSituStress.reset();
+    TreeBench bench(scene);
+    bench.tree.addInSituStress();
+    ASSERT_TRUE(bench.document.scene()->inSituStress);
+    EXPECT_EQ(bench.selection.pointers(), QStringList{"/in_situ_stress"});
+    bench.selection.set({});
+    bench.tree.addInSituStress();
+    EXPECT_EQ(bench.selection.pointers(), QStringList{"/in_situ_stress"});
+    EXPECT_EQ(bench.document.undo().count(), 1);
+}
+
 TEST(SceneTree, FiveThousandBlocksWaitUntilTheyAreOpened) {
     NEED_SCREEN();
     TreeBench bench(wall(100, 50));
