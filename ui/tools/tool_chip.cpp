@@ -176,7 +176,8 @@ bool ToolChip::isPassing(QEvent& event) {
     event.accept();
     if (event.type() == QEvent::ShortcutOverride) return true;
     if (edit_) take(true);
-    if (!property("wrong").toBool()) Q_EMIT passed(key == Qt::Key_Tab);
+    if (property("wrong").toBool()) enter();  // what is typed next replaces it
+    else Q_EMIT passed(key == Qt::Key_Tab);
     return true;
 }
 
