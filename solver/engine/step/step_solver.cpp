@@ -18,6 +18,7 @@ constexpr double astray = 2.0;  // times the residual before: so has a step that
 constexpr double improves = 0.2;  // of the residual: a full step that leaves no more, or balances, needs no line search
 constexpr int patience = 20;  // iterations after which one that balances worse is made shorter, lest they go in a circle
 constexpr double shortest = 1.0 / 50.0;  // step that is tried then
+constexpr int restPatience = 15;  // iterations after which a pseudo-step towards rest tries sweeps
 constexpr int mostSweeps = 8, mostUseless = 2;  // times that sweeps are tried in a step, and in vain
 constexpr double easy = 2e-3;  // residual from which Newton needs no sweeps
 constexpr double farFromBalance = 1e-2;  // residual from which Newton's line search soon stalls
@@ -51,7 +52,6 @@ public:
         : problem_(problem), matrix_(matrix), settings_(settings), stopAsked_(stopAsked), rows_(problem) {
         matrix_.begin(problem, rows_);
         carried_ = DualSweeps::carriedForces(problem_, rows_);
-        if (rests()) tries_ = mostSweeps;  // with next to no inertia sweeps find nothing that Newton's method does not
     }
 
     SolveReport from(Eigen::VectorXd& d) {
@@ -85,6 +85,9 @@ private:
         }
         sweeps_ = mayKeepSweeping() && *settings_.sweepsFirst && report_.residual > easy;
     }
+
+    /// With next to no inertia sweeps seldom find what Newton's method does not, so that it is tried first.
+    bool maySweep() const { return tries_ < mostSweeps && (!rests() || report_.passes >= restPatience); }
 
     bool mayKeepSweeping() const { return settings_.sweepsFirst; }
     bool rests() const { return !problem_.mayLeave.empty(); }
@@ -168,7 +171,7 @@ private:
         }
         if (report_.residual > least) go(best);
         const bool strays = report_.residual > std::max(astray * before, easy);
-        if ((length >= stall && !strays) || tries_ >= mostSweeps) return;
+        if ((length >= stall && !strays) || !maySweep()) return;
         sweeps_ = true;
         if (mayKeepSweeping()) *settings_.sweepsFirst = true;
     }
