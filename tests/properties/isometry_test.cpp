@@ -77,8 +77,12 @@ std::string testName(const testing::TestParamInfo<std::string>& sample) {
 
 class Seen : public testing::TestWithParam<std::string> {};
 
-/// Rock of 6e13 Pa has contact springs of 2.4e15 N/m: the last digit of a place is half a newton there.
-const std::map<std::string, std::string> knownToDiffer{{"guillotine", "4e-6 of the largest force, which is round-off"}};
+/// Rock of 6e13 Pa has contact springs of 2.4e15 N/m: the last digit of a position is half a newton there. Where a bond
+/// softens, a step is not solved to the last digit (theory, "Curves that fall"); an element that comes within 2e-5 of its
+/// yield then may or may not be reported.
+const std::map<std::string, std::string> knownToDiffer{
+    {"guillotine", "4e-6 of the largest force, which is round-off"},
+    {"rebar-20", "3e-6 of the largest force and one yield, within 2e-5 of the limit of its element"}};
 
 TEST_P(Seen, TurnedAndInAMirrorIsTheSame) {
     const Scene scene = strictSample(GetParam());

@@ -66,6 +66,7 @@ struct StepNeeds {
     int maxPasses = 0;  // instead of the scene's, where above zero
     bool convex = false;  // whatever iteration the scene asks for
     bool again = false;  // as of `SolveSettings`
+    int sweepsFrom = 0;  // as of `SolveSettings`
     bool* sweepsFirst = nullptr;  // as of `SolveSettings`
 };
 

@@ -46,6 +46,7 @@ constexpr int easyPasses = 2;  // iterations for which that is worth a longer ps
 constexpr double pathShare = 1e-4;  // of the longest move: a longer one may come in by another edge than it seemed
 constexpr int mostPaths = 2;  // times that a pseudo-step is done again because it does
 constexpr int mostPasses = 20;  // iterations of a pseudo-step
+constexpr int patience = 15;  // iterations before such a step tries sweeps: with so little inertia they seldom help
 constexpr double roughly = 0.1;  // residual at which one that has taken them is good enough to go on from
 constexpr double unsettledEase = 0.5;  // of such a pseudo-step, for the next
 constexpr double unsettledCut = 0.1;  // of one that is not
@@ -122,8 +123,7 @@ private:
         Eigen::VectorXd d = Eigen::VectorXd::Zero(problem.unknowns());
         if (paths_ > 0) d = path_;
         else if (lastStep_.size() > 0) d = std::pow(dt_ / lastDt_, 2) * lastStep_;  // what falls goes on falling
-        const int passes = mayBeRough() ? std::min(mostPasses, model_.analysis.maxPasses) : 0;
-        report_ = solveStep(engine_, problem, state_, d, {.tolerance = tolerance_, .maxPasses = passes});
+        report_ = solveStep(engine_, problem, state_, d, needs());
         if (report_.stopped) return Outcome::Stopped;
         const bool goodEnough = mayBeRough() && !report_.singular && report_.residual < roughly;
         if (!report_.converged && !goodEnough) return shorten(unsettledCut);
@@ -152,6 +152,11 @@ private:
     /// Of the block that moved most in the last pseudo-step, where it goes on in the next [m].
     double expectedMove() const {
         return lastStep_.size() > 0 ? std::pow(dt_ / lastDt_, 2) * lastLargest_ : 0.0;
+    }
+
+    StepNeeds needs() const {
+        if (!mayBeRough()) return {.tolerance = tolerance_, .sweepsFrom = std::numeric_limits<int>::max()};
+        return {.tolerance = tolerance_, .maxPasses = std::min(mostPasses, model_.analysis.maxPasses), .sweepsFrom = patience};
     }
 
     /// How far the search for contacts reaches [m].

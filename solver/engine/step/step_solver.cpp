@@ -18,7 +18,6 @@ constexpr double astray = 2.0;  // times the residual before: so has a step that
 constexpr double improves = 0.2;  // of the residual: a full step that leaves no more, or balances, needs no line search
 constexpr int patience = 20;  // iterations after which one that balances worse is made shorter, lest they go in a circle
 constexpr double shortest = 1.0 / 50.0;  // step that is tried then
-constexpr int restPatience = 15;  // iterations after which a pseudo-step towards rest tries sweeps
 constexpr int mostSweeps = 8, mostUseless = 2;  // times that sweeps are tried in a step, and in vain
 constexpr double easy = 2e-3;  // residual from which Newton needs no sweeps
 constexpr double farFromBalance = 1e-2;  // residual from which Newton's line search soon stalls
@@ -86,9 +85,7 @@ private:
         sweeps_ = mayKeepSweeping() && *settings_.sweepsFirst && report_.residual > easy;
     }
 
-    /// With next to no inertia sweeps seldom find what Newton's method does not, so that it is tried first.
-    bool maySweep() const { return tries_ < mostSweeps && (!rests() || report_.passes >= restPatience); }
-
+    bool maySweep() const { return tries_ < mostSweeps && report_.passes >= settings_.sweepsFrom; }
     bool mayKeepSweeping() const { return settings_.sweepsFirst; }
     bool rests() const { return !problem_.mayLeave.empty(); }
 

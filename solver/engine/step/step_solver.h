@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Solves a step by Newton's method with friction limits that follow their normal
-// forces and an exact line search; in motion also by sweeps over the contact forces
-// where the line search finds no way through the changing states (theory, "The step").
+// forces and an exact line search, and by sweeps over the contact forces where the
+// line search finds no way through the changing states (theory, "The step").
 #pragma once
 
 #include "solver/engine/step/dual_sweeps.h"
@@ -18,6 +18,7 @@ struct SolveSettings {
     int maxPasses = 40;
     bool openClose = false;  // by the classical iteration
     bool again = false;  // the step has been solved before for nearly the same contacts: begin where that ended
+    int sweepsFrom = 0;  // iterations after which sweeps are tried
     bool* sweepsFirst = nullptr;  // in motion: whether the last step took sweeps; told for the next
 };
 
