@@ -2,39 +2,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/engine/step/supernodal_solve.h"
 
+#include "solver/engine/step/supernode.h"
+
 #include <cblas.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace keyblock {
 namespace {
 
 constexpr int panel = 12;  // columns at a time: two blocks
 
-/// One supernode: `width` columns of `height` entries, the first `width` of them on the diagonal.
-struct Supernode {
-    const double* values = nullptr;
-    const int* rows = nullptr;
-    int width = 0, height = 0;
-
-    const double* at(int row, int column) const { return values + row + static_cast<std::ptrdiff_t>(column) * height; }
-};
-
-Supernode supernode(const cholmod_factor& factor, std::size_t s) {
-    const auto *super = static_cast<const int*>(factor.super), *rowStart = static_cast<const int*>(factor.pi);
-    const auto* valueStart = static_cast<const int*>(factor.px);
-    return {static_cast<const double*>(factor.x) + valueStart[s], static_cast<const int*>(factor.s) + rowStart[s],
-            super[s + 1] - super[s], rowStart[s + 1] - rowStart[s]};
+/// Solves with a triangle of `count` columns, the first entry of which is at `corner`, from its first row to its last.
+/// What is solved for lies in a copy that the compiler keeps in registers.
+template <int count>
+void solveDown(const double* corner, int stride, double* t) {
+    std::array<double, count> x;
+    std::copy_n(t, count, x.begin());
+#pragma GCC unroll 12
+    for (int j = 0; j < count; ++j) {
+        const double *column = corner + static_cast<std::ptrdiff_t>(j) * stride, solved = x[j] /= column[j];
+#pragma GCC unroll 12
+        for (int i = j + 1; i < count; ++i) x[i] -= column[i] * solved;
+    }
+    std::copy_n(x.begin(), count, t);
 }
+
+/// The same with the transposed triangle, from its last row to its first.
+template <int count>
+void solveUp(const double* corner, int stride, double* t) {
+    std::array<double, count> x;
+    std::copy_n(t, count, x.begin());
+#pragma GCC unroll 12
+    for (int j = count - 1; j >= 0; --j) {
+        const double* column = corner + static_cast<std::ptrdiff_t>(j) * stride;
+#pragma GCC unroll 12
+        for (int i = j + 1; i < count; ++i) x[j] -= column[i] * x[i];
+        x[j] /= column[j];
+    }
+    std::copy_n(x.begin(), count, t);
+}
+
+using Solve = void (*)(const double* corner, int stride, double* t);
+
+/// By number of columns. Loops of known length are unrolled: a processor foretells badly where loops of a few rounds end.
+template <std::size_t... counts>
+constexpr std::array<Solve, panel + 1> downBy(std::index_sequence<counts...>) {
+    return {solveDown<static_cast<int>(counts)>...};
+}
+
+template <std::size_t... counts>
+constexpr std::array<Solve, panel + 1> upBy(std::index_sequence<counts...>) {
+    return {solveUp<static_cast<int>(counts)>...};
+}
+
+constexpr auto down = downBy(std::make_index_sequence<panel + 1>());
+constexpr auto up = upBy(std::make_index_sequence<panel + 1>());
 
 /// \param t the rows of the supernode; those below the diagonal collect what its columns take from them.
 void forward(const Supernode& node, double* t) {
     for (int begin = 0; begin < node.width; begin += panel) {
         const int end = std::min(begin + panel, node.width);
-        for (int j = begin; j < end; ++j) {
-            const double *column = node.at(0, j), x = t[j] /= column[j];
-            for (int i = j + 1; i < end; ++i) t[i] -= column[i] * x;
-        }
+        down[end - begin](node.at(begin, begin), node.height, t + begin);
         if (end < node.height)
             cblas_dgemv(CblasColMajor, CblasNoTrans, node.height - end, end - begin, -1.0, node.at(end, begin), node.height,
                         t + begin, 1, 1.0, t + end, 1);
@@ -47,11 +78,7 @@ void backward(const Supernode& node, double* t) {
         if (end < node.height)
             cblas_dgemv(CblasColMajor, CblasTrans, node.height - end, end - begin, -1.0, node.at(end, begin), node.height,
                         t + end, 1, 1.0, t + begin, 1);
-        for (int j = end - 1; j >= begin; --j) {
-            const double* column = node.at(0, j);
-            for (int i = j + 1; i < end; ++i) t[j] -= column[i] * t[i];
-            t[j] /= column[j];
-        }
+        up[end - begin](node.at(begin, begin), node.height, t + begin);
     }
 }
 
