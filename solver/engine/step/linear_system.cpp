@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// CHOLMOD's supernodal factor for large systems and its simplicial LLᵀ for small
-// ones, whichever the counted work of the analysis favours: never a clock, so that
+// A supernodal factor for large systems, in the order and pattern that CHOLMOD finds,
+// and CHOLMOD's simplicial LLᵀ for small ones, whichever the counted work of the analysis favours: never a clock, so that
 // a scene takes the same way on every run. LLᵀ rather than LDLᵀ because it stops at
 // the first pivot that is not positive, which is how a loose block is found.
 //
@@ -13,6 +13,7 @@
 // thousand blocks down fivefold; OpenBLAS would split sums by the number of cores.
 #include "solver/engine/step/linear_system.h"
 
+#include "solver/engine/step/supernodal_factor.h"
 #include "solver/engine/step/supernodal_solve.h"
 #include "solver/engine/step/supernodal_update.h"
 
@@ -63,6 +64,7 @@ struct LinearSystem::Detail {
     cholmod_sparse* matrix = nullptr;  // lower triangle in the order of elimination, rows sorted within each column
     cholmod_factor* factor = nullptr;
     cholmod_factor* updated = nullptr;  // a simplicial one as LDLᵀ with ranks added and taken; none: it is `factor`
+    SupernodalFactor factoring;
     SupernodalUpdate supernodes;
     cholmod_dense* workX = nullptr;  // kept between solutions: nothing is allocated in a loop of a million steps
     cholmod_dense* workY = nullptr;
@@ -119,6 +121,12 @@ struct LinearSystem::Detail {
 
     /// Analyses the pattern in the order in which it is stored, or in one that AMD finds.
     void analyseBy(int ordering);
+
+    /// Prepares factorizations and updates by supernodes, and the room for the values of the factor.
+    void analyseSupernodes();
+
+    /// Column whose pivot is not positive, or −1.
+    int factorize();
 
     /// Takes over the order that the analysis found.
     void takeOrder();
@@ -187,6 +195,20 @@ void LinearSystem::Detail::analyseBy(int ordering) {
     cholmod_free_factor(&factor, &common);
     factor = cholmod_analyze(matrix, &common);
     requireMemory();
+}
+
+void LinearSystem::Detail::analyseSupernodes() {
+    cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor, &common);
+    requireMemory();
+    factoring.analyse(*factor);
+    supernodes.analyse(*factor);
+}
+
+int LinearSystem::Detail::factorize() {
+    if (factor->is_super) return factoring.apply(*matrix, *factor);
+    cholmod_factorize(matrix, factor, &common);
+    requireMemory();
+    return common.status == CHOLMOD_NOT_POSDEF ? static_cast<int>(factor->minor) : -1;
 }
 
 void LinearSystem::Detail::takeOrder() {
@@ -311,7 +333,7 @@ void LinearSystem::analyse(int n, std::span<const std::pair<int, int>> entries) 
     d.takeOrder();
     d.buildPattern(n, entries);
     d.analyseBy(CHOLMOD_NATURAL);
-    if (d.factor->is_super) d.supernodes.analyse(*d.factor);
+    if (d.factor->is_super) d.analyseSupernodes();
     d.ordered.resize(static_cast<std::size_t>(n));
     d.residual.resize(static_cast<std::size_t>(n));
     d.correction.resize(static_cast<std::size_t>(n));
@@ -343,9 +365,7 @@ int LinearSystem::factor() {
     useOneThread();
     if (d.size() == 0) return -1;
     cholmod_free_factor(&d.updated, &d.common);
-    cholmod_factorize(d.matrix, d.factor, &d.common);
-    d.requireMemory();
-    if (d.common.status == CHOLMOD_NOT_POSDEF) return d.unknownOfColumn(d.factor->minor);
+    if (const int loose = d.factorize(); loose >= 0) return d.unknownOfColumn(static_cast<std::size_t>(loose));
     const int lost = d.lostPivot();
     return lost < 0 ? -1 : d.unknownOfColumn(static_cast<std::size_t>(lost));
 }

@@ -58,13 +58,6 @@ void SupernodalUpdate::analyse(const cholmod_factor& factor) {
     ranksAt_.assign(factor.nsuper, 0);
 }
 
-SupernodalUpdate::Supernode SupernodalUpdate::supernode(cholmod_factor& factor, std::size_t s) {
-    const auto *super = static_cast<const int*>(factor.super), *rowStart = static_cast<const int*>(factor.pi);
-    const auto* valueStart = static_cast<const int*>(factor.px);
-    return {static_cast<double*>(factor.x) + valueStart[s], static_cast<const int*>(factor.s) + rowStart[s],
-            super[s + 1] - super[s], rowStart[s + 1] - rowStart[s]};
-}
-
 bool SupernodalUpdate::apply(cholmod_factor& factor, bool add, std::span<const SparseColumn> columns) {
     std::vector<std::pair<int, const SparseColumn*>> sorted;
     for (const SparseColumn& column : columns)

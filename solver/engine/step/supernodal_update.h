@@ -8,8 +8,7 @@
 #pragma once
 
 #include "solver/engine/step/sparse_column.h"
-
-#include <cholmod.h>
+#include "solver/engine/step/supernode.h"
 
 #include <cstdint>
 #include <span>
@@ -28,20 +27,12 @@ public:
     bool apply(cholmod_factor& factor, bool add, std::span<const SparseColumn> columns);
 
 private:
-    /// One supernode of the factor: `width` columns of `height` entries, the first `width` of them on the diagonal.
-    struct Supernode {
-        double* values = nullptr;
-        const int* rows = nullptr;
-        int width = 0, height = 0;
-    };
-
-    /// Some columns of it, from the first row on its diagonal.
+    /// Some columns of a supernode, from the first row on its diagonal.
     struct Panel {
         double* values = nullptr;
         int stride = 0, width = 0, height = 0;
     };
 
-    static Supernode supernode(cholmod_factor& factor, std::size_t s);
     bool applyGroup(cholmod_factor& factor, double sign, std::span<const SparseColumn* const> columns);
     void gather(const Supernode& node, std::uint32_t ranks);
     void scatter(const Supernode& node, std::uint32_t ranks);
