@@ -244,16 +244,17 @@ bool CandidateSearch::addCorner(int a, int corner, int b, std::vector<Contact>& 
     return byPath || faced.size() > 1;
 }
 
-const Contact* sameContact(const std::vector<Contact>& contacts, const Contact& contact) {
+const Contact* sameContact(std::span<const Contact> contacts, const Contact& contact) {
     const auto found = std::lower_bound(contacts.begin(), contacts.end(), contact, comesBefore);
     return found != contacts.end() && !comesBefore(contact, *found) ? &*found : nullptr;
 }
 
-bool comesBefore(const Contact& x, const Contact& y) {
-    const auto key = [](const Contact& c) {
-        return std::tuple(std::min(c.blockA, c.blockB), std::max(c.blockA, c.blockB), c.blockA, c.corner, c.edge);
-    };
-    return key(x) < key(y);
+std::span<const Contact> contactsBetween(std::span<const Contact> contacts, int a, int b) {
+    const std::uint64_t pair = ContactPlace::of(std::min(a, b), std::max(a, b));
+    const auto first = std::partition_point(contacts.begin(), contacts.end(),
+                                            [&](const Contact& c) { return ContactPlace(c).pair < pair; });
+    const auto last = std::find_if(first, contacts.end(), [&](const Contact& c) { return ContactPlace(c).pair != pair; });
+    return {first, last};
 }
 
 Edge runOf(const BlockModel& block, const std::vector<Point>& corners, int turn) {

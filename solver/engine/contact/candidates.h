@@ -11,6 +11,10 @@
 #include "solver/engine/model/edge.h"
 #include "solver/engine/model/state.h"
 
+#include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace keyblock {
@@ -53,7 +57,7 @@ private:
 struct CandidateSearch {
     const Model& model;
     const std::vector<BlockMotion>& blocks;
-    const std::vector<Contact>& before;
+    std::span<const Contact> before;  // of all blocks, or of A and B alone
     const std::vector<Drift>& drift;
     const std::vector<Outline>& outlines;
     const Standings& standings;
@@ -68,10 +72,28 @@ struct CandidateSearch {
 };
 
 /// The contact's own entry in a sorted list; null where it has none.
-const Contact* sameContact(const std::vector<Contact>& contacts, const Contact& contact);
+const Contact* sameContact(std::span<const Contact> contacts, const Contact& contact);
 
-/// Order of contacts: pair of blocks, then corner, then edge.
-bool comesBefore(const Contact& x, const Contact& y);
+/// The part of a sorted list that lies between two blocks.
+std::span<const Contact> contactsBetween(std::span<const Contact> contacts, int a, int b);
+
+/// Place of a contact in the order of contacts: by pair of blocks, then by corner, then by edge.
+struct ContactPlace {
+    std::uint64_t pair = 0, corner = 0;
+    int edge = -1;
+
+    explicit ContactPlace(const Contact& c)
+        : pair(of(std::min(c.blockA, c.blockB), std::max(c.blockA, c.blockB))), corner(of(c.blockA, c.corner)), edge(c.edge) {}
+
+    /// Of two numbers that are not negative, the first of which decides.
+    static std::uint64_t of(int first, int second) {
+        return (static_cast<std::uint64_t>(first) << 32) + static_cast<std::uint64_t>(second);
+    }
+
+    auto operator<=>(const ContactPlace&) const = default;
+};
+
+inline bool comesBefore(const Contact& x, const Contact& y) { return ContactPlace(x) < ContactPlace(y); }
 
 /// The straight piece of outline that begins at corner `turn` of the block's list `turns`.
 Edge runOf(const BlockModel& block, const std::vector<Point>& corners, int turn);

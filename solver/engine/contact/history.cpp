@@ -87,17 +87,18 @@ double pastEnd(const Model& model, const std::vector<BlockMotion>& blocks, const
     return std::max(-along, along - edge.length);
 }
 
-/// Direction in which a contact pushes block `block`; zero where it is none of its two.
+/// Direction in which a contact pushes one of its blocks.
 Point pushOn(const std::vector<BlockMotion>& blocks, const Contact& c, int block) {
-    if (block != c.blockA && block != c.blockB) return {0.0, 0.0};
     const Point outward = edgeOf(blocks[c.blockB].corners, c.edge).outward;
     return block == c.blockA ? outward : Point(-outward);
 }
 
 /// A block on which both push the same way; −1 where there is none.
 int sharedBlock(const std::vector<BlockMotion>& blocks, const Contact& x, const Contact& y) {
-    for (int block : {x.blockA, x.blockB})
-        if (pushOn(blocks, x, block).dot(pushOn(blocks, y, block)) > sameWay) return block;
+    for (int block : {x.blockA, x.blockB}) {
+        const bool ofBoth = block == y.blockA || block == y.blockB;
+        if (ofBoth && pushOn(blocks, x, block).dot(pushOn(blocks, y, block)) > sameWay) return block;
+    }
     return -1;
 }
 
@@ -151,7 +152,7 @@ double lengthOfJoint(const Model& model, const std::vector<BlockMotion>& blocks,
     return sharedFace(model, blocks, contact).length;
 }
 
-double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before,
+double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, std::span<const Contact> before,
                    bool first, Contact& contact) {
     if (const Contact* old = sameContact(before, contact)) {
         contact = *old;

@@ -8,12 +8,13 @@
 
 #include "solver/engine/model/state.h"
 
+#include <span>
 #include <vector>
 
 namespace keyblock {
 
 /// A contact's own history, or what a contact without any starts with. \return elastic energy that it lost [J].
-double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before,
+double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, std::span<const Contact> before,
                    bool first, Contact& contact);
 
 /// Tributary length of joint of the contact where the blocks are: half of what a face of its corner shares with the

@@ -5,7 +5,6 @@
 #include "geometry/grid.h"
 #include "solver/engine/contact/bonded_corners.h"
 #include "solver/engine/contact/bonded_face.h"
-#include "solver/engine/contact/candidates.h"
 #include "solver/engine/contact/history.h"
 #include "solver/engine/model/edge.h"
 #include "solver/engine/step/parallel.h"
@@ -101,6 +100,8 @@ void forEachPair(std::size_t count, const One& one) {
 
 std::vector<Contact> joined(const std::vector<std::vector<Contact>>& perPair) {
     std::vector<Contact> contacts;
+    contacts.reserve(std::accumulate(perPair.begin(), perPair.end(), std::size_t{0},
+                                     [](std::size_t sum, const auto& found) { return sum + found.size(); }));
     for (const auto& found : perPair) contacts.insert(contacts.end(), found.begin(), found.end());
     if (!std::is_sorted(contacts.begin(), contacts.end(), comesBefore))
         std::sort(contacts.begin(), contacts.end(), comesBefore);
@@ -124,16 +125,17 @@ bool staysNear(const Model& model, const std::vector<BlockMotion>& blocks, const
 std::vector<Contact> contactsOn(const Model& model, const std::vector<BlockMotion>& blocks,
                                 const std::vector<Contact>& before, const FoundCorners& corners,
                                 const std::vector<Drift>& drift) {
-    const std::vector<Outline> outlines = outlinesOf(model, blocks);
     const Standings standings(model, blocks, before);
-    const CandidateSearch search{model, blocks, before, drift, outlines, standings, corners.margin};
     std::vector<std::vector<Contact>> perPair(corners.pairs.size());
     forEachPair(perPair.size(), [&](std::size_t i) {
+        if (corners.pairs[i].empty()) return;
+        const std::span<const Contact> own = contactsBetween(before, corners.pairs[i][0].a, corners.pairs[i][0].b);
+        const CandidateSearch search{model, blocks, own, drift, corners.outlines, standings, corners.margin};
         perPair[i] = candidatesAgain(search, corners.pairs[i]);
         dropDoubles(search, perPair[i]);
         for (Contact& contact : perPair[i]) {
-            if (const Contact* old = sameContact(before, contact)) contact = *old;
-            else giveHistory(model, blocks, before, false, contact);
+            if (const Contact* old = sameContact(own, contact)) contact = *old;
+            else giveHistory(model, blocks, own, false, contact);
         }
     });
     std::vector<Contact> contacts = joined(perPair);
@@ -142,42 +144,55 @@ std::vector<Contact> contactsOn(const Model& model, const std::vector<BlockMotio
     return contacts;
 }
 
+/// Whether a contact closes on the path.
+bool closes(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance, const Contact& c) {
+    const Point& corner = blocks[c.blockA].corners[c.corner];
+    const auto moved = [&](int block) {
+        return Point(drift[block].shift + drift[block].turn * turnLeft(corner - blocks[block].centroid));
+    };
+    const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
+    const Point from = corner - edge.start + moved(c.blockA) - moved(c.blockB);
+    return edge.outward.dot(from) < c.gapOffset - tolerance;
+}
+
+/// Whether no contact of a sorted list that closes on the path is missing in another.
+bool hasEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance,
+                  const std::vector<Contact>& contacts, const std::vector<Contact>& others) {
+    auto next = others.begin();
+    return std::none_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
+        while (next != others.end() && comesBefore(*next, c)) ++next;
+        const bool known = next != others.end() && !comesBefore(c, *next);
+        return !known && !c.bonded && closes(blocks, drift, tolerance, c);
+    });
+}
+
 /// Whether no contact of one list that closes on the path is missing in the other.
 bool sameEntrances(const std::vector<BlockMotion>& blocks, const std::vector<Drift>& drift, double tolerance,
                    const std::vector<Contact>& contacts, const std::vector<Contact>& now) {
-    const auto entersUnseen = [&](const Contact& c, const std::vector<Contact>& others) {
-        if (c.bonded || sameContact(others, c)) return false;
-        const Point& corner = blocks[c.blockA].corners[c.corner];
-        const auto moved = [&](int block) {
-            return Point(drift[block].shift + drift[block].turn * turnLeft(corner - blocks[block].centroid));
-        };
-        const Edge edge = edgeOf(blocks[c.blockB].corners, c.edge);
-        const Point from = corner - edge.start + moved(c.blockA) - moved(c.blockB);
-        return edge.outward.dot(from) < c.gapOffset - tolerance;
-    };
-    return std::none_of(now.begin(), now.end(), [&](const Contact& c) { return entersUnseen(c, contacts); }) &&
-           std::none_of(contacts.begin(), contacts.end(), [&](const Contact& c) { return entersUnseen(c, now); });
+    return hasEntrances(blocks, drift, tolerance, now, contacts) && hasEntrances(blocks, drift, tolerance, contacts, now);
 }
 
 }  // namespace
 
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, const ContactSearch& asked) {
-    const std::vector<Outline> outlines = outlinesOf(model, blocks);
+    std::vector<Outline> outlines = outlinesOf(model, blocks);
     const BlockPairs pairs = nearPairs(model, blocks, outlines, asked.margin);
     const Standings standings(model, blocks, before);
     const std::vector<Drift> drift = driftOf(blocks, asked.path);
-    const CandidateSearch search{model, blocks, before, drift, outlines, standings, asked.margin};
     std::vector<std::vector<Contact>> perPair(pairs.size());
     std::vector<double> lost(pairs.size(), 0.0);
-    if (asked.corners) *asked.corners = {asked.margin, std::vector<std::vector<FoundCorners::Corner>>(pairs.size())};
+    if (asked.corners) *asked.corners = {asked.margin, {}, std::vector<std::vector<FoundCorners::Corner>>(pairs.size())};
     forEachPair(pairs.size(), [&](std::size_t i) {
+        const auto& [a, b] = pairs[i];
+        const std::span<const Contact> own = contactsBetween(before, a, b);
+        const CandidateSearch search{model, blocks, own, drift, outlines, standings, asked.margin};
         std::vector<Contact>& found = perPair[i];
-        found = candidatesOf(search, pairs[i].first, pairs[i].second,
-                             asked.corners ? &asked.corners->pairs[i] : nullptr);
+        found = candidatesOf(search, a, b, asked.corners ? &asked.corners->pairs[i] : nullptr);
         dropDoubles(search, found);
-        for (Contact& contact : found) lost[i] += giveHistory(model, blocks, before, asked.first, contact);
+        for (Contact& contact : found) lost[i] += giveHistory(model, blocks, own, asked.first, contact);
     });
+    if (asked.corners) asked.corners->outlines = std::move(outlines);
     std::vector<Contact> contacts = joined(perPair);
     const double ended = handOver(model, blocks, before, asked.underWay, contacts);
     if (asked.released) *asked.released += std::accumulate(lost.begin(), lost.end(), ended);

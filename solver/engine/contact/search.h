@@ -6,7 +6,7 @@
 // over from a neighbour at the same place.
 #pragma once
 
-#include "solver/engine/model/state.h"
+#include "solver/engine/contact/candidates.h"
 
 #include <vector>
 
@@ -21,6 +21,7 @@ struct FoundCorners {
         std::vector<Contact> found;
     };
     double margin = 0.0;  // of the search [m]
+    std::vector<Outline> outlines;  // of the blocks where it was made
     std::vector<std::vector<Corner>> pairs;
 };
 
@@ -45,7 +46,7 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
                                   const std::vector<Contact>& before, double margin, bool first);
 
 /// False where a corner comes in by another edge than it was looked for, now that its path is known. `found` is of the
-/// search for `contacts`; the other searches once more with the same margin.
+/// search for `contacts` from where the blocks still are; the other searches once more with the same margin.
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
                    const FoundCorners& found, const Eigen::VectorXd& path);
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
