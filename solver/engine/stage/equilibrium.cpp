@@ -140,7 +140,7 @@ private:
 
     void searchContacts(const Eigen::VectorXd* path) {
         state_.contacts = findContacts(model_, state_.blocks, state_.contacts,
-                                       {searchMargin(), false, true, path, &state_.energy.released});
+                                       {searchMargin(), false, true, path, &state_.energy.released, &corners_});
         meetDilated(state_, state_.contacts);
     }
 
@@ -235,7 +235,7 @@ private:
     /// True where a corner comes in by another edge than it was looked for.
     bool entersElsewhere(const Eigen::VectorXd& d, double move) const {
         return move > pathShare * moveLimit_ &&
-               !entrancesHold(model_, state_.blocks, state_.contacts, searchMargin(), d);
+               !entrancesHold(model_, state_.blocks, state_.contacts, corners_, d);
     }
 
     /// The step is done again with contacts looked for along its path.
@@ -477,6 +477,7 @@ private:
     SolveReport report_;  // of the last step
     double lastLargest_ = 0.0;  // move in the last pseudo-step [m]
     double lastMove_ = std::numeric_limits<double>::max();  // in the last without friction locked
+    FoundCorners corners_;  // of the last search
     Eigen::VectorXd lastStep_;
     bool drifts_ = false;  // the last two steps went the same way
     double residual_ = std::numeric_limits<double>::max();  // over the reference force, when last judged
