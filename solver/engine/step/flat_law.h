@@ -24,6 +24,12 @@ struct FlatLaw {
     double limit(double from) const { return high + std::max(0.0, -factor * from); }
 };
 
+/// `std::clamp` by minimum and maximum: no processor can foretell branches by the states of links.
+inline double clipped(double x, double low, double high) {
+    const double above = x < low ? low : x;
+    return high < above ? high : above;
+}
+
 /// The law of a link as it is.
 inline FlatLaw flatLaw(const StepProblem& problem, const Link& link) {
     constexpr double unlimited = std::numeric_limits<double>::infinity();

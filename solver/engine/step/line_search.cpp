@@ -5,6 +5,7 @@
 #include "solver/engine/step/flat_law.h"
 #include "solver/engine/step/friction_limits.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace keyblock {
@@ -24,14 +25,13 @@ public:
     }
 
     double at(double length) {
-        for (std::size_t n = 0; n < rows_.size(); ++n)
-            if (rows_[n].from < 0) forces_[n] = forceOf(rows_[n], length, rows_[n].law.low, rows_[n].law.high);
-        for (const int n : followers_) {
-            const Row& row = rows_[static_cast<std::size_t>(n)];
-            forces_[static_cast<std::size_t>(n)] = limitedForce(row, length, forces_[static_cast<std::size_t>(row.from)]);
-        }
         double slope = constant_ + length * rate_;
-        for (std::size_t n = 0; n < rows_.size(); ++n) slope += rows_[n].share * forces_[n] * rows_[n].rate;
+        for (std::size_t n = 0; n < rows_.size(); ++n) {
+            const Row& row = rows_[n];
+            forces_[n] = row.from < 0 ? forceOf(row, length, row.law.low, row.law.high)
+                                      : limitedForce(row, length, forces_[static_cast<std::size_t>(row.from)]);
+            slope += row.share * forces_[n] * row.rate;
+        }
         return slope;
     }
 
@@ -48,7 +48,7 @@ private:
         double strain = 0.0, rate = 0.0, share = 1.0;
         FlatLaw law;
         int link = -1;
-        int from = -1, pair = -1;  // row whose force sets the limit, and row of limitPairs; −1: the limit stays
+        int from = -1, pair = -1;  // earlier row whose force sets the limit, and row of limitPairs; −1: the limit stays
     };
 
     void takeBodies(const Eigen::VectorXd& d, const Eigen::VectorXd& direction) {
@@ -76,6 +76,7 @@ private:
         forces_.resize(rows_.size());
         for (std::size_t p = 0; coupled && p < problem_.limitPairs.size(); ++p) {
             const LimitPair& pair = problem_.limitPairs[p];
+            assert(pair.from < pair.limited);
             Row& row = rows_[static_cast<std::size_t>(pair.limited)];
             row.law = flatLaw(problem_, pair);
             row.from = pair.from;
@@ -87,7 +88,7 @@ private:
     double forceOf(const Row& row, double length, double low, double high) const {
         const double strain = row.strain + length * row.rate;
         if (row.law.bent) return respond(problem_, problem_.links[static_cast<std::size_t>(row.link)], strain).force;
-        return std::clamp(row.law.stiffness * (strain - row.law.offset), low, high);
+        return clipped(row.law.stiffness * (strain - row.law.offset), low, high);
     }
 
     double limitedForce(const Row& row, double length, double from) {

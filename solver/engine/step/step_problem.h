@@ -37,7 +37,7 @@ struct LimitPair {
         Push,  // base + factor·⟨−F⟩: a joint, by the tangent of its friction angle
         Clamp  // base + factor·|F|: an anchored point, by its normal spring
     };
-    int limited = -1, from = -1;  // links
+    int limited = -1, from = -1;  // links, `from` the earlier one
     double factor = 0.0;
     double base = 0.0;
     Rule rule = Rule::Push;
