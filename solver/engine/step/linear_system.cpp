@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A supernodal factor for large systems, in the order and pattern that CHOLMOD finds,
-// and CHOLMOD's simplicial LLᵀ for small ones, whichever the counted work of the analysis favours: never a clock, so that
-// a scene takes the same way on every run. LLᵀ rather than LDLᵀ because it stops at
-// the first pivot that is not positive, which is how a loose block is found.
+// and CHOLMOD's simplicial LLᵀ for small ones, whichever the counted work of the
+// analysis favours: never a clock, so that a scene takes the same way on every run.
+// LLᵀ rather than LDLᵀ because it stops at the first pivot that is not positive, which
+// is how a loose block is found.
 //
 // The matrix is stored in the order in which its unknowns are eliminated, so that a
 // factorization reads it where it lies; CHOLMOD would permute a copy each time.

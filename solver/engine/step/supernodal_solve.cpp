@@ -61,11 +61,18 @@ constexpr std::array<Solve, panel + 1> upBy(std::index_sequence<counts...>) {
 constexpr auto down = downBy(std::make_index_sequence<panel + 1>());
 constexpr auto up = upBy(std::make_index_sequence<panel + 1>());
 
+/// Has the processor fetch a triangle that comes next: its columns lie too far apart to be fetched in time otherwise.
+void fetch(const Supernode& node, int begin) {
+    const int end = std::min(begin + panel, node.width);
+    for (int j = begin; j < end; ++j) __builtin_prefetch(node.at(j, j));
+}
+
 /// \param t the rows of the supernode; those below the diagonal collect what its columns take from them.
 void forward(const Supernode& node, double* t) {
     for (int begin = 0; begin < node.width; begin += panel) {
         const int end = std::min(begin + panel, node.width);
         down[end - begin](node.at(begin, begin), node.height, t + begin);
+        if (end < node.width) fetch(node, end);
         if (end < node.height)
             cblas_dgemv(CblasColMajor, CblasNoTrans, node.height - end, end - begin, -1.0, node.at(end, begin), node.height,
                         t + begin, 1, 1.0, t + end, 1);
@@ -75,6 +82,7 @@ void forward(const Supernode& node, double* t) {
 void backward(const Supernode& node, double* t) {
     for (int begin = (node.width - 1) / panel * panel; begin >= 0; begin -= panel) {
         const int end = std::min(begin + panel, node.width);
+        fetch(node, begin);
         if (end < node.height)
             cblas_dgemv(CblasColMajor, CblasTrans, node.height - end, end - begin, -1.0, node.at(end, begin), node.height,
                         t + end, 1, 1.0, t + begin, 1);
@@ -92,6 +100,7 @@ void solveSupernodes(const cholmod_factor& factor, std::span<double> x, std::vec
         double* own = &x[static_cast<std::size_t>(node.rows[0])];
         std::copy_n(own, node.width, t);
         std::fill(t + node.width, t + node.height, 0.0);
+        if (s + 1 < factor.nsuper) fetch(supernode(factor, s + 1), 0);
         forward(node, t);
         std::copy_n(t, node.width, own);
         for (int i = node.width; i < node.height; ++i) x[static_cast<std::size_t>(node.rows[i])] += t[i];
