@@ -10,7 +10,7 @@ namespace keyblock::run_schema {
 inline constexpr int applicationId = 0x4B42524E;
 
 /// Rises with every change that an older program would misread.
-inline constexpr int version = 7;
+inline constexpr int version = 8;
 
 inline constexpr const char* tables = R"(
 CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL);
@@ -26,7 +26,7 @@ CREATE TABLE events (event INTEGER PRIMARY KEY, stage INTEGER, time REAL, step I
     bolt INTEGER, node INTEGER, element INTEGER, block INTEGER, other_block INTEGER, x REAL, y REAL,
     axial_force REAL, shear_force REAL, anchor_force REAL, slip REAL, history_row INTEGER, cause INTEGER);
 CREATE TABLE history (row INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, "values" BLOB);
-CREATE TABLE frames (frame INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER,
+CREATE TABLE frames (frame INTEGER PRIMARY KEY, stage INTEGER, time REAL, step INTEGER, events INTEGER,
     kinetic REAL, strain REAL, contact REAL, bolt REAL, friction REAL, plastic REAL, released REAL, damped REAL,
     external REAL, balance_error REAL,
     blocks BLOB, corners BLOB, contacts BLOB, nodes BLOB, bolts BLOB,
@@ -44,7 +44,8 @@ inline constexpr const char* layout =
     "and stages.farthest. Row n of bolts and of bolt_extremes is the scene's bolt n; row n of blocks the n-th that is solved: the scene's, cells in "
     "place of those that are cut, then plates that are blocks. Stages, blocks, bolts, nodes, "
     "elements and rows of history count from 0; -1 marks an index that does not apply. events.history_row names the "
-    "row just before an event, events.cause the number of the event, from 0, whose release set it over. A stage "
+    "row just before an event, events.cause the number of the event, from 0, whose release set it over. frames.events counts the events until "
+    "a frame: those just before and just after a failure may have the same time. A stage "
     "without an outcome never ended. Table checkpoint is the program's own: where a run that did not finish can be "
     "taken up again, by the same build only. SI units; times are within the stage. Row key scene of table about is the "
     "scene as JSON with its records inside, scene_hash its SHA-256.";

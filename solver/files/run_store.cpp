@@ -144,7 +144,7 @@ void RunStore::readHeads() {
     sqlite::Statement statement(database_, std::string("SELECT ") + headColumns + ", frame FROM frames ORDER BY frame");
     while (statement.next()) {
         heads_.push_back(headAt(statement, scene_));
-        frameKeys_.push_back(statement.integer(13));
+        frameKeys_.push_back(statement.integer(14));
     }
 }
 

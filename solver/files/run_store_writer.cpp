@@ -157,7 +157,7 @@ constexpr const char* endStage =
 constexpr const char* insertEvent = "INSERT INTO events VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
 constexpr const char* insertHistory = "INSERT INTO history VALUES (?,?,?,?,?)";
 constexpr const char* insertFrame =
-    "INSERT INTO frames VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
+    "INSERT INTO frames VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
 constexpr const char* putCheckpoint = "INSERT OR REPLACE INTO checkpoint VALUES (1,?,?,?)";
 
 /// A row of four a block, as table `columns` names them.
@@ -321,6 +321,7 @@ void RunStoreWriter::frame(const Frame& frame) {
     write([&](Open& open) {
         const Energy& e = frame.energy;
         open.frame.bind(std::int64_t{frame.stage}).bind(frame.time).bind(std::int64_t{frame.step});
+        open.frame.bind(std::int64_t{frame.events});
         for (const double value : {e.kinetic, e.strain, e.contact, e.bolt, e.friction, e.plastic, e.released, e.damped,
                                    e.external, e.balanceError})
             open.frame.bind(value);

@@ -124,12 +124,13 @@ FrameHead headAt(const sqlite::Statement& row, const Scene& scene) {
     for (double* term : {&e.kinetic, &e.strain, &e.contact, &e.bolt, &e.friction, &e.plastic, &e.released, &e.damped,
                          &e.external, &e.balanceError})
         *term = row.real(column++);
+    head.events = static_cast<long>(row.integer(column));
     return head;
 }
 
 Frame frameAt(const sqlite::Database& database, std::int64_t key, const Scene& scene, std::size_t blocks,
               const FrameHead& head) {
-    Frame frame{head.stage, head.time, head.step, {}, {}, {}, head.energy, {}, {}};
+    Frame frame{head.stage, head.time, head.step, {}, {}, {}, head.energy, {}, {}, head.events};
     sqlite::Statement statement(database, "SELECT blocks, corners, contacts, nodes, bolts, weights, inertia, "
                                           "contact_forces, node_forces, other_forces, bolt_extremes FROM frames WHERE frame=?");
     statement.bind(key);

@@ -47,7 +47,8 @@ Value known(const std::optional<Value>& value) {
 
 /// Columns of a frame that `headAt` reads, in its order.
 inline constexpr const char* headColumns =
-    "stage, time, step, kinetic, strain, contact, bolt, friction, plastic, released, damped, external, balance_error";
+    "stage, time, step, kinetic, strain, contact, bolt, friction, plastic, released, damped, external, "
+    "balance_error, events";
 FrameHead headAt(const sqlite::Statement& row, const Scene& scene);
 
 /// The frame stored under `key`.

@@ -13,8 +13,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <map>
-#include <set>
 #include <system_error>
 
 namespace keyblock {
@@ -81,16 +82,25 @@ std::map<int, double> stageStarts(const RunSource& run) {
     return starts;
 }
 
-/// The last frame of each moment that the filter selects.
-std::set<std::size_t> framesOf(const RunSource& run, const TableFilter& filter, const std::map<int, double>& starts) {
+/// Frames that the filter selects, each with its time in the whole run. Readers show one frame at a time, so of the last
+/// frame of a stage and the first of the next the latter is taken, and of states just before and just after a failure
+/// the former is dated back by the least that a number can.
+std::map<std::size_t, double> timesOf(const RunSource& run, const TableFilter& filter, const std::map<int, double>& starts) {
     std::vector<RowMoment> moments;
     for (const FrameHead& head : run.frames()) moments.push_back({head.stage, head.time});
-    std::map<double, std::size_t> lastAt;
-    for (const std::size_t i : selected(moments, filter, When::All))
-        lastAt[starts.at(moments[i].stage) + moments[i].time] = i;
-    std::set<std::size_t> frames;
-    for (const auto& [time, frame] : lastAt) frames.insert(frame);
-    return frames;
+    const std::vector<std::size_t> wanted = selected(moments, filter, When::All);
+    std::map<std::size_t, double> times;
+    const FrameHead* next = nullptr;
+    double later = std::numeric_limits<double>::infinity();
+    for (auto i = wanted.rbegin(); i != wanted.rend(); ++i) {
+        const FrameHead& head = run.frames()[*i];
+        const double time = starts.at(head.stage) + head.time;
+        if (next && time >= later && (head.stage != next->stage || head.events == next->events || time <= 0.0)) continue;
+        later = next && time >= later ? std::nextafter(later, -1.0) : time;
+        times[*i] = later;
+        next = &head;
+    }
+    return times;
 }
 
 }  // namespace
@@ -98,15 +108,15 @@ std::set<std::size_t> framesOf(const RunSource& run, const TableFilter& filter, 
 void writeVtkFolder(const RunSource& run, const TableFilter& filter, const fs::path& folder) {
     const PartFolder part(folder, isOurs);
     const std::map<int, double> starts = stageStarts(run);
-    const std::set<std::size_t> wanted = framesOf(run, filter, starts);
+    const std::map<std::size_t, double> times = timesOf(run, filter, starts);
     Series blocks(part.path(), kinds[0]), bolts(part.path(), kinds[1]), contacts(part.path(), kinds[2]);
     VtkBlocks corners(run);
     for (std::size_t i = 0; i < run.frames().size(); ++i) {
         const Frame frame = run.frame(i);
         VtkPolyData data = corners.data(frame);
-        if (!wanted.contains(i)) continue;
+        if (!times.contains(i)) continue;
         const FrameHead& head = run.frames()[i];
-        const double time = starts.at(head.stage) + head.time;
+        const double time = times.at(i);
         blocks.add(std::move(data), run, head, time);
         if (!run.scene().bolts.empty()) bolts.add(vtkBolts(run, frame), run, head, time);
         contacts.add(vtkContacts(run, frame), run, head, time);

@@ -97,6 +97,12 @@ std::span<const FrameQuantity<ContactFrame>> contactQuantities() { return ofCont
 std::span<const FrameQuantity<BoltNodeFrame>> boltQuantities() { return ofNodes; }
 std::span<const FrameQuantity<Energy>> energyQuantities() { return ofEnergy; }
 
+const BoltPeak* peakOf(const BoltExtremes& extremes, std::string_view quantity) {
+    if (quantity == "axial_force") return &extremes.axialForce;
+    if (quantity == "shear_force") return &extremes.shearForce;
+    return quantity == "moment" ? &extremes.moment : nullptr;
+}
+
 Point forceOnA(const ContactFrame& contact) {
     return contact.normalForce * contact.normal - contact.shearForce * turnLeft(contact.normal);
 }

@@ -186,6 +186,7 @@ struct Frame {
     Energy energy;
     FrameForces forces;
     std::vector<BoltExtremes> extremes;  // a row per bolt, from the start of the run to this frame
+    long events = 0;  // of the run until this frame: the frames just before and after one may have the same time
 
     bool operator==(const Frame&) const = default;
 };

@@ -10,6 +10,8 @@
 
 namespace keyblock {
 
+FrameHead headOf(const Frame& frame) { return {frame.stage, frame.time, frame.step, frame.energy, frame.events}; }
+
 bool endedUnstable(Outcome outcome) { return outcome == Outcome::Collapse || outcome == Outcome::Displaced; }
 
 bool endedAsPlanned(Outcome outcome) { return outcome == Outcome::Equilibrium || outcome == Outcome::Duration; }
@@ -53,7 +55,7 @@ MemoryRun::MemoryRun(const Scene& scene, const Results& results)
     : scene_(withCollapseStages(needsCut(scene) ? cutScene(scene).scene : scene)), results_(results),
       names_(keyblock::blockNames(scene_)) {
     for (const Frame& frame : results.frames)
-        heads_.push_back({frame.stage, frame.time, frame.step, frame.energy});
+        heads_.push_back(headOf(frame));
 }
 
 std::vector<StageRecord> MemoryRun::stages() const {

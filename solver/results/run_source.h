@@ -21,7 +21,10 @@ struct FrameHead {
     double time = 0.0;  // within the stage: [s], or pseudo-time 0 … 1
     long step = 0;
     Energy energy;
+    long events = 0;  // of the run until then
 };
+
+FrameHead headOf(const Frame& frame);
 
 /// A stage that was begun; one that never ended (the run still goes on, or was killed) has no outcome.
 struct StageRecord {

@@ -19,6 +19,7 @@ struct TableFilter {
     std::optional<int> bolt;  // index; null: every bolt
     std::optional<When> when;  // null: the table's own default
     double time = 0.0;  // of `At`, within `stage`
+    std::optional<long> events{};  // of frames at the same time, the one after so many events; null: all of them
 };
 
 /// What became of the words of a filter: the filter, or what is wrong with them.

@@ -211,7 +211,10 @@ std::optional<std::size_t> frameAt(const RunSource& run, const TableFilter& filt
     const std::vector<std::size_t> indices = selected(momentsOf(run.frames()), filter, When::Last);
     if (indices.empty())
         return std::nullopt;
-    return indices.back();
+    const auto asked = std::find_if(indices.begin(), indices.end(), [&](std::size_t i) {
+        return filter.events && run.frames()[i].events == *filter.events;
+    });
+    return asked != indices.end() ? *asked : indices.back();
 }
 
 void writeTable(TableKind kind, const RunSource& run, const TableFilter& filter, std::ostream& out) {

@@ -9,6 +9,7 @@
 #include "solver/engine/stage/dynamics.h"
 #include "solver/engine/stage/statics.h"
 #include "solver/run/energy_limit.h"
+#include "solver/run/event_frames.h"
 #include "solver/run/observation.h"
 #include "solver/run/stability.h"
 #include "solver/run/stage_loads.h"
@@ -49,6 +50,7 @@ struct Checkpoint {
     long passes = 0;  // when the last checkpoint was kept; less than 0 where that was before the stage
     std::size_t resultsKept = 0;  // stages that had ended then
     FrameClock frames;
+    EventFrames eventFrames;
     Written written;
     std::vector<BoltExtremes> extremes;  // of the bolts, over the run so far
     std::vector<StageResult> results;  // of the stages that ended

@@ -20,6 +20,7 @@
 #include "solver/results/run_source.h"
 #include "solver/run/bolt_extremes.h"
 #include "solver/run/checkpoint.h"
+#include "solver/run/event_frames.h"
 #include "solver/run/frame_forces.h"
 #include "solver/run/run_limit.h"
 #include "solver/run/stability.h"
@@ -55,6 +56,7 @@ Checkpoint startOf(const Scene& scene, const Model& model) {
     preloadFaces(scene, model, start.state);
     start.state.startEnergy = accountedEnergy(model, start.state);
     start.extremes = startExtremes(model);
+    start.eventFrames.shown.resize(model.bolts.size(), 0.0);
     return start;
 }
 
@@ -198,10 +200,12 @@ private:
     /// One accepted step, or one move within an increment.
     StepEnding advance() {
         if (!isStatic()) {
+            stepBegan_ = now_.time;
             StepEnding ending = dynamics().step(now_.state, now_.time, stage().duration, now_.pace, *this);
             if (ending.ending == Ending::Done) ending = checkEnergy();
             mark(now_.start, now_.state, now_.time, stage().duration);
             addExtremes(model_, now_.state, now_.stage, now_.time, now_.extremes);
+            if (ending.ending == Ending::Done) keepPassedPeak(now_.state);
             lookAround();
             keepFrame(false);
             return ending;
@@ -213,7 +217,10 @@ private:
             addExtremes(model_, now_.state, now_.stage, now_.time, now_.extremes);
         if (ending.ending != Ending::Done || now_.within.releasing) return ending;
         if (now_.within.over()) nextIncrement();
-        else if (stage().increments || now_.increment == 0) return ending;
+        else if (stage().increments || now_.increment == 0) {
+            keepAfter();
+            return ending;
+        }
         lookAround();
         keepFrame(false);
         return ending;
@@ -375,6 +382,7 @@ private:
     void beforeEvent(const State& state, double time) override { keepRow(state, time); }
     void afterEvent(const State& state, double time) override { keepRow(state, time); }
     long event(Event event, const State& state, double time) override {
+        if (callsForFrames(event)) keepBefore(event, state, time);
         event.stage = now_.stage;
         event.time = time;
         event.step = state.step;
@@ -390,32 +398,77 @@ private:
         ++now_.written.historyRows;
     }
 
+    /// The state before a bolt fails, unless a frame shortly before shows forces as large. In motion the largest force
+    /// may have been passed on the way.
+    void keepBefore(const Event& event, const State& state, double time) {
+        EventFrames& frames = now_.eventFrames;
+        frames.owed = true;
+        if (isSeenAfterwards(event)) return;
+        keepPassedPeak(state);
+        const KeptAt now{now_.stage, time};
+        const double interval = frameInterval(scene_, stage());
+        const bool isKnown = isShortlyAfter(frames.before, now, interval) || isShortlyAfter(frames.after, now, interval);
+        if (!isKnown || exceedsShown(model_, state, frames)) keepEventFrame(state, time, true);
+        frames.before = now;
+    }
+
+    /// Where the last step in motion began, if a bolt had its largest force so far there.
+    void keepPassedPeak(const State& state) {
+        if (isStatic() || stepBegan_ == now_.time) return;
+        const State& before = engine_.taken.before;
+        if (passedPeak(model_, before, state, now_.eventFrames)) keepEventFrame(before, stepBegan_, false);
+    }
+
+    /// The state after failures of bolts, once no more follow at this load or shortly after.
+    void keepAfter() {
+        EventFrames& frames = now_.eventFrames;
+        const KeptAt now{now_.stage, now_.time};
+        if (!frames.owed || isShortlyAfter(frames.after, now, frameInterval(scene_, stage()))) return;
+        frames.owed = false;
+        frames.after = now;
+        keepEventFrame(now_.state, now_.time, true);
+    }
+
+    void keepEventFrame(const State& state, double time, bool withForces) {
+        EventFrames& frames = now_.eventFrames;
+        if (!mayKeep(frames, plannedFrames(scene_, now_.stage)) && !isFarAboveShown(model_, state, frames)) return;
+        writeFrame(state, time, withForces);
+        ++frames.kept;
+    }
+
     /// A frame when one is due; always the stage's last, but never the same twice.
     void keepFrame(bool last) {
         FrameClock& clock = now_.frames;
         const bool due = last ? clock.keptStep != now_.state.step || clock.keptStage != now_.stage
                               : now_.time >= clock.next * (1.0 - 1e-12);
-        if (!due) return;
-        const double every = framesEvery(scene_, stage())
-                                 .value_or(duration() * static_cast<double>(scene_.stages.size()) / defaultFrames);
+        if (!due) return last ? void() : keepAfter();
+        const double every = frameInterval(scene_, stage());
         clock.next = (std::floor(now_.time * (1.0 + 1e-12) / every) + 1.0) * every;
         clock.keptStep = now_.state.step;
         clock.keptStage = now_.stage;
         keepRow(now_.state, now_.time);
-        Frame frame = observation_.frame(now_.state, now_.stage, now_.time);
-        frame.forces = frameForces(forcesNow(), now_.state, frame, !isStatic());
+        now_.eventFrames.owed = false;
+        now_.eventFrames.after = {now_.stage, now_.time};
+        writeFrame(now_.state, now_.time, true);
+    }
+
+    void writeFrame(const State& state, double time, bool withForces) {
+        Frame frame = observation_.frame(state, now_.stage, time);
+        frame.events = now_.written.events;
+        if (withForces) frame.forces = frameForces(forcesIn(state), state, frame, !isStatic());
         frame.extremes = now_.extremes;
+        noteShown(model_, state, now_.eventFrames);
         sink_.frame(frame);
         ++now_.written.frames;
     }
 
     /// In motion those of the last step; where there was none, as where a motion begins.
-    std::vector<SingleForce> forcesNow() const {
+    std::vector<SingleForce> forcesIn(const State& state) const {
         const LoadPoint at = ended_ ? *ended_ : loadsReached();
-        if (isStatic()) return forcesAtRest(model_, now_.state, loads_.loads(), at);
-        if (engine_.taken.step == now_.state.step && now_.time > 0.0)
+        if (isStatic()) return forcesAtRest(model_, state, loads_.loads(), at);
+        if (engine_.taken.step == state.step && now_.time > 0.0)
             return forcesOver(model_, loads_.loads(), engine_.taken);
-        return forcesAtStart(model_, now_.state, loads_.loads(), at, dynamicSettings(scene_, stage()).damping);
+        return forcesAtStart(model_, state, loads_.loads(), at, dynamicSettings(scene_, stage()).damping);
     }
 
     /// Waits between two steps while the run is paused, but for one step at a time that is asked for. A step that is
@@ -443,6 +496,7 @@ private:
     void show() {
         if (!control_.looked || !now_.begun || !control_.look.exchange(false)) return;
         Frame frame = observation_.frame(now_.state, now_.stage, now_.time);
+        frame.events = now_.written.events;
         frame.extremes = now_.extremes;
         control_.looked(frame);
     }
@@ -476,6 +530,7 @@ private:
     Watch watch_;
     std::vector<double> times_;  // of a static stage's increments
     std::optional<LoadPoint> ended_;  // what acts at the end of a stage, while that is written
+    double stepBegan_ = 0.0;  // the last step in motion, in the time of the stage
     bool stepping_ = false;  // while paused
     bool atRest_ = false;  // between two steps
 };

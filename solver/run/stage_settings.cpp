@@ -8,6 +8,7 @@
 #include "solver/scene/words.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace keyblock {
 namespace {
@@ -61,6 +62,22 @@ std::optional<double> framesEvery(const Scene& scene, const Stage& stage) {
     if (scene.output.every || !scene.output.frames) return scene.output.every;
     const double duration = stage.kind == StageKind::Static ? 1.0 : stage.duration;
     return duration * static_cast<double>(scene.stages.size()) / *scene.output.frames;
+}
+
+double frameInterval(const Scene& scene, const Stage& stage) {
+    const double duration = stage.kind == StageKind::Static ? 1.0 : stage.duration;
+    return framesEvery(scene, stage).value_or(duration * static_cast<double>(scene.stages.size()) / defaultFrames);
+}
+
+long plannedFrames(const Scene& scene, int stage) {
+    double planned = 0.0;
+    for (int s = 0; s <= stage; ++s) {
+        const Stage& one = scene.stages[static_cast<std::size_t>(s)];
+        const bool isStatic = one.kind == StageKind::Static;
+        const double frames = (isStatic ? 1.0 : one.duration) / frameInterval(scene, one);
+        planned += isStatic && one.increments ? std::min<double>(frames, *one.increments) : frames;
+    }
+    return std::lround(planned);
 }
 
 std::vector<double> incrementTimes(const Scene& scene, const Stage& stage, const StageLoads& loads) {

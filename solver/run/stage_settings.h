@@ -25,6 +25,12 @@ std::vector<double> incrementTimes(const Scene& scene, const Stage& stage, const
 /// Time between the frames of a stage, of its own time; null: `output` leaves it to the program.
 std::optional<double> framesEvery(const Scene& scene, const Stage& stage);
 
+/// The same, or what the program takes where `output` leaves it to it.
+double frameInterval(const Scene& scene, const Stage& stage);
+
+/// Frames at equal intervals until the end of a stage, at most.
+long plannedFrames(const Scene& scene, int stage);
+
 /// Viscous sides of a stage. \pre the scene was checked without errors.
 std::vector<BoundarySide> viscousSides(const Stage& stage);
 

@@ -147,7 +147,8 @@ const Structure& structureOf(const Output*) {
         {
             row<&Output::frames>("frames",
                                  "Frames kept over the whole run, as many in each stage. Null: 200 at most; a static "
-                                 "stage whose 'increments' are null has one at the end of each increment.",
+                                 "stage whose 'increments' are null has one at the end of each increment. At most as "
+                                 "many again are kept just before and just after failures of bolts.",
                                  {.range = within(1, 100000)}),
             row<&Output::every>("every",
                                 "Time between frames, in place of 'frames'. A static stage whose 'increments' are null "

@@ -75,6 +75,16 @@ inline Frame frameOf(const Scene& scene, double lift, double force) {
     return frame;
 }
 
+/// Frames (or their heads) that show all events until their time.
+template <typename Frames>
+void countEvents(const std::vector<Event>& events, Frames& frames) {
+    for (auto& frame : frames) {
+        frame.events = 0;
+        for (const Event& event : events)
+            frame.events += std::pair(event.stage, event.time) <= std::pair(frame.stage, frame.time) ? 1 : 0;
+    }
+}
+
 struct BricksRun {
     Scene scene = bricks();
     Results results;
@@ -93,6 +103,7 @@ struct BricksRun {
         late.kind = EventKind::TensileRupture;
         late.time = 0.5;
         results.events = {slip, slip, yield, yield, late};
+        countEvents(results.events, results.frames);
     }
     SectionPicture picture(std::optional<std::size_t> frame, double factor = 1.0) const {
         const MemoryRun run(scene, results);

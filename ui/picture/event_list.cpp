@@ -112,9 +112,7 @@ std::string countedText(std::span<const Event> events) {
 bool isGrave(EventKind kind) { return gravity(kind) >= 3; }
 
 std::vector<Event> eventsUntil(std::vector<Event> events, const FrameHead& frame) {
-    std::erase_if(events, [&](const Event& event) {
-        return event.stage > frame.stage || (event.stage == frame.stage && event.time > frame.time);
-    });
+    events.resize(std::min(events.size(), static_cast<std::size_t>(frame.events)));
     return events;
 }
 

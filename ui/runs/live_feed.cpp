@@ -54,7 +54,7 @@ void LiveFeed::history(const HistoryRow& row) {
 }
 
 void LiveFeed::frame(const Frame& frame, std::size_t number) {
-    const FrameHead head{frame.stage, frame.time, frame.step, frame.energy};
+    const FrameHead head = headOf(frame);
     std::shared_ptr<const Frame> copy;
     if (frameWanted_.exchange(false)) copy = std::make_shared<const Frame>(frame);
     const std::scoped_lock lock(mutex_);

@@ -95,7 +95,7 @@ Moment::Moment(std::shared_ptr<const LiveRun> run, std::size_t index)
 
 Moment::Moment(std::shared_ptr<const LiveRun> run)
     : run_(std::move(run)), stages_(run_->stages()), events_(run_->sharedEvents()), frame_(run_->newest().frame) {
-    heads_ = {{frame_->stage, frame_->time, frame_->step, frame_->energy}};
+    heads_ = {headOf(*frame_)};
 }
 
 RunSoFar::RunSoFar(std::shared_ptr<const LiveRun> run)

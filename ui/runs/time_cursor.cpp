@@ -111,7 +111,10 @@ void TimeCursor::goTo(const StageTime& time) {
 
 void TimeCursor::goToEvent(const Event& event) {
     if (!run_ || run_->frames().empty()) return;
-    show(firstFrameFrom(timeOf(event)).value_or(run_->frames().size() - 1));
+    const auto& events = run_->eventList();
+    const auto found = std::find(events.begin(), events.end(), event);
+    const auto shown = found == events.end() ? std::nullopt : frameAfter(found - events.begin());
+    show(shown.value_or(run_->frames().size() - 1));
 }
 
 void TimeCursor::goLive() {
@@ -170,14 +173,22 @@ std::optional<std::size_t> TimeCursor::frameAt(const StageTime& time) const {
     return static_cast<std::size_t>(after - frames.begin()) - 1;
 }
 
-/// The first frame that is not earlier.
-std::optional<std::size_t> TimeCursor::firstFrameFrom(const StageTime& time) const {
+/// The first frame that shows an event of the run.
+std::optional<std::size_t> TimeCursor::frameAfter(long event) const {
     const auto& frames = run_->frames();
-    const auto from = std::lower_bound(frames.begin(), frames.end(), time, [](const FrameHead& f, const StageTime& t) {
-        return timeOf(f) < t;
+    const auto after = std::upper_bound(frames.begin(), frames.end(), event, [](long e, const FrameHead& f) {
+        return e < f.events;
     });
-    if (from == frames.end()) return std::nullopt;
-    return static_cast<std::size_t>(from - frames.begin());
+    if (after == frames.end()) return std::nullopt;
+    return static_cast<std::size_t>(after - frames.begin());
+}
+
+/// The frame of the state just before an event, where that state was kept.
+std::optional<std::size_t> TimeCursor::frameBefore(long event) const {
+    const std::size_t end = frameAfter(event).value_or(run_->frames().size());
+    if (end == 0 || timeOf(run_->frames()[end - 1]) != timeOf(run_->eventList()[static_cast<std::size_t>(event)]))
+        return std::nullopt;
+    return end - 1;
 }
 
 /// True where there is more to stop at than joints that slip, which they do by the thousand.
@@ -192,21 +203,25 @@ bool TimeCursor::stopsAt(const Event& event, bool passesMinor) const {
 
 std::optional<std::size_t> TimeCursor::nextEventFrame() const {
     if (!hasMoment()) return std::nullopt;
-    const StageTime now = timeOf(head());
     const bool passes = passesMinor();
-    for (const Event& event : run_->eventList())
-        if (timeOf(event) > now && stopsAt(event, passes)) return firstFrameFrom(timeOf(event));
+    const auto& events = run_->eventList();
+    for (auto i = head().events; i < static_cast<long>(events.size()); ++i) {
+        if (!stopsAt(events[static_cast<std::size_t>(i)], passes)) continue;
+        const auto before = frameBefore(i);
+        return before && *before > frame_ ? before : frameAfter(i);
+    }
     return std::nullopt;
 }
 
 std::optional<std::size_t> TimeCursor::previousEventFrame() const {
     const std::size_t shown = hasMoment() ? frame().value_or(run_->frames().size()) : 0;
-    if (shown == 0) return std::nullopt;
-    const StageTime before = timeOf(run_->frames()[shown - 1]);
     const bool passes = passesMinor();
     const auto& events = run_->eventList();
-    for (auto event = events.rbegin(); event != events.rend(); ++event)
-        if (timeOf(*event) <= before && stopsAt(*event, passes)) return firstFrameFrom(timeOf(*event));
+    for (auto i = static_cast<long>(events.size()) - 1; shown > 0 && i >= 0; --i) {
+        if (!stopsAt(events[static_cast<std::size_t>(i)], passes)) continue;
+        for (const auto& stop : {frameAfter(i), frameBefore(i)})
+            if (stop && *stop < shown) return stop;
+    }
     return std::nullopt;
 }
 

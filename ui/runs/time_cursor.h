@@ -64,10 +64,10 @@ public:
     void step(int by);
     void home();
     void end();  // of a run that goes on: follows it
-    /// To the first frame that shows an event after the moment, of the kinds that are shown; false when there is none.
-    /// Minor ones are passed over where others are shown.
+    /// To the state just before the next event of the kinds that are shown, where it was kept, then to the first frame
+    /// that shows the event; false when there is none. Minor events are skipped where others are shown.
     bool nextEvent();
-    bool previousEvent();  // to the frame that shows the last event before those of this frame
+    bool previousEvent();  // to the last such frame before the one shown
     bool hasNextEvent() const { return nextEventFrame().has_value(); }
     bool hasPreviousEvent() const { return previousEventFrame().has_value(); }
     bool canStep(int by) const;  // to a frame that is there
@@ -120,7 +120,8 @@ private:
     std::optional<std::size_t> nextEventFrame() const;
     std::optional<std::size_t> previousEventFrame() const;
     std::optional<std::size_t> frameAt(const StageTime& time) const;
-    std::optional<std::size_t> firstFrameFrom(const StageTime& time) const;
+    std::optional<std::size_t> frameAfter(long event) const;
+    std::optional<std::size_t> frameBefore(long event) const;
 
     std::shared_ptr<LiveRun> run_;
     bool goesOn_ = false, live_ = false, loops_ = false;

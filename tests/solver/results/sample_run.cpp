@@ -234,6 +234,7 @@ Results sampleResults() {
                        row(scene, 0, 0.3, 3, 300.0), row(scene, 0, 0.3, 3, 250.0), row(scene, 0, 1.0, 5, 50.0),
                        row(scene, 1, 0.5, 6, 60.0),  row(scene, 1, 2.0, 9, 90.0)};
     results.frames = {frame(0, 0.0, 0), frame(0, 1.0, 5), frame(1, 0.5, 6), frame(1, 2.0, 9)};
+    for (std::size_t f = 1; f < results.frames.size(); ++f) results.frames[f].events = 2;
     results.stages = {ended(0, Outcome::Equilibrium, 1.0, 5), ended(1, Outcome::Duration, 2.0, 4)};
     results.stages[0].message = "left moves";
     results.stages[0].blocks = {0, 1};

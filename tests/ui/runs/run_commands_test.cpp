@@ -65,6 +65,7 @@ TEST(RunCommands, CommandsOfTimeAreOffAtTheEnds) {
     event.time = 0.1;
     event.kind = EventKind::Debonding;
     batch.events = {event};
+    test::countEvents(batch.events, batch.frames);
     run->append(std::move(batch));
     for (const char* id : {"time.next", "time.previous", "time.home", "time.end", "time.nextEvent", "time.play"})
         EXPECT_FALSE(room.isOn(id)) << id;

@@ -33,6 +33,7 @@ std::shared_ptr<LiveRun> tenFrames() {
     add(0, 0.75, EventKind::Yield);
     add(1, 0.6, EventKind::JointSlip);
     add(1, 0.9, EventKind::PlateLoss);
+    test::countEvents(batch.events, batch.frames);
     run->append(std::move(batch));
     return run;
 }
@@ -67,6 +68,30 @@ TEST_F(TimeCursorTest, JumpsFromEventToEvent) {
     EXPECT_EQ(ahead(), (std::vector<std::size_t>{2, 8}));  // nothing but slips is shown
     cursor.setHidden(EventKind::JointSlip, true);
     EXPECT_FALSE(cursor.hasNextEvent());
+}
+
+TEST_F(TimeCursorTest, StopsJustBeforeAndJustAfterAnEvent) {
+    auto run = std::make_shared<LiveRun>("nowhere.kbrun",
+                                         LiveStart{std::make_shared<const Scene>(test::bricks()), HistoryColumns{}});
+    LiveBatch batch;
+    batch.stagesBegun = {0};
+    Event event;
+    event.time = 0.3;
+    event.kind = EventKind::Debonding;
+    batch.events = {event};
+    batch.frames = {{0, 0.0, 0, {}, 0}, {0, 0.3, 3, {}, 0}, {0, 0.3, 3, {}, 1}, {0, 1.0, 9, {}, 1}};
+    run->append(std::move(batch));
+    TimeCursor cursor;
+    cursor.setRun(run, false);
+    cursor.home();
+    std::vector<std::size_t> forward, back;
+    while (cursor.nextEvent()) forward.push_back(*cursor.frame());
+    EXPECT_EQ(forward, (std::vector<std::size_t>{1, 2}));
+    cursor.end();
+    while (cursor.previousEvent()) back.push_back(*cursor.frame());
+    EXPECT_EQ(back, (std::vector<std::size_t>{2, 1}));
+    cursor.goToEvent(event);
+    EXPECT_EQ(cursor.frame(), 2u);
 }
 
 TEST_F(TimeCursorTest, TellsWhetherThereIsMoreOnEitherSide) {
