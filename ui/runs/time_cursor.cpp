@@ -215,9 +215,10 @@ std::optional<std::size_t> TimeCursor::nextEventFrame() const {
 
 std::optional<std::size_t> TimeCursor::previousEventFrame() const {
     const std::size_t shown = hasMoment() ? frame().value_or(run_->frames().size()) : 0;
+    if (shown == 0) return std::nullopt;
     const bool passes = passesMinor();
     const auto& events = run_->eventList();
-    for (auto i = static_cast<long>(events.size()) - 1; shown > 0 && i >= 0; --i) {
+    for (auto i = static_cast<long>(events.size()) - 1; i >= 0; --i) {
         if (!stopsAt(events[static_cast<std::size_t>(i)], passes)) continue;
         for (const auto& stop : {frameAfter(i), frameBefore(i)})
             if (stop && *stop < shown) return stop;
