@@ -56,7 +56,7 @@ constexpr std::array<PayloadColumn, 15> nodeColumns{
      {"y", "m", "where the node is"},
      {"block", "", "index of the block that holds it; -1: in a gap, on a joint or outside"},
      {"real", "", "1 real anchor, 0 artificial anchor"},
-     {"state", "", "0 bonded, 1 slipping, 2 gone, 3 free"},
+     {"state", "", "0 bonded, 1 slipping, 2 failed (gone), 3 free"},
      {"axial_force", "N", "of the element that starts here, tension positive; at the last node the plate's normal"},
      {"shear_force", "N", "of the element that starts here; at the last node the plate's shear"},
      {"moment", "N m", "at the node"},

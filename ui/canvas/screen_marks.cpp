@@ -45,11 +45,11 @@ void paintMark(QPainter& painter, MarkKind kind, const QPointF& at, const QPoint
 
 QString markName(MarkKind kind) {
     switch (kind) {
-        case MarkKind::Bonded: return Texts::tr("Real, bonded");
-        case MarkKind::Artificial: return Texts::tr("Artificial");
-        case MarkKind::InGap: return Texts::tr("Artificial, gap");
+        case MarkKind::Bonded: return Texts::tr("Bonded");
+        case MarkKind::Artificial: return Texts::tr("Intermediate");
+        case MarkKind::InGap: return Texts::tr("In a gap");
         case MarkKind::Slipping: return Texts::tr("Slipping");
-        case MarkKind::Gone: return Texts::tr("Gone");
+        case MarkKind::Gone: return Texts::tr("Failed");
         case MarkKind::Yielded: return Texts::tr("Steel yielded");
         case MarkKind::Ruptured: return Texts::tr("Ruptured");
         case MarkKind::Plate: return Texts::tr("Face plate");

@@ -106,11 +106,11 @@ void drawMark(Ink& ink, MarkKind kind, const Point& at, const Point& along, bool
 
 std::string nameOf(MarkKind kind) {
     switch (kind) {
-        case MarkKind::Bonded: return "real, bonded";
-        case MarkKind::Artificial: return "artificial";
+        case MarkKind::Bonded: return "bonded";
+        case MarkKind::Artificial: return "intermediate";
         case MarkKind::InGap: return "in a gap";
         case MarkKind::Slipping: return "slipping";
-        case MarkKind::Gone: return "gone";
+        case MarkKind::Gone: return "failed";
         case MarkKind::Yielded: return "steel yielded";
         case MarkKind::Ruptured: return "ruptured";
         case MarkKind::Plate: return "face plate";

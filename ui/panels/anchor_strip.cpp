@@ -145,7 +145,7 @@ bool AnchorLine::event(QEvent* event) {
     const auto* help = static_cast<QHelpEvent*>(event);
     const std::size_t node = nodeAt(help->pos());
     QString text =
-        tr("Node %1 at %2 m: %3").arg(node).arg(metres(nodes_[node]), real_[node] ? tr("real") : tr("artificial"));
+        tr("Node %1 at %2 m: %3").arg(node).arg(metres(nodes_[node]), real_[node] ? tr("bonded") : tr("intermediate"));
     if (editable_) text += tr(". Click to change, drag to change several");
     QToolTip::showText(help->globalPos(), text, this);
     return true;
@@ -224,7 +224,7 @@ void AnchorStrip::refresh() {
     std::vector<bool> real = realNodes(anchors, nodes);
     const auto count = std::ranges::count(real, true);
     const auto rest = static_cast<std::ptrdiff_t>(real.size()) - count;
-    count_->setText(tr("%1 real · %2 artificial").arg(count).arg(rest));
+    count_->setText(tr("%1 bonded · %2 intermediate").arg(count).arg(rest));
     const PlateKind plate = bolt ? bolt->plate : pattern->plate;
     line_->present(std::move(nodes), std::move(real), plate != PlateKind::None, bolt != nullptr);
     hint_->setText(pattern ? tr("Those of the type. Bolts given one by one have anchored points of their own")
