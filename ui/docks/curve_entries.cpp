@@ -161,9 +161,11 @@ void addOther(CurveEntry& shown, const CurveEntry& other, const QString& name) {
     for (ChartCurve curve : other.chart.panels.front().curves) {
         if (overTime) curve = onAxis(std::move(curve), others, shown.chart.stages);
         curve.ofOther = true;
-        if (!curve.name.empty()) curve.name += " (" + name.toStdString() + ")";
+        if (!curve.name.empty()) curve.name += Texts::tr(", 2nd run").toStdString();
         panel.curves.push_back(std::move(curve));
     }
+    const QString dashed = Texts::tr("dashed: %1").arg(name);
+    panel.note += (panel.note.empty() ? "" : "; ") + dashed.toStdString();
     ValueRange& x = shown.chart.x;
     x = overTime ? ValueRange{x.low, shown.chart.stages.back().to}
                  : ValueRange{std::min(x.low, other.chart.x.low), std::max(x.high, other.chart.x.high)};

@@ -37,6 +37,13 @@ public:
         lines({{-5.0, -2.2}, {4.0, -2.2}, {1.2, -4.6}});
         lines({{5.0, 2.2}, {-4.0, 2.2}, {-1.2, 4.6}});
     }
+    void opening() {
+        stroke(theme_.text2, 1.4);
+        lines({{-5.0, -1.2}, {5.0, -1.2}});
+        lines({{-5.0, 1.2}, {5.0, 1.2}});
+        lines({{-2.0, -3.2}, {0.0, -5.2}, {2.0, -3.2}});
+        lines({{-2.0, 3.2}, {0.0, 5.2}, {2.0, 3.2}});
+    }
     void debonding() {
         fill(theme_.slipping, theme_.markInk);
         painter_.drawPolygon(moved({{0.0, -4.8}, {4.8, 0.0}, {0.0, 4.8}, {-4.8, 0.0}}));
@@ -91,6 +98,11 @@ private:
 
 QString nameOf(EventGroup group) {
     return QCoreApplication::translate("EventGroup", groupNames[static_cast<std::size_t>(group)]);
+}
+
+void drawEventMark(QPainter& painter, const Theme& theme, EventKind kind, const QPointF& at) {
+    if (kind == EventKind::JointOpen) MarkPainter(painter, theme, at).opening();
+    else drawEventMark(painter, theme, groupOf(kind), at);
 }
 
 void drawEventMark(QPainter& painter, const Theme& theme, EventGroup group, const QPointF& at) {

@@ -20,5 +20,7 @@ QString nameOf(EventGroup group);  // "debonding"
 
 /// The mark about `at`, as large as the look's page says.
 void drawEventMark(QPainter& painter, const Theme& theme, EventGroup group, const QPointF& at);
+/// The same of one kind: a joint that opens has a mark of its own in lists.
+void drawEventMark(QPainter& painter, const Theme& theme, EventKind kind, const QPointF& at);
 
 }  // namespace keyblock

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace keyblock {
 
@@ -37,7 +38,7 @@ QPixmap markOf(const Theme& theme, EventKind kind) {
     pixmap.setDevicePixelRatio(sharp);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
-    drawEventMark(painter, theme, groupOf(kind), {0.5 * side, 0.5 * side});
+    drawEventMark(painter, theme, kind, {0.5 * side, 0.5 * side});
     return pixmap;
 }
 
@@ -71,6 +72,11 @@ void EventsModel::takeMore() {
     endInsertRows();
 }
 
+int EventsModel::lastRowUntil(long events) const {
+    const auto after = std::lower_bound(rows_.begin(), rows_.end(), static_cast<std::size_t>(std::max(events, 0L)));
+    return static_cast<int>(after - rows_.begin()) - 1;
+}
+
 int EventsModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }
@@ -94,11 +100,8 @@ QVariant EventsModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::ToolTipRole) return asTip(chainOf(number));
     const bool isNumber = index.column() == Number || index.column() == Force || index.column() == Cause;
     if (role == Qt::TextAlignmentRole) return int(Qt::AlignVCenter | (isNumber ? Qt::AlignRight : Qt::AlignLeft));
-    if (role == Qt::ForegroundRole && cursor_.hasMoment()) {
-        const FrameHead head = cursor_.head();
-        const bool toCome = std::pair(event.stage, event.time) > std::pair(head.stage, head.time);
-        if (toCome) return themes_.current().text3;
-    }
+    if (role == Qt::ForegroundRole && cursor_.hasMoment() && static_cast<long>(number) >= cursor_.head().events)
+        return themes_.current().text3;
     return {};
 }
 
@@ -121,7 +124,7 @@ QVariant EventsModel::text(const Event& event, std::size_t number, int column) c
         }
         case Force: {
             const bool shear = event.kind == EventKind::ShearRupture || event.kind == EventKind::JointSlip;
-            const double force = shear ? event.shearForce : event.axialForce;
+            const double force = shear ? std::abs(event.shearForce) : event.axialForce;  // a shear force has no side here
             const ShownUnit unit = display_.shown("N");
             return force == 0.0 ? QString() : Display::number(unit.factor * force, 4) + ' ' + unit.symbol;
         }
@@ -211,7 +214,17 @@ void EventsList::showMoment() {
     view_->setVisible(any);
     empty_->setVisible(!any);
     view_->viewport()->update();
+    if (any && cursor_.hasMoment() && !cursor_.isLive() && !opening_) followMoment();
     Q_EMIT countChanged();
+}
+
+/// The last event that the shown moment has is the current row, in sight.
+void EventsList::followMoment() {
+    const int row = model_->lastRowUntil(cursor_.head().events);
+    const QModelIndex index = model_->index(std::max(row, 0), 0);
+    if (row >= 0) view_->setCurrentIndex(index);
+    else view_->setCurrentIndex({});
+    view_->scrollTo(index);
 }
 
 void EventsList::open(const QModelIndex& index) {
@@ -221,7 +234,9 @@ void EventsList::open(const QModelIndex& index) {
     if (number >= events.size()) return;
     const Event event = events[number];
     cursor_.pause();
+    opening_ = true;  // the row that was clicked stays the current one
     cursor_.goToEvent(event);
+    opening_ = false;
     if (event.bolt >= 0) choice_.choose(event.bolt);
     else if (event.block >= 0) Q_EMIT blockAsked(event.block, words(wordOf(event.kind)));
 }

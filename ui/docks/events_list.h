@@ -33,6 +33,9 @@ public:
     /// The event of a row, as its number in the run.
     std::size_t eventAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
 
+    /// The last row that is among the first `events` of the run; −1: none.
+    int lastRowUntil(long events) const;
+
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -69,6 +72,7 @@ Q_SIGNALS:
 private:
     void grow();
     void showMoment();
+    void followMoment();
     void open(const QModelIndex& index);
 
     TimeCursor& cursor_;
@@ -76,6 +80,7 @@ private:
     EventsModel* model_;
     QTreeView* view_;
     QLabel* empty_;
+    bool opening_ = false;  // an event that was clicked
 };
 
 }  // namespace keyblock

@@ -39,6 +39,18 @@ int gravityOf(EventGroup group) {
     return 0;
 }
 
+/// Counts each event at the mark nearest to it. \param placed in order, one at least where there are events
+void countEvents(const std::vector<PlacedEvent>& all, std::vector<PlacedEvent>& placed) {
+    for (PlacedEvent& mark : placed) mark.count = 0;
+    for (const PlacedEvent& event : all) {
+        auto nearest = std::lower_bound(placed.begin(), placed.end(), event.x,
+                                        [](const PlacedEvent& mark, double x) { return mark.x < x; });
+        const bool isLeft = nearest == placed.end() ||
+                            (nearest != placed.begin() && event.x - std::prev(nearest)->x < nearest->x - event.x);
+        ++(isLeft ? std::prev(nearest) : nearest)->count;
+    }
+}
+
 }  // namespace
 
 std::vector<PlacedEvent> placedEvents(const std::vector<Event>& events, const std::vector<double>& places,
@@ -59,6 +71,7 @@ std::vector<PlacedEvent> placedEvents(const std::vector<Event>& events, const st
         placed.push_back(mark);
     }
     std::sort(placed.begin(), placed.end(), [](const PlacedEvent& a, const PlacedEvent& b) { return a.x < b.x; });
+    countEvents(all, placed);
     return placed;
 }
 
@@ -147,6 +160,7 @@ QString TimeTrack::tipAt(const QPointF& at) const {
         const std::string subject = event.bolt >= 0 ? boltName(run.scene(), event.bolt)
                                                     : blockName(run.blockNames(), event.block);
         if (!subject.empty()) text += QStringLiteral(" · ") + QString::fromStdString(subject);
+        if (mark.count > 1) text += QStringLiteral(" · ") + tr("%1 events here; turn the wheel to zoom in").arg(mark.count);
         return text + QStringLiteral(" · ") +
                QString::fromStdString(timeText(run.scene(), event.stage, event.time));
     }

@@ -23,6 +23,7 @@ struct PlacedEvent {
     EventGroup group = EventGroup::Slip;
     double x = 0.0;  // [px]
     std::size_t event = 0;
+    int count = 1;  // of events at this mark, those without room among them
 };
 
 /// The gravest events first, each where it keeps `least` [px] from those that were put down; `places` [px], one an
@@ -71,6 +72,7 @@ private:
     void paintStage(QPainter& painter, const Stage& stage, double from, double to, double done) const;
     void paintTicks(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
+    void paintCounts(QPainter& painter, const std::vector<PlacedEvent>& placed) const;
     void paintCursors(QPainter& painter) const;
     void paintFlag(QPainter& painter, double x, const QString& letter, bool filled) const;
 

@@ -199,6 +199,7 @@ void TimeTrack::paintMarks(QPainter& painter) const {
             painter.drawLine(QPointF(mark.x, bandTop + bandHeight), QPointF(mark.x, axisAt));
         }
     for (const PlacedEvent& mark : placed) drawEventMark(painter, theme, mark.group, {mark.x, marksAt});
+    paintCounts(painter, placed);
     for (const std::size_t frame : cursor_.bookmarks()) {
         const FrameHead& head = cursor_.run()->frames()[frame];
         const double x = xOf(axis_.at(head.stage, head.time));
@@ -207,6 +208,20 @@ void TimeTrack::paintMarks(QPainter& painter) const {
         const double y = bandTop - 1.0;
         const QVector<QPointF> ribbon{{x - 3.5, y - 8.0}, {x + 3.5, y - 8.0}, {x + 3.5, y}, {x, y - 3.0}, {x - 3.5, y}};
         painter.drawPolygon(QPolygonF(ribbon));
+    }
+}
+
+/// How many events a mark has, where there is room up to the next one.
+void TimeTrack::paintCounts(QPainter& painter, const std::vector<PlacedEvent>& placed) const {
+    painter.setFont(screenFont(10));
+    painter.setPen(themes_.current().text2);
+    const QFontMetricsF metrics(painter.font());
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        if (placed[i].count < 2) continue;
+        const QString count = QString::number(placed[i].count);
+        const double from = placed[i].x + 7.0, wide = metrics.horizontalAdvance(count);
+        const double end = i + 1 < placed.size() ? placed[i + 1].x - 7.0 : width() - 2.0;
+        if (from + wide <= end) painter.drawText(QPointF(from, marksAt + 3.5), count);
     }
 }
 

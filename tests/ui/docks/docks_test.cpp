@@ -52,6 +52,7 @@ std::shared_ptr<LiveRun> elevenFrames() {
     batch.events = {eventOf(0, 0.15, EventKind::JointSlip, -1, 1), eventOf(0, 0.45, EventKind::Debonding, 0),
                     eventOf(0, 0.75, EventKind::PlateLoss, 0)};
     batch.events[2].cause = 1;
+    test::countEvents(batch.events, batch.frames);
     run->append(std::move(batch));
     return run;
 }
@@ -69,6 +70,9 @@ TEST(TimeTrack, ThousandsOfEventsThinOutAndTheGravestStay) {
     const std::vector<PlacedEvent> placed = placedEvents(events, places, 10.0);
     EXPECT_GT(placed.size(), 50u);
     bool rupture = false;
+    int counted = 0;
+    for (const PlacedEvent& mark : placed) counted += mark.count;
+    EXPECT_EQ(counted, 5000);
     for (std::size_t i = 0; i < placed.size(); ++i) {
         EXPECT_TRUE(i == 0 || placed[i].x - placed[i - 1].x >= 10.0);
         rupture = rupture || placed[i].event == 2500;
@@ -185,6 +189,11 @@ TEST_F(DocksTest, AClickOnAnEventGoesThereAndSelectsItsBolt) {
                       view->visualRect(view->model()->index(0, EventsModel::What)).center());
     EXPECT_EQ(asked, 1);
     EXPECT_EQ(cursor.frame(), 2u);
+    cursor.goTo(6);  // the list follows
+    EXPECT_EQ(view->currentIndex().row(), 1);
+    cursor.goTo(0);
+    EXPECT_FALSE(view->currentIndex().isValid());
+    cursor.goTo(2);
     const QString chain = view->model()->index(2, 0).data(Qt::ToolTipRole).toString();
     EXPECT_TRUE(chain.contains("debonding") && chain.contains("plate loss") && chain.startsWith("the load"))
         << chain.toStdString();
