@@ -30,7 +30,7 @@ constexpr int bandRoom = 46;  // [px] above the curves
 constexpr double bandTop = 16.0, bandHeight = 26.0;  // in it
 constexpr int leastBetween = 150;  // [ms] between two pictures of a run that goes on
 constexpr std::size_t manyMarks = 24;
-constexpr std::size_t mostRead = 120;  // frames of a stored run, evenly over all
+constexpr std::size_t mostRead = 240;  // frames of a stored run, evenly over all
 constexpr ChartLayout strip{15.0, 15.0, 1.2, true};
 
 struct PanelChoice {
@@ -63,6 +63,8 @@ struct BoltStrip::Past {
     std::shared_ptr<const LiveRun> run;
     BoltReach reach;
     bool read = false;
+    int held = -1;  // the most loaded bolt, unless another is selected
+    bool ofAll = false;  // of the whole run
 
     /// Frames of the store, once.
     void readStored(std::size_t count) {
@@ -175,12 +177,18 @@ void BoltStrip::make() {
                    wantedPanels, stored, numbers = display_.numbers()]() -> Background::Result {
         try {
             const auto frame = moment->sharedFrame();
-            const int bolt = wanted >= 0 ? wanted : mostLoadedBolt(*frame);
+            const bool isSame = past && past->run == run;
+            int held = isSame ? past->held : -1;
+            if (stored == 0) held = mostLoadedBolt(*frame, held);
+            else if (!isSame || !past->ofAll) held = mostLoadedBolt(run->frame(stored - 1));
+            const int bolt = wanted >= 0 ? wanted : held;
             if (bolt < 0 || frame->bolts[static_cast<std::size_t>(bolt)].nodes.size() < 2)
                 return [this] { showNothing(tr("The bolt is not there at this moment.")); };
             std::shared_ptr<Past> known = past;
             if (!known || known->run != run || known->reach.bolt() != bolt)
                 known = std::make_shared<Past>(Past{run, BoltReach(bolt)});
+            known->held = held;
+            known->ofAll = stored > 0;
             if (stored > 0) known->readStored(stored);
             known->reach.add(*frame);
             auto shown = std::make_shared<Shown>();

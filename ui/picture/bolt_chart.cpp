@@ -128,6 +128,21 @@ void BoltReach::add(const Frame& frame) {
         most = std::max(most, keyblock::largest(bolt, quantity));
     }
     largestForce_ = std::max(largestForce_, keyblock::largest(bolt, *findQuantity(boltQuantities(), "axial_force")));
+    addPeaks(frame);
+}
+
+/// Largest forces between frames.
+void BoltReach::addPeaks(const Frame& frame) {
+    if (static_cast<std::size_t>(bolt_) >= frame.extremes.size()) return;
+    for (const NodeQuantity& quantity : boltQuantities()) {
+        const BoltPeak* peak = peakOf(frame.extremes[static_cast<std::size_t>(bolt_)], quantity.name);
+        if (!peak) continue;
+        ValueRange& reached = reached_[quantity.column];
+        reached = {std::min(reached.low, peak->value), std::max(reached.high, peak->value)};
+        double& most = largest_[quantity.column];
+        most = std::max(most, std::abs(peak->value));
+        if (quantity.name == "axial_force") largestForce_ = std::max(largestForce_, std::abs(peak->value));
+    }
 }
 
 ValueRange BoltReach::reached(std::string_view column) const {
@@ -264,9 +279,19 @@ private:
             if (quantity.name == "anchor_force") addBondLimits(now(), quantity.display.factor, panel);
             const ValueRange reached = reach_.reached(quantity.column);
             panel.reached = {reached.low * quantity.display.factor, reached.high * quantity.display.factor};
+            reachForCapacity(panel);
             fitRange(panel);
             chart_.chart.panels.push_back(std::move(panel));
         }
+    }
+
+    /// The first capacity that was not reached is in view, however far it is.
+    static void reachForCapacity(ChartPanel& panel) {
+        if (!panel.title.starts_with("Axial")) return;
+        const ChartLimit* next = nullptr;
+        for (const ChartLimit& limit : panel.limits)
+            if (limit.value >= panel.reached.high && (!next || limit.value < next->value)) next = &limit;
+        if (next) panel.reached.high = next->value;
     }
 
     static void addEnvelope(const Envelope& envelope, double factor, ChartPanel& panel) {
@@ -329,13 +354,25 @@ BoltChart boltChart(const RunSource& run, std::size_t frame, const BoltReach& re
     return BoltChartBuilder(run, frame, reach.bolt(), &reach).build();
 }
 
-int mostLoadedBolt(const Frame& frame) {
-    const NodeQuantity& axial = *findQuantity(boltQuantities(), "axial_force");
-    int found = -1;
-    double most = -1.0;
+namespace {
+
+/// Largest axial force of a bolt in the run until the frame; −1 of one that was never there.
+double loadOf(const Frame& frame, std::size_t bolt) {
+    const double peak = bolt < frame.extremes.size() ? std::abs(frame.extremes[bolt].axialForce.value) : 0.0;
+    const bool isThere = frame.bolts[bolt].nodes.size() > 1;
+    if (!isThere) return peak > 0.0 ? peak : -1.0;
+    return std::max(peak, largest(frame.bolts[bolt], *findQuantity(boltQuantities(), "axial_force")));
+}
+
+}  // namespace
+
+int mostLoadedBolt(const Frame& frame, int held) {
+    constexpr double more = 1.5;  // than the bolt that is held
+    int found = held >= 0 && static_cast<std::size_t>(held) < frame.bolts.size() ? held : -1;
+    double most = found >= 0 ? more * loadOf(frame, static_cast<std::size_t>(found)) : -1.0;
     for (std::size_t b = 0; b < frame.bolts.size(); ++b)
-        if (frame.bolts[b].nodes.size() > 1 && largest(frame.bolts[b], axial) > most) {
-            most = largest(frame.bolts[b], axial);
+        if (const double load = loadOf(frame, b); load > most) {
+            most = load;
             found = static_cast<int>(b);
         }
     return found;

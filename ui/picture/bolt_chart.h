@@ -44,6 +44,8 @@ public:
     double largestForce() const { return largestForce_; }  // axial [N]
 
 private:
+    void addPeaks(const Frame& frame);
+
     int bolt_;
     std::map<std::string_view, ValueRange> reached_;
     std::map<std::string_view, double> largest_;
@@ -57,7 +59,8 @@ BoltChart boltChart(const RunSource& run, std::size_t frame, const BoltReach& re
 /// \pre the frame holds the bolt.
 BoltChart boltChart(const RunSource& run, std::size_t frame, int bolt);
 
-/// The bolt with the largest axial force in the frame; −1 when it holds none.
-int mostLoadedBolt(const Frame& frame);
+/// The bolt with the largest axial force in the run until the frame; −1 when it holds none. A bolt that is `held` stays
+/// until another has carried half as much again, so that a run that is watched does not jump between bolts.
+int mostLoadedBolt(const Frame& frame, int held = -1);
 
 }  // namespace keyblock

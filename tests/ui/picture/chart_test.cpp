@@ -39,7 +39,7 @@ TEST(BoltChart, ShowsForcesOfElementsAsSteps) {
     const ChartCurve& curve = axial.curves.back();
     EXPECT_EQ(curve.x, (std::vector<double>{0.0, 0.5, 0.5, 1.0, 1.0, 1.5}));
     EXPECT_EQ(curve.y, (std::vector<double>{25.0, 25.0, 100.0, 100.0, 25.0, 25.0}));
-    ASSERT_EQ(axial.limits.size(), 1u);
+    ASSERT_FALSE(axial.limits.empty());  // in view, however far
     EXPECT_EQ(axial.limits[0].name, "yield");
 }
 
