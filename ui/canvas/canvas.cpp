@@ -22,6 +22,7 @@ namespace keyblock {
 namespace {
 
 constexpr double rimOfRoom = 12.0;  // between what is fitted and the edge [px]
+constexpr double stepOfFitted = 0.08;  // of its extent, by which what is fitted grows at least
 constexpr double reachOfPick = 6.0;  // [px]
 
 }  // namespace
@@ -36,6 +37,7 @@ Canvas::Canvas(const Themes& themes, QWidget* parent)
     setHint(tr("Nothing here yet"), tr("Open a scene, or draw an outline."));
     if (const auto& missing = missingOpenGl()) withoutGl_ = makeWithoutGlPanel(*missing, this);
     else section_ = new SectionWidget(this);
+    if (section_) section_->beforePaint = [this] { renderOwed(); };
     sheet_->raise();
     sheet_->setVisible(section_ != nullptr);
     timer_->setSingleShot(true);
@@ -48,13 +50,30 @@ Canvas::~Canvas() = default;
 
 void Canvas::show(std::shared_ptr<const SectionPicture> picture) {
     const bool isFirst = picture && !picture_;
+    const QRectF before = room();
     picture_ = std::move(picture);
     index_.reset();
-    if (isFirst) {
-        kept_ = picture_->window;
+    if (isFirst) kept_ = picture_->window;
+    fitsAlone_ = fitsAlone_ || isFirst;
+    const bool grew = growFitted();
+    if (isFirst || grew || (kept_ && room() != before)) {  // a legend takes room from what was fitted
         layOut();
+        Q_EMIT viewChanged();
     }
     sceneChanged();
+}
+
+/// What was fitted without the user's doing grows with what the picture shows, by steps, so that nothing that moves away
+/// goes below the legend. \return true where it did.
+bool Canvas::growFitted() {
+    if (!picture_ || !kept_ || !fitsAlone_) return false;
+    const Box &shown = picture_->window, &kept = *kept_;
+    if ((shown.min.array() >= kept.min.array()).all() && (shown.max.array() <= kept.max.array()).all()) return false;
+    const Point low = shown.min.cwiseMin(kept.min), high = shown.max.cwiseMax(kept.max);
+    const Point step = stepOfFitted * (high - low);
+    kept_ = Box{(shown.min.array() < kept.min.array()).select(low - step, kept.min),
+                (shown.max.array() > kept.max.array()).select(high + step, kept.max)};
+    return true;
 }
 
 void Canvas::setTool(CanvasTool* tool) {
@@ -87,6 +106,7 @@ void Canvas::setSelectedBolts(const std::vector<int>& bolts) {
 
 void Canvas::setLegend(bool legend) {
     hasLegend_ = legend;
+    layOut();
     sheet_->forget();
     refresh();
 }
@@ -120,10 +140,12 @@ void Canvas::fit() {
     const double off = (about.centre() - map_.centre()).norm() * map_.pixelsPerMetre();
     const bool isSeen = off < 1.0 && std::abs(about.pixelsPerMetre() / map_.pixelsPerMetre() - 1.0) < 1e-3;
     zoomTo(isSeen ? picture_->model : picture_->window);
+    fitsAlone_ = true;
 }
 
 void Canvas::zoomTo(const Box& box) {
     kept_ = box;
+    fitsAlone_ = false;
     map_.show(box, room());
     mapChanged();
 }
@@ -141,8 +163,8 @@ void Canvas::panBy(const QPointF& pixels) {
 }
 
 void Canvas::lookAs(const CanvasMap& other) {
-    kept_.reset();
     if (map_.centre() == other.centre() && map_.pixelsPerMetre() == other.pixelsPerMetre()) return;
+    kept_.reset();
     map_.lookAs(other);
     mapChanged();
 }
@@ -178,6 +200,13 @@ void Canvas::mapChanged() {
 void Canvas::schedule() {
     sheet_->update();
     if (section_ && !timer_->isActive()) timer_->start();
+}
+
+/// What waits for the timer, before it is painted.
+void Canvas::renderOwed() {
+    if (!timer_->isActive()) return;
+    timer_->stop();
+    renderNow();
 }
 
 /// All that changed since the last time at once, so that ten wheel steps cost one picture.

@@ -9,6 +9,7 @@
 #include "ui/canvas/canvas_map.h"
 #include "ui/canvas/canvas_tool.h"
 #include "ui/canvas/culprit.h"
+#include "ui/canvas/legend_panel.h"
 #include "ui/picture/pick.h"
 #include "ui/view/view_colours.h"
 
@@ -34,8 +35,8 @@ public:
     explicit Canvas(const Themes& themes, QWidget* parent = nullptr);
     ~Canvas() override;
 
-    /// Null: nothing is there, and a hint stands in the middle. The first picture after that is fitted; later ones are
-    /// shown where the view stands.
+    /// Null: nothing is there, and a hint stands in the middle. The first picture after that is fitted, and what was
+    /// fitted is fitted again next to a legend that appears; other pictures are shown where the view is.
     void show(std::shared_ptr<const SectionPicture> picture);
     using QWidget::show;
     const std::shared_ptr<const SectionPicture>& picture() const { return picture_; }
@@ -86,6 +87,8 @@ Q_SIGNALS:
     void viewChanged();
     /// Space was pressed and let go without a drag.
     void spaceTapped();
+    /// The bar of a quantity in the legend was clicked; the point is to the left of it, on the screen.
+    void legendClicked(keyblock::LegendPart part, const QPoint& global);
 
 protected:
     bool event(QEvent* event) override;
@@ -106,11 +109,13 @@ protected:
 private:
     friend class CanvasSheet;
     void layOut();
+    bool growFitted();
     void sceneChanged();  // of shapes, colours or style
     void mapChanged();
     void schedule();
+    void renderOwed();
     void renderNow();
-    void showCursor();
+    void showCursor(const std::optional<QPointF>& pixel = std::nullopt);
     bool startsPan(const QMouseEvent& event) const;
     CanvasEvent eventOf(const QMouseEvent& event) const;
     QRectF room() const;
@@ -132,6 +137,7 @@ private:
     bool shapesChanged_ = true;
     std::optional<Box> extent_;
     std::optional<Box> kept_;  // what was fitted and stays in sight when the size changes, until somebody pans or zooms
+    bool fitsAlone_ = false;  // what is kept was not chosen by the user
     bool spaceDown_ = false, spacePanned_ = false;
     std::optional<QPointF> panFrom_;
     Qt::MouseButtons held_ = Qt::NoButton;  // whose release the tool is to hear of

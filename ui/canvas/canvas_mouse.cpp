@@ -4,6 +4,8 @@
 // What mouse and keys do to the canvas itself, and what it hands on to the tool.
 #include "ui/canvas/canvas.h"
 
+#include "ui/canvas/canvas_sheet.h"
+
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QKeyEvent>
@@ -31,10 +33,14 @@ bool Canvas::startsPan(const QMouseEvent& event) const {
     return event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && spaceDown_);
 }
 
-void Canvas::showCursor() {
+void Canvas::showCursor(const std::optional<QPointF>& pixel) {
+    const bool onLegend = pixel && sheet_->legendPartAt(*pixel) && held_ == Qt::NoButton;
+    const QString tip = onLegend && !boxWanted_ ? tr("Click to change the scale of the colours") : QString();
+    if (tip != toolTip()) setToolTip(tip);
     if (panFrom_) setCursor(Qt::ClosedHandCursor);
     else if (boxWanted_) setCursor(Qt::CrossCursor);
     else if (spaceDown_) setCursor(Qt::OpenHandCursor);
+    else if (onLegend) setCursor(Qt::PointingHandCursor);
     else setCursor(tool_ ? tool_->cursor() : QCursor(Qt::ArrowCursor));
 }
 
@@ -59,6 +65,9 @@ void Canvas::mousePressEvent(QMouseEvent* event) {
         showCursor();
     } else if (boxWanted_) {
         if (event->button() == Qt::LeftButton) boxFrom_ = boxTo_ = event->localPos();
+    } else if (const auto part = sheet_->legendPartAt(event->localPos()); part && event->button() == Qt::LeftButton) {
+        const int left = width() - static_cast<int>(legendWidth(size())) - 6;  // next to the legend, not over it
+        Q_EMIT legendClicked(*part, mapToGlobal({left, event->pos().y() - 20}));
     } else if (tool_ && !panFrom_) {
         held_ |= event->button();
         tool_->press(eventOf(*event));
@@ -73,9 +82,9 @@ void Canvas::mouseMoveEvent(QMouseEvent* event) {
     } else if (boxWanted_) {
         if (boxFrom_) boxTo_ = event->localPos();
         refresh();
-    } else if (tool_) {
-        tool_->move(eventOf(*event));
-        showCursor();
+    } else {
+        if (tool_) tool_->move(eventOf(*event));
+        showCursor(event->localPos());
     }
     Q_EMIT hovered(map_.toPlace(event->localPos()), true);
 }

@@ -24,6 +24,7 @@ CanvasSheet::CanvasSheet(Canvas& canvas) : QWidget(&canvas), canvas_(canvas) {
 void CanvasSheet::paintEvent(QPaintEvent*) {
     if (kept_.isNull()) {
         panels_.clear();
+        parts_.clear();
         kept_ = QPixmap(size() * devicePixelRatioF());
         kept_.setDevicePixelRatio(devicePixelRatioF());
         kept_.fill(Qt::transparent);
@@ -92,6 +93,14 @@ void CanvasSheet::paintPicture(QPainter& painter) {
                    canvas_.style_.selectedBolts, canvas_.culprit_);
     ink.paint(painter);
     for (const QRectF& panel : ink.panels()) panels_.push_back(panel.toAlignedRect());
+    for (const LegendPart part : {LegendPart::Blocks, LegendPart::Bolts})
+        if (const QRectF rect = ink.legendPart(part); !rect.isEmpty()) parts_.emplace_back(part, rect);
+}
+
+std::optional<LegendPart> CanvasSheet::legendPartAt(const QPointF& pixel) const {
+    for (const auto& [part, rect] : parts_)
+        if (rect.contains(pixel)) return part;
+    return std::nullopt;
 }
 
 }  // namespace keyblock

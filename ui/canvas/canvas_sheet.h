@@ -6,8 +6,14 @@
 // own strokes.
 #pragma once
 
+#include "ui/canvas/legend_panel.h"
+
 #include <QPixmap>
 #include <QWidget>
+
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace keyblock {
 
@@ -22,6 +28,9 @@ public:
     /// The picture or the view is another one.
     void forget() { kept_ = {}; }
 
+    /// The quantity whose bar of the legend lies under a pixel.
+    std::optional<LegendPart> legendPartAt(const QPointF& pixel) const;
+
 protected:
     void paintEvent(QPaintEvent* event) override;
 
@@ -34,6 +43,7 @@ private:
     Canvas& canvas_;
     QPixmap kept_;
     std::vector<QRect> panels_;  // of it: what overlays and tools stay below
+    std::vector<std::pair<LegendPart, QRectF>> parts_;  // of the legend
 };
 
 }  // namespace keyblock

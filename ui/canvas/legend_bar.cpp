@@ -20,6 +20,7 @@ namespace keyblock {
 namespace {
 
 constexpr double titleRow = 22.0, limitRow = 15.0, barHeight = 11.0, tickRow = 19.0, noteRow = 15.0, tip = 8.0;  // [px]
+constexpr double openerRoom = 13.0;  // [px]
 constexpr int tickSize = 11, noteSize = 11;  // of the fonts [px]
 
 struct Texts {
@@ -28,20 +29,33 @@ struct Texts {
 QString qt(const std::string& word) { return QString::fromStdString(word); }
 double widthOf(const QString& word, int size) { return QFontMetricsF(screenFont(size)).horizontalAdvance(word); }
 
+/// Which values the colours span.
+QString scaleText(const LegendBar& bar) {
+    const QString clipped = bar.clips() ? Texts::tr(" (extreme 2 % clipped)") : QString();
+    switch (bar.scale.of) {
+        case ScaleOf::AllFrames: return Texts::tr("Same scale in all frames") + clipped;
+        case ScaleOf::ThisFrame: return Texts::tr("Scale of this frame") + clipped;
+        case ScaleOf::Own: return Texts::tr("Range set by hand");
+    }
+    return {};
+}
+
 /// What the values are now, with the sign convention on the same line where both fit.
 QStringList notesOf(const LegendBar& bar, double width) {
     QStringList notes;
     const bool large = std::max(std::abs(bar.range.low), std::abs(bar.range.high)) >= 1e4;
     const int decimals = large ? 0 : bar.ticks.decimals + 1;
     if (bar.now)
-        notes << Texts::tr("Now %1 – %2")
+        notes << Texts::tr("This frame: %1 to %2")
                      .arg(qt(numberText(bar.now->low, decimals)), qt(numberText(bar.now->high, decimals)));
     if (const QString convention = qt(bar.convention); !convention.isEmpty()) {
         const QString joined = notes.isEmpty() ? convention : notes.last() + " · " + convention;
         if (!notes.isEmpty() && widthOf(joined, noteSize) <= width) notes.last() = joined;
         else notes << convention;
     }
-    return notes << Texts::tr("Fixed over all frames");
+    if (bar.dashed == "compression") notes << Texts::tr("Dashed: compression");
+    else if (!bar.dashed.empty()) notes << Texts::tr("Dashed: negative");
+    return notes << scaleText(bar);
 }
 
 /// With a triangle at ends beyond which there are values.
@@ -54,11 +68,21 @@ QPolygonF outlineOf(const LegendBar& bar, const QPointF& at, double from, double
     return outline;
 }
 
+/// A small arrow: a click opens the choice of a scale. \param end where it ends, at half its height
+void paintOpener(QPainter& painter, const Theme& theme, const QPointF& end) {
+    painter.save();
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.text3);
+    const QVector<QPointF> corners{end + QPointF(-8.0, -2.0), end + QPointF(0.0, -2.0), end + QPointF(-4.0, 2.5)};
+    painter.drawPolygon(QPolygonF(corners));
+    painter.restore();
+}
+
 void fillBar(QPainter& painter, const Theme& theme, const LegendBar& bar, const QPointF& at, double from, double to) {
     QLinearGradient gradient(at.x() + from, 0.0, at.x() + to, 0.0);
-    const ColourMap& map = bar.mapOn(theme.dark);
-    for (std::size_t i = 0; i < map.size(); ++i)
-        gradient.setColorAt(static_cast<double>(i) / static_cast<double>(map.size() - 1), qtColour(map[i]));
+    QGradientStops stops;
+    for (const auto& [share, colour] : bar.stops(theme.dark)) stops.append({share, qtColour(colour)});
+    gradient.setStops(stops);
     painter.setPen(QPen(theme.border, 1.0));
     painter.setBrush(gradient);
     painter.drawPolygon(outlineOf(bar, at, from, to).translated(0.5, 0.5));
@@ -132,10 +156,11 @@ void paintLegendBar(QPainter& painter, const Theme& theme, const LegendBar& bar,
     const QString unit = qt(bar.unit);
     painter.setFont(plain);
     painter.setPen(theme.text2);
-    painter.drawText(QRectF(at, QSizeF(width, 16.0)), Qt::AlignVCenter | Qt::AlignRight, unit);
+    painter.drawText(QRectF(at, QSizeF(width - openerRoom, 16.0)), Qt::AlignVCenter | Qt::AlignRight, unit);
+    paintOpener(painter, theme, at + QPointF(width, 8.0));
     painter.setFont(bold);
     painter.setPen(theme.text);
-    const double room = width - widthOf(unit, 11) - 8.0;
+    const double room = width - widthOf(unit, 11) - 8.0 - openerRoom;
     painter.drawText(QRectF(at, QSizeF(width, 16.0)), Qt::AlignVCenter,
                      QFontMetricsF(bold).elidedText(qt(bar.title), Qt::ElideRight, room));
     const QPointF top(std::round(at.x()), std::round(at.y() + titleRow + (bar.limits.empty() ? 0.0 : limitRow)));

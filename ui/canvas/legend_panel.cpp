@@ -28,6 +28,7 @@ constexpr double leastCanvas = 480.0;  // below it the legend would hide the sec
 struct Item {
     double height = 0.0;  // [px]
     std::function<void(QPainter&, const QPointF&)> paint;
+    std::optional<LegendPart> part{};
 };
 
 QString deformationText(double factor) {
@@ -39,22 +40,22 @@ QString deformationText(double factor) {
 std::vector<Item> quantitiesOf(const Theme& theme, const LegendContent& content, double inner) {
     const SectionPicture& picture = content.picture;
     std::vector<Item> items;
-    const auto addBar = [&](const std::optional<LegendBar>& bar) {
+    const auto addBar = [&](const std::optional<LegendBar>& bar, LegendPart part) {
         if (bar)
             items.push_back({legendBarHeight(*bar, inner), [&theme, &bar, inner](QPainter& painter, const QPointF& at) {
                                  paintLegendBar(painter, theme, *bar, at, inner);
-                             }});
+                             }, part});
     };
-    addBar(picture.blockLegend);
+    addBar(picture.blockLegend, LegendPart::Blocks);
     if (picture.arrows && picture.arrows->largest > 0.0)
         items.push_back({legendArrowsHeight(*picture.arrows, inner), [&, inner](QPainter& painter, const QPointF& at) {
                              paintLegendArrows(painter, theme, *content.picture.arrows, at, inner);
                          }});
-    if (picture.contacts)
-        items.push_back({legendContactsHeight(*picture.contacts, inner), [&, inner](QPainter& painter, const QPointF& at) {
-                             paintLegendContacts(painter, theme, *content.picture.contacts, content.scale, at, inner);
+    if (content.contacts)
+        items.push_back({legendContactsHeight(*content.contacts, inner), [&, inner](QPainter& painter, const QPointF& at) {
+                             paintLegendContacts(painter, theme, *content.contacts, content.scale, at, inner);
                          }});
-    addBar(picture.boltLegend);
+    addBar(picture.boltLegend, LegendPart::Bolts);
     return items;
 }
 
@@ -102,6 +103,17 @@ double legendWidth(const QSizeF& canvas) { return canvas.width() < leastCanvas ?
 
 QRectF legendRect(const Theme& theme, const LegendContent& content, const QSizeF& canvas) {
     return rectOf(itemsWithin(theme, content, canvas), canvas);
+}
+
+QRectF legendPartRect(const Theme& theme, const LegendContent& content, const QSizeF& canvas, LegendPart part) {
+    const std::vector<Item> items = itemsWithin(theme, content, canvas);
+    QRectF row = rectOf(items, canvas).adjusted(0.0, above, 0.0, 0.0);
+    for (const Item& item : items) {
+        row.setHeight(item.height);
+        if (item.part == part) return row.adjusted(0.0, -0.4 * between, 0.0, 0.4 * between);
+        row.translate(0.0, item.height + between);
+    }
+    return {};
 }
 
 void paintLegend(QPainter& painter, const Theme& theme, const LegendContent& content, const QSizeF& canvas) {

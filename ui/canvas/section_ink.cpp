@@ -31,6 +31,7 @@ SectionInk::SectionInk(const SectionPicture& picture, const CanvasMap& map, cons
                        const std::optional<Culprit>& culprit)
     : picture_(picture), map_(map), theme_(theme), hasLegend_(hasLegend), selected_(selected), culprit_(culprit),
       placement_(sheetOf(map), pixelsPerMm) {
+    if (picture.contacts) contacts_ = seenWithin(*picture.contacts, map.window());
     moved_ = movedBlocks(picture, map.pixelsPerMetre(), onTheScreen);
     chooseMarks();
 }
@@ -69,6 +70,7 @@ void SectionInk::paint(QPainter& painter) {
     paintMoved(painter);
     paintCulprit(painter);
     paintBroken(painter);
+    paintDashes(painter);
     keepOffPanels();
     keepOffBolts();
     paintRibbon(painter);
@@ -87,7 +89,7 @@ void SectionInk::keepOffBolts() {
 }
 
 LegendContent SectionInk::legendContent() const {
-    return {picture_, kindsOf(marks_), culprit_.has_value(), map_.pixelsPerMetre()};
+    return {picture_, contacts_ ? &*contacts_ : nullptr, kindsOf(marks_), culprit_.has_value(), map_.pixelsPerMetre()};
 }
 
 /// Panels take their room before anything else, and are painted over everything.
@@ -101,6 +103,10 @@ std::vector<QRectF> SectionInk::panels() const {
     panels.push_back(scaleBarRect(map_));
     std::erase_if(panels, [](const QRectF& panel) { return panel.isEmpty(); });
     return panels;
+}
+
+QRectF SectionInk::legendPart(LegendPart part) const {
+    return hasLegend_ ? legendPartRect(theme_, legendContent(), map_.size(), part) : QRectF();
 }
 
 void SectionInk::paintPanels(QPainter& painter) const {
@@ -130,6 +136,29 @@ void SectionInk::paintCulprit(QPainter& painter) const {
         painter.setPen(pen);
         painter.setBrush(Qt::NoBrush);
         painter.drawPolygon(onSheet(block.outline));
+    }
+}
+
+/// Dashes within the bar where its force is compression, as colours say only how large it is.
+void SectionInk::paintDashes(QPainter& painter) const {
+    if (!picture_.boltLegend || picture_.boltLegend->dashed.empty()) return;
+    QPen pen(theme_.markCasing, std::max(1.2, 0.36 * shankWidth(picture_, map_.pixelsPerMetre())));
+    pen.setCapStyle(Qt::FlatCap);
+    pen.setDashPattern({3.0, 3.0});
+    painter.setPen(pen);
+    for (const BoltShape& bolt : picture_.bolts) {
+        QPolygonF run;
+        const auto end = [&] {
+            if (run.size() > 1) painter.drawPolyline(run);
+            run.clear();
+        };
+        for (std::size_t e = 0; e < bolt.values.size(); ++e) {
+            const bool dashed = !bolt.broken[e] && picture_.boltLegend->isDashed(bolt.values[e]);
+            if (dashed && run.isEmpty()) run << map_.toPixel(bolt.nodes[e]);
+            if (dashed) run << map_.toPixel(bolt.nodes[e + 1]);
+            else end();
+        }
+        end();
     }
 }
 

@@ -34,6 +34,8 @@ public:
 
     /// Legend and scale bar [px], as far as they are shown.
     std::vector<QRectF> panels() const;
+    /// The bar of a quantity in the legend [px]; empty where it is not shown.
+    QRectF legendPart(LegendPart part) const;
 
 private:
     Point onSheet(const Point& place) const;
@@ -44,6 +46,7 @@ private:
     void paintMoved(QPainter& painter) const;
     void paintCulprit(QPainter& painter) const;
     void paintBroken(QPainter& painter) const;
+    void paintDashes(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
     void paintNames(QPainter& painter);
     void paintName(QPainter& painter, const BoltShape& bolt, const QString& name, const QRectF& box) const;
@@ -65,6 +68,7 @@ private:
     bool hasLegend_;
     const std::vector<int>& selected_;
     const std::optional<Culprit>& culprit_;
+    std::optional<ContactField> contacts_;  // those in view
     std::vector<double> spacing_;  // of each bolt [px]
     std::vector<std::vector<Mark>> marks_;  // of each bolt, thinned
     std::vector<const BlockShape*> moved_;

@@ -73,7 +73,7 @@ void SectionWidget::readPixels(const QSize& size) {
 }
 
 void SectionWidget::paintEvent(QPaintEvent* event) {
-    // A size that has not been drawn yet shows the picture of the last one.
+    if (beforePaint) beforePaint();
     QPainter painter(this);
     painter.setClipRect(event->rect());
     painter.drawImage(0, 0, image_);

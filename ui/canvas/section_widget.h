@@ -16,6 +16,8 @@
 #include <QWidget>
 #include <vtkNew.h>
 
+#include <functional>
+
 class vtkGenericOpenGLRenderWindow;
 class vtkRenderer;
 
@@ -30,6 +32,8 @@ public:
     ~SectionWidget() override;
 
     SectionView& view() { return view_; }
+    /// Called before each painting, so that what is owed can be rendered: marks above are then of the same camera.
+    std::function<void()> beforePaint;
     /// Paints anew; the camera looks at `centre` [m].
     void render(const Point& centre, double pixelsPerMetre, const SectionPicture* picture);
 

@@ -251,6 +251,7 @@ FigureRequest ExportWindow::request() const {
     request.width = width_->currentData().toDouble();
     request.dpi = dpi_->currentData().toInt();
     request.factor = now_.factor;
+    request.scales = now_.scales;
     request.runName = now_.store.stem().string();
     if (request.kind == FigureKind::Section) request.quantity = quantity_->currentData().toString().toStdString();
     if (request.kind == FigureKind::Bolt && bolt_->currentIndex() >= 0) request.filter.bolt = bolt_->currentIndex();
@@ -260,6 +261,7 @@ FigureRequest ExportWindow::request() const {
     request.filter.stage = head.stage;
     request.filter.when = When::At;
     request.filter.time = head.time;
+    request.filter.events = head.events;
     return request;
 }
 

@@ -34,6 +34,7 @@ struct Exportable {
     std::string quantity;  // of blocks or over them, as figures name it; empty: their own choice
     int bolt = -1;  // row of the scene's bolts; −1: none in particular
     double factor = 1.0;  // on displacements
+    ScaleChoices scales{};  // of the colours
 };
 
 class ExportWindow : public QWidget {

@@ -40,7 +40,9 @@ std::vector<std::size_t> framesOf(const RunSource& run, const TableFilter& filte
 
 /// Arrows are scaled to the largest of their frame, so that frames could not be compared.
 SectionRequest colouredRequestOf(const RunSource& run, const FigureRequest& request) {
-    const SectionRequest section = sectionRequestOf(run, request);
+    SectionRequest section = sectionRequestOf(run, request);
+    for (auto& [quantity, scale] : section.scales)
+        if (scale.of == ScaleOf::ThisFrame) scale.of = ScaleOf::AllFrames;  // pictures of a film are compared
     if (section.arrows)
         throw CannotDraw("an animation shows colours, not '" + *request.quantity + "'; ask for another quantity");
     return section;

@@ -36,8 +36,9 @@ std::vector<Point> outlineOf(const LegendBar& bar, const Point& at, double from,
 
 void fillBar(Ink& ink, const LegendBar& bar, const Point& at, double from, double to) {
     QLinearGradient gradient((at.x() + from) * unitsPerMm, 0.0, (at.x() + to) * unitsPerMm, 0.0);
-    for (std::size_t i = 0; i < bar.map->size(); ++i)
-        gradient.setColorAt(static_cast<double>(i) / static_cast<double>(bar.map->size() - 1), qt((*bar.map)[i]));
+    QGradientStops stops;
+    for (const auto& [share, colour] : bar.stops(false)) stops.append({share, qt(colour)});
+    gradient.setStops(stops);
     QPolygonF polygon;
     for (const Point& point : outlineOf(bar, at, from, to))
         polygon.push_back(QPointF(point.x() * unitsPerMm, point.y() * unitsPerMm));

@@ -9,6 +9,7 @@
 #include "solver/results/run_source.h"
 #include "solver/results/table_filter.h"
 #include "solver/scene/problem.h"
+#include "ui/picture/scale_choice.h"
 
 #include <functional>
 #include <optional>
@@ -31,6 +32,7 @@ struct FigureRequest {
     int dpi = 300;  // of PNG
     double factor = 1.0;  // displacements are drawn enlarged by it
     bool whole = false;  // the whole model, not what surrounds tunnels and bolts
+    ScaleChoices scales{};  // of the colours of a section
     std::vector<ReferenceTable> references{};  // beside the curves
     std::string runName;  // for the foot of the figure
 };

@@ -19,6 +19,7 @@ namespace {
 using namespace paper_theme;
 
 constexpr double shank = 0.7, casing = 1.15;  // [mm]
+constexpr double dashShare = 0.4;  // of the width of a bar in compression
 constexpr DetailSizes onThePaper{.shank = shank, .betweenMarks = 1.45, .moved = 1.0, .scaleForArtificial = 3.0,
                                  .spacingForMarks = 1.7, .spacingForPlates = 2.6, .boltForMarks = 5.0};  // [mm]
 constexpr double leastSpacingForNames = 3.0;  // below it a name stands beyond the far end or nowhere [mm]
@@ -105,17 +106,21 @@ void MapInk::drawShank(Ink& ink, std::size_t index) const {
     const std::vector<Point> nodes = onPaper(bolt.nodes);
     const double width = std::min(shank, 0.5 * spacing_[index]);
     ink.polyline(nodes, {width * casing / shank, white});
+    const auto isDashed = [&](std::size_t e) {
+        return !bolt.values.empty() && picture_.boltLegend->isDashed(bolt.values[e]);
+    };
     for (std::size_t e = 0; e + 1 < nodes.size();) {
         const Colour colour = bolt.values.empty() ? black : picture_.boltLegend->colourOf(std::abs(bolt.values[e]));
         std::vector<Point> run{nodes[e]};
         const bool broken = bolt.broken[e];
         const std::size_t first = e;
         const auto alike = [&](std::size_t next) {
-            return static_cast<bool>(bolt.broken[next]) == broken &&
+            return static_cast<bool>(bolt.broken[next]) == broken && isDashed(next) == isDashed(first) &&
                    (bolt.values.empty() || picture_.boltLegend->colourOf(std::abs(bolt.values[next])) == colour);
         };
         for (; e + 1 < nodes.size() && (e == first || alike(e)); ++e) run.push_back(nodes[e + 1]);
         if (!broken) ink.polyline(run, {width, colour});
+        if (!broken && isDashed(first)) ink.polyline(run, {dashShare * width, white, {0.7, 0.7}});
         else ink.polyline(run, {0.15, softText, {0.6, 0.5}});
     }
 }

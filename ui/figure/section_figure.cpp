@@ -21,6 +21,7 @@ std::vector<FigureData> dataOf(const RunSource& run, const SectionRequest& secti
     filter.stage = run.frames()[*section.frame].stage;
     filter.when = When::At;
     filter.time = run.frames()[*section.frame].time;
+    filter.events = run.frames()[*section.frame].events;
     const auto table = [&run](TableKind kind, const TableFilter& rows) {
         return [&run, kind, rows](std::ostream& out) { writeTable(kind, run, rows, out); };
     };
@@ -47,6 +48,7 @@ SectionRequest sectionRequestOf(const RunSource& run, const FigureRequest& reque
     section.ribbon = request.filter.bolt;
     section.factor = request.factor;
     section.whole = request.whole;
+    section.scales = request.scales;
     if (!request.quantity) return section;
     section.arrows = arrowKindOf(*request.quantity);
     section.contacts = *request.quantity == contactWord;

@@ -67,9 +67,10 @@ void thinOut(ContactField& field, const Box& window) {
         field.lines = largestOfEach(field.lines, side);
         which = "only the largest of each " + lengthText(side) + " square";
     }
-    const std::string total = numberText(static_cast<double>(all), 0) + " in sight";
-    const std::string left = numberText(static_cast<double>(field.lines.size()), 0);
-    field.notes.push_back(field.lines.size() == all ? "all " + total : left + " of " + total + ": " + which);
+    const std::string total = numberText(static_cast<double>(all), 0), drawn = numberText(static_cast<double>(field.lines.size()), 0);
+    const bool isWhole = field.lines.size() == all;
+    field.notes.push_back(isWhole ? "all " + total + " contacts in view drawn"
+                                  : drawn + " of " + total + " contacts in view drawn: " + which);
 }
 
 }  // namespace
@@ -110,8 +111,7 @@ double contactWidth(const ContactScale& scale, double force, double longest) {
     return thinnest + (0.2 + 0.05 * longest) * (longest > 0.0 ? contactLength(scale, force, longest) / longest : 0.0);
 }
 
-ContactField contactField(const ContactScale& scale, const Frame& frame, const std::vector<Point>& places,
-                          const Box& window) {
+ContactField contactField(const ContactScale& scale, const Frame& frame, const std::vector<Point>& places) {
     ContactField field;
     field.scale = scale;
     for (std::size_t i = 0; i < frame.contacts.size(); ++i) {
@@ -120,14 +120,23 @@ ContactField contactField(const ContactScale& scale, const Frame& frame, const s
         line.place = places[i];
         if (line.force.norm() == 0.0) continue;
         field.largest = std::max(field.largest, line.force.norm());
-        if (meets({line.place, line.place}, window)) field.lines.push_back(line);
+        field.lines.push_back(line);
     }
-    field.notes.emplace_back("along the force on either block, normal and shear together; open contacts have none");
-    thinOut(field, window);
     std::stable_sort(field.lines.begin(), field.lines.end(), [](const ContactLine& a, const ContactLine& b) {
         return a.force.squaredNorm() < b.force.squaredNorm();
     });
     return field;
+}
+
+ContactField seenWithin(const ContactField& field, const Box& window) {
+    ContactField seen = field;
+    std::erase_if(seen.lines, [&](const ContactLine& line) { return !meets({line.place, line.place}, window); });
+    seen.notes = {"resultant of normal and shear force; open contacts have none"};
+    thinOut(seen, window);
+    std::stable_sort(seen.lines.begin(), seen.lines.end(), [](const ContactLine& a, const ContactLine& b) {
+        return a.force.squaredNorm() < b.force.squaredNorm();
+    });
+    return seen;
 }
 
 }  // namespace keyblock

@@ -37,7 +37,7 @@ struct ContactScale {
 
 struct ContactField {
     ContactScale scale;
-    std::vector<ContactLine> lines;  // within the window, the largest last
+    std::vector<ContactLine> lines;  // the largest last
     double largest = 0.0;  // of this frame, in the unit shown
     double thickness = 1.0;  // of rock that the forces act over [m]
     std::string unit = "kN";
@@ -62,8 +62,10 @@ double longestContactLine(double block);
 double contactLength(const ContactScale& scale, double force, double longest);
 double contactWidth(const ContactScale& scale, double force, double longest);
 
-/// `places` are the contacts' places as drawn [m], a row each.
-ContactField contactField(const ContactScale& scale, const Frame& frame, const std::vector<Point>& places,
-                          const Box& window);
+/// Every contact that bears something. `places` are the contacts' places as drawn [m], a row each.
+ContactField contactField(const ContactScale& scale, const Frame& frame, const std::vector<Point>& places);
+
+/// Those within a window, thinned out where they are many, with a note that says how many are drawn.
+ContactField seenWithin(const ContactField& field, const Box& window);
 
 }  // namespace keyblock

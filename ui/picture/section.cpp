@@ -115,7 +115,8 @@ private:
             places.push_back(moves ? carriedAlong(contact.position, frame_.blocks[a].points, drawn_[a])
                                    : contact.position);
         }
-        picture_.contacts = contactField(*contactScale_, frame_, places, picture_.window);
+        picture_.contacts = contactField(*contactScale_, frame_, places);
+        if (!request_.everyContact) picture_.contacts = seenWithin(*picture_.contacts, picture_.window);
         picture_.contacts->thickness = scene_.analysis.thickness;
     }
 
@@ -169,13 +170,13 @@ private:
         picture_.ribbon->scale = std::max(largest, picture_.ribbon->limit.value_or(0.0));
     }
 
-    /// The first that the values have not passed, where it is not far beyond them.
+    /// The first that the values have not passed, however far it is.
     void addLimit(Ribbon& ribbon, double largest) const {
         const BoltShape& shape = picture_.bolts[ribbon.shape];
         const auto bolt = static_cast<std::size_t>(shape.bolt);
         const auto take = [&](const std::string& name, const std::vector<double>& limits) {
             const double limit = *std::max_element(limits.begin(), limits.end());
-            if (ribbon.limit || limit < largest * (1.0 - nothing) || limit > limitReach * largest) return;
+            if (ribbon.limit || limit < largest * (1.0 - nothing)) return;
             ribbon.limit = limit;
             ribbon.limits = limits;
             ribbon.limitName = name;

@@ -27,12 +27,14 @@ struct SectionRequest {
     const FrameQuantity<BoltNodeFrame>* bolts = nullptr;  // null: not coloured
     std::optional<ArrowKind> arrows;  // drawn over blocks that are not coloured
     bool contacts = false;  // their forces are drawn over blocks that are not coloured
+    bool everyContact = false;  // those outside the window too, for a camera that moves
     std::optional<int> ribbon;  // bolt beside which its values stand; null: the one with the largest
     double factor = 1.0;  // displacements are drawn enlarged by it
     bool whole = false;  // show the whole model, not what surrounds tunnels and bolts
     std::optional<Box> window;  // shown in any case [m]
     std::size_t mostEvents = 12;
     const SectionLegends* legends = nullptr;  // of the run, where they are known; null: its frames are read for them
+    ScaleChoices scales{};  // of the quantities
     double ribbonScale = 0.0;  // the ribbon is drawn as for a value of at least this size, in the unit shown
 };
 

@@ -14,6 +14,7 @@ namespace keyblock {
 namespace {
 
 constexpr int mostTicks = 5;
+constexpr double negligible = 1e-3;  // of the largest value: no sign is shown of less
 constexpr double shareOutside = 0.02;  // of the rock's area, at either end
 constexpr double leastStrain = 1e-9, leastStress = 100.0;  // [Pa] nothing measures less: what is below both is nothing
 
@@ -29,7 +30,20 @@ void gather(const SectionRequest& request, const Frame& frame, std::vector<Weigh
                 bolts.push_back({request.bolts->value(bolt.nodes[i]) * request.bolts->display.factor, 1.0});
 }
 
+/// Bolts are coloured by magnitude, from 0 on.
+std::vector<Weighed> magnitudes(std::vector<Weighed> values) {
+    for (Weighed& value : values) value.value = std::abs(value.value);
+    if (!values.empty()) values.push_back({0.0, 1.0});
+    return values;
+}
+
 ValueRange extent(const std::vector<Weighed>& values) { return rangeWithout(values, 0.0); }
+
+void reach(const std::vector<Weighed>& values, std::optional<ValueRange>& reached) {
+    if (values.empty()) return;
+    const ValueRange range = extent(values);
+    reached = reached ? ValueRange{std::min(reached->low, range.low), std::max(reached->high, range.high)} : range;
+}
 
 /// Notes the values of this frame, as fine as a tenth of the bar's ticks.
 void noteNow(const std::vector<Weighed>& values, const QuantityDisplay& display, LegendBar& bar) {
@@ -38,12 +52,39 @@ void noteNow(const std::vector<Weighed>& values, const QuantityDisplay& display,
     bar.now = now;
     const std::string low = numberText(now.low, bar.ticks.decimals + 1);
     const std::string high = numberText(now.high, bar.ticks.decimals + 1);
-    bar.notes.push_back("now " + low + (low == high ? "" : " to " + high) + (display.unit.empty() ? "" : " ") +
+    bar.notes.push_back("this frame: " + low + (low == high ? "" : " to " + high) + (display.unit.empty() ? "" : " ") +
                         std::string(display.unit));
 }
 
-LegendBar barOf(const QuantityDisplay& display) {
+/// Rounds the ends of a range, and says what lies beyond them.
+void takeRange(const ValueRange& range, bool rounded, LegendBar& bar) {
+    const bool isSymmetric = bar.map == &tide;
+    bar.range = !rounded ? range : isSymmetric ? roundedSymmetric(range, mostTicks) : roundedRange(range, mostTicks);
+    bar.ticks = roundTicks(bar.range, mostTicks);
+    bar.goesBelow = bar.reach.low < bar.range.low;
+    bar.goesAbove = bar.reach.high > bar.range.high;
+}
+
+/// The range of one frame, or the one that the user has typed.
+void takeScale(const ScaleChoice& choice, const std::vector<Weighed>& values, LegendBar& bar) {
+    bar.scale = choice;
+    if (choice.of == ScaleOf::Own && choice.own.low < choice.own.high) takeRange(choice.own, false, bar);
+    if (choice.of == ScaleOf::ThisFrame && !values.empty())
+        takeRange(rangeWithout(values, choice.clips ? shareOutside : 0.0), true, bar);
+    if (bar.clips()) bar.notes.emplace_back("extreme 2 % of the area clipped");
+    if (choice.of == ScaleOf::ThisFrame) bar.notes.emplace_back("scale of this frame");
+    if (choice.of == ScaleOf::Own) bar.notes.emplace_back("range set by hand");
+}
+
+/// Limits that the range holds.
+void keepLimitsWithin(LegendBar& bar) {
+    std::erase_if(bar.limits,
+                  [&](const auto& limit) { return limit.first > bar.range.high || limit.first < bar.range.low; });
+}
+
+LegendBar barOf(std::string_view quantity, const QuantityDisplay& display) {
     LegendBar bar;
+    bar.quantity = quantity;
     bar.title = display.title;
     bar.unit = display.unit;
     bar.notes.emplace_back(display.convention);
@@ -60,40 +101,43 @@ double roundOff(const QuantityDisplay& display, const Scene& scene) {
 }
 
 /// `whole` is what the quantity was seen to reach.
-std::optional<LegendBar> blockLegend(const QuantityDisplay& display, std::vector<Weighed> all, ValueRange whole,
-                                     double nothing) {
+std::optional<LegendBar> blockLegend(const FrameQuantity<BlockState>& quantity, std::vector<Weighed> all,
+                                     ValueRange whole, double nothing, bool clips) {
     if (all.empty()) return std::nullopt;
-    LegendBar bar = barOf(display);
-    bar.map = display.isSigned ? &tide : &slate;
+    LegendBar bar = barOf(quantity.name, quantity.display);
+    bar.map = quantity.display.isSigned ? &tide : &slate;
     for (Weighed& value : all)
         if (std::abs(value.value) <= nothing) value.value = 0.0;
     for (double* end : {&whole.low, &whole.high})
         if (std::abs(*end) <= nothing) *end = 0.0;
-    ValueRange range = rangeWithout(all, shareOutside);
+    bar.reach = whole;
+    ValueRange range = clips ? rangeWithout(all, shareOutside) : whole;
     if (range.low > 0.0) range.low = 0.0;
-    bar.range = display.isSigned ? roundedSymmetric(range, mostTicks) : roundedRange(range, mostTicks);
-    bar.goesBelow = whole.low < bar.range.low;
-    bar.goesAbove = whole.high > bar.range.high;
-    bar.ticks = roundTicks(bar.range, mostTicks);
+    takeRange(range, true, bar);
     return bar;
 }
 
 /// Bolts are coloured by size: Ember has one end that is far from the background.
-std::optional<LegendBar> boltLegend(const QuantityDisplay& display, const std::vector<Weighed>& all,
+std::optional<LegendBar> boltLegend(const FrameQuantity<BoltNodeFrame>& quantity, const std::vector<Weighed>& all,
                                     const ValueRange& whole,
                                     const std::vector<std::pair<double, std::string>>& limits) {
     if (all.empty()) return std::nullopt;
-    LegendBar bar = barOf(display);
-    if (display.isSigned) bar.notes.front() += bar.notes.front().empty() ? "coloured by size" : ", coloured by size";
+    const QuantityDisplay& display = quantity.display;
+    LegendBar bar = barOf(quantity.name, display);
+    if (display.isSigned)
+        bar.notes.front() += bar.notes.front().empty() ? "coloured by magnitude" : ", coloured by magnitude";
     bar.unit += display.unit.find('N') != std::string_view::npos ? " per bolt" : "";
     bar.map = &ember;
     double high = std::max(std::abs(whole.low), std::abs(whole.high));
     for (const auto& [limit, name] : limits)
         if (limit > high && limit < 1.5 * high) high = limit;
-    bar.range = roundedRange({0.0, high}, mostTicks);
-    for (const auto& limit : limits)
-        if (limit.first <= bar.range.high) bar.limits.push_back(limit);
-    bar.ticks = roundTicks(bar.range, mostTicks);
+    bar.reach = {0.0, std::max(std::abs(whole.low), std::abs(whole.high))};
+    if (display.isSigned && whole.low < -negligible * bar.reach.high) {
+        bar.dashed = quantity.name == "axial_force" ? "compression" : "negative";
+        bar.notes.push_back("dashed: " + bar.dashed);
+    }
+    bar.limits = limits;
+    takeRange({0.0, high}, true, bar);
     return bar;
 }
 
@@ -143,14 +187,20 @@ void SectionRanges::add(const Frame& frame) {
     Values values;
     gather(request, frame, values.blocks, values.bolts);
     if (contacts_) widen(scale_, frame, values.forces);
-    const auto reach = [](const std::vector<Weighed>& now, std::optional<ValueRange>& reached) {
-        if (now.empty()) return;
-        const ValueRange range = extent(now);
-        reached = reached ? ValueRange{std::min(reached->low, range.low), std::max(reached->high, range.high)} : range;
-    };
     reach(values.blocks, blockReach_);
     reach(values.bolts, boltReach_);
+    reach(peaks(frame), boltReach_);
     frames_.push_back(std::move(values));
+}
+
+/// What bolts reached until this frame, also between frames.
+std::vector<Weighed> SectionRanges::peaks(const Frame& frame) const {
+    std::vector<Weighed> found;
+    if (!boltQuantity_) return found;
+    for (const BoltExtremes& bolt : frame.extremes)
+        if (const BoltPeak* peak = peakOf(bolt, boltQuantity_->name))
+            found.push_back({peak->value * boltQuantity_->display.factor, 1.0});
+    return found;
 }
 
 void SectionRanges::dropEverySecond() {
@@ -159,7 +209,7 @@ void SectionRanges::dropEverySecond() {
     frames_.resize(kept);
 }
 
-SectionLegends SectionRanges::legends() const {
+SectionLegends SectionRanges::legends(const ScaleChoices& scales) const {
     std::vector<Weighed> blocks, bolts;
     std::vector<double> forces;
     for (const Values& frame : frames_) {
@@ -173,23 +223,30 @@ SectionLegends SectionRanges::legends() const {
         legends.contacts->longest = longestOf(std::move(forces));
     }
     if (blockQuantity_)
-        legends.blocks = blockLegend(blockQuantity_->display, std::move(blocks), blockReach_.value_or(ValueRange{}), roundOff_);
-    if (boltQuantity_)
-        legends.bolts = boltLegend(boltQuantity_->display, bolts, boltReach_.value_or(ValueRange{}), limits_);
+        legends.blocks = blockLegend(*blockQuantity_, std::move(blocks), blockReach_.value_or(ValueRange{}), roundOff_,
+                                     scaleOf(scales, blockQuantity_->name).clips);
+    if (boltQuantity_) legends.bolts = boltLegend(*boltQuantity_, bolts, boltReach_.value_or(ValueRange{}), limits_);
     return legends;
 }
 
 SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request) {
     SectionRanges ranges(run.scene(), request);
     for (std::size_t i = 0; i < run.frames().size(); ++i) ranges.add(run.frame(i));
-    return ranges.legends();
+    return ranges.legends(request.scales);
 }
 
 SectionLegends withNow(SectionLegends legends, const SectionRequest& request, const Frame& frame) {
     std::vector<Weighed> blocks, bolts;
     gather(request, frame, blocks, bolts);
-    if (legends.blocks) noteNow(blocks, request.blocks->display, *legends.blocks);
-    if (legends.bolts) noteNow(bolts, request.bolts->display, *legends.bolts);
+    if (legends.blocks) {
+        noteNow(blocks, request.blocks->display, *legends.blocks);
+        takeScale(scaleOf(request.scales, request.blocks->name), blocks, *legends.blocks);
+    }
+    if (legends.bolts) {
+        noteNow(bolts, request.bolts->display, *legends.bolts);
+        takeScale(scaleOf(request.scales, request.bolts->name), magnitudes(bolts), *legends.bolts);
+        keepLimitsWithin(*legends.bolts);
+    }
     return legends;
 }
 

@@ -20,13 +20,16 @@ public:
     /// Lets go of the values of every second one: what is left stands for all, but for the largest and smallest.
     void dropEverySecond();
 
-    SectionLegends legends() const;
+    /// \param scales of the quantities, but for what one frame alone says
+    SectionLegends legends(const ScaleChoices& scales = {}) const;
 
 private:
     struct Values {
         std::vector<Weighed> blocks, bolts;  // in the unit shown
         std::vector<double> forces;
     };
+
+    std::vector<Weighed> peaks(const Frame& frame) const;
 
     const FrameQuantity<BlockState>* blockQuantity_;
     const FrameQuantity<BoltNodeFrame>* boltQuantity_;
@@ -41,7 +44,7 @@ private:
 /// Legends of what the request asks for, of all frames of the run.
 SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request);
 
-/// The same with a note on the values of one frame, if it has any.
+/// The same with a note on the values of one frame, if it has any, and with the ranges that the request wants of it.
 SectionLegends withNow(SectionLegends legends, const SectionRequest& request, const Frame& frame);
 
 /// Size of a limit of the bolt's steel that the quantity meets [unit shown]; none for other quantities than N.

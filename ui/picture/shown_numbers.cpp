@@ -43,6 +43,7 @@ double turn(LegendBar& bar, const ShownNumbers& numbers) {
     bar.convention = shown.convention;
     if (shown.factor == 1.0) return 1.0;
     scale(bar.range, shown.factor);
+    scale(bar.reach, shown.factor);
     bar.ticks = ticksOf(bar.range, static_cast<int>(std::max<std::size_t>(2, bar.ticks.values.size())));
     if (bar.now) scale(*bar.now, shown.factor);
     if (bar.now && shown.factor < 0.0) std::swap(bar.now->low, bar.now->high);

@@ -3,6 +3,7 @@
 #include "ui/runs/section_feed.h"
 
 #include "ui/look/display.h"
+#include "ui/picture/bolt_chart.h"
 #include "ui/picture/section_ranges.h"
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr std::size_t mostValues = 100000;  // kept for ranges
 constexpr std::size_t fewestFrames = 8, mostFrames = 64;  // whose values are kept
-constexpr std::size_t mostRead = 400;  // frames of a stored run, evenly over all
+constexpr std::size_t mostRead = 600;  // frames of a stored run, evenly over all
 
 }  // namespace
 
@@ -31,6 +32,8 @@ struct SectionFeed::Ranges {
     SectionRanges ranges;
     std::optional<std::pair<int, long>> newest;  // stage and step of the last frame that was added
     std::optional<SectionLegends> legends;
+    ScaleChoices scales;  // of these legends
+    int held = -1;  // the most loaded bolt of the run so far
 
     /// \param scene whose limits count
     Ranges(std::shared_ptr<const LiveRun> of, const Scene& scene, const SectionRequest& request)
@@ -45,6 +48,7 @@ struct SectionFeed::Ranges {
         const std::pair at{frame.stage, frame.step};
         if (newest && at <= *newest) return;
         newest = at;
+        held = mostLoadedBolt(frame, held);
         widen(frame);
     }
 
@@ -62,11 +66,13 @@ struct SectionFeed::Ranges {
         for (std::size_t i = 0; i < read && !job.isOvertaken(); ++i) {
             const Frame frame = of.frame(read == 1 ? 0 : i * (count - 1) / (read - 1));
             &of == run.get() ? add(frame) : widen(frame);
+            if (&of == run.get() && i + 1 == read) held = mostLoadedBolt(frame);  // of the whole run
         }
     }
 
-    const SectionLegends& current() {
-        if (!legends) legends = ranges.legends();
+    const SectionLegends& current(const ScaleChoices& wanted) {
+        if (!legends || scales != wanted) legends = ranges.legends(wanted);
+        scales = wanted;
         return *legends;
     }
 };
@@ -121,7 +127,12 @@ SectionRequest SectionFeed::request() const {
     request.bolts = choice.bolts;
     request.arrows = choice.arrows;
     request.contacts = choice.contacts;
+    request.everyContact = true;
     request.factor = choice.factor;
+    request.scales = choice.scales;
+    if (other_)  // of one frame each, the two would have scales of their own
+        for (auto& [quantity, scale] : request.scales)
+            if (scale.of == ScaleOf::ThisFrame) scale.of = ScaleOf::AllFrames;
     if (!choice.callOuts) request.mostEvents = 0;
     const int bolt = choice_.bolt();
     if (choice.ribbon == RibbonOf::Selected && bolt >= 0) request.ribbon = bolt;
@@ -136,7 +147,9 @@ void SectionFeed::make() {
     if (!showsResults()) return;
     const SectionRequest wanted = request();
     if (!ranges_ || !ranges_->fits(cursor_.run(), wanted)) {
+        const int held = ranges_ && ranges_->run == cursor_.run() ? ranges_->held : -1;
         ranges_ = emptyRanges();
+        ranges_->held = held;
         gatherRanges();
     }
     painting_.ask([this, wanted, moment = cursor_.moment(), ranges = ranges_,
@@ -145,9 +158,10 @@ void SectionFeed::make() {
             SectionRequest full = wanted;
             const std::shared_ptr<const Frame> frame = moment->sharedFrame();
             ranges->add(*frame);
-            const SectionLegends& legends = ranges->current();
+            const SectionLegends& legends = ranges->current(wanted.scales);
             full.legends = &legends;
-            if (legends.bolts) full.ribbonScale = legends.bolts->range.high;
+            if (legends.bolts) full.ribbonScale = legends.bolts->reach.high;
+            if (!full.ribbon && ranges->held >= 0) full.ribbon = ranges->held;
             auto picture = std::make_shared<SectionPicture>(sectionPicture(*moment, full));
             if (ribbon == RibbonOf::Nothing) picture->ribbon.reset();
             showAs(*picture, numbers);

@@ -7,6 +7,7 @@
 
 #include "solver/results/frame_quantities.h"
 #include "ui/picture/arrows.h"
+#include "ui/picture/scale_choice.h"
 
 #include <QObject>
 
@@ -24,6 +25,7 @@ struct ViewChoice {
     std::optional<ArrowKind> arrows;
     bool contacts = false;  // forces as lines
     bool callOuts = true;  // at events
+    ScaleChoices scales{};
 
     bool operator==(const ViewChoice&) const = default;
 };

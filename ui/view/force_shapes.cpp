@@ -73,7 +73,8 @@ private:
 
 }  // namespace
 
-ForceShapes forceShapes(const SectionPicture& picture, const Point& origin, double scale, const ViewColours& colours) {
+ForceShapes forceShapes(const SectionPicture& picture, const Point& origin, double scale, const ViewColours& colours,
+                        const Box& window) {
     ForceBuilder builder(origin, scale, colours);
     if (picture.arrows)
         for (const ArrowMark& mark : picture.arrows->marks)
@@ -81,7 +82,7 @@ ForceShapes forceShapes(const SectionPicture& picture, const Point& origin, doub
     if (picture.contacts) {
         const ContactScale& sizes = picture.contacts->scale;
         const double longest = longestContactLine(sizes.spacing * scale / pixelsPerMm);
-        for (const ContactLine& line : picture.contacts->lines)
+        for (const ContactLine& line : seenWithin(*picture.contacts, window).lines)
             builder.addContact(line, pixelsPerMm * contactLength(sizes, line.force.norm(), longest),
                                pixelsPerMm * contactWidth(sizes, line.force.norm(), longest));
     }

@@ -17,7 +17,8 @@ struct ForceShapes {
     LayerShapes lines;
 };
 
-/// What the picture has of them. \param scale pixels per metre.
-ForceShapes forceShapes(const SectionPicture& picture, const Point& origin, double scale, const ViewColours& colours);
+/// What the picture has of them within a window [m]. \param scale pixels per metre.
+ForceShapes forceShapes(const SectionPicture& picture, const Point& origin, double scale, const ViewColours& colours,
+                        const Box& window);
 
 }  // namespace keyblock

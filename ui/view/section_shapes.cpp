@@ -58,11 +58,10 @@ LayerShapes SectionShapes::openings() const {
 
 LayerShapes SectionShapes::blocks(const ViewColours& colours, bool drawing) const {
     LayerShapes shapes;
-    const ColourMap* map = picture_.blockLegend ? &picture_.blockLegend->mapOn(colours.dark) : nullptr;
     for (const BlockShape& block : picture_.blocks) {
-        const bool plain = drawing || !block.value || !map;
+        const bool plain = drawing || !block.value || !picture_.blockLegend;
         addFilled(shapes, block.outline, block.before);
-        addColour(shapes, plain ? colours.rock : colourAt(*map, picture_.blockLegend->shareOf(*block.value)),
+        addColour(shapes, plain ? colours.rock : picture_.blockLegend->colourOf(*block.value, colours.dark),
                   shapes.corners.size() / 2 - shapes.colours.size() / 3);
     }
     return shapes;
@@ -93,7 +92,6 @@ LayerShapes SectionShapes::lines(const std::vector<LineShape>& lines) const {
 
 LayerShapes SectionShapes::shanks(const ViewColours* colours) const {
     LayerShapes shapes;
-    const ColourMap* map = colours && picture_.boltLegend ? &picture_.boltLegend->mapOn(colours->dark) : nullptr;
     for (const BoltShape& bolt : picture_.bolts)
         for (std::size_t e = 0; e + 1 < bolt.nodes.size(); ++e) {
             if (bolt.broken[e]) continue;
@@ -102,9 +100,9 @@ LayerShapes SectionShapes::shanks(const ViewColours* colours) const {
             addCorner(shapes, bolt.nodes[e]);
             addCorner(shapes, bolt.nodes[e + 1]);
             if (!colours) continue;
-            const bool plain = bolt.values.empty() || !map;
+            const bool plain = bolt.values.empty() || !picture_.boltLegend;
             addColour(shapes, plain ? colours->quiet
-                                    : colourAt(*map, picture_.boltLegend->shareOf(std::abs(bolt.values[e]))), 2);
+                                    : picture_.boltLegend->colourOf(std::abs(bolt.values[e]), colours->dark), 2);
         }
     return shapes;
 }

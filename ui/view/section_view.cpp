@@ -86,10 +86,14 @@ void SectionView::clear(const ViewColours& colours) {
 }
 
 void SectionView::look(const Point& centre, double metresPerPixel, const Point& size, const SectionPicture* picture) {
-    if (picture && laidAt_ != metresPerPixel) {
-        laidAt_ = metresPerPixel;
-        laySized(*picture);
-    }
+    const bool isSized = laidAt_ == metresPerPixel;
+    const bool isSeen = isSized && seenFrom_ == centre && seenSize_ == size;
+    laidAt_ = metresPerPixel;
+    seenFrom_ = centre;
+    seenSize_ = size;
+    const Point reach = 0.5 * metresPerPixel * size;
+    if (picture && !isSized) laySized(*picture);
+    if (picture && (!isSized || (picture->contacts && !isSeen))) layForces(*picture, {centre - reach, centre + reach});
     vtkCamera& camera = *renderer_.GetActiveCamera();
     const Point at = centre - origin_;
     camera.SetFocalPoint(at.x(), at.y(), 0.0);
@@ -104,15 +108,19 @@ void SectionView::laySized(const SectionPicture& picture) {
     const double scale = 1.0 / (laidAt_ * pixelRatio_);  // pixels of the screen's units per metre
     Layers& on = *layers_;
     on.moved.show(SectionShapes(picture, origin_).outlines(movedBlocks(picture, scale, onTheScreen)));
-    const ForceShapes forces = forceShapes(picture, origin_, scale, colours_);
-    on.rims.show(forces.rims);
-    on.forces.show(forces.lines);
     const double lines = lineWidth(picture, scale);
     on.joints.setWidth(lines * pixelRatio_);
     on.seams.setWidth(seamsOfJoints * lines * pixelRatio_);
     const double shank = shankWidth(picture, scale);
     on.shanks.setWidth(shank * pixelRatio_);
     on.casings.setWidth(shank * casingOfShank * pixelRatio_);
+}
+
+/// Forces of contacts are those that the camera sees.
+void SectionView::layForces(const SectionPicture& picture, const Box& window) {
+    const ForceShapes forces = forceShapes(picture, origin_, 1.0 / (laidAt_ * pixelRatio_), colours_, window);
+    layers_->rims.show(forces.rims);
+    layers_->forces.show(forces.lines);
 }
 
 int SectionView::joinings() const { return layers_->blocks.joinings(); }

@@ -41,12 +41,14 @@ private:
     struct Layers;
     void paint(const ViewColours& colours, const ViewStyle& style);
     void laySized(const SectionPicture& picture);
+    void layForces(const SectionPicture& picture, const Box& window);
 
     vtkRenderer& renderer_;
     std::unique_ptr<Layers> layers_;
     ViewColours colours_;
     double pixelRatio_ = 1.0;
     Point origin_{0.0, 0.0};
+    Point seenFrom_{0.0, 0.0}, seenSize_{0.0, 0.0};  // camera for which forces of contacts were laid
     double laidAt_ = 0.0;  // metres per pixel of what has its size in pixels; 0: to be laid
 };
 

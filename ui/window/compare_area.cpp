@@ -111,7 +111,9 @@ void CompareArea::showSecond() {
     connect(second_->caption, &CanvasCaption::closed, &needs_.comparison, &Comparison::end,
             Qt::QueuedConnection);  // it takes the caption away
     connect(&second_->feed, &SectionFeed::pictureChanged, &canvas, [this, &canvas] {
+        const bool isFirst = !canvas.picture();
         canvas.show(second_->feed.picture());
+        if (isFirst) fitBoth();
         canvas.lookAs(needs_.canvas.map());
     });
     const auto select = [this, &canvas] {
@@ -126,20 +128,22 @@ void CompareArea::showSecond() {
     connect(&canvas, &Canvas::spaceTapped, &needs_.canvas, &Canvas::spaceTapped);
     canvas.QWidget::show();
     select();
-    zoomLater(0.5);
 }
 
-/// Half as wide, the canvas shows what it showed before.
-void CompareArea::zoomLater(double factor) {
-    QTimer::singleShot(0, &needs_.canvas, [&canvas = needs_.canvas, factor] {
-        canvas.zoomBy(factor, QPointF(0.5 * canvas.width(), 0.5 * canvas.height()));
+/// What both runs are about, as large as both canvases have room; once they have their places.
+void CompareArea::fitBoth() {
+    QTimer::singleShot(0, this, [this] {
+        const auto &first = needs_.canvas.picture(), &second = second_ ? second_->canvas->picture() : first;
+        if (!first || !second) return;
+        needs_.canvas.zoomTo({first->window.min.cwiseMin(second->window.min),
+                              first->window.max.cwiseMax(second->window.max)});
     });
 }
 
 void CompareArea::end() {
     if (!second_) return;
     second_.reset();
-    zoomLater(2.0);
+    fitBoth();
     needs_.feed.shareRanges(nullptr, true);
     for (Curves* curves : {curves_, energies_}) curves->setOther(nullptr, {});
 }

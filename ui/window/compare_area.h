@@ -59,7 +59,7 @@ private:
     void show();
     void showSecond();
     void end();
-    void zoomLater(double factor);
+    void fitBoth();
 
     CompareNeeds needs_;
     QBoxLayout* row_ = nullptr;

@@ -32,6 +32,7 @@ Exportable shownNow(const TimeCursor& cursor, const BoltChoice& choice, const Vi
     shown.bolt = choice.bolt();
     shown.quantity = quantityOf(view.choice());
     shown.factor = view.choice().factor;
+    shown.scales = view.choice().scales;
     return shown;
 }
 

@@ -12,11 +12,13 @@
 #include "ui/docks/run_log.h"
 #include "ui/docks/run_status.h"
 #include "ui/docks/run_warning.h"
+#include "ui/docks/scale_panel.h"
 #include "ui/docks/stability_panel.h"
 #include "ui/docks/time_line.h"
 #include "ui/docks/view_bar.h"
 #include "ui/document/document.h"
 #include "ui/look/commands.h"
+#include "ui/look/display.h"
 #include "ui/look/theme.h"
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/comparison.h"
@@ -74,6 +76,7 @@ RunArea::RunArea(const RunAreaParts& parts)
         if (cursor_->run()) parts_.workflow.choose(WorkStep::Results);
         Q_EMIT statesChanged();
     });
+    connect(&parts.canvas, &Canvas::legendClicked, this, &RunArea::openScale);
     connect(&parts.canvas, &Canvas::spaceTapped, parts.commands.action("time.play"), &QAction::trigger);
 }
 
@@ -162,6 +165,14 @@ void RunArea::showPicture() {
 void RunArea::showSelection() {
     if (!feed_->showsResults()) return;
     parts_.canvas.setSelectedBolts(choice_->bolt() >= 0 ? std::vector<int>{choice_->bolt()} : std::vector<int>{});
+}
+
+/// The scale of a quantity, where its bar in the legend was clicked.
+void RunArea::openScale(LegendPart part, const QPoint& at) {
+    if (!feed_->picture()) return;
+    const bool ofBlocks = part == LegendPart::Blocks;
+    const auto& bar = ofBlocks ? feed_->picture()->blockLegend : feed_->picture()->boltLegend;
+    if (bar) (new ScalePanel(*bar, parts_.display.numbers(), ofBlocks, *settings_, &parts_.window))->openAt(at);
 }
 
 /// The steps of drawing show the drawing, the others what a run found.

@@ -6,6 +6,7 @@
 // the canvas when.
 #pragma once
 
+#include "ui/canvas/legend_panel.h"
 #include "ui/window/workflow.h"
 
 #include <QObject>
@@ -83,6 +84,7 @@ private:
     void showMode();
     void showPicture();
     void showSelection();
+    void openScale(LegendPart part, const QPoint& at);
     void followTabs(WorkStep step);
     void askBlock(int block, const QString& why);
     void nameTabs();

@@ -95,6 +95,44 @@ TEST_F(OnCanvas, DrawnRockIsPlainAndItsJointsAreWhereTheyAre) {
     EXPECT_GT(std::abs(at(image, {0.5, 1.0}).lightness() - at(image, {0.5, 1.1}).lightness()), 40);
 }
 
+TEST_F(OnCanvas, FitsNextToALegendThatAppears) {
+    NEED_SCREEN();
+    open();
+    canvas->setDrawing(true);
+    canvas->show(pictureOf(bricks, {}));
+    canvas->setDrawing(false);
+    const auto results = pictureOf(bricks, 1);
+    canvas->show(results);
+    const double right = canvas->map().toPixel(results->window.max).x();
+    EXPECT_LE(right, canvas->width() - legendWidth(canvas->size()));
+    auto flown = std::make_shared<SectionPicture>(*results);
+    flown->window.max.x() += 5.0;
+    canvas->show(flown);
+    EXPECT_LE(canvas->map().toPixel(flown->window.max).x(), canvas->width() - legendWidth(canvas->size()));
+    const double scale = canvas->map().pixelsPerMetre();
+    canvas->zoomBy(3.0, {100.0, 100.0});
+    canvas->show(pictureOf(bricks, {}));
+    canvas->show(results);
+    EXPECT_NEAR(canvas->map().pixelsPerMetre(), 3.0 * scale, 1e-6 * scale);  // where the user left it
+}
+
+TEST_F(OnCanvas, AClickOnTheLegendAsksForItsScale) {
+    NEED_SCREEN();
+    open();
+    NotingTool tool;
+    canvas->setTool(&tool);
+    canvas->show(pictureOf(bricks, 1));
+    painted();
+    std::vector<LegendPart> asked;
+    QObject::connect(canvas.get(), &Canvas::legendClicked, canvas.get(), [&](LegendPart part) { asked.push_back(part); });
+    const int middle = canvas->width() - static_cast<int>(0.5 * legendWidth(canvas->size()));
+    QTest::mouseClick(canvas.get(), Qt::LeftButton, {}, {middle, 40});
+    QTest::mouseClick(canvas.get(), Qt::LeftButton, {}, {middle, 160});
+    EXPECT_EQ(asked, (std::vector<LegendPart>{LegendPart::Blocks, LegendPart::Bolts}));
+    EXPECT_FALSE(tool.pressed);
+    canvas->setTool(nullptr);
+}
+
 TEST_F(OnCanvas, TheWheelKeepsThePlaceUnderTheCursor) {
     NEED_SCREEN();
     open();

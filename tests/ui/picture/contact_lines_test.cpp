@@ -75,20 +75,20 @@ TEST(ContactLines, TheLargestAreDrawnLastAndOpenOnesNot) {
     frame.contacts = {contactAt({0, 0}, 9e3), contactAt({1, 0}, 2e3), contactAt({2, 0}, 0.0, ContactState::Open),
                       contactAt({500, 0}, 3e3)};
     const ContactField field =
-        contactField({10.0, 9.0, 50.0, {ContactKind::Locked}}, frame, placesOf(frame), everything);
+        seenWithin(contactField({10.0, 9.0, 50.0, {ContactKind::Locked}}, frame, placesOf(frame)), everything);
     ASSERT_EQ(field.lines.size(), 2u);
     EXPECT_EQ(field.lines[0].force, Point(0.0, 2.0));
     EXPECT_EQ(field.lines[1].force, Point(0.0, 9.0));
     EXPECT_EQ(field.largest, 9.0);
-    EXPECT_EQ(field.notes.back(), "all 2 in sight");
+    EXPECT_EQ(field.notes.back(), "all 2 contacts in view drawn");
 }
 
 TEST(ContactLines, WhatIsTooSmallToBeSeenIsLeftOutAndTold) {
     Frame frame;
     frame.contacts = {contactAt({0, 0}, 9e3), contactAt({1, 0}, 50.0)};
-    const ContactField field = contactField({10.0, 9.0, 50.0, {}}, frame, placesOf(frame), everything);
+    const ContactField field = seenWithin(contactField({10.0, 9.0, 50.0, {}}, frame, placesOf(frame)), everything);
     ASSERT_EQ(field.lines.size(), 1u);
-    EXPECT_EQ(field.notes.back(), "1 of 2 in sight: those under 0.1 kN left out");
+    EXPECT_EQ(field.notes.back(), "1 of 2 contacts in view drawn: those under 0.1 kN left out");
 }
 
 /// 200 m · 200 m of blocks of 1 m: squares of √(40 000/1500) = 5.2 m, rounded up to 5.2 m: 40 from −20 to 19.
@@ -97,10 +97,10 @@ TEST(ContactLines, AmongManyTheLargestOfEachSquareStands) {
     for (int x = -100; x < 100; ++x)
         for (int y = -100; y < 100; ++y)
             frame.contacts.push_back(contactAt({x + 0.5, y + 0.5}, x == -97 && y == -97 ? 9e3 : 1e3));
-    const ContactField field = contactField({10.0, 9.0, 1.0, {}}, frame, placesOf(frame), everything);
+    const ContactField field = seenWithin(contactField({10.0, 9.0, 1.0, {}}, frame, placesOf(frame)), everything);
     EXPECT_EQ(field.lines.size(), 1600u);
     EXPECT_EQ(field.lines.back().place, Point(-96.5, -96.5));
-    EXPECT_EQ(field.notes.back(), "1600 of 40\u2009000 in sight: only the largest of each 5.2 m square");
+    EXPECT_EQ(field.notes.back(), "1600 of 40\u2009000 contacts in view drawn: only the largest of each 5.2 m square");
 }
 
 TEST(ContactLines, StandWhereTheirBlocksAreDrawn) {

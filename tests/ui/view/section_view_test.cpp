@@ -70,7 +70,7 @@ TEST(ForceShapes, LinesAreAsLongInPixelsAtEveryScale) {
     SectionPicture picture;
     picture.arrows = ArrowField{"Velocity", "m/s", {}, {{ArrowShape::Arrow, {0, 0}, {0, 2}}}, 2.0};
     for (const double scale : {10.0, 1000.0}) {
-        const LayerShapes lines = forceShapes(picture, {0, 0}, scale, {}).lines;
+        const LayerShapes lines = forceShapes(picture, {0, 0}, scale, {}, {{-1e9, -1e9}, {1e9, 1e9}}).lines;
         ASSERT_GE(lines.corners.size(), 4u);
         EXPECT_NEAR(lines.corners[3] * scale, arrowScale(*picture.arrows) * 2.0 * pixelsPerMm, 1e-3);
         EXPECT_EQ(lines.widths.size(), lines.cells.size() / 2);
