@@ -83,7 +83,7 @@ const std::vector<Room> rooms{
     {"ui/runs",
      {"ui/document", "ui/look", "ui/picture", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
     {"ui/docks",
-     {"ui/runs", "ui/canvas", "ui/document", "ui/look", "ui/figure", "ui/picture", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
+     {"ui/runs", "ui/canvas", "ui/document", "ui/look", "ui/edit", "ui/figure", "ui/picture", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
     {"ui/start",
      {"ui/runs", "ui/document", "ui/look", "ui/edit", "ui/picture", "solver/files", "solver/scene", "geometry"}},
     {"ui/export",

@@ -37,7 +37,7 @@ TEST(BoltExtremes, AHangingBlockGivesItsWeight) {
     EXPECT_EQ(uses[0].holds, std::vector<int>{1});
 }
 
-/// A load that comes at once is felt twice at most, between two frames.
+/// A load that comes at once is felt twice at most, between two frames at equal intervals.
 TEST(BoltExtremes, APeakBetweenTwoFramesIsKept) {
     Scene scene = heldBlock(barOfStrength(200e3), elastic());
     scene.stages = {test::dynamic(0.02, 1e-4)};
@@ -50,9 +50,7 @@ TEST(BoltExtremes, APeakBetweenTwoFramesIsKept) {
             for (const BoltNodeFrame& node : frame.bolts[0].nodes) framed = std::max(framed, node.axialForce);
         peaks.push_back(solved.results.frames.back().extremes.at(0).axialForce);
         EXPECT_GE(peaks.back().value, framed);
-        if (frames == 1) {
-            EXPECT_GT(peaks.back().value, 1.05 * framed);
-        }
+        EXPECT_GE(framed, 0.995 * peaks.back().value) << frames;  // it has a frame of its own
     }
     EXPECT_EQ(peaks[0], peaks[1]);
     EXPECT_GT(peaks[0].value, 1.2 * heldWeight);

@@ -78,8 +78,8 @@ TEST_P(EventFramesOf, AreInOrderOfTimeAndCountEvents) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, EventFramesOf, testing::Values("burst-rebar", "drop-d-bolt", "burst-dbolt", "rebar-20"),
-                         [](const auto& info) {
-                             std::string name = info.param;
+                         [](const auto& sampled) {
+                             std::string name = sampled.param;
                              std::replace(name.begin(), name.end(), '-', '_');
                              return name;
                          });
