@@ -230,6 +230,7 @@ void BoltStrip::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), themes_.current().panel);
     if (!shown_ || !view_->chart()) return;
     view_->prepare();
+    if (!view_->isDrawn()) return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(view_->x(), view_->y() - bandRoom);
     paintBlocks(painter);

@@ -23,12 +23,22 @@ namespace keyblock {
 
 namespace {
 
-constexpr int leastWidth = 140, leastHeight = 70;  // [px] below it nothing can be read
+constexpr int leastWidth = 140, leastHeight = 62;  // [px] of a readable chart
+constexpr double leastPanel = 38.0;  // [px] of height; panels that would get less are left out, the last first
 constexpr double pixelsPerTick = 17.0;
+constexpr double axisRoom = 24.0;  // [px] of height, for the labels of the axis of abscissas
 
 Colour mixed(const QColor& a, const QColor& b, double share) {
     const auto mix = [&](int from, int to) { return static_cast<std::uint8_t>(std::lround(from + share * (to - from))); };
     return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
+}
+
+/// The chart with as many of its first panels as the height has room for.
+Chart fittingChart(const Chart& chart, int height) {
+    Chart fitting = chart;
+    const auto most = static_cast<std::size_t>(std::max(1.0, (height - axisRoom) / leastPanel));
+    if (fitting.panels.size() > most) fitting.panels.resize(most);
+    return fitting;
 }
 
 }  // namespace
@@ -101,8 +111,10 @@ double ChartView::yOf(std::size_t panel, double value) const {
            (place.bottom - (place.bottom - place.top) * (value - range.low) / (range.high - range.low));
 }
 
+bool ChartView::hasRoom() const { return width() >= leastWidth && height() >= leastHeight; }
+
 void ChartView::prepare() {
-    if (chart_ && !chart_->panels.empty() && drawn_.isNull() && width() >= leastWidth && height() >= leastHeight) redraw();
+    if (chart_ && !chart_->panels.empty() && drawn_.isNull() && hasRoom()) redraw();
 }
 
 void ChartView::redraw() {
@@ -111,10 +123,10 @@ void ChartView::redraw() {
     drawn_.setDevicePixelRatio(ratio);
     drawn_.fill(themes_.current().panel);
     ChartLayout layout = layout_;
-    const double perPanel = static_cast<double>(height() - 24) / static_cast<double>(chart_->panels.size());
+    Chart chart = fittingChart(*chart_, height());
+    const double perPanel = (height() - axisRoom) / static_cast<double>(chart.panels.size());
     layout.mostTicks = std::clamp(static_cast<int>(perPanel / pixelsPerTick), 2, mostPanelTicks);
-    Chart chart = *chart_;  // as many points as can be seen
-    for (ChartPanel& panel : chart.panels)
+    for (ChartPanel& panel : chart.panels)  // as many points as can be seen
         for (ChartCurve& curve : panel.curves)
             curve = thinned(curve, static_cast<std::size_t>(std::max(400, 3 * width())));
     const Box box{{0.6, 0.8}, {width() / pixelsPerMm - 0.6, height() / pixelsPerMm - 0.6}};
@@ -125,16 +137,20 @@ void ChartView::redraw() {
 void ChartView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const Theme& theme = themes_.current();
-    if (!chart_ || chart_->panels.empty() || width() < leastWidth || height() < leastHeight) {
-        painter.fillRect(rect(), theme.panel);
-        painter.setPen(theme.text3);
-        painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap, message_);
-        return;
-    }
+    if (!chart_ || chart_->panels.empty() || !hasRoom()) return paintMessage(painter);
     prepare();
     painter.drawPixmap(0, 0, drawn_);
     if (now_) paintNow(painter);
+}
+
+/// Why there is no chart, or that there is no room for it.
+void ChartView::paintMessage(QPainter& painter) const {
+    const bool isShort = chart_ && !chart_->panels.empty();
+    painter.fillRect(rect(), themes_.current().panel);
+    painter.setPen(themes_.current().text3);
+    const int rim = height() < leastHeight ? 0 : 8;
+    painter.drawText(rect().adjusted(16, rim, -16, -rim), Qt::AlignCenter | Qt::TextWordWrap,
+                     isShort ? tr("Enlarge this panel to see the chart.") : message_);
 }
 
 /// A dot on the curve with its value, and hair lines to the axes; a line through all panels where time is the axis.

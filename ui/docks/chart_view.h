@@ -40,9 +40,11 @@ public:
     void setRoom(const ChartLayout& layout);
     const std::optional<Chart>& chart() const { return chart_; }
 
-    /// Draws what is new, for whoever paints beside the chart by its places.
+    /// Draws the chart if it changed, for widgets that paint next to it at its positions.
     void prepare();
-    /// Pixel of an abscissa; of a value in a panel. \pre there is a chart, drawn once.
+    /// Whether the chart has room and is drawn, so that its positions are known.
+    bool isDrawn() const { return chart_ && !drawn_.isNull(); }
+    /// Pixel of an abscissa; of a value in a panel that is drawn. \pre `isDrawn()`.
     double xOf(double value) const;
     double yOf(std::size_t panel, double value) const;
 
@@ -61,7 +63,9 @@ protected:
     QSize minimumSizeHint() const override { return {200, 100}; }
 
 private:
+    bool hasRoom() const;
     void redraw();
+    void paintMessage(QPainter& painter) const;
     void paintNow(QPainter& painter) const;
     QString valuesAt(double x) const;
     QString table() const;

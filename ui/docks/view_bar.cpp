@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/view_bar.h"
 
+#include "ui/docks/overflow_menu.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
@@ -11,10 +12,12 @@
 #include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <QToolButton>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -22,6 +25,7 @@ namespace keyblock {
 
 namespace {
 
+constexpr int mostOfBox = 150, spaceBeforeToggles = 8;  // [px]; longer choices are cut
 constexpr double factors[]{1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
 
 /// A box that says before its choice what is chosen.
@@ -84,7 +88,7 @@ ViewBar::ViewBar(const Themes& themes, Commands& commands, ViewSettings& setting
     ribbon_ = addChoice("viewRibbon", tr("Ribbon"));
     factor_ = addChoice("viewFactor", tr("Deformation"));
     fill();
-    row_->addSpacing(8);
+    row_->addSpacing(spaceBeforeToggles);
     callOuts_ = addToggle("viewCallOuts", tr("Call-outs at events"), "label");
     arrows_[static_cast<std::size_t>(ArrowKind::Displacements)] =
         addToggle("viewArrows", tr("Arrows of displacement"), "arrow");
@@ -152,7 +156,10 @@ void ViewBar::addCommands() {
 
 /// Other rooms may add theirs after this bar is made.
 void ViewBar::showEvent(QShowEvent*) {
-    if (!std::exchange(hasCommands_, true)) addCommands();
+    if (!std::exchange(hasCommands_, true)) {
+        addCommands();
+        makeMore();
+    }
     fit();
 }
 
@@ -194,6 +201,7 @@ void ViewBar::showChoice() {
         arrows_[kind]->setChecked(choice.arrows == static_cast<ArrowKind>(kind));
     contacts_->setChecked(choice.contacts);
     for (QComboBox* box : {blocks_, bolts_, ribbon_, factor_}) box->updateGeometry();
+    fit();
 }
 
 void ViewBar::showIcons() {
@@ -202,19 +210,62 @@ void ViewBar::showIcons() {
     update();
 }
 
-/// What has no room goes, the least asked for first; the menus have it still.
+/// The last of the bar: a menu of what has no room.
+void ViewBar::makeMore() {
+    more_ = new QToolButton(this);
+    more_->setObjectName("viewMore");
+    more_->setText(QString::fromUtf8("»"));
+    more_->setAccessibleName(tr("More view options"));
+    more_->setToolTip(more_->accessibleName());
+    more_->setPopupMode(QToolButton::InstantPopup);
+    more_->setFixedSize(28, 28);
+    auto* menu = new QMenu(more_);
+    more_->setMenu(menu);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+        menu->clear();
+        for (QWidget* control : hidden_) addToMenu(*menu, *control);
+    });
+    row_->addWidget(more_);
+}
+
+/// What may go into the menu, the first to go first.
+std::vector<QWidget*> ViewBar::dispensable() const {
+    std::vector<QWidget*> found;
+    for (const char* name : {"view.fitBar", "view.zoomBoxBar"})
+        if (auto* button = findChild<QWidget*>(name)) found.push_back(button);
+    found.push_back(contacts_);
+    found.insert(found.end(), arrows_.rbegin(), arrows_.rend());
+    for (const char* name : {"export.figureBar", "view.probeBar"})
+        if (auto* button = findChild<QWidget*>(name)) found.push_back(button);
+    found.insert(found.end(), {factor_, callOuts_, ribbon_});
+    return found;
+}
+
 void ViewBar::fit() {
-    std::vector<QWidget*> dispensable{factor_, contacts_};
-    dispensable.insert(dispensable.end(), arrows_.rbegin(), arrows_.rend());
-    dispensable.insert(dispensable.end(), {callOuts_, ribbon_});
-    if (auto* exporting = findChild<QWidget*>("export.figureBar")) dispensable.insert(dispensable.begin(), exporting);
-    int wanted = row_->contentsMargins().left() + row_->contentsMargins().right();
+    const auto widthOf = [this](const QWidget& widget) {
+        const bool isBox = qobject_cast<const QComboBox*>(&widget);
+        return row_->spacing() + (isBox ? std::min(widget.sizeHint().width(), mostOfBox) : widget.sizeHint().width());
+    };
+    const int rims = row_->contentsMargins().left() + row_->contentsMargins().right() + spaceBeforeToggles;
+    int wanted = rims;
     for (int i = 0; i < row_->count(); ++i)
-        if (const QWidget* widget = row_->itemAt(i)->widget()) wanted += widget->minimumSizeHint().width() + row_->spacing();
-    for (QWidget* widget : dispensable) {
-        widget->setVisible(wanted <= width());
-        if (wanted > width()) wanted -= widget->minimumSizeHint().width() + row_->spacing();
+        if (const QWidget* widget = row_->itemAt(i)->widget(); widget && widget != more_) wanted += widthOf(*widget);
+    const std::vector<QWidget*> candidates = dispensable();
+    const bool isShort = wanted > width();
+    if (isShort && more_) wanted += widthOf(*more_);
+    std::vector<QWidget*> gone;
+    for (QWidget* widget : candidates) {
+        const bool goes = wanted > width();
+        widget->setVisible(!goes);
+        if (!goes) continue;
+        wanted -= widthOf(*widget);
+        gone.push_back(widget);
     }
+    hidden_.clear();
+    for (int i = 0; i < row_->count(); ++i)
+        if (QWidget* widget = row_->itemAt(i)->widget(); std::ranges::find(gone, widget) != gone.end())
+            hidden_.push_back(widget);
+    if (more_) more_->setVisible(isShort);
 }
 
 bool ViewBar::event(QEvent* event) {

@@ -41,6 +41,8 @@ private:
     void takeArrows(std::size_t kind, bool on);
     void showChoice();
     void showIcons();
+    void makeMore();
+    std::vector<QWidget*> dispensable() const;
     void fit();
 
     const Themes& themes_;
@@ -51,6 +53,8 @@ private:
     QToolButton *callOuts_, *contacts_;
     std::array<QToolButton*, 3> arrows_;  // in the order of `ArrowKind`
     std::vector<QToolButton*> toggles_;
+    QToolButton* more_ = nullptr;  // for what has no room
+    std::vector<QWidget*> hidden_;  // that has none, from the left
     bool hasCommands_ = false;
 };
 

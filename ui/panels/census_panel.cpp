@@ -13,18 +13,21 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QStyle>
 #include <QTimer>
+#include <QVariant>
 #include <QVBoxLayout>
 
 #include <exception>
 #include <optional>
+#include <utility>
 
 namespace keyblock {
 
 namespace {
 
 constexpr int calmBefore = 500;  // [ms] without an edit before counting begins
-constexpr int costWidth = 176, roomForReasons = 440, leastWidth = 470;
+constexpr int costWidth = 176, roomForReasons = 440, roomForRange = 190, leastWidth = 470;  // [px]
 
 QLabel* labelOf(QWidget* parent, const char* role, const QString& text = {}) {
     auto* label = new QLabel(text, parent);
@@ -79,23 +82,51 @@ CensusPanel::CensusPanel(Document& document, const Commands& commands, const The
 CensusPanel::~CensusPanel() { cancel(); }
 
 QWidget* CensusPanel::makeCosts() {
-    auto* costs = new QWidget(this);
-    costs->setObjectName("censusCosts");
-    costs->setAttribute(Qt::WA_StyledBackground);
-    costs->setFixedWidth(costWidth);
-    auto* column = new QVBoxLayout(costs);
-    column->setContentsMargins(16, 12, 16, 12);
-    column->setSpacing(2);
-    column->addWidget(labelOf(costs, "detail", tr("Estimated time")));
-    column->addWidget(time_ = labelOf(costs, "big"));
-    column->addWidget(range_ = labelOf(costs, "hint"));
-    column->addSpacing(8);
-    column->addWidget(labelOf(costs, "detail", tr("Memory")));
-    column->addWidget(memory_ = labelOf(costs, "title"));
-    column->addSpacing(10);
+    costs_ = new QWidget(this);
+    costs_->setObjectName("censusCosts");
+    costs_->setAttribute(Qt::WA_StyledBackground);
+    costs_->setFixedWidth(costWidth);
+    timeName_ = labelOf(costs_, "detail", tr("Estimated time"));
+    time_ = labelOf(costs_, "big");
+    range_ = labelOf(costs_, "hint");
+    memoryName_ = labelOf(costs_, "detail", tr("Memory"));
+    memory_ = labelOf(costs_, "title");
     time_->setObjectName("estimatedTime");
     memory_->setObjectName("estimatedMemory");
-    run_ = new QPushButton(costs);
+    makeRunButton();
+    placeCosts();
+    return costs_;
+}
+
+/// One below the other; in a low panel names and values share lines, so that the button is never cut.
+void CensusPanel::placeCosts() {
+    delete costs_->layout();
+    auto* grid = new QGridLayout(costs_);
+    grid->setContentsMargins(16, low_ ? 6 : 12, 16, low_ ? 6 : 12);
+    grid->setVerticalSpacing(low_ ? 4 : 2);
+    grid->setHorizontalSpacing(8);
+    timeName_->setText(low_ ? tr("Est. time") : tr("Estimated time"));
+    time_->setProperty("role", low_ ? "title" : "big");
+    time_->style()->polish(time_);
+    range_->setVisible(!low_);
+    for (QLabel* value : {time_, memory_}) value->setAlignment((low_ ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    int row = 0;
+    const auto add = [&](QLabel* name, QLabel* value) {
+        grid->addWidget(name, row, 0, 1, low_ ? 1 : 2);
+        if (!low_) ++row;
+        grid->addWidget(value, row++, low_ ? 1 : 0, 1, low_ ? 1 : 2);
+    };
+    add(timeName_, time_);
+    if (!low_) grid->addWidget(range_, row++, 0, 1, 2);
+    if (!low_) grid->setRowMinimumHeight(row++, 8);
+    add(memoryName_, memory_);
+    grid->setRowMinimumHeight(row++, low_ ? 0 : 10);
+    grid->addWidget(run_, row++, 0, 1, 2);
+    grid->setRowStretch(row, 1);
+}
+
+void CensusPanel::makeRunButton() {
+    run_ = new QPushButton(costs_);
     run_->setAccessibleName(tr("Run from the census"));
     run_->setEnabled(false);
     const auto name = [this] {
@@ -110,9 +141,6 @@ QWidget* CensusPanel::makeCosts() {
     connect(run_, &QPushButton::clicked, this, [this] {
         if (commands_.has("run.start")) commands_.action("run.start")->trigger();
     });
-    column->addWidget(run_);
-    column->addStretch(1);
-    return costs;
 }
 
 void CensusPanel::showEvent(QShowEvent* event) {
@@ -122,6 +150,8 @@ void CensusPanel::showEvent(QShowEvent* event) {
 
 void CensusPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    const bool low = height() < roomForRange;
+    if (std::exchange(low_, low) != low) placeCosts();
     const bool narrow = width() - costWidth < roomForReasons;
     if (narrow == narrow_) return;
     narrow_ = narrow;
@@ -236,7 +266,8 @@ void CensusPanel::present() {
     range_->setText(runs ? tr("%1 to %2").arg(costText(estimate.secondsLeast), costText(estimate.secondsMost))
                     : QString());
     memory_->setText(runs ? memoryText(estimate.memory) : QString::fromUtf8("–"));
-    for (QLabel* label : {time_, range_, memory_}) label->setToolTip(runs ? estimateDetails(estimate) : QString());
+    const QString details = runs ? range_->text() + '\n' + estimateDetails(estimate) : QString();
+    for (QLabel* label : {time_, range_, memory_}) label->setToolTip(details);
     run_->setEnabled(runs && commands_.has("run.start"));
 }
 

@@ -50,6 +50,8 @@ private:
     void present();
     void tell(const QString& why);
     QWidget* makeCosts();
+    void placeCosts();
+    void makeRunButton();
     void addWhy(int row, const QString& why);
     void addRow(int row, const QStringList& texts, const char* role, bool bold);
 
@@ -61,11 +63,13 @@ private:
     QTimer* calm_;
     std::shared_ptr<const Census> census_;
     bool busy_ = false;
-    bool narrow_ = false;  // no room for the reasons; they stand in tooltips
+    bool narrow_ = false;  // no room for the reasons, which are in tooltips
+    bool low_ = false;  // no room for the range of the estimate, which is in a tooltip
+    QWidget* costs_ = nullptr;
     QWidget* table_ = nullptr;
     QWidget* page_;
     QGridLayout* grid_ = nullptr;
-    QLabel *time_, *range_, *memory_, *state_;
+    QLabel *timeName_, *time_, *range_, *memoryName_, *memory_, *state_;
     QPushButton* run_;
 };
 

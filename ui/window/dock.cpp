@@ -16,7 +16,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int headerHeight = 30, leastWidth = 180, leastHeight = 60;  // [px]
+constexpr int headerHeight = 30, leastWidth = 180, leastHeight = 96;  // [px]; of a panel that says something
 
 QToolButton* headerButton(QWidget* header, const Themes& themes, const char* icon, const QString& name) {
     auto* button = new QToolButton(header);

@@ -15,6 +15,8 @@ namespace keyblock {
 
 class Themes;
 
+constexpr int treeWidth = 236, propertyWidth = 300;  // [px] of the docks at the sides, at first
+
 /// Makes a dock around the widget; `id` is kept in layouts. The header shows `title` and buttons to float and close.
 QDockWidget* makeDock(QMainWindow& window, const Themes& themes, const QString& id, const QString& title,
                       QWidget* widget);

@@ -3,6 +3,7 @@
 #include "ui/window/layouts.h"
 
 #include "ui/look/commands.h"
+#include "ui/window/dock.h"
 
 #include <QDockWidget>
 #include <QLineEdit>
@@ -20,17 +21,17 @@ namespace keyblock {
 
 namespace {
 
-constexpr int version = 1;  // of the states kept; another one is not read
+constexpr int version = 2;  // of the states kept; another one is not read
 constexpr char folder[] = "layouts";
-constexpr int bottomHeight = 240, leastBottom = 130, others = 760;  // [px]
+constexpr int bottomHeight = 240, leastBottom = 172, others = 640;  // [px]
 
 // Docks that share a place, side by side below the time line; the first of each is in front.
 using Groups = std::vector<std::vector<const char*>>;
 
 const Groups& groupsOf(Arrangement arrangement) {
     static const Groups drawing{{"problemsDock", "stagesDock", "libraryDock"}, {"censusDock"}};
-    static const Groups results{{"stripDock"}, {"curvesDock"},
-                                {"stabilityDock", "healthDock", "eventsDock", "energyDock", "runsDock", "logDock"}};
+    static const Groups results{{"stripDock"}, {"curvesDock", "energyDock", "quantitiesDock"},
+                                {"stabilityDock", "healthDock", "eventsDock", "runsDock", "logDock"}};
     return arrangement == Arrangement::Drawing ? drawing : results;
 }
 
@@ -74,6 +75,23 @@ void placeAll(QMainWindow& window) {
     // Only now: what is split off a dock with tabs becomes one of them.
     for (const auto& group : groups)
         for (int i = 1; i < group.size(); ++i) window.tabifyDockWidget(group[i - 1], group[i]);
+}
+
+/// The tree at the left; properties at the right, the help behind them and closed.
+void placeSides(QMainWindow& window) {
+    QDockWidget *tree = dock(window, "sceneDock"), *properties = dock(window, "propertyDock"),
+                *help = dock(window, "helpDock");
+    if (!tree || !properties || !help) return;
+    for (QDockWidget* side : {tree, properties, help}) side->setFloating(false);
+    window.addDockWidget(Qt::LeftDockWidgetArea, tree);
+    window.addDockWidget(Qt::RightDockWidgetArea, properties);
+    window.tabifyDockWidget(properties, help);
+    help->hide();
+    tree->show();
+    properties->show();
+    QTimer::singleShot(0, &window, [&window, tree, properties] {
+        window.resizeDocks({tree, properties}, {treeWidth, propertyWidth}, Qt::Horizontal);
+    });
 }
 
 /// Shows the docks of an arrangement and hides those of the other.
@@ -156,6 +174,7 @@ void Layouts::keep() {
 
 void Layouts::reset() {
     states_ = {};
+    placeSides(window_);
     placeAll(window_);
     apply();
     setCurrent({});

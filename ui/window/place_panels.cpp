@@ -30,8 +30,6 @@ namespace keyblock {
 
 namespace {
 
-constexpr int treeWidth = 236, propertyWidth = 300;
-
 /// A dock whose header is the panel's own.
 QDockWidget* dockWithHeader(QMainWindow& window, const QString& id, const QString& title, QWidget* widget,
                             QWidget* header) {

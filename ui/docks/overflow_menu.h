@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Controls of a bar that have no room on it, as entries of a menu.
+#pragma once
+
+class QMenu;
+class QWidget;
+
+namespace keyblock {
+
+/// Adds what the control offers: a list box becomes a submenu of its choices, a button an entry. Other widgets are
+/// left out. The menu must not outlive the control.
+void addToMenu(QMenu& menu, QWidget& control);
+
+}  // namespace keyblock
