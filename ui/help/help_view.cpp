@@ -14,6 +14,7 @@
 #include <QTextBrowser>
 #include <QTextTable>
 #include <QTimer>
+#include <QToolButton>
 #include <QUrl>
 #include <QUrlQuery>
 #include <QVBoxLayout>
@@ -56,12 +57,14 @@ HelpView::HelpView(const Themes& themes, QWidget* parent)
     text_->setObjectName("help.text");
     text_->setAccessibleName(tr("Help text"));
     text_->setOpenLinks(false);
+    text_->setWordWrapMode(QTextOption::WordWrap);  // a table that needs more width scrolls
     text_->setFrameShape(QFrame::NoFrame);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(8, 6, 8, 6);
     row->setSpacing(8);
     row->addWidget(pages_, 1);
     row->addWidget(words_, 1);
+    row->addWidget(makeCloseButton());
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -76,6 +79,20 @@ HelpView::HelpView(const Themes& themes, QWidget* parent)
         open(again);
     });
     if (!helpPages().empty()) open(helpPages().front().name);
+}
+
+/// Behind a tab the dock has no header that could have it.
+QWidget* HelpView::makeCloseButton() {
+    auto* button = new QToolButton(this);
+    button->setObjectName("help.close");
+    button->setAccessibleName(tr("Close help"));
+    button->setToolTip(button->accessibleName());
+    button->setFixedSize(22, 22);
+    const auto look = [this, button] { button->setIcon(themes_.icon("close")); };
+    look();
+    connect(&themes_, &Themes::changed, button, look);
+    connect(button, &QToolButton::clicked, this, &HelpView::closeWanted);
+    return button;
 }
 
 void HelpView::open(const QString& name, const QString& words, int occurrence) {

@@ -28,7 +28,11 @@ public:
     /// Shows what is found for the words.
     void search(const QString& words);
 
+Q_SIGNALS:
+    void closeWanted();
+
 private:
+    QWidget* makeCloseButton();
     void setPage(const QString& markdown);
     void makeReadable(QTextDocument& document) const;
     void follow(const QUrl& link);

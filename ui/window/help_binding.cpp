@@ -9,6 +9,7 @@
 #include "ui/look/commands.h"
 #include "ui/look/theme.h"
 #include "ui/window/dock.h"
+#include "ui/window/help_width.h"
 
 #include <QApplication>
 #include <QCursor>
@@ -19,19 +20,15 @@ namespace keyblock {
 
 namespace {
 
-constexpr int helpWidth = 460;
-
 /// The field or tool under the mouse, else the one that has the focus.
 QString topicAtHand() {
     const QString pointed = helpTopicOf(QApplication::widgetAt(QCursor::pos()));
     return pointed.isEmpty() ? helpTopicOf(QApplication::focusWidget()) : pointed;
 }
 
-void showHelp(QMainWindow& window, QDockWidget& dock, HelpView& view, const QString& topic) {
-    const bool wasHidden = !dock.isVisible();
+void showHelp(QDockWidget& dock, HelpView& view, const QString& topic) {
     dock.show();
     dock.raise();
-    if (wasHidden && !dock.isFloating()) window.resizeDocks({&dock}, {helpWidth}, Qt::Horizontal);
     view.open(topic.section('#', 0, 0), topic.section('#', 1));
 }
 
@@ -50,9 +47,12 @@ QWidget* addHelp(QMainWindow& window, Commands& commands, const Themes& themes) 
     auto* view = new HelpView(themes, &window);
     QDockWidget* dock = makeDock(window, themes, "helpDock", QMainWindow::tr("Help"), view);
     window.addDockWidget(Qt::RightDockWidgetArea, dock);
-    if (auto* properties = window.findChild<QDockWidget*>("propertyDock"))
-        window.splitDockWidget(properties, dock, Qt::Horizontal);
+    if (auto* properties = window.findChild<QDockWidget*>("propertyDock")) {
+        window.tabifyDockWidget(properties, dock);
+        new HelpWidth(window, *dock, *properties);
+    }
     dock->hide();
+    QObject::connect(view, &HelpView::closeWanted, dock, &QDockWidget::hide);
     auto* palette = new CommandPalette(commands, themes, &window);
     QAction* search = commands.add({"help.palette", QMainWindow::tr("Search commands"), "Help", "search",
                                     QMainWindow::tr("Finds every command by its name."), {QKeySequence("Ctrl+K")}, false, "find"},
@@ -60,18 +60,18 @@ QWidget* addHelp(QMainWindow& window, Commands& commands, const Themes& themes) 
     commands.add({"help.contents", QMainWindow::tr("Manual"), "Help", "book",
                   QMainWindow::tr("Help on the field or tool under the mouse, else on the window."), {QKeySequence("F1")}, false,
                   "pages"},
-                 [&window, dock, view] {
+                 [dock, view] {
                      const QString topic = topicAtHand();
-                     showHelp(window, *dock, *view, topic.isEmpty() ? "studio" : topic);
+                     showHelp(*dock, *view, topic.isEmpty() ? "studio" : topic);
                  });
     commands.add({"help.scene", QMainWindow::tr("Fields of a scene"), "Help", {}, QMainWindow::tr("Every field with unit, default and range."), {},
                   false, "pages"},
-                 [&window, dock, view] { showHelp(window, *dock, *view, "scene"); });
+                 [dock, view] { showHelp(*dock, *view, "scene"); });
     commands.add({"help.theory", QMainWindow::tr("Theory"), "Help", {}, QMainWindow::tr("What is solved, and how."), {}, false, "pages"},
-                 [&window, dock, view] { showHelp(window, *dock, *view, "theory"); });
+                 [dock, view] { showHelp(*dock, *view, "theory"); });
     commands.add({"help.verification", QMainWindow::tr("Verification"), "Help", "verify",
                   QMainWindow::tr("What the program is held to, and how to check it."), {}, false, "pages"},
-                 [&window, dock, view] { showHelp(window, *dock, *view, "verification"); });
+                 [dock, view] { showHelp(*dock, *view, "verification"); });
     commands.add({"help.keys", QMainWindow::tr("Keys"), "Help", "keyboard", QMainWindow::tr("All commands with their keys, to look up and change."),
                   {QKeySequence("?")}, false, "find"},
                  [&window, &commands, &themes, sheet = static_cast<KeySheet*>(nullptr)]() mutable {

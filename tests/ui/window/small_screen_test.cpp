@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The window on the small screens of laptops: every panel has room for what it is
+// for, and what has none is behind a menu. Help and layouts leave widths alone.
+#include "tests/scratch_folder.h"
+#include "tests/ui/screen/screen.h"
+
+#include "ui/docks/bolt_strip.h"
+#include "ui/docks/chart_view.h"
+#include "ui/docks/curves.h"
+#include "ui/docks/view_bar.h"
+#include "ui/document/document.h"
+#include "ui/help/help_view.h"
+#include "ui/look/commands.h"
+#include "ui/look/theme.h"
+#include "ui/runs/runs.h"
+#include "ui/runs/time_cursor.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QSettings>
+#include <QTest>
+#include <QToolButton>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace keyblock {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SmallScreens : public testing::TestWithParam<QSize> {
+protected:
+    void SetUp() override {
+        NEED_SCREEN();
+        QSettings().clear();
+        themes_ = std::make_unique<Themes>();
+        window_ = std::make_unique<MainWindow>(*themes_);
+        window_->resize(GetParam());
+        window_->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    }
+    void TearDown() override { QSettings().clear(); }
+
+    void open(const std::string& sample) {
+        const fs::path copy = folder_.path() / (sample + ".json");
+        fs::copy_file(fs::path(KEYBLOCK_SAMPLES_DIR) / (sample + ".json"), copy);
+        window_->openPath(QString::fromStdString(copy.string()));
+        auto* document = window_->findChild<Document*>();
+        ASSERT_TRUE(waitFor([&] { return document->checkIsCurrent() && document->checked().picture; }));
+    }
+
+    void run() {
+        Runs& runs = *window_->findChild<Runs*>();
+        runs.start();
+        ASSERT_TRUE(waitFor([&] { return !runs.isRunning(); }, 60000));
+        ASSERT_TRUE(window_->findChild<TimeCursor*>()->hasMoment());
+    }
+
+    test::ScratchFolder folder_;
+    std::unique_ptr<Themes> themes_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+/// The part of a widget that can be seen is all of it.
+bool isWhole(const QWidget& widget) {
+    return widget.isVisible() && widget.visibleRegion().boundingRect() == widget.rect();
+}
+
+TEST_P(SmallScreens, RunButtonOfTheModelSummaryIsNotCut) {
+    open("rebar-stated");
+    auto* time = window_->findChild<QWidget*>("estimatedTime");
+    ASSERT_TRUE(time);
+    QPushButton* run = nullptr;
+    for (auto* button : window_->findChild<QWidget*>("censusCosts")->findChildren<QPushButton*>()) run = button;
+    ASSERT_TRUE(run);
+    EXPECT_TRUE(waitFor([&] { return isWhole(*run) && isWhole(*time); }, 5000))
+        << run->visibleRegion().boundingRect().height() << " of " << run->height() << " px";
+}
+
+TEST_P(SmallScreens, BoltDiagramAndCurvesAreDrawn) {
+    open("rebar-stated");
+    run();
+    for (QWidget* dock : {static_cast<QWidget*>(window_->findChild<BoltStrip*>()),
+                          static_cast<QWidget*>(window_->findChild<Curves*>("curves"))}) {
+        const auto* chart = dock->findChild<ChartView*>();
+        EXPECT_TRUE(waitFor([&] { return chart->isDrawn(); }, 10000))
+            << dock->objectName().toStdString() << " is " << chart->width() << " x " << chart->height() << " px";
+    }
+}
+
+TEST_P(SmallScreens, ViewControlsWithoutRoomAreInTheMenu) {
+    open("rebar-stated");
+    run();
+    auto* bar = window_->findChild<ViewBar*>();
+    auto* more = bar->findChild<QToolButton*>("viewMore");
+    ASSERT_TRUE(waitFor([&] { return bar->isVisible() && more; }));
+    QTest::qWait(50);
+    Q_EMIT more->menu()->aboutToShow();
+    QStringList offered;
+    for (const QAction* action : more->menu()->actions()) offered << action->text();
+    for (const char* name : {"viewBlocks", "viewBolts", "viewFactor", "viewArrows", "export.figureBar"}) {
+        const auto* control = bar->findChild<QWidget*>(name);
+        const bool inMenu = control->isHidden() && offered.contains(control->accessibleName());
+        EXPECT_TRUE(isWhole(*control) || inMenu) << name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, SmallScreens, testing::Values(QSize(1366, 728), QSize(1280, 680)));
+
+class Widths : public SmallScreens {};
+
+TEST_P(Widths, HelpGivesPropertiesTheirWidthBackAndResetRestoresAll) {
+    auto* properties = window_->findChild<QDockWidget*>("propertyDock");
+    auto* help = window_->findChild<QDockWidget*>("helpDock");
+    const Commands& commands = *window_->findChild<Commands*>();
+    QTest::qWait(100);
+    const int before = properties->width();
+    commands.action("help.theory")->trigger();
+    EXPECT_TRUE(waitFor([&] { return help->isVisible() && help->width() > before; }, 5000)) << help->width();
+    help->findChild<QToolButton*>("help.close")->click();
+    EXPECT_TRUE(waitFor([&] { return properties->isVisible() && properties->width() == before; }, 5000))
+        << properties->width() << " instead of " << before;
+    commands.action("help.theory")->trigger();
+    QTest::qWait(100);
+    properties->setFloating(true);
+    commands.action("view.resetLayout")->trigger();
+    EXPECT_TRUE(waitFor([&] { return !help->isVisible() && !properties->isFloating() && properties->width() == before; },
+                        5000))
+        << properties->width() << " instead of " << before;
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, Widths, testing::Values(QSize(1440, 860)));
+
+}  // namespace
+}  // namespace keyblock

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Help shares its place with Properties, but its tables need more width. It takes
+// this width while it is in front, and gives it back afterwards.
+#pragma once
+
+#include <QObject>
+
+class QDockWidget;
+class QMainWindow;
+
+namespace keyblock {
+
+class HelpWidth : public QObject {
+    Q_OBJECT
+
+public:
+    HelpWidth(QMainWindow& window, QDockWidget& help, QDockWidget& properties);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void follow(bool inFront);
+    bool sharesPlace() const;
+    int wideWidth() const;
+
+    QMainWindow& window_;
+    QDockWidget &help_, &properties_;
+    int base_;  // [px] of Properties without help
+    bool wide_ = false;
+};
+
+}  // namespace keyblock
