@@ -159,6 +159,16 @@ void makeUsual(const Scene& scene, const Structure& structure, void* made) {
         if (structure.name == maker.structure) maker.make(scene, made);
 }
 
+void supportSides(Edit& edit) {
+    for (const auto& [side, fix] : {std::pair{BoundarySide::Bottom, Fix::XY}, std::pair{BoundarySide::Left, Fix::X},
+                                    std::pair{BoundarySide::Right, Fix::X}}) {
+        Support& support = edit.scene.supports.emplace_back();
+        support.boundary = side;
+        support.fix = fix;
+    }
+    edit.told.push_back("The base is fixed, the sides are on vertical rollers.");
+}
+
 Edit withDomain(const Scene& scene, const std::vector<Point>& boundary) {
     Edit edit{scene, outlineProblem(boundary)};
     if (!edit.done()) return edit;
@@ -172,13 +182,7 @@ Edit withDomain(const Scene& scene, const std::vector<Point>& boundary) {
     edit.scene.domain->boundary = boundary;
     edit.made = "/domain";
     if (!scene.supports.empty()) return edit;
-    for (const auto& [side, fix] : {std::pair{BoundarySide::Bottom, Fix::XY}, std::pair{BoundarySide::Left, Fix::X},
-                                    std::pair{BoundarySide::Right, Fix::X}}) {
-        Support& support = edit.scene.supports.emplace_back();
-        support.boundary = side;
-        support.fix = fix;
-    }
-    edit.told.push_back("The bottom is held, the sides move only up and down.");
+    supportSides(edit);
     return edit;
 }
 
@@ -200,6 +204,12 @@ Edit withPattern(const Scene& scene, const ScenePattern& pattern) {
     return edit;
 }
 
+void installOnWall(Edit& edit, const Bolt& bolt) {
+    const std::string tunnel = tunnelAt(edit.scene, bolt.head);
+    const int stage = tunnel.empty() ? -1 : excavatingStage(edit.scene, tunnel);
+    if (stage >= 0) installAfter(edit, stage, bolt.name);
+}
+
 Edit withStageKind(const Scene& scene, std::size_t stage, StageKind kind) {
     const std::string pointer = under("/stages", stage);
     Edit edit = setValueAt(scene, under(pointer, "kind"), std::string(kind == StageKind::Dynamic ? "dynamic" : "static"));
@@ -212,9 +222,7 @@ Edit withStageKind(const Scene& scene, std::size_t stage, StageKind kind) {
 Edit withBolt(const Scene& scene, const Bolt& bolt) {
     if (!isUsable(bolt.head) || !isUsable(bolt.farEnd) || !(lengthOf(bolt) > 0.0)) return {scene, "A bolt needs a length."};
     Edit edit = appended(scene, &Scene::bolts, "/bolts", bolt);
-    const std::string tunnel = tunnelAt(scene, bolt.head);
-    const int stage = tunnel.empty() ? -1 : excavatingStage(scene, tunnel);
-    if (stage >= 0) installAfter(edit, stage, edit.scene.bolts.back().name);
+    installOnWall(edit, edit.scene.bolts.back());
     settle(edit.scene);
     return edit;
 }

@@ -27,6 +27,12 @@ std::string outlineProblem(const std::vector<Point>& points);
 /// Refused: an outline without area, or one that crosses itself.
 Edit withDomain(const Scene& scene, const std::vector<Point>& boundary);
 
+/// Fixes the bottom of the outline and lets its sides move only vertically. \pre the scene has an outline, no supports.
+void supportSides(Edit& edit);
+
+/// Installs a bolt of the scene, whose head is on the wall of a tunnel that a stage excavates, after that stage.
+void installOnWall(Edit& edit, const Bolt& bolt);
+
 /// A tunnel, taken out by the last stage that excavates something or is called so; open from the start without one.
 Edit withTunnel(const Scene& scene, const SceneTunnel& tunnel);
 

@@ -40,10 +40,11 @@ bool save(Document& document, QWidget& window) {
     return document.path().isEmpty() ? saveAs(document, window) : saveTo(document, document.path(), window);
 }
 
-void askAndOpen(Document& document, QWidget& window) {
-    const QString path =
-        QFileDialog::getOpenFileName(&window, QWidget::tr("Open scene"), document.path(), QWidget::tr("Scenes (*.json)"));
-    if (!path.isEmpty()) openDocument(document, path, window);
+QString askForFile(const Document& document, QWidget& window) {
+    const QStringList filters{QWidget::tr("All that can be opened (*.json *.kbrun *.dxf *.DXF *.csv *.CSV)"),
+                              QWidget::tr("Scenes (*.json)"), QWidget::tr("Runs (*.kbrun)"),
+                              QWidget::tr("Drawings and lists (*.dxf *.DXF *.csv *.CSV)")};
+    return QFileDialog::getOpenFileName(&window, QWidget::tr("Open"), document.path(), filters.join(";;"));
 }
 
 }  // namespace
@@ -64,11 +65,14 @@ void openDocument(Document& document, const QString& path, QWidget& window) {
     if (!document.open(path).empty()) document.openPart(path);
 }
 
-void addFileCommands(Commands& commands, Document& document, QWidget& window) {
+void addFileCommands(Commands& commands, Document& document, QWidget& window,
+                     std::function<void(const QString&)> open) {
     commands.add({"file.new", QWidget::tr("New scene"), "File", "new", QWidget::tr("Begins an empty scene."), {QKeySequence::New}},
                  [&] { if (mayDiscard(document, window)) document.startNew(newScene()); });
-    commands.add({"file.open", QWidget::tr("Open…"), "File", "open", QWidget::tr("Opens a scene file."), {QKeySequence::Open}},
-                 [&] { askAndOpen(document, window); });
+    commands.add({"file.open", QWidget::tr("Open…"), "File", "open", QWidget::tr("Opens a scene, a run with its scene, or a drawing to import."), {QKeySequence::Open}},
+                 [&document, &window, open = std::move(open)] {
+                     if (const QString path = askForFile(document, window); !path.isEmpty()) open(path);
+                 });
     commands.add({"file.save", QWidget::tr("Save"), "File", "save", QWidget::tr("Writes the scene to its file."),
                   {QKeySequence::Save}, false, "save"},
                  [&] { save(document, window); });

@@ -4,6 +4,8 @@
 // New, open, save, and the few commands of the window itself: undo, theme, units.
 #pragma once
 
+#include <functional>
+
 class QString;
 class QWidget;
 
@@ -15,7 +17,8 @@ class Display;
 class Document;
 class Themes;
 
-void addFileCommands(Commands& commands, Document& document, QWidget& window);
+/// `open` gets the file that the user chooses: a scene, a run or a drawing.
+void addFileCommands(Commands& commands, Document& document, QWidget& window, std::function<void(const QString&)> open);
 void addEditCommands(Commands& commands, Document& document);
 void addCanvasCommands(Commands& commands, Canvas& canvas);
 void addViewCommands(Commands& commands, Themes& themes, Display& display);

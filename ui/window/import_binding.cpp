@@ -3,6 +3,8 @@
 #include "ui/window/import_binding.h"
 
 #include "ui/document/document.h"
+#include "ui/edit/run_setup.h"
+#include "ui/edit/usual.h"
 #include "ui/look/commands.h"
 #include "ui/start/import_window.h"
 #include "ui/window/file_commands.h"
@@ -46,7 +48,8 @@ void openImport(QMainWindow& window, Document& document, const Themes& themes, c
     QObject::connect(import, &ImportWindow::imported, &window,
                      [&window, &document, import](const Scene& scene, const QString& name) {
                          if (!mayDiscard(document, window)) return;
-                         document.startNew(scene, name, true);
+                         document.startNew(newScene(), name);
+                         document.apply(QMainWindow::tr("Import %1").arg(name), withRunSetup(scene));
                          import->close();
                      });
     import->show();

@@ -22,6 +22,7 @@
 #include "ui/window/import_binding.h"
 #include "ui/window/layouts.h"
 #include "ui/window/menus.h"
+#include "ui/window/open_run.h"
 #include "ui/window/panel_runs.h"
 #include "ui/window/place_panels.h"
 #include "ui/window/place_tools.h"
@@ -33,7 +34,6 @@
 
 #include <QAction>
 #include <QCloseEvent>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QScreen>
@@ -61,7 +61,7 @@ MainWindow::MainWindow(Themes& themes)
     setObjectName("studio");
     resize(QSize(1600, 1000).boundedTo(screen()->availableSize() - roomOfFrame));
     selection_->follow(*document_);
-    addFileCommands(*commands_, *document_, *this);
+    addFileCommands(*commands_, *document_, *this, [this](const QString& path) { openPath(path); });
     addImportCommands(*this, *commands_, *document_, themes_);
     addEditCommands(*commands_, *document_);
     addViewCommands(*commands_, themes_, *display_);
@@ -94,7 +94,7 @@ MainWindow::~MainWindow() = default;
 void MainWindow::openPath(const QString& path) {
     if (path.endsWith(".kbrun", Qt::CaseInsensitive)) {
         start_->hide();
-        runs_->runs().open(QFileInfo(path).absoluteFilePath());
+        openRun(*document_, runs_->runs(), path, *this);
     } else if (isDrawing(path)) {
         openImport(*this, *document_, themes_, path);
     } else {

@@ -32,7 +32,7 @@ public:
     explicit MainWindow(Themes& themes);
     ~MainWindow() override;
 
-    /// Opens a scene or a run; tells what keeps it from being opened.
+    /// Opens a scene, a run with its scene, or the import of a drawing; reports what keeps it from being opened.
     void openPath(const QString& path);
 
     /// What a program begins with that was given this to open; empty: nothing.

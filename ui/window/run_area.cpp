@@ -87,6 +87,9 @@ void RunArea::place(QVBoxLayout& aboveCanvas, QBoxLayout& besideCanvas) {
     aboveCanvas.insertWidget(0, bar_);
     bar_->setVisible(feed_->showsResults());
     warning_ = new RunWarning(parts_.themes, *cursor_, &parts_.window);
+    connect(&parts.document, &Document::replaced, this, [this] {
+        if (!cursor_->run()) parts_.workflow.choose(WorkStep::Geometry);
+    });
     aboveCanvas.insertWidget(1, warning_);
     parts_.workflow.addRight(new RunStatus(parts_.themes, parts_.commands, *runs_, &parts_.workflow));
     placeDocks(besideCanvas);
