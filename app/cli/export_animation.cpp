@@ -10,15 +10,12 @@
 #include "solver/files/movie_file.h"
 #include "solver/files/part_folder.h"
 #include "solver/files/whole_file.h"
-#include "solver/results/csv.h"
-#include "solver/results/words.h"
 
 #ifdef KEYBLOCK_HAS_FIGURES
 #include "ui/figure/animation.h"
 #endif
 
 #include <atomic>
-#include <regex>
 
 namespace keyblock::cli {
 
@@ -109,27 +106,6 @@ private:
     bool told_;
 };
 
-std::string pictureName(std::size_t index) {
-    std::string number = std::to_string(index + 1);
-    number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
-    return "frame-" + number + ".png";
-}
-
-bool isOurs(const std::string& name) {
-    static const std::regex picture("frame-[0-9]{4,}\\.png");
-    return name == "frames.csv" || std::regex_match(name, picture);
-}
-
-void writeMoments(const RunSource& run, const Animation& animation, std::ostream& out) {
-    CsvWriter csv(out);
-    csv.text("file").text("stage").text("time_s").text("step").endRow();
-    for (std::size_t i = 0; i < animation.size(); ++i) {
-        const FrameHead& head = run.frames()[animation.frame(i)];
-        csv.text(pictureName(i)).text(stageName(run.scene(), head.stage)).number(head.time).integer(head.step);
-        csv.endRow();
-    }
-}
-
 void writeMovie(const Animation& animation, const ExportOptions& options, MovieFormat format,
                 const std::atomic<bool>& stop) {
     const MovieShape shape{animation.columns(), animation.rows(), options.perSecond.value_or(MovieShape{}.perSecond)};
@@ -143,13 +119,13 @@ void writeMovie(const Animation& animation, const ExportOptions& options, MovieF
 }
 
 void writeFolder(const RunSource& run, const Animation& animation, const fs::path& folder) {
-    const PartFolder part(folder, isOurs);
+    const PartFolder part(folder, isOfPictures);
     const PictureCount count(animation.size());
     for (std::size_t i = 0; i < animation.size(); ++i) {
         writeWholeFile(part.path() / pictureName(i), [&](std::ostream& out) { out << animation.png(i); });
         count.tell(i + 1);
     }
-    writeWholeFile(part.path() / "frames.csv", [&](std::ostream& out) { writeMoments(run, animation, out); });
+    writeWholeFile(part.path() / "frames.csv", [&](std::ostream& out) { writePictureList(run, animation, out); });
     part.putInPlace();
 }
 

@@ -100,6 +100,8 @@ int spawn(const std::string& program, const std::vector<std::string>& words, int
 
 }  // namespace
 
+bool canWriteMovies() { return !findProgram("ffmpeg").empty(); }
+
 MovieFile::MovieFile(const fs::path& path, MovieFormat format, const MovieShape& shape, const std::atomic<bool>& stop)
     : path_(path), part_(partPath(path)), stop_(stop) {
     if (fs::is_directory(path)) throw CannotWrite(cannotWriteText(path, EISDIR));

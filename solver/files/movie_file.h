@@ -19,6 +19,9 @@ struct MovieShape {
     int perSecond = 12;  // pictures
 };
 
+/// Whether ffmpeg is installed.
+bool canWriteMovies();
+
 class MovieFile {
 public:
     /// Starts ffmpeg. `stop` ends every wait for it and must outlive this.

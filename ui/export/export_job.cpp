@@ -37,6 +37,11 @@ private:
     const std::atomic<bool>& stop_;
 };
 
+QString figureMessage(const QString& out, std::size_t files) {
+    return files > 1 ? ExportJob::tr("Saved %1 and %2 CSV files next to it").arg(out).arg(files - 1)
+                     : ExportJob::tr("Saved %1").arg(out);
+}
+
 constexpr std::array<const char*, 3> endings{".svg", ".pdf", ".png"};  // in the order of `PaperFormat`
 
 }  // namespace
@@ -94,24 +99,25 @@ QString ExportJob::perform(const ExportOrder& order) {
     const StoppableRun run(store, stop_);
     const QString out = QString::fromStdString(order.out.string());
     switch (order.what) {
-        case ExportWhat::Figure: paint(run, order.figure, order.out); return tr("Wrote %1").arg(out);
+        case ExportWhat::Figure: return figureMessage(out, paint(run, order.figure, order.withData, order.out));
         case ExportWhat::Numbers:
             writeTableFile(run, order.table, order.figure.filter, order.out);
-            return tr("Wrote %1").arg(out);
+            return tr("Saved %1").arg(out);
         case ExportWhat::Film:
             writeFilm(run, order.figure, order.perSecond, order.out, stop_,
-                      [this](std::size_t done, std::size_t all) { tell(tr("Film"), done, all); });
-            return tr("Wrote %1").arg(out);
+                      [this](std::size_t done, std::size_t all) { tell(tr("Pictures"), done, all); });
+            return tr("Saved %1").arg(out);
         case ExportWhat::Everything:
-            return tr("Wrote %1 figures and tables into %2").arg(exportEverything(run, order)).arg(out);
+            return tr("%1 files saved to %2").arg(exportEverything(run, order)).arg(out);
     }
     return {};
 }
 
 /// Charts are widgets.
-std::size_t ExportJob::paint(const RunSource& run, const FigureRequest& request, const std::filesystem::path& out) {
+std::size_t ExportJob::paint(const RunSource& run, const FigureRequest& request, bool withData,
+                             const std::filesystem::path& out) {
     std::size_t written = 0;
-    const auto write = [&] { written = writeFigureFiles(run, request, out).size(); };
+    const auto write = [&] { written = writeFigureFiles(run, request, withData, out).size(); };
     if (hasCharts(request.kind)) inWindow(write);
     else write();
     return written;
@@ -119,13 +125,15 @@ std::size_t ExportJob::paint(const RunSource& run, const FigureRequest& request,
 
 std::size_t ExportJob::exportEverything(const RunSource& run, const ExportOrder& order) {
     std::filesystem::create_directories(order.out);
+    TableFilter moment = order.figure.filter;
+    moment.bolt.reset();
     std::size_t written = exportFigures(run, order), tried = 0;
     for (const std::string_view word : tableWords()) {
         if (stop_) throw ExportStopped();
         tell(tr("Tables"), ++tried, std::size(tableWords()));
         const TableKind kind = *tableKindOf(word);
         if (hasBolts(kind) && run.scene().bolts.empty()) continue;
-        writeTableFile(run, kind, {}, order.out / (order.figure.runName + "-" + std::string(word) + ".csv"));
+        writeTableFile(run, kind, isOfFrame(kind) ? moment : TableFilter(), order.out / (order.figure.runName + "-" + std::string(word) + ".csv"));
         ++written;
     }
     return written;
@@ -144,7 +152,7 @@ std::size_t ExportJob::exportFigures(const RunSource& run, const ExportOrder& or
         if (kind == FigureKind::Curves) request.filter = {};  // they are of the whole run
         request.filter.bolt = bolt;
         const std::string ending = endings[static_cast<std::size_t>(request.format)];
-        written += paint(run, request, order.out / (request.runName + "-" + name + ending));
+        written += paint(run, request, false, order.out / (request.runName + "-" + name + ending));
     };
     add(FigureKind::Section, "section", {});
     add(FigureKind::Curves, "curves", {});

@@ -24,6 +24,7 @@ struct ExportOrder {
     std::filesystem::path store;
     std::filesystem::path out;  // a file; of everything a folder
     FigureRequest figure;
+    bool withData = false;  // a figure's numbers too, as CSV files next to it
     TableKind table = TableKind::History;
     int perSecond = 12;
 };
@@ -50,7 +51,7 @@ private:
     QString perform(const ExportOrder& order);
     std::size_t exportEverything(const RunSource& run, const ExportOrder& order);
     std::size_t exportFigures(const RunSource& run, const ExportOrder& order);
-    std::size_t paint(const RunSource& run, const FigureRequest& request, const std::filesystem::path& out);
+    std::size_t paint(const RunSource& run, const FigureRequest& request, bool withData, const std::filesystem::path& out);
     void tell(const QString& what, std::size_t done, std::size_t all);
     void inWindow(const std::function<void()>& task);
 

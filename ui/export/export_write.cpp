@@ -3,18 +3,22 @@
 #include "ui/export/export_write.h"
 
 #include "solver/files/movie_file.h"
+#include "solver/files/part_folder.h"
 #include "solver/files/whole_file.h"
+#include "solver/results/words.h"
+#include "solver/scene/number_text.h"
 #include "ui/figure/animation.h"
 
 namespace keyblock {
 
 bool hasCharts(FigureKind kind) { return kind == FigureKind::Bolt || kind == FigureKind::Curves; }
 
-std::vector<std::filesystem::path> writeFigureFiles(const RunSource& run, const FigureRequest& request,
+std::vector<std::filesystem::path> writeFigureFiles(const RunSource& run, const FigureRequest& request, bool withData,
                                                     const std::filesystem::path& out) {
     std::vector<std::filesystem::path> written{out};
     const Figure figure = paintFigure(run, request);
     writeWholeFile(out, [&](std::ostream& stream) { stream << figure.bytes; });
+    if (!withData) return written;
     for (const FigureData& data : figure.data) {
         written.push_back(out.parent_path() / (out.stem().string() + data.suffix + ".csv"));
         writeWholeFile(written.back(), data.write);
@@ -26,9 +30,24 @@ void writeTableFile(const RunSource& run, TableKind kind, const TableFilter& fil
     writeWholeFile(out, [&](std::ostream& stream) { writeTable(kind, run, filter, stream); });
 }
 
-void writeFilm(const RunSource& run, const FigureRequest& request, int perSecond, const std::filesystem::path& out,
-               const std::atomic<bool>& stop, const std::function<void(std::size_t, std::size_t)>& done) {
-    const Animation animation(run, request);
+bool isOfFrame(TableKind kind) {
+    return kind == TableKind::Bolts || kind == TableKind::Blocks || kind == TableKind::Contacts ||
+           kind == TableKind::Forces;
+}
+
+std::string frameText(const RunSource& run, const TableFilter& filter) {
+    const std::optional<std::size_t> frame = frameAt(run, filter);
+    if (!frame) return {};
+    const FrameHead& head = run.frames()[*frame];
+    return "frame " + std::to_string(*frame + 1) + " of " + std::to_string(run.frames().size()) + ", stage " +
+           stageName(run.scene(), head.stage) + " at " + rounded(head.time) +
+           (run.scene().stages[static_cast<std::size_t>(head.stage)].kind == StageKind::Dynamic ? " s" : "");
+}
+
+namespace {
+
+void writeMovie(const Animation& animation, int perSecond, const std::filesystem::path& out, const std::atomic<bool>& stop,
+                const std::function<void(std::size_t, std::size_t)>& done) {
     const MovieFormat format = out.extension() == ".webm" ? MovieFormat::WebM : MovieFormat::Mp4;
     MovieFile movie(out, format, {animation.columns(), animation.rows(), perSecond}, stop);
     for (std::size_t i = 0; i < animation.size(); ++i) {
@@ -38,6 +57,27 @@ void writeFilm(const RunSource& run, const FigureRequest& request, int perSecond
     }
     movie.finish();
     if (stop) throw ExportStopped();
+}
+
+void writePictures(const RunSource& run, const Animation& animation, const std::filesystem::path& folder,
+                   const std::atomic<bool>& stop, const std::function<void(std::size_t, std::size_t)>& done) {
+    const PartFolder part(folder, isOfPictures);
+    for (std::size_t i = 0; i < animation.size(); ++i) {
+        if (stop) throw ExportStopped();
+        writeWholeFile(part.path() / pictureName(i), [&](std::ostream& out) { out << animation.png(i); });
+        done(i + 1, animation.size());
+    }
+    writeWholeFile(part.path() / "frames.csv", [&](std::ostream& out) { writePictureList(run, animation, out); });
+    part.putInPlace();
+}
+
+}  // namespace
+
+void writeFilm(const RunSource& run, const FigureRequest& request, int perSecond, const std::filesystem::path& out,
+               const std::atomic<bool>& stop, const std::function<void(std::size_t, std::size_t)>& done) {
+    const Animation animation(run, request);
+    if (out.extension().empty()) writePictures(run, animation, out, stop, done);
+    else writeMovie(animation, perSecond, out, stop, done);
 }
 
 }  // namespace keyblock

@@ -5,6 +5,7 @@
 // room they need, then the pictures, one at a time. Only one frame is in memory.
 #include "ui/figure/animation.h"
 
+#include "solver/results/csv.h"
 #include "solver/results/words.h"
 #include "ui/figure/film_line.h"
 #include "ui/figure/map_ink.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <regex>
 #include <set>
 
 namespace keyblock {
@@ -81,7 +83,8 @@ public:
 
 private:
     Sheet sheetOf(const SectionPicture& picture, std::size_t frame) const {
-        return {request_.width, picture.title, picture.subtitle, warningsOf(run_, frame)};
+        const std::string& title = request_.title.empty() ? picture.title : request_.title;
+        return {request_.width, title, picture.subtitle, warningsOf(run_, frame)};
     }
 
     /// Room for the longest title, all kinds of marks and the last list of events, which is the longest.
@@ -135,6 +138,27 @@ std::string Animation::pixels(std::size_t picture) const {
         bytes.append(reinterpret_cast<const char*>(image.constScanLine(row)),
                      4 * static_cast<std::size_t>(image.width()));
     return bytes;
+}
+
+std::string pictureName(std::size_t picture) {
+    std::string number = std::to_string(picture + 1);
+    number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
+    return "frame-" + number + ".png";
+}
+
+bool isOfPictures(const std::string& name) {
+    static const std::regex picture("frame-[0-9]{4,}\\.png");
+    return name == "frames.csv" || std::regex_match(name, picture);
+}
+
+void writePictureList(const RunSource& run, const Animation& animation, std::ostream& out) {
+    CsvWriter csv(out);
+    csv.text("file").text("stage").text("time_s").text("step").endRow();
+    for (std::size_t i = 0; i < animation.size(); ++i) {
+        const FrameHead& head = run.frames()[animation.frame(i)];
+        csv.text(pictureName(i)).text(stageName(run.scene(), head.stage)).number(head.time).integer(head.step);
+        csv.endRow();
+    }
 }
 
 }  // namespace keyblock

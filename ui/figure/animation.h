@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <ostream>
 #include <string>
 
 namespace keyblock {
@@ -40,5 +41,14 @@ private:
     class Painter;
     std::unique_ptr<Painter> painter_;
 };
+
+/// `frame-0001.png` for the first: the picture's file in a folder of pictures.
+std::string pictureName(std::size_t picture);
+
+/// Whether a folder of pictures may hold a file of this name: a picture, or the list `frames.csv`.
+bool isOfPictures(const std::string& name);
+
+/// The list as CSV: file, stage, time and step of each picture.
+void writePictureList(const RunSource& run, const Animation& animation, std::ostream& out);
 
 }  // namespace keyblock

@@ -132,7 +132,8 @@ FigureData tableData(const RunSource& run, std::size_t frame, int bolt) {
 
 Figure paintBolt(const RunSource& run, const FigureRequest& request) {
     const auto [frame, index] = chosen(run, request);
-    const BoltChart bolt = boltChart(run, frame, index);
+    BoltChart bolt = boltChart(run, frame, index);
+    if (!request.title.empty()) bolt.title = request.title;
     const Sheet sheet(request.width, bolt.title, bolt.subtitle, warningsOf(run, frame));
     const double chartHeight = panelHeight * static_cast<double>(bolt.chart.panels.size()) + axisRoom;
     // Which marks have room is known once the chart is drawn; until then there is room for the key of all.

@@ -70,7 +70,8 @@ Figure paintCurves(const RunSource& run, const FigureRequest& request) {
     for (const Problem& problem : charts.references)
         if (problem.severity == Severity::Error)
             throw CannotDraw(problem.file + ": " + problem.message + ". " + problem.remedy);
-    const std::string title = run.scene().title.empty() ? "History" : run.scene().title;
+    const std::string own = run.scene().title.empty() ? "History" : run.scene().title;
+    const std::string title = request.title.empty() ? own : request.title;
     const Sheet sheet(request.width, title, subtitleOf(run, charts), warningsOf(run, std::nullopt));
     double content = -chartGap;
     for (const Chart& chart : charts.charts) content += heightOf(chart) + chartGap;

@@ -227,7 +227,8 @@ Figure paintEvents(const RunSource& run, const FigureRequest& request) {
     if (!(time.end() > 0.0)) throw CannotDraw("the run has not begun, so nothing has happened in it");
     const std::vector<Event> events = shownEvents(run, request);
     const EventList list = eventList(run, events, mostListed);
-    const std::string title = "Events: " + (run.scene().title.empty() ? request.runName : run.scene().title);
+    const std::string own = "Events: " + (run.scene().title.empty() ? request.runName : run.scene().title);
+    const std::string title = request.title.empty() ? own : request.title;
     const Sheet sheet(request.width, title, subtitleFor(request, run, list, events.size()),
                       warningsOf(run, std::nullopt));
     const TimeLine line(time, run.scene(), kindRows(events, time), margin + names, request.width - margin - counts);

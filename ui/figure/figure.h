@@ -5,6 +5,7 @@
 // wants a picture of a run on paper. Nothing of Qt shows here.
 #pragma once
 
+#include "geometry/polygon.h"
 #include "solver/results/reference_table.h"
 #include "solver/results/run_source.h"
 #include "solver/results/table_filter.h"
@@ -16,12 +17,16 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace keyblock {
 
 enum class FigureKind { Section, Bolt, Curves, Events };
 enum class PaperFormat { Svg, Pdf, Png };
+
+/// In place of a quantity of a section: blocks or bolts are not coloured.
+inline constexpr std::string_view plainWord = "plain";
 
 struct FigureRequest {
     FigureKind kind = FigureKind::Section;
@@ -33,6 +38,9 @@ struct FigureRequest {
     double factor = 1.0;  // displacements are drawn enlarged by it
     bool whole = false;  // the whole model, not what surrounds tunnels and bolts
     ScaleChoices scales{};  // of the colours of a section
+    std::optional<Box> window;  // of a section [m]; null: as `whole` says
+    std::optional<std::string> boltQuantity;  // of a section; null: as `quantity` says, else the axial force
+    std::string title;  // empty: the figure's own
     std::vector<ReferenceTable> references{};  // beside the curves
     std::string runName;  // for the foot of the figure
 };

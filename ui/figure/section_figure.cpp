@@ -38,6 +38,20 @@ std::string arrowNames() {
     return names + std::string(contactWord);
 }
 
+/// The quantity of blocks or over them, or of bolts.
+void chooseQuantity(const FigureRequest& request, SectionRequest& section) {
+    if (!request.quantity) return;
+    section.arrows = arrowKindOf(*request.quantity);
+    section.contacts = *request.quantity == contactWord;
+    if (section.arrows || section.contacts || *request.quantity == plainWord) section.blocks = nullptr;
+    else if (const auto* ofBlocks = findQuantity(blockQuantities(), *request.quantity)) section.blocks = ofBlocks;
+    else if (const auto* ofBolts = findQuantity(boltQuantities(), *request.quantity)) section.bolts = ofBolts;
+    else
+        throw CannotDraw("a section shows no quantity '" + *request.quantity + "'; of blocks there are " +
+                         namesOf(blockQuantities()) + "; of bolts " + namesOf(boltQuantities()) +
+                         "; over blocks " + arrowNames());
+}
+
 }  // namespace
 
 SectionRequest sectionRequestOf(const RunSource& run, const FigureRequest& request) {
@@ -49,22 +63,16 @@ SectionRequest sectionRequestOf(const RunSource& run, const FigureRequest& reque
     section.factor = request.factor;
     section.whole = request.whole;
     section.scales = request.scales;
-    if (!request.quantity) return section;
-    section.arrows = arrowKindOf(*request.quantity);
-    section.contacts = *request.quantity == contactWord;
-    if (section.arrows || section.contacts) section.blocks = nullptr;
-    else if (const auto* ofBlocks = findQuantity(blockQuantities(), *request.quantity)) section.blocks = ofBlocks;
-    else if (const auto* ofBolts = findQuantity(boltQuantities(), *request.quantity)) section.bolts = ofBolts;
-    else
-        throw CannotDraw("a section shows no quantity '" + *request.quantity + "'; of blocks there are " +
-                         namesOf(blockQuantities()) + "; of bolts " + namesOf(boltQuantities()) +
-                         "; over blocks " + arrowNames());
+    section.window = request.window;
+    chooseQuantity(request, section);
+    if (request.boltQuantity) section.bolts = findQuantity(boltQuantities(), *request.boltQuantity);
     return section;
 }
 
 Figure paintSection(const RunSource& run, const FigureRequest& request) {
     const SectionRequest section = sectionRequestOf(run, request);
-    const SectionPicture picture = sectionPicture(run, section);
+    SectionPicture picture = sectionPicture(run, section);
+    if (!request.title.empty()) picture.title = request.title;
     const Sheet sheet(request.width, picture.title, picture.subtitle,
                       section.frame ? warningsOf(run, section.frame) : std::vector<std::string>{});
     const SectionLayout layout(picture, run.scene(), request.width, sheet.top(), sheet.inner());

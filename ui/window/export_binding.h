@@ -9,6 +9,7 @@ class QMainWindow;
 namespace keyblock {
 
 class BoltChoice;
+class Canvas;
 class Commands;
 class Themes;
 class TimeCursor;
@@ -16,6 +17,6 @@ class ViewSettings;
 
 /// Adds export.figure, export.table, export.film and export.all.
 void addExportCommands(QMainWindow& window, Commands& commands, const Themes& themes, const TimeCursor& cursor,
-                       const BoltChoice& choice, const ViewSettings& view);
+                       const BoltChoice& choice, const ViewSettings& view, const Canvas& canvas);
 
 }  // namespace keyblock

@@ -66,7 +66,8 @@ MainWindow::MainWindow(Themes& themes)
     addEditCommands(*commands_, *document_);
     addViewCommands(*commands_, themes_, *display_);
     addCanvasCommands(*commands_, *canvas_);
-    addExportCommands(*this, *commands_, themes_, runs_->cursor(), runs_->choice(), runs_->settings());
+    addExportCommands(*this, *commands_, themes_, runs_->cursor(), runs_->choice(), runs_->settings(),
+                      *canvas_);
     placeBars();
     placeCanvas();
     const Panels panels =

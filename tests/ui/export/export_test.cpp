@@ -10,20 +10,26 @@
 #include "solver/files/run_store_writer.h"
 #include "solver/files/scene_file.h"
 #include "solver/run/run.h"
+#include "ui/export/export_form.h"
 #include "ui/export/export_job.h"
 #include "ui/export/export_window.h"
+#include "ui/export/tab_separated.h"
 #include "ui/look/theme.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPixmap>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
+#include <set>
+#include <string>
 
 namespace keyblock {
 namespace {
@@ -78,6 +84,66 @@ TEST_F(Exports, EverythingIntoAFolder) {
     EXPECT_FALSE(bad) << said.toStdString();
     for (const char* name : {"rebar-section.svg", "rebar-curves.svg", "rebar-history.csv", "rebar-blocks.csv"})
         EXPECT_TRUE(fs::exists(order_.out / name)) << name;
+    std::set<std::string> contents;
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(order_.out)) {
+        ++files;
+        EXPECT_TRUE(contents.insert(test::contentOf(entry.path())).second) << entry.path() << " is there twice";
+    }
+    EXPECT_TRUE(said.startsWith(QString("%1 files").arg(files))) << said.toStdString();
+}
+
+TEST_F(Exports, NumbersComeWithAFigureOnlyIfAskedFor) {
+    order_.figure.format = PaperFormat::Svg;
+    order_.out = scratch_.path() / "alone" / "section.svg";
+    fs::create_directories(order_.out.parent_path());
+    EXPECT_FALSE(run(order_).second);
+    EXPECT_EQ(std::distance(fs::directory_iterator(order_.out.parent_path()), {}), 1);
+    order_.withData = true;
+    const auto [said, bad] = run(order_);
+    EXPECT_FALSE(bad);
+    EXPECT_TRUE(said.contains("CSV")) << said.toStdString();
+    EXPECT_GT(std::distance(fs::directory_iterator(order_.out.parent_path()), {}), 2);
+}
+
+TEST_F(Exports, AnAnimationWithoutFfmpegIsAFolderOfPictures) {
+    order_.what = ExportWhat::Film;
+    order_.out = scratch_.path() / "frames";
+    order_.figure.dpi = 40;
+    const auto [said, bad] = run(order_);
+    EXPECT_FALSE(bad) << said.toStdString();
+    EXPECT_TRUE(fs::exists(order_.out / "frame-0001.png"));
+    EXPECT_TRUE(fs::exists(order_.out / "frames.csv"));
+}
+
+TEST_F(Exports, TheFormAsksForWhatTheScreenShows) {
+    const auto store = std::make_shared<const RunStore>(order_.store);
+    ExportForm form(nullptr);
+    Exportable shown{store, order_.store, 1, "sigma3", 0, 1.0};
+    shown.boltQuantity = "shear_force";
+    shown.view = Box{{-1.0, -2.0}, {3.0, 4.0}};
+    form.take(shown);
+    form.choose(ExportWhat::Figure);
+    FigureRequest request = form.order().figure;
+    EXPECT_EQ(request.quantity, "sigma3");
+    EXPECT_EQ(request.boltQuantity, "shear_force");
+    EXPECT_FALSE(request.window);
+    form.findChild<QComboBox*>("export.extent")->setCurrentIndex(2);
+    form.findChild<QLineEdit*>("export.title")->setText("Section A");
+    request = form.order().figure;
+    ASSERT_TRUE(request.window);
+    EXPECT_EQ(request.window->max, Point(3.0, 4.0));
+    EXPECT_EQ(request.title, "Section A");
+    EXPECT_NO_THROW(paintFigure(*store, request));
+    form.choose(ExportWhat::Film);
+    request = form.order().figure;
+    EXPECT_NEAR(request.width * request.dpi / 25.4, 1920.0, 0.5);
+    form.choose(ExportWhat::Everything);
+    EXPECT_TRUE(form.findChild<QLabel*>("export.note")->text().contains("frame 2 of"));
+}
+
+TEST(TabSeparated, QuotesGoAndCommasInThemStay) {
+    EXPECT_EQ(tabSeparated("a,b\n\"x, y\",\"say \"\"no\"\"\"\n"), "a\tb\nx, y\tsay \"no\"\n");
 }
 
 TEST_F(Exports, AFilmIsMadeOrStopped) {
@@ -124,7 +190,7 @@ TEST_F(Exports, TheWindowPreviewsAndCopies) {
     }
     window.open(ExportWhat::Numbers);
     copy->click();
-    EXPECT_TRUE(waitFor([] { return QApplication::clipboard()->text().contains(','); }));
+    EXPECT_TRUE(waitFor([] { return QApplication::clipboard()->text().contains('\t'); }));
 }
 
 TEST(ExportWindows, WithoutARunNothingIsOffered) {

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The choices of an export: what, of which quantities, in which format and size. It
+// shows the rows that apply to the chosen kind, and makes the order of them.
+#pragma once
+
+#include "ui/export/export_job.h"
+#include "ui/export/exportable.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+
+namespace keyblock {
+
+class ExportForm : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Kind { Section, Bolt, Curves, Events, Numbers, Film, Everything };
+
+    explicit ExportForm(QWidget* parent);
+
+    /// Offers what this run has, and chooses what the screen shows.
+    void take(const Exportable& now);
+    void choose(ExportWhat what);
+
+    Kind kind() const;
+    /// Without a place to write to.
+    ExportOrder order() const;
+    /// Ending of the file to write; empty: a folder.
+    QString ending() const;
+    /// A path without ending to begin with.
+    QString suggested() const;
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    QComboBox* addCombo(const QString& label, const QString& name, const char* id);
+    void addRows();
+    void fillBlocks();
+    void fillBolts();
+    void fillExtents();
+    void fillFormats();
+    void allowArrows(bool allowed);
+    void showFields();
+    QString note() const;
+    FigureRequest request() const;
+    void setSize(FigureRequest& request) const;
+    void setMoment(FigureRequest& request) const;
+
+    Exportable now_;
+    QFormLayout* form_;
+    QComboBox *kind_, *blocks_, *bolts_, *extent_, *bolt_, *table_, *format_, *width_, *pixels_, *dpi_;
+    QLineEdit* title_;
+    QSpinBox* perSecond_;
+    QCheckBox* data_;
+    QLabel* note_;
+};
+
+}  // namespace keyblock
