@@ -21,7 +21,7 @@ struct UnitRow {
 constexpr std::array engineering{
     UnitRow{"Pa", "MPa", 1e-6},          UnitRow{"Pa/m", "MPa/m", 1e-6},    UnitRow{"N", "kN", 1e-3},
     UnitRow{"N/m", "kN/m", 1e-3},        UnitRow{"N m", "kN m", 1e-3},      UnitRow{"N·m", "kN m", 1e-3},
-    UnitRow{"J", "kJ", 1e-3},            UnitRow{"N/m per m", "MN/m²", 1e-6},
+    UnitRow{"J", "kJ", 1e-3},            UnitRow{"N/m per m", "MN/m²", 1e-6},  UnitRow{"N/m³", "kN/m³", 1e-3},
 };
 
 }  // namespace

@@ -182,8 +182,9 @@ std::vector<FormGroup> formGroups(const Scene& scene, const std::vector<std::str
     std::vector<Shown> objects;
     for (const std::string& pointer : pointers) {
         const auto at = objectAt(scene, pointer);
-        if (at && (objects.empty() || at->structure == objects.front().at.structure))
-            objects.push_back({pointer, *at});
+        if (!at) continue;
+        if (!objects.empty() && at->structure != objects.front().at.structure) return {};  // they share no fields
+        objects.push_back({pointer, *at});
     }
     std::vector<FormGroup> groups;
     if (objects.empty()) return groups;

@@ -42,7 +42,7 @@ struct FormGroup {
     std::string remove;  // pointer of an item or object that may be taken away; empty: none
 };
 
-/// Groups for the objects at `pointers`, one or more of one structure (of others, those like the first count). Fields
+/// Groups for the objects at `pointers`, one or more of one structure; none where they are of several. Fields
 /// that do not apply to all of them are left out; lists and objects inside are shown of a single one.
 std::vector<FormGroup> formGroups(const Scene& scene, const std::vector<std::string>& pointers);
 

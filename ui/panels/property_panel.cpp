@@ -15,6 +15,8 @@
 #include "ui/panels/field_words.h"
 #include "ui/panels/filter_line.h"
 #include "ui/panels/object_detail.h"
+#include "ui/panels/selection_title.h"
+#include "ui/panels/stress_strip.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -60,9 +62,11 @@ PropertyPanel::PropertyPanel(const FormContext& context, Selection& selection, Q
     pageColumn->setContentsMargins(0, 0, 0, 0);
     pageColumn->setSpacing(0);
     strip_ = new AnchorStrip(context, page);
-    pageColumn->addWidget(form_);
-    pageColumn->addWidget(strip_);
-    pageColumn->addStretch(1);
+    page_->addWidget(form_);
+    page_->addWidget(strip_);
+    stress_ = new StressStrip(context, page);
+    page_->addWidget(stress_);
+    page_->addStretch(1);
     scroll_->setWidget(page);
     column->addWidget(scroll_, 1);
     column->addWidget(makeFoot());
@@ -138,7 +142,9 @@ void PropertyPanel::follow() {
 void PropertyPanel::present(const QStringList& pointers) {
     pinned_ = pointers;
     form_->setObjects(pointersOf(pointers));
-    strip_->setObject(form_->objects().size() == 1 ? form_->objects().front() : std::string());
+    const std::string only = form_->objects().size() == 1 ? form_->objects().front() : std::string();
+    strip_->setObject(only);
+    stress_->setObject(only);
     showHeader();
     const auto at = objectAt(*context_.document.scene(), form_->objects().front());
     if (!at) return;
@@ -157,8 +163,9 @@ void PropertyPanel::showHeader() {
         return detail_->clear();
     }
     if (pointers.size() > 1) {
-        title_->setText(countedOf(*at->structure, static_cast<int>(pointers.size())));
-        return detail_->setText(tr("Edits go to all of them"));
+        const SelectionTitle several = selectionTitle(scene, pointers);
+        title_->setText(several.title);
+        return detail_->setText(several.detail);
     }
     const QString name = QString::fromStdString(nameAt(scene, pointers.front()));
     const QString kind = fromUtf8(at->structure->name);

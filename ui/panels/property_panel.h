@@ -22,6 +22,7 @@ class FieldForm;
 class FilterLine;
 class Selection;
 
+class StressStrip;
 class PropertyPanel : public QWidget {
     Q_OBJECT
 
@@ -56,3 +57,6 @@ private:
 };
 
 }  // namespace keyblock
+    StressStrip* stress_;
+    QVBoxLayout* page_ = nullptr;
+    QString subject_, subjectDetail_;
