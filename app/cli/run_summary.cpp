@@ -82,13 +82,13 @@ bool isWhole(const std::vector<StageRecord>& records) {
     });
 }
 
-std::string verdictOf(const Comparison& comparison, bool whole) {
+std::string verdictOf(const MeasuredComparison& comparison, bool whole) {
     if (!whole)
         return "cut short";
     return comparison.within ? "met" : "missed";
 }
 
-TextRow expectedRow(const Comparison& comparison, bool whole) {
+TextRow expectedRow(const MeasuredComparison& comparison, bool whole) {
     const Expected& expected = comparison.expected;
     const bool relative = expected.value != 0.0;
     const bool known = comparison.measured.value.has_value();

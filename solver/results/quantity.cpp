@@ -66,9 +66,9 @@ Measurement measure(std::string_view text, const Scene& scene, const Results& re
     return measure(text, scene, results.history, results.events);
 }
 
-Comparison compare(const Expected& expected, const Scene& scene, std::span<const HistoryRow> history,
+MeasuredComparison compare(const Expected& expected, const Scene& scene, std::span<const HistoryRow> history,
                    std::span<const Event> events) {
-    Comparison comparison{expected, measure(expected.quantity, scene, history, events)};
+    MeasuredComparison comparison{expected, measure(expected.quantity, scene, history, events)};
     if (!comparison.measured.value)
         return comparison;
     const double difference = *comparison.measured.value - expected.value;

@@ -33,7 +33,7 @@ Measurement measure(std::string_view text, const Scene& scene, std::span<const H
 Measurement measure(std::string_view text, const Scene& scene, const Results& results);
 
 /// A measured number beside the one that the scene expects.
-struct Comparison {
+struct MeasuredComparison {
     Expected expected;
     Measurement measured;
     double deviation = 0.0;  // relative to the expected value; absolute where that is 0
@@ -41,7 +41,7 @@ struct Comparison {
 };
 
 /// Compares one of `about.expected` with what the run gave.
-Comparison compare(const Expected& expected, const Scene& scene, std::span<const HistoryRow> history,
+MeasuredComparison compare(const Expected& expected, const Scene& scene, std::span<const HistoryRow> history,
                    std::span<const Event> events);
 
 }  // namespace keyblock

@@ -49,7 +49,7 @@ TEST_P(Sample, GivesTheNumbersItNames) {
             EXPECT_LT(std::abs(stage.health.balanceError), 1e-2) << stage.stage;
         }
     for (const Expected& expected : scene.about.expected) {
-        const Comparison c = compare(expected, solved, results.history, results.events);
+        const MeasuredComparison c = compare(expected, solved, results.history, results.events);
         EXPECT_TRUE(c.within) << expected.quantity << ": measured " << c.measured.value.value_or(0.0) << " "
                               << c.measured.problem << ", expected " << expected.value;
     }

@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 
 namespace keyblock {
@@ -23,8 +24,9 @@ namespace keyblock {
 namespace {
 
 enum BlockColumn { BlockName, How, Moved, Weight, StageOf };
-enum BoltColumn { BoltName, Governs, Holds, AxialPeak, ShearPeak, MomentPeak, SteelUse, ShearUse, BondUse, PlateUse };
+enum BoltColumn { BoltName, State, Governs, Holds, AxialPeak, ShearPeak, MomentPeak, SteelUse, ShearUse, BondUse, PlateUse };
 
+constexpr double nothing = 1e-9;  // of the axial force: round-off
 constexpr int mostNamed = 3;  // blocks in a cell
 
 QString text(std::string_view word) { return QString::fromUtf8(word.data(), static_cast<int>(word.size())); }
@@ -66,6 +68,17 @@ QString percent(const std::optional<double>& use) {
     return Display::number(shown, shown < 10.0 ? 2 : 3);
 }
 
+/// Of every bolt, at the last frame.
+std::vector<BoltCondition> conditionsOf(const RunSource& run) {
+    std::vector<BoltCondition> conditions;
+    if (run.frames().empty()) return conditions;
+    const Frame last = run.frame(run.frames().size() - 1);
+    const std::vector<Event> events = run.events();
+    for (std::size_t bolt = 0; bolt < last.bolts.size(); ++bolt)
+        conditions.push_back(boltReport(run.scene(), last, static_cast<int>(bolt), events).condition);
+    return conditions;
+}
+
 }  // namespace
 
 StabilityPanel::StabilityPanel(const Themes& themes, const Display& display, TimeCursor& cursor, BoltChoice& choice,
@@ -74,7 +87,7 @@ StabilityPanel::StabilityPanel(const Themes& themes, const Display& display, Tim
       blocks_(table("unstableBlocks", tr("Blocks that do not stand"),
                     {tr("Block"), tr("How"), tr("Moved"), tr("Weight"), tr("Stage")}, Moved, Weight, this)),
       bolts_(table("boltUses", tr("Largest forces and use of each bolt"),
-                   {tr("Bolt"), tr("Governs"), tr("Holds"), tr("N"), tr("Q"), tr("M"), tr("Steel, %"), tr("Shear, %"),
+                   {tr("Bolt"), tr("State"), tr("Governs"), tr("Holds"), tr("N"), tr("Q"), tr("M"), tr("Steel, %"), tr("Shear, %"),
                     tr("Bond, %"), tr("Plate, %")},
                    AxialPeak, PlateUse, this)) {
     setObjectName("stabilityPanel");
@@ -129,16 +142,19 @@ void StabilityPanel::readBolts() {
     read_ = run_->frames().size();
     reader_.ask([this, run = run_, soFar = std::make_shared<const RunSoFar>(run_)]() -> Background::Result {
         std::vector<BoltUse> uses;
+        std::vector<BoltCondition> conditions;
         try {
             uses = boltUses(*soFar);
+            conditions = conditionsOf(*soFar);
         } catch (const std::exception&) {
             return {};  // the run's store is gone, which its own messages tell
         }
         std::stable_sort(uses.begin(), uses.end(),
                          [](const BoltUse& a, const BoltUse& b) { return a.highest() > b.highest(); });
-        return [this, run, uses = std::move(uses)] {
-            if (run != run_) return;
+        return [this, run, uses = std::move(uses), conditions = std::move(conditions)] {
+            if (run != run_ || conditions.size() < uses.size()) return;
             uses_ = uses;
+            conditions_ = conditions;
             fill();
         };
     });
@@ -186,15 +202,17 @@ void StabilityPanel::fillBolts() {
     bolts_->clear();
     for (const BoltUse& use : uses_) {
         const BoltExtremes& peaks = use.extremes;
+        const double axial = peaks.axialForce.value;
         const auto share = [&](BoltStrength strength) { return percent(use.use[static_cast<std::size_t>(strength)]); };
         QTreeWidgetItem* row = addRow(
             bolts_,
             {QString::fromStdString(boltName(run_->scene(), use.bolt)),
+             text(wordOf(conditions_[static_cast<std::size_t>(use.bolt)])),
              use.governs ? tr("%1 %2 %").arg(text(boltStrengthWords[static_cast<std::size_t>(*use.governs)]),
                                              percent(use.highest()))
                          : QStringLiteral("–"),
-             namesOf(use.holds), peakText(peaks.axialForce, "N"), peakText(peaks.shearForce, "N"),
-             peakText(peaks.moment, "N m"), share(BoltStrength::Steel), share(BoltStrength::Shear),
+             namesOf(use.holds), peakText(peaks.axialForce, "N", axial), peakText(peaks.shearForce, "N", axial),
+             peakText(peaks.moment, "N m", axial), share(BoltStrength::Steel), share(BoltStrength::Shear),
              share(BoltStrength::Bond), share(BoltStrength::Plate)},
             use.bolt);
         row->setToolTip(AxialPeak, whenText(peaks.axialForce));
@@ -206,8 +224,9 @@ void StabilityPanel::fillBolts() {
 }
 
 /// "62.1 kN at 1.25 m", from the far end.
-QString StabilityPanel::peakText(const BoltPeak& peak, const char* unit) const {
+QString StabilityPanel::peakText(const BoltPeak& peak, const char* unit, double axial) const {
     if (peak.stage < 0) return QStringLiteral("–");
+    if (std::abs(peak.value) < nothing * std::abs(axial)) return QStringLiteral("0");
     const ShownUnit shown = display_.shown(unit);
     return tr("%1 %2 at %3 m").arg(Display::number(shown.factor * peak.value, 3), shown.symbol, Display::number(peak.at, 3));
 }

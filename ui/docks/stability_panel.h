@@ -8,6 +8,7 @@
 #include "solver/results/bolt_use.h"
 #include "solver/results/verdict.h"
 #include "ui/document/background.h"
+#include "ui/picture/bolt_report.h"
 
 #include <QWidget>
 
@@ -45,7 +46,7 @@ private:
     void fill();
     void fillBlocks(const Verdict& verdict);
     void fillBolts();
-    QString peakText(const BoltPeak& peak, const char* unit) const;
+    QString peakText(const BoltPeak& peak, const char* unit, double axial) const;
     QString whenText(const BoltPeak& peak) const;
     QString namesOf(const std::vector<int>& blocks) const;
 
@@ -59,6 +60,7 @@ private:
     std::shared_ptr<const LiveRun> run_;  // null: none is shown
     std::size_t read_ = 0;  // frames of the run when its bolts were last read
     std::vector<BoltUse> uses_;  // of the run so far, most used first
+    std::vector<BoltCondition> conditions_;  // of the bolts, a row each
     Background reader_;  // last: it ends before what its results go to
 };
 

@@ -58,9 +58,9 @@ PropertyPanel::PropertyPanel(const FormContext& context, Selection& selection, Q
     auto* page = new QWidget(scroll_);
     page->setObjectName("propertyPage");
     page->setAttribute(Qt::WA_StyledBackground);
-    auto* pageColumn = new QVBoxLayout(page);
-    pageColumn->setContentsMargins(0, 0, 0, 0);
-    pageColumn->setSpacing(0);
+    page_ = new QVBoxLayout(page);
+    page_->setContentsMargins(0, 0, 0, 0);
+    page_->setSpacing(0);
     strip_ = new AnchorStrip(context, page);
     page_->addWidget(form_);
     page_->addWidget(strip_);
@@ -152,7 +152,22 @@ void PropertyPanel::present(const QStringList& pointers) {
     helpText_->setText(plainHelp(at->structure->help));
 }
 
+void PropertyPanel::addAbove(QWidget* widget) { page_->insertWidget(0, widget); }
+
+void PropertyPanel::setSubject(const QString& title, const QString& detail) {
+    subject_ = title;
+    subjectDetail_ = detail;
+    showHeader();
+}
+
 void PropertyPanel::showHeader() {
+    const bool hasFields = subject_.isEmpty() || !pinned_.isEmpty();
+    form_->setVisible(hasFields);
+    if (!subject_.isEmpty() && !pin_->isChecked()) {
+        pin_->setIcon(context_.themes.icon("pin"));
+        title_->setText(subject_);
+        return detail_->setText(subjectDetail_);
+    }
     const Scene& scene = *context_.document.scene();
     const auto& pointers = form_->objects();
     const auto at = objectAt(scene, pointers.front());

@@ -14,6 +14,7 @@
 class QLabel;
 class QScrollArea;
 class QToolButton;
+class QVBoxLayout;
 
 namespace keyblock {
 
@@ -21,8 +22,8 @@ class AnchorStrip;
 class FieldForm;
 class FilterLine;
 class Selection;
-
 class StressStrip;
+
 class PropertyPanel : public QWidget {
     Q_OBJECT
 
@@ -36,6 +37,12 @@ public:
     void focusPointer(const QString& pointer);
 
     FieldForm& form() const { return *form_; }
+
+    /// Puts a widget above the fields.
+    void addAbove(QWidget* widget);
+    /// Title and second line in place of those of what is selected; without a selection there are no fields then.
+    /// Empty: none.
+    void setSubject(const QString& title, const QString& detail);
 
 private:
     void follow();
@@ -54,9 +61,9 @@ private:
     QScrollArea* scroll_;
     FieldForm* form_;
     AnchorStrip* strip_;
-};
-
-}  // namespace keyblock
     StressStrip* stress_;
     QVBoxLayout* page_ = nullptr;
     QString subject_, subjectDetail_;
+};
+
+}  // namespace keyblock

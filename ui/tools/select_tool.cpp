@@ -60,15 +60,8 @@ QString SelectTool::objectAt(const Point& place) const {
     return QString::fromStdString(bench().objects()[found.front()].pointer);
 }
 
-/// Among results: what is seen there, as the docks call it.
-void SelectTool::chooseSeen(const QPointF& pixel) {
-    const auto pick = bench().canvas().pickAt(pixel);
-    const bool isBolt = pick && pick->bolt >= 0;
-    bench().selection().set(isBolt ? QStringList{QString("/bolts/%1").arg(pick->bolt)} : QStringList());
-}
-
 void SelectTool::press(const Pointed& at) {
-    if (!bench().isDrawing()) return chooseSeen(at.pixel);
+    if (!bench().isDrawing()) return;  // results are chosen by the window
     pressed_ = at;
     single_ = false;
     hot_ = handleAt(at.pixel);

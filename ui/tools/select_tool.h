@@ -50,7 +50,6 @@ private:
     std::optional<std::size_t> handleAt(const QPointF& pixel) const;
     QString objectAt(const Point& place) const;
     void choose(const QString& pointer, Qt::KeyboardModifiers modifiers);
-    void chooseSeen(const QPointF& pixel);
     void chooseBox(const Pointed& at);
     void beginDrag();
     void drag(const Pointed& at);

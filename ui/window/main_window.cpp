@@ -73,6 +73,7 @@ MainWindow::MainWindow(Themes& themes)
     const Panels panels =
         placePanels(*this, {*document_, *selection_, *visibility_, *display_, *commands_, themes_, *canvas_});
     showRunsIn(panels, runs_->runs());
+    showResultsIn(panels, runs_->results());
     raiseAskedPanels(*workflow_, panels);
     placeFileRooms();
     fillMenus(*menuBar(), *commands_);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/panel_runs.h"
 
+#include "ui/docks/result_card.h"
 #include "ui/panels/census_panel.h"
+#include "ui/panels/property_panel.h"
 #include "ui/panels/scene_tree.h"
 #include "ui/runs/runs.h"
 #include "ui/window/place_panels.h"
@@ -32,6 +34,11 @@ void showRunsIn(const Panels& panels, Runs& runs) {
                      [census = panels.census, &runs] { census->setBusy(runs.isRunning()); });
     QObject::connect(panels.tree, &SceneTree::runChosen, &runs, &Runs::open);
     list();
+}
+
+void showResultsIn(const Panels& panels, ResultCard& results) {
+    panels.properties->addAbove(&results);
+    QObject::connect(&results, &ResultCard::subjectChanged, panels.properties, &PropertyPanel::setSubject);
 }
 
 }  // namespace keyblock

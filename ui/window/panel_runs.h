@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Panels know no runs and runs no panels: here the tree lists the runs of the
-// scene, and the census waits while one goes on.
+// scene, the census waits during a run, and properties begin with results.
 #pragma once
 
 namespace keyblock {
 
+class ResultCard;
 class Runs;
 struct Panels;
 
 void showRunsIn(const Panels& panels, Runs& runs);
+
+/// Puts the results of the chosen bolt or block above its properties.
+void showResultsIn(const Panels& panels, ResultCard& results);
 
 }  // namespace keyblock

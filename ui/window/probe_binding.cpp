@@ -63,10 +63,7 @@ ProbeBinding::ProbeBinding(const ProbeNeeds& needs, std::function<void(const QSt
          {QKeySequence(Qt::Key_V)}, true},
         [this, &needs = needs_] { probe_->setOn(needs.commands.action("view.probe")->isChecked()); });
     connect(probe_, &Probe::switched, action, &QAction::setChecked);
-    connect(probe_, &Probe::pinned, this, [this](const Pick& pick, const Point& place) {
-        const ViewChoice& choice = needs_.settings.choice();
-        needs_.pins.add(pinAt(*needs_.canvas.picture(), pick, place, ofBlocks(choice), ofBolts(choice)));
-    });
+    connect(probe_, &Probe::pinned, this, &ProbeBinding::pin);
     connect(probe_, &Probe::unpinAsked, &needs.pins, &Pins::remove);
     connect(probe_, &Probe::unpinAllAsked, &needs.pins, &Pins::clear);
     connect(probe_, &Probe::keepAsked, this, &ProbeBinding::keep);
@@ -80,6 +77,11 @@ ProbeBinding::ProbeBinding(const ProbeNeeds& needs, std::function<void(const QSt
     };
     connect(&needs.feed, &SectionFeed::modeChanged, this, enable);
     enable();
+}
+
+void ProbeBinding::pin(const Pick& pick, const Point& place) {
+    const ViewChoice& choice = needs_.settings.choice();
+    needs_.pins.add(pinAt(*needs_.canvas.picture(), pick, place, ofBlocks(choice), ofBolts(choice)));
 }
 
 void ProbeBinding::end() { probe_->setOn(false); }

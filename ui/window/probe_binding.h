@@ -5,6 +5,8 @@
 // the command that a person calls it by.
 #pragma once
 
+#include "ui/picture/pick.h"
+
 #include <QObject>
 
 #include <functional>
@@ -41,6 +43,9 @@ public:
 
     /// Puts the probe down: another tool is taken, or results are no longer shown.
     void end();
+
+    /// Pins what lies at a place of the section, so that Curves shows its values over time.
+    void pin(const Pick& pick, const Point& place);
 
 private:
     void keep(int number);

@@ -8,6 +8,8 @@
 #include "ui/docks/curves.h"
 #include "ui/docks/events_list.h"
 #include "ui/docks/health_strip.h"
+#include "ui/docks/quantity_table.h"
+#include "ui/docks/result_card.h"
 #include "ui/docks/run_list.h"
 #include "ui/docks/run_log.h"
 #include "ui/docks/run_status.h"
@@ -20,6 +22,7 @@
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
+#include "ui/runs/block_choice.h"
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/comparison.h"
 #include "ui/runs/live_run.h"
@@ -34,6 +37,7 @@
 #include "ui/window/dock.h"
 #include "ui/window/drawing_feed.h"
 #include "ui/window/probe_binding.h"
+#include "ui/window/result_selection.h"
 #include "ui/window/workflow_bar.h"
 
 #include <QDockWidget>
@@ -52,11 +56,17 @@ constexpr int messageTime = 8000;  // [ms]
 RunArea::RunArea(const RunAreaParts& parts)
     : QObject(&parts.window), parts_(parts), cursor_(new TimeCursor(this)),
       choice_(new BoltChoice(parts.document, parts.selection, *cursor_, this)),
+      blocks_(new BlockChoice(*cursor_, *choice_, this)),
       runs_(new Runs(parts.document, *cursor_, this)), settings_(new ViewSettings(this)),
       feed_(new SectionFeed(*choice_, *cursor_, *settings_, parts.display, this)), pins_(new Pins(*cursor_, this)),
+      results_(new ResultCard(parts.themes, parts.display, *cursor_, *choice_, *blocks_, &parts.window)),
       comparison_(new Comparison(*cursor_, this)) {
     addRunCommands(parts.commands, *runs_);
     addTimeCommands(parts.commands, *cursor_);
+    // Before the probe, whose pins have a menu of their own.
+    picking_ = new ResultSelection({parts.canvas, parts.themes, parts.commands, *feed_, *choice_, *blocks_,
+                                    [this](const Pick& pick, const Point& place) { probe_->pin(pick, place); }},
+                                   this);
     probe_ = new ProbeBinding({parts.canvas, parts.commands, parts.document, parts.themes, *cursor_, *feed_, *settings_,
                                *pins_},
                               [this](const QString& message) { tell(message, false); }, this);
@@ -77,6 +87,9 @@ RunArea::RunArea(const RunAreaParts& parts)
         Q_EMIT statesChanged();
     });
     connect(&parts.canvas, &Canvas::legendClicked, this, &RunArea::openScale);
+    connect(&parts.document, &Document::replaced, this, [this] {
+        if (!cursor_->run()) parts_.workflow.choose(WorkStep::Geometry);
+    });
     connect(&parts.canvas, &Canvas::spaceTapped, parts.commands.action("time.play"), &QAction::trigger);
 }
 
@@ -87,9 +100,6 @@ void RunArea::place(QVBoxLayout& aboveCanvas, QBoxLayout& besideCanvas) {
     aboveCanvas.insertWidget(0, bar_);
     bar_->setVisible(feed_->showsResults());
     warning_ = new RunWarning(parts_.themes, *cursor_, &parts_.window);
-    connect(&parts.document, &Document::replaced, this, [this] {
-        if (!cursor_->run()) parts_.workflow.choose(WorkStep::Geometry);
-    });
     aboveCanvas.insertWidget(1, warning_);
     parts_.workflow.addRight(new RunStatus(parts_.themes, parts_.commands, *runs_, &parts_.workflow));
     placeDocks(besideCanvas);
@@ -126,11 +136,13 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
     QDockWidget* health = makeDock(window, themes, "healthDock", tr("Health"), health_);
     eventsDock_ = makeDock(window, themes, "eventsDock", tr("Events"), events_);
     QDockWidget* energy = makeDock(window, themes, "energyDock", tr("Energy"), energies);
+    auto* quantities = new QuantityTable(themes, *cursor_, &window);
+    QDockWidget* asked = makeDock(window, themes, "quantitiesDock", tr("Quantities"), quantities);
     compare_->place(besideCanvas, *allCurves, *energies);
     QDockWidget* list = makeDock(window, themes, "runsDock", tr("Runs"),
                                  new RunList(themes, parts_.commands, *runs_, *comparison_, &window));
     QDockWidget* log = makeDock(window, themes, "logDock", tr("Log"), log_);
-    for (QDockWidget* dock : {time, strip, curves, verdict, health, eventsDock_, energy, list, log})
+    for (QDockWidget* dock : {time, strip, curves, verdict, health, eventsDock_, asked, energy, list, log})
         window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // where, is for the layouts to say
     connect(health_, &HealthStrip::blockAsked, this, &RunArea::askBlock);
     const auto outline = [this](int block, const QString& what) {
@@ -154,6 +166,7 @@ void RunArea::showMode() {
     if (bar_) bar_->setVisible(results);
     if (warning_) warning_->setOn(results);
     parts_.drawing.setOn(!results);
+    results_->setOn(results);
     Q_EMIT modeChanged(results);
     if (!results) return askBlock(-1, {});  // blocks of a run are not those of the drawing
     parts_.canvas.setDrawing(false);

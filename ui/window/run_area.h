@@ -18,6 +18,7 @@ class QVBoxLayout;
 
 namespace keyblock {
 
+class BlockChoice;
 class BoltChoice;
 class Canvas;
 class Commands;
@@ -29,6 +30,8 @@ class DrawingFeed;
 class EventsList;
 class HealthStrip;
 class Pins;
+class ResultCard;
+class ResultSelection;
 class ProbeBinding;
 class RunLog;
 class Runs;
@@ -74,6 +77,8 @@ public:
     const BoltChoice& choice() const { return *choice_; }
     ViewSettings& settings() { return *settings_; }
     ProbeBinding& probe() { return *probe_; }
+    /// Results of the chosen bolt or block, for the property panel.
+    ResultCard& results() { return *results_; }
 
 Q_SIGNALS:
     void statesChanged();
@@ -93,10 +98,13 @@ private:
     RunAreaParts parts_;
     TimeCursor* cursor_;
     BoltChoice* choice_;
+    BlockChoice* blocks_;
     Runs* runs_;
     ViewSettings* settings_;
     SectionFeed* feed_;
     Pins* pins_;
+    ResultSelection* picking_;
+    ResultCard* results_;
     ProbeBinding* probe_;
     Comparison* comparison_;
     CompareArea* compare_;

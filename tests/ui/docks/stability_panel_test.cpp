@@ -65,8 +65,9 @@ TEST_F(StabilityPanelTest, SaysThatAHungBlockStandsAndHowItsBoltIsUsed) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return bolts->topLevelItemCount() == 1; }));
     const QTreeWidgetItem* row = bolts->topLevelItem(0);
     EXPECT_EQ(row->text(0), "B");
-    EXPECT_TRUE(row->text(3).startsWith("26.5 kN at ")) << row->text(3).toStdString();  // 2.7 t of rock
-    EXPECT_EQ(row->text(2), "hung");
+    EXPECT_EQ(row->text(1), "intact");
+    EXPECT_TRUE(row->text(4).startsWith("26.5 kN at ")) << row->text(4).toStdString();  // 2.7 t of rock
+    EXPECT_EQ(row->text(3), "hung");
     shown.click(bolts, 0);
     EXPECT_EQ(shown.choice.bolt(), 0);
 }

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The quantities that a scene asks for, as a run measured them, compared with the
+// values that the scene expects.
+#pragma once
+
+#include "solver/results/quantity.h"
+#include "ui/document/background.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <vector>
+
+class QLabel;
+class QTreeWidget;
+
+namespace keyblock {
+
+class LiveRun;
+class Themes;
+class TimeCursor;
+
+class QuantityTable : public QWidget {
+    Q_OBJECT
+
+public:
+    QuantityTable(const Themes& themes, const TimeCursor& cursor, QWidget* parent = nullptr);
+    ~QuantityTable() override;
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    struct Reading;
+
+    void read();
+    void fill(const Reading& reading);
+    void addExpected(const MeasuredComparison& comparison, bool isWhole);
+
+    const Themes& themes_;
+    const TimeCursor& cursor_;
+    QLabel* hint_;
+    QTreeWidget* list_;
+    std::shared_ptr<const LiveRun> run_;  // that was read last
+    std::size_t rows_ = 0;  // of its history then
+    Background reader_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/result_rows.h"
+
+#include "solver/results/frame_quantities.h"
+#include "solver/results/run_source.h"
+#include "solver/results/words.h"
+#include "ui/look/display.h"
+#include "ui/picture/event_list.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace keyblock {
+
+namespace {
+
+constexpr std::size_t mostEvents = 8;
+constexpr double nothing = 1e-9, leastUse = 1e-6;  // of the axial force, of a strength: less is round-off
+
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(ResultRows)
+};
+
+QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<int>(words.size())); }
+
+QString percent(double share) {
+    const double shown = share < leastUse ? 0.0 : 100.0 * share;
+    return Display::number(shown, shown < 9.95 ? 2 : 3) + QStringLiteral(" %");
+}
+
+QString timeText(const Scene& scene, int stage, double time) {
+    const QString name = QString::fromStdString(stageName(scene, stage));
+    const bool moves = scene.stages[static_cast<std::size_t>(stage)].kind == StageKind::Dynamic;
+    return moves ? Texts::tr("%1, %2 s").arg(name, Display::number(time, 4)) : name + ' ' + Display::number(time, 4);
+}
+
+/// Makes rows in units and signs as shown.
+struct RowMaker {
+    const RunSource& run;
+    const ShownNumbers& numbers;
+    std::vector<ResultRow>& rows;
+
+    QString shown(double value, std::string_view unit, double factor, std::string_view convention = {}) const {
+        const ShownAs as = shownAs(unit, convention, numbers);
+        const QString symbol = QString::fromStdString(as.unit);
+        return Display::number(factor * as.factor * value, 4) + (symbol.isEmpty() ? QString() : ' ' + symbol);
+    }
+
+    void add(const QString& name, const QString& value) { rows.push_back({name, value}); }
+
+    void peak(const QString& name, const BoltPeak& peak, std::string_view unit, double factor, double axial) {
+        if (peak.stage < 0 || std::abs(peak.value) < nothing * std::abs(axial)) return add(name, QStringLiteral("0"));
+        rows.push_back({name, shown(peak.value, unit, factor),
+                        Texts::tr("at %1 m, %2").arg(Display::number(peak.at, 3), timeText(run.scene(), peak.stage, peak.time))});
+    }
+
+    void use(const QString& name, const BoltPeak& peak) {
+        if (peak.value < 0.0) return;  // no such strength
+        ResultRow row{name, percent(peak.value)};
+        if (peak.stage >= 0 && peak.value >= leastUse) row.detail = timeText(run.scene(), peak.stage, peak.time);
+        row.use = peak.value;
+        rows.push_back(std::move(row));
+    }
+
+    void quantity(std::string_view name, const BlockState& block) {
+        const auto* found = findQuantity(blockQuantities(), name);
+        if (!found) return;
+        QString title = text(found->display.title);
+        if (title.startsWith("Block stress ")) title = title.mid(13);
+        add(title, shown(found->value(block), found->display.unit, found->display.factor, found->display.convention));
+    }
+};
+
+std::vector<ResultEvent> eventsOf(const RunSource& run, const std::vector<Event>& events) {
+    std::vector<ResultEvent> list;
+    for (const EventEntry& entry : eventList(run, events, mostEvents).entries) {
+        ResultEvent shown{timeText(run.scene(), entry.stage, entry.time), QString::fromStdString(entry.what), {}};
+        const auto first = std::ranges::find_if(events, [&](const Event& event) {
+            return event.kind == entry.kind && event.stage == entry.stage && event.time == entry.time;
+        });
+        if (first != events.end()) shown.event = *first;
+        list.push_back(std::move(shown));
+    }
+    return list;
+}
+
+template <typename Belongs>
+std::vector<Event> some(const std::vector<Event>& events, Belongs belongs) {
+    std::vector<Event> found;
+    std::ranges::copy_if(events, std::back_inserter(found), belongs);
+    return found;
+}
+
+void addPlate(const BoltReport& report, RowMaker& make) {
+    if (!report.hasPlate) return;
+    make.add(Texts::tr("Plate load now"),
+             report.plateHolds ? make.shown(report.plateForce, "kN", 1e-3) : Texts::tr("plate lost"));
+}
+
+void addBond(const BoltReport& report, RowMaker& make) {
+    const int nodes = report.bonded + report.slipping + report.failed;
+    if (nodes == 0) return;
+    make.add(Texts::tr("Debonded length now"), make.shown(report.debonded, "m", 1.0));
+    make.add(Texts::tr("Bonded nodes now"), Texts::tr("%1 bonded, %2 slipping, %3 failed")
+                                                .arg(report.bonded)
+                                                .arg(report.slipping)
+                                                .arg(report.failed));
+}
+
+}  // namespace
+
+ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, const std::vector<Event>& events,
+                         const ShownNumbers& numbers) {
+    const Scene& scene = run.scene();
+    const Bolt& shown = scene.bolts[static_cast<std::size_t>(bolt)];
+    const BoltReport report = boltReport(scene, frame, bolt, events);
+    ResultReport result{Texts::tr("%1 · bolt").arg(QString::fromStdString(shown.name)), QString::fromStdString(shown.type), {}, {}};
+    RowMaker make{run, numbers, result.rows};
+    make.add(Texts::tr("State now"), text(wordOf(report.condition)));
+    const BoltExtremes& peaks = report.use.extremes;
+    const double axial = peaks.axialForce.value;
+    make.peak(Texts::tr("Largest N"), peaks.axialForce, "kN", 1e-3, axial);
+    make.peak(Texts::tr("Largest Q"), peaks.shearForce, "kN", 1e-3, axial);
+    make.peak(Texts::tr("Largest M"), peaks.moment, "N m", 1.0, axial);
+    make.use(Texts::tr("Use of steel"), peaks.steel);
+    make.use(Texts::tr("Use of shear strength"), peaks.shear);
+    make.use(Texts::tr("Use of bond"), peaks.bond);
+    make.use(Texts::tr("Use of face plate"), peaks.plate);
+    if (report.isInstalled()) {
+        addPlate(report, make);
+        addBond(report, make);
+    }
+    result.events = eventsOf(run, some(events, [&](const Event& event) { return event.bolt == bolt; }));
+    return result;
+}
+
+ResultReport blockResults(const RunSource& run, const Frame& frame, int block, const std::vector<Event>& events,
+                          const ShownNumbers& numbers) {
+    static constexpr std::array quantities{"displacement", "ux", "uy",  "rotation", "velocity", "sigma1",
+                                           "sigma3",       "sxx", "syy", "sxy",      "weight",   "area"};
+    const BlockState& state = frame.blocks[static_cast<std::size_t>(block)];
+    ResultReport result{Texts::tr("Block %1").arg(QString::fromStdString(blockName(run.blockNames(), block))),
+                        Texts::tr("block of this run"), {}, {}};
+    RowMaker make{run, numbers, result.rows};
+    if (state.area <= 0.0) {
+        make.add(Texts::tr("State now"), Texts::tr("excavated"));
+    } else {
+        for (const char* name : quantities) make.quantity(name, state);
+    }
+    result.events = eventsOf(run, some(events, [&](const Event& event) {
+                                 return event.bolt < 0 && (event.block == block || event.otherBlock == block);
+                             }));
+    return result;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Clicks on the section while results are shown: blocks are chosen and outlined, and
+// a menu offers what can be done with the block or bolt under the mouse.
+#pragma once
+
+#include "ui/canvas/canvas_tool.h"
+#include "ui/picture/pick.h"
+
+#include <QObject>
+
+#include <functional>
+
+class QMenu;
+
+namespace keyblock {
+
+class BlockChoice;
+class BoltChoice;
+class Canvas;
+class Commands;
+class SectionFeed;
+class Themes;
+
+struct ResultSelectionNeeds {
+    Canvas& canvas;
+    const Themes& themes;
+    Commands& commands;
+    const SectionFeed& feed;
+    BoltChoice& bolts;
+    BlockChoice& blocks;
+    std::function<void(const Pick&, const Point&)> pin;  // a place on a block or bolt, to see its values over time
+};
+
+class ResultSelection : public QObject, public CanvasOverlay {
+    Q_OBJECT
+
+public:
+    explicit ResultSelection(ResultSelectionNeeds needs, QObject* parent);
+    ~ResultSelection() override;
+
+    /// The outline of the chosen block.
+    void paint(QPainter& painter, const CanvasMap& map) const override;
+    /// What a right click at that pixel offers.
+    void fillMenu(QMenu& menu, const QPointF& pixel);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    bool isProbing() const;
+    void chooseAt(const QPointF& pixel);
+    void addPicked(QMenu& menu, const Pick& pick, const QPointF& pixel);
+
+    ResultSelectionNeeds needs_;
+    QPointF pressed_;
+};
+
+}  // namespace keyblock
