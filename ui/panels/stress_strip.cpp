@@ -40,6 +40,7 @@ StressStrip::StressStrip(const FormContext& context, QWidget* parent)
     addField(Way::Principal, "stress.major", "Pa");
     addField(Way::Principal, "stress.minor", "Pa");
     addField(Way::Principal, "stress.angle", "°");
+    nameFields();
     problem_->setProperty("role", "problem");
     problem_->setWordWrap(true);
     problem_->hide();
