@@ -12,6 +12,8 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace keyblock {
 
 namespace {
@@ -62,7 +64,9 @@ QWidget* makeHeader(QDockWidget& dock, const Themes& themes) {
 
 /// Tabs tell the title already; the header comes back when the dock stands alone.
 void hideSecondHeader(QMainWindow& window, QDockWidget& dock, QWidget& header) {
-    const bool tabbed = !dock.isFloating() && !window.tabifiedDockWidgets(&dock).isEmpty();
+    const QList<QDockWidget*> others = window.tabifiedDockWidgets(&dock);
+    const auto isShown = [](const QDockWidget* other) { return !other->isHidden(); };
+    const bool tabbed = !dock.isFloating() && std::any_of(others.begin(), others.end(), isShown);
     header.setFixedHeight(tabbed ? 0 : headerHeight);
     header.setVisible(!tabbed);
     header.updateGeometry();

@@ -14,6 +14,7 @@
 #include "ui/docks/run_log.h"
 #include "ui/docks/run_status.h"
 #include "ui/docks/run_warning.h"
+#include "ui/docks/safety_panel.h"
 #include "ui/docks/scale_panel.h"
 #include "ui/docks/stability_panel.h"
 #include "ui/docks/time_line.h"
@@ -30,6 +31,7 @@
 #include "ui/runs/run_commands.h"
 #include "ui/runs/run_session.h"
 #include "ui/runs/runs.h"
+#include "ui/runs/safety_search.h"
 #include "ui/runs/section_feed.h"
 #include "ui/runs/time_cursor.h"
 #include "ui/runs/view_settings.h"
@@ -60,7 +62,7 @@ RunArea::RunArea(const RunAreaParts& parts)
       runs_(new Runs(parts.document, *cursor_, this)), settings_(new ViewSettings(this)),
       feed_(new SectionFeed(*choice_, *cursor_, *settings_, parts.display, this)), pins_(new Pins(*cursor_, this)),
       results_(new ResultCard(parts.themes, parts.display, *cursor_, *choice_, *blocks_, &parts.window)),
-      comparison_(new Comparison(*cursor_, this)) {
+      comparison_(new Comparison(*cursor_, this)), safety_(new SafetySearch(parts.document, this)) {
     addRunCommands(parts.commands, *runs_);
     addTimeCommands(parts.commands, *cursor_);
     // Before the probe, whose pins have a menu of their own.
@@ -138,11 +140,19 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
     QDockWidget* energy = makeDock(window, themes, "energyDock", tr("Energy"), energies);
     auto* quantities = new QuantityTable(themes, *cursor_, &window);
     QDockWidget* asked = makeDock(window, themes, "quantitiesDock", tr("Quantities"), quantities);
+    QDockWidget* safety = makeDock(window, themes, "safetyDock", tr("Safety"), new SafetyPanel(*safety_, &window));
+    parts_.commands.add({"run.safety", tr("Find factor of safety"), "Run", {},
+                         tr("Runs the scene with reduced strengths until it fails."), {}, false, "safety"},
+                        [this, safety] {
+                            safety->show();
+                            safety->raise();
+                            safety_->start();
+                        });
     compare_->place(besideCanvas, *allCurves, *energies);
     QDockWidget* list = makeDock(window, themes, "runsDock", tr("Runs"),
                                  new RunList(themes, parts_.commands, *runs_, *comparison_, &window));
     QDockWidget* log = makeDock(window, themes, "logDock", tr("Log"), log_);
-    for (QDockWidget* dock : {time, strip, curves, verdict, health, eventsDock_, asked, energy, list, log})
+    for (QDockWidget* dock : {time, strip, curves, verdict, health, eventsDock_, asked, safety, energy, list, log})
         window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // where, is for the layouts to say
     connect(health_, &HealthStrip::blockAsked, this, &RunArea::askBlock);
     const auto outline = [this](int block, const QString& what) {

@@ -35,6 +35,7 @@ class ResultSelection;
 class ProbeBinding;
 class RunLog;
 class Runs;
+class SafetySearch;
 class SectionFeed;
 class Selection;
 class Themes;
@@ -107,6 +108,7 @@ private:
     ResultCard* results_;
     ProbeBinding* probe_;
     Comparison* comparison_;
+    SafetySearch* safety_;
     CompareArea* compare_;
     int asked_ = -1;  // block that is outlined
     ViewBar* bar_ = nullptr;

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/safety_panel.h"
+
+#include "solver/results/words.h"
+#include "ui/look/display.h"
+#include "ui/runs/safety_search.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVariant>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace keyblock {
+
+namespace {
+
+constexpr std::size_t mostNamed = 6;  // blocks
+
+QString text(std::string_view word) { return QString::fromUtf8(word.data(), static_cast<int>(word.size())); }
+
+}  // namespace
+
+SafetyPanel::SafetyPanel(SafetySearch& search, QWidget* parent)
+    : QWidget(parent), search_(search), answer_(new QLabel(this)), failure_(new QLabel(this)),
+      progress_(new QProgressBar(this)), start_(new QPushButton(tr("Find factor"), this)),
+      stop_(new QPushButton(tr("Stop"), this)), runs_(new QTreeWidget(this)) {
+    setObjectName("safetyPanel");
+    setAttribute(Qt::WA_StyledBackground);
+    setAccessibleName(tr("Factor of safety"));
+    answer_->setObjectName("safetyAnswer");
+    answer_->setProperty("role", "title");
+    failure_->setProperty("role", "detail");
+    for (QLabel* label : {answer_, failure_}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+    }
+    progress_->setTextVisible(false);
+    progress_->setFixedHeight(6);
+    start_->setObjectName("safety.start");
+    stop_->setObjectName("safety.stop");
+    for (QPushButton* button : {start_, stop_}) button->setAccessibleName(button->text());
+    runs_->setObjectName("safetyRuns");
+    runs_->setAccessibleName(tr("Runs with reduced strengths"));
+    runs_->setRootIsDecorated(false);
+    runs_->setHeaderLabels({tr("Factor"), tr("Result"), tr("Stage"), tr("Steps")});
+    auto* row = new QHBoxLayout;
+    row->addWidget(answer_, 1);
+    row->addWidget(stop_);
+    row->addWidget(start_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 6, 12, 6);
+    column->setSpacing(4);
+    column->addLayout(row);
+    column->addWidget(progress_);
+    column->addWidget(failure_);
+    column->addWidget(runs_, 1);
+    connect(start_, &QPushButton::clicked, &search, &SafetySearch::start);
+    connect(stop_, &QPushButton::clicked, &search, &SafetySearch::stop);
+    connect(&search, &SafetySearch::changed, this, &SafetyPanel::fill);
+    fill();
+}
+
+void SafetyPanel::fill() {
+    const bool busy = search_.isBusy();
+    start_->setVisible(!busy);
+    stop_->setVisible(busy);
+    progress_->setVisible(busy);
+    progress_->setValue(static_cast<int>(100.0 * search_.fractionNow()));
+    answer_->setText(answer());
+    failure_->setText(failure());
+    failure_->setVisible(!failure_->text().isEmpty());
+    if (runs_->topLevelItemCount() != static_cast<int>(search_.runs().size())) fillRuns();
+}
+
+QString SafetyPanel::answer() const {
+    const auto number = [](double factor) { return Display::number(factor, 4); };
+    if (!search_.problem().isEmpty()) return search_.problem();
+    if (search_.isBusy()) return tr("Running with all strengths divided by %1").arg(number(search_.factorNow()));
+    if (!search_.found()) return tr("The scene is run again and again with reduced strengths until it fails.");
+    const SafetyFactor& found = *search_.found();
+    if (found.nothingToFreeze) return tr("The scene fails with its own strengths: no bolt forces to freeze.");
+    if (found.lower && found.upper)
+        return tr("Factor of safety between %1 (stable) and %2 (fails)").arg(number(*found.lower), number(*found.upper));
+    if (found.lower) return tr("Factor of safety above %1 (stable)").arg(number(*found.lower));
+    if (found.upper) return tr("Factor of safety below %1 (fails)").arg(number(*found.upper));
+    return found.cutShort == Outcome::Stopped ? tr("Stopped before the first run ended") : tr("No factor was found");
+}
+
+/// How the scene fails at the upper end of the bracket.
+QString SafetyPanel::failure() const {
+    if (!search_.found()) return {};
+    const SafetyFactor& found = *search_.found();
+    QStringList lines;
+    if (found.cutShort == Outcome::Stopped) lines << tr("Stopped; the bracket is as far as it was found.");
+    if (found.cutShort == Outcome::Limit) lines << tr("A limit of the scene was reached in the last run.");
+    if (found.cutShort == Outcome::Undecided) lines << tr("The runs within the bracket are undecided.");
+    if (!found.mode || found.mode->blocks.empty()) return lines.join('\n');
+    QStringList blocks;
+    for (const MovingBlock& block : found.mode->blocks) {
+        if (static_cast<std::size_t>(blocks.size()) == mostNamed) break;
+        blocks << tr("%1 (%2)").arg(QString::fromStdString(blockName(search_.blockNames(), block.block)),
+                                    text(wordOf(block.movement)));
+    }
+    if (const std::size_t all = found.mode->blocks.size(); all > mostNamed) blocks << tr("%1 more").arg(all - mostNamed);
+    lines << tr("Blocks that fail: %1").arg(blocks.join(", "));
+    return lines.join('\n');
+}
+
+void SafetyPanel::fillRuns() {
+    runs_->clear();
+    for (const SafetyRun& run : search_.runs()) {
+        const QString result = run.end.outcome == Outcome::Undecided ? tr("undecided") : run.stands ? tr("stable") : tr("fails");
+        new QTreeWidgetItem(runs_, {Display::number(run.factor, 4), result,
+                                    QString::fromStdString(stageName(search_.scene(), run.end.stage)),
+                                    QString::number(run.end.steps)});
+    }
+    runs_->scrollToBottom();
+}
+
+}  // namespace keyblock

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The factor of safety: its search with progress and Stop, the bracket that was
+// found, and which blocks fail.
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTreeWidget;
+
+namespace keyblock {
+
+class SafetySearch;
+
+class SafetyPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SafetyPanel(SafetySearch& search, QWidget* parent = nullptr);
+
+private:
+    void fill();
+    void fillRuns();
+    QString answer() const;
+    QString failure() const;
+
+    SafetySearch& search_;
+    QLabel *answer_, *failure_;
+    QProgressBar* progress_;
+    QPushButton *start_, *stop_;
+    QTreeWidget* runs_;
+};
+
+}  // namespace keyblock

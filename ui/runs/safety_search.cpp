@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/safety_search.h"
+
+#include "solver/run/strength_reduction.h"
+#include "solver/scene/solved_blocks.h"
+#include "ui/document/document.h"
+
+#include <exception>
+#include <utility>
+
+namespace keyblock {
+
+namespace {
+
+constexpr int pollTime = 150;  // [ms]
+
+QString firstError(const std::vector<Problem>& problems) {
+    for (const Problem& problem : problems)
+        if (problem.severity == Severity::Error) return QString::fromStdString(problem.message + ". " + problem.remedy);
+    return {};
+}
+
+}  // namespace
+
+SafetySearch::SafetySearch(const Document& document, QObject* parent)
+    : QObject(parent), document_(document), scene_(std::make_shared<const Scene>()) {
+    connect(&poll_, &QTimer::timeout, this, &SafetySearch::take);
+}
+
+SafetySearch::~SafetySearch() {
+    stop();
+    if (thread_.joinable()) thread_.join();
+}
+
+void SafetySearch::start() {
+    if (busy_) return;
+    if (thread_.joinable()) thread_.join();
+    scene_ = document_.committed();
+    runs_.clear();
+    found_.reset();
+    const bool isChecked = document_.checkIsCurrent();
+    problem_ = isChecked ? firstError(document_.checked().problems) : tr("The scene is still being checked. Try again.");
+    if (problem_.isEmpty() && scene_->stages.empty()) problem_ = tr("Nothing to run: add a stage.");
+    if (problem_.isEmpty()) problem_ = firstError(checkSafety(*scene_));
+    if (!problem_.isEmpty()) return Q_EMIT changed();
+    const Checked& checked = document_.checked();
+    names_ = keyblock::blockNames(checked.cut ? checked.cut->scene : *scene_);
+    newRuns_.clear();
+    newFound_.reset();
+    newProblem_.clear();
+    ended_ = false;
+    fraction_ = 0.0;
+    control_.stop = false;
+    control_.progress = [this](const Progress& now) { fraction_ = now.fraction; };
+    busy_ = true;
+    thread_ = std::thread([this] { work(); });
+    poll_.start(pollTime);
+    Q_EMIT changed();
+}
+
+void SafetySearch::stop() { control_.stop = true; }
+
+void SafetySearch::work() {
+    std::optional<SafetyFactor> found;
+    std::string problem;
+    try {
+        const auto trial = [this](const Scene& reduced, double factor, Sink& sink) {
+            factor_ = factor;
+            fraction_ = 0.0;
+            keyblock::run(reduced, sink, control_);
+        };
+        found = findSafetyFactor(*scene_, trial, [this](const SafetyRun& run) {
+            const std::lock_guard lock(mutex_);
+            newRuns_.push_back(run);
+        });
+    } catch (const std::exception& error) {
+        problem = error.what();
+    }
+    const std::lock_guard lock(mutex_);
+    newFound_ = std::move(found);
+    newProblem_ = std::move(problem);
+    ended_ = true;
+}
+
+void SafetySearch::take() {
+    {
+        const std::lock_guard lock(mutex_);
+        runs_ = newRuns_;
+        if (ended_) {
+            found_ = newFound_;
+            problem_ = QString::fromStdString(newProblem_);
+            busy_ = false;
+        }
+    }
+    if (!busy_) poll_.stop();
+    Q_EMIT changed();
+}
+
+}  // namespace keyblock
