@@ -32,6 +32,7 @@ public:
     /// The objects that the form shows; pointers that lead nowhere are left out.
     void setObjects(std::vector<std::string> pointers);
     const std::vector<std::string>& objects() const { return pointers_; }
+    bool hasRows() const { return !rows_.empty(); }
 
     void setFilter(const QString& text);
 

@@ -152,7 +152,8 @@ private:
         for (const CutNote& note : cut.notes) ++kinds[note.kind];
         ProblemRow row;
         row.sign = ProblemRow::Sign::Report;
-        row.title = Texts::tr("Cut report: %1 blocks").arg(Display::number(cut.blocks, 12));
+        row.title = cut.blocks == 1 ? Texts::tr("Cut report: 1 block")
+                                   : Texts::tr("Cut report: %1 blocks").arg(Display::number(cut.blocks, 12));
         if (cut.open > 0) row.title += Texts::tr(", %1 left out in open tunnels").arg(cut.open);
         row.detail = counts(kinds);
         row.where = Texts::tr("whole section");

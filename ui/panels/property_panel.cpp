@@ -62,10 +62,10 @@ PropertyPanel::PropertyPanel(const FormContext& context, Selection& selection, Q
     page_->setContentsMargins(0, 0, 0, 0);
     page_->setSpacing(0);
     strip_ = new AnchorStrip(context, page);
-    page_->addWidget(form_);
-    page_->addWidget(strip_);
     stress_ = new StressStrip(context, page);
     page_->addWidget(stress_);
+    page_->addWidget(form_);
+    page_->addWidget(strip_);
     page_->addStretch(1);
     scroll_->setWidget(page);
     column->addWidget(scroll_, 1);
@@ -146,8 +146,21 @@ void PropertyPanel::present(const QStringList& pointers) {
     strip_->setObject(only);
     stress_->setObject(only);
     showHeader();
+    showFoot();
+}
+
+/// The help of what is shown, until a field has the focus.
+void PropertyPanel::showFoot() {
     const auto at = objectAt(*context_.document.scene(), form_->objects().front());
     if (!at) return;
+    if (!subject_.isEmpty() && pinned_.isEmpty()) {
+        helpTitle_->clear();
+        return helpText_->setText(tr("Results at the moment shown. Drag along the timeline to see others."));
+    }
+    if (!form_->hasRows()) {
+        helpTitle_->clear();
+        return helpText_->setText(tr("Select objects of one kind to edit their fields together."));
+    }
     helpTitle_->setText(QString("<b>%1</b>").arg(titleOf(*at->structure).toHtmlEscaped()));
     helpText_->setText(plainHelp(at->structure->help));
 }
@@ -158,6 +171,7 @@ void PropertyPanel::setSubject(const QString& title, const QString& detail) {
     subject_ = title;
     subjectDetail_ = detail;
     showHeader();
+    showFoot();
 }
 
 void PropertyPanel::showHeader() {

@@ -48,6 +48,7 @@ private:
     void follow();
     void present(const QStringList& pointers);
     void showHeader();
+    void showFoot();
     void showHelp(const FormRow& row);
     QWidget* makeHeader();
     QWidget* makeFoot();

@@ -44,7 +44,7 @@ StressStrip::StressStrip(const FormContext& context, QWidget* parent)
     problem_->setProperty("role", "problem");
     problem_->setWordWrap(true);
     problem_->hide();
-    auto* fillIn = new QPushButton(tr("Fill in the fields above"), this);
+    auto* fillIn = new QPushButton(tr("Fill in the fields below"), this);
     fillIn->setObjectName("stress.apply");
     fillIn->setAccessibleName(fillIn->text());
     auto* column = new QVBoxLayout(this);
@@ -61,6 +61,7 @@ StressStrip::StressStrip(const FormContext& context, QWidget* parent)
     connect(&context.document, &Document::changed, this, [this] {
         if (isVisible()) fill();
     });
+    nameFields();
     hide();
 }
 

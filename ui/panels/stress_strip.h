@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Below the fields of the in-situ stress: depth and K0, or principal stresses and
+// Above the fields of the in-situ stress: depth and K0, or principal stresses and
 // their direction, which fill these fields as one edit.
 #pragma once
 
