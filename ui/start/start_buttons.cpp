@@ -73,7 +73,9 @@ SampleCard::SampleCard(const Sample& sample, const Themes& themes, QWidget* pare
     setText(sample.title);
     setAccessibleName(sample.title);
     setAccessibleDescription(sample.shows);
-    setToolTip(sample.shows + '\n' + tr("Opens as a copy. The time was measured on one machine; yours may differ."));
+    // As rich text it is broken into lines of a readable width.
+    setToolTip(QStringLiteral("<p>%1</p><p>%2</p>")
+                   .arg(sample.shows.toHtmlEscaped(), tr("Opens a copy. Run time on the reference machine.").toHtmlEscaped()));
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_Hover);
     setFixedHeight(height);

@@ -200,6 +200,7 @@ QWidget* StartPage::makeFoot() {
         QAction* action = rooms_.commands.action(id);
         auto* link = new QPushButton(action->icon(), " " + words, foot);
         link->setProperty("quiet", true);
+        link->setAutoDefault(true);  // Enter presses it, as Space does
         link->setAccessibleName(words);
         link->setToolTip(action->toolTip());
         link->setObjectName("start." + action->objectName());

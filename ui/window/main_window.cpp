@@ -17,6 +17,7 @@
 #include "ui/window/export_binding.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/file_drops.h"
+#include "ui/window/file_menu.h"
 #include "ui/window/file_notices.h"
 #include "ui/window/help_binding.h"
 #include "ui/window/import_binding.h"
@@ -77,6 +78,7 @@ MainWindow::MainWindow(Themes& themes)
     raiseAskedPanels(*workflow_, panels);
     placeFileRooms();
     fillMenus(*menuBar(), *commands_);
+    addToMenus(*this, *recent_, [this](const QString& path) { openPath(path); });
     layouts_->begin();
     connect(runs_, &RunArea::modeChanged, layouts_,
             [this](bool results) { layouts_->show(results ? Arrangement::Results : Arrangement::Drawing); });
@@ -123,8 +125,8 @@ void MainWindow::placeFileRooms() {
     addFileNotices(*this, *document_, themes_);
     QWidget* search = addHelp(*this, *commands_, themes_);
     new FileDrops(*this, [this](const QString& path) { openPath(path); });
-    auto* recent = new RecentFiles(*document_, this);
-    start_ = addStartPage(*this, {themes_, *commands_, *document_, *journal_, *recent});
+    recent_ = new RecentFiles(*document_, this);
+    start_ = addStartPage(*this, {themes_, *commands_, *document_, *journal_, *recent_});
     for (const char* id : {"help.contents", "help.scene", "help.theory", "help.verification", "panel.library"})
         connect(commands_->action(id), &QAction::triggered, start_, &QWidget::hide);  // it opens beside the canvas
     layouts_ = new Layouts(*this, *commands_);

@@ -18,6 +18,7 @@ class Document;
 class DrawingFeed;
 class Journal;
 class Layouts;
+class RecentFiles;
 class RunArea;
 class Selection;
 class StartPage;
@@ -55,6 +56,7 @@ private:
     Journal* journal_;
     Selection* selection_;
     Visibility* visibility_;
+    RecentFiles* recent_ = nullptr;
     StartPage* start_ = nullptr;
     Layouts* layouts_ = nullptr;
     WorkflowBar* workflow_;

@@ -16,6 +16,7 @@
 #include "ui/start/import_window.h"
 #include "ui/window/main_window.h"
 
+#include <QMenu>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
@@ -125,6 +126,18 @@ TEST_F(Opening, AnotherSceneBeginsAtItsGeometry) {
     EXPECT_TRUE(isChosen("workflow.5"));
     open(KEYBLOCK_SAMPLES_DIR "/incline.json");
     EXPECT_TRUE(isChosen("workflow.0"));
+}
+
+TEST_F(Opening, TheFileMenuListsRecentScenes) {
+    const fs::path copy = folder_.path() / "slope.json";
+    fs::copy_file(KEYBLOCK_SAMPLES_DIR "/incline.json", copy);
+    open(copy);
+    auto* recent = window_->findChild<QMenu*>("menu.recent");
+    ASSERT_TRUE(recent);
+    Q_EMIT recent->aboutToShow();
+    ASSERT_FALSE(recent->actions().isEmpty());
+    EXPECT_EQ(recent->actions().front()->text(), "slope.json");
+    EXPECT_TRUE(recent->actions().front()->isEnabled());
 }
 
 }  // namespace

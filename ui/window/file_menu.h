@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the menus File and Help have besides commands: recent scenes, and a word on
+// the program itself.
+#pragma once
+
+#include <functional>
+
+class QMainWindow;
+class QString;
+
+namespace keyblock {
+
+class RecentFiles;
+
+/// Adds "Open recent" below Open and "About" at the end of Help. \pre the menus are filled. `open` gets a path.
+void addToMenus(QMainWindow& window, const RecentFiles& recent, std::function<void(const QString&)> open);
+
+}  // namespace keyblock
