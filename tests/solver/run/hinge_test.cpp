@@ -230,23 +230,25 @@ Scene pulledThenSheared(double pull, RuptureRule rule) {
     return scene;
 }
 
-TEST(CombinedRupture, HappensOnTheCurveOfInteraction) {
+class CombinedRupture : public testing::TestWithParam<double> {};  // share of the tensile strength that pulls first
+
+TEST_P(CombinedRupture, HappensOnTheCurveOfInteraction) {
     const double tension = 600e6 * barArea(), shear = 0.6 * tension;
-    for (const double share : {0.1, 0.4, 0.75}) {
-        const Solved solved = solve(pulledThenSheared(share * tension, RuptureRule::Interaction));
-        const auto broke = std::find_if(solved.results.events.begin(), solved.results.events.end(), [](const Event& e) {
-            return e.kind == EventKind::ShearRupture || e.kind == EventKind::TensileRupture;
-        });
-        ASSERT_NE(broke, solved.results.events.end()) << share;
-        const double n = broke->axialForce / tension, q = std::abs(broke->shearForce) / shear;
-        EXPECT_NEAR(n * n + q * q, 1.0, 3e-4) << share;
-        EXPECT_EQ(broke->kind, n >= q ? EventKind::TensileRupture : EventKind::ShearRupture) << share;
-        EXPECT_NEAR(reading(solved, "max B.utilisation"), 1.0, 3e-4) << share;
-        EXPECT_GT(reading(solved, "max B.utilisation_with_moment"), 1.0) << share;
-    }
+    const Solved solved = solve(pulledThenSheared(GetParam() * tension, RuptureRule::Interaction));
+    const auto broke = std::find_if(solved.results.events.begin(), solved.results.events.end(), [](const Event& e) {
+        return e.kind == EventKind::ShearRupture || e.kind == EventKind::TensileRupture;
+    });
+    ASSERT_NE(broke, solved.results.events.end());
+    const double n = broke->axialForce / tension, q = std::abs(broke->shearForce) / shear;
+    EXPECT_NEAR(n * n + q * q, 1.0, 3e-4);
+    EXPECT_EQ(broke->kind, n >= q ? EventKind::TensileRupture : EventKind::ShearRupture);
+    EXPECT_NEAR(reading(solved, "max B.utilisation"), 1.0, 3e-4);
+    EXPECT_GT(reading(solved, "max B.utilisation_with_moment"), 1.0);
 }
 
-TEST(CombinedRupture, IndependentRuleLooksAtShearAlone) {
+INSTANTIATE_TEST_SUITE_P(Pulled, CombinedRupture, testing::Values(0.1, 0.4, 0.75));
+
+TEST(IndependentRupture, LooksAtShearAlone) {
     const double tension = 600e6 * barArea();
     const Solved solved = solve(pulledThenSheared(0.4 * tension, RuptureRule::Independent));
     EXPECT_NEAR(std::abs(reading(solved, "first shear-rupture shear force")), 0.6 * tension, 1e-3 * tension);
