@@ -4,6 +4,8 @@
 // What one stage leaves to the next, what a stage changes, and where a run ends.
 #include "solver/run/run.h"
 
+#include "solver/engine/setup/make_model.h"
+#include "solver/run/stage_loads.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
 
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace keyblock {
 namespace {
@@ -263,6 +266,23 @@ TEST(Loads, AreReplacedWithoutAGap) {
     const Solved solved = solve(pressed.scene);
     EXPECT_TRUE(solved.results.events.empty());
     EXPECT_EQ(solved.results.stages[1].outcome, Outcome::Equilibrium);
+}
+
+/// What later stages have replaced is dropped once it has faded out, so that a stage costs the same however many came
+/// before it.
+TEST(Loads, ReplacedOnesAreNotKept) {
+    Pressed pressed;
+    for (int i = 0; i < 20; ++i) pressed.stage("stage " + std::to_string(i), {down(1e4 * (1 + i % 3)), pressing(1e3)});
+    const Model model = makeModel(pressed.scene);
+    State state = makeState(model);
+    LoadMemory memory;
+    StageLoads loads(model, pressed.scene, memory);
+    for (int i = 0; i < 20; ++i) {
+        loads.begin(i, state);
+        EXPECT_LE(memory.loads.forces.size(), 2u) << i;
+        EXPECT_LE(memory.loads.pressures.size(), 2u) << i;
+        loads.end(loads.at(1.0));
+    }
 }
 
 /// Least opening in a stage; 0 where none is less.
