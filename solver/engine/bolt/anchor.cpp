@@ -72,8 +72,8 @@ void debond(const AnchorModel& anchor, double strengthFactor, BoltNode& node) {
     bond.force = -bond.keptForce * bond.share;
 }
 
-/// Friction of a point that does not stick again stays the same whatever moves. On a way back it pulls the way that the
-/// point goes, as a dead load does, and that work is a load's.
+/// The force of a point that does not re-stick is constant. When sliding reverses, it pulls in the direction of motion, as
+/// a dead load does, and that work is a load's.
 void accountKeptForce(const NodeBond& bond, BoltMotion& motion, EnergyLedger& energy, const SolvedLink& solved) {
     const Law& law = solved.link.law;
     const double work = law.share * law.limit * (solved.strain + bond.slip);

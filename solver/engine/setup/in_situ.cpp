@@ -40,7 +40,7 @@ public:
         return model_.thickness * length / 6.0 * (2.0 * at(near, outward) + at(far, outward));
     }
 
-    /// A plate, or a block that stands in an opening: the stress does not pass through it.
+    /// A plate, or a block in an opening: it carries no in-situ stress.
     bool isApart(int block) const {
         const BlockModel& model = model_.blocks[block];
         return model.plateOf >= 0 || scene_.blocks[static_cast<std::size_t>(model.rock)].inOpening;

@@ -107,7 +107,7 @@ void checkBond(const Scene& scene, std::size_t index, const BoltModel& bolt, std
     problems.push_back(std::move(problem));
 }
 
-/// A range of anchors, each of the same strength, on a mesh that nobody gave: their number decides what it holds.
+/// A range of anchors with a strength per node on automatic divisions: the number of nodes decides its total strength.
 void checkAnchorCount(const Scene& scene, std::size_t index, const BoltModel& bolt, std::vector<Problem>& problems) {
     if (scene.bolts[index].divisions) return;
     const std::vector<Anchor>& anchors = anchorsOf(scene, scene.bolts[index]);

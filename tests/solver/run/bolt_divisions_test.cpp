@@ -149,7 +149,7 @@ TEST(BoltDivisions, WarnOfAnAnchorOnAJoint) {
     }
 }
 
-TEST(BoltDivisions, WarnOfAnchorsForEachNodeOnAMeshThatNobodyGave) {
+TEST(BoltDivisions, WarnOfAnchorsPerNodeOnAutomaticDivisions) {
     const auto warnings = [](Per per, std::optional<int> divisions) {
         Scene scene = row({1.0, 2.0});
         addBar(scene, 0.1, 1.9);

@@ -75,7 +75,7 @@ TEST(BoltLaws, WithoutRestickingTheForceStays) {
         if (row.time > 0.2) {
             EXPECT_NEAR(row.values[1], friction, 1e-6 * friction);
         }
-    // On the way back by 2U the force pulls the way that the bar goes: a load's work, no friction.
+    // When sliding reverses by 2U, the force pulls in the direction of motion: a load's work, no friction.
     const double flexibility = 1.0 / 50e6 + 0.5 / (200e9 * barArea()) + 1.0 / 100e6;
     const double slide = 3e-3 - friction * flexibility + 6e-3;
     EXPECT_NEAR(solved.results.frames.back().energy.friction, friction * slide, 1e-5 * friction * slide);
