@@ -39,13 +39,13 @@ std::vector<double> DualSweeps::carriedForces(const StepProblem& problem, const 
 void DualSweeps::sweepUntilSettled(StepWork& work) {
     swept_.clipAndPlace(forces_);
     AndersonMixing mixing(remembered);
+    Eigen::VectorXd changes;
     for (int made = 1;; ++made) {
-        const std::vector<double> before = forces_;
-        const SweptLinks::Change sum = swept_.sweep(forces_);
+        const SweptLinks::Change sum = swept_.sweep(forces_, changes);
         ++work.sweeps;
         if (!(sum.changed > settled * settled * sum.forces) || made == mostSweeps) return;
-        if (!mixing.mix(before, forces_)) continue;
-        swept_.clipAndPlace(forces_);
+        if (!mixing.mix(changes, forces_, swept_.placed())) continue;
+        swept_.clipPlaced(forces_);
         ++work.products;
     }
 }

@@ -153,16 +153,26 @@ void SweptLinks::clip(std::vector<double>& forces) {
     }
 }
 
+/// Moves the two blocks of a row by what its force pushes them.
+inline void SweptLinks::move(const Row& row, double force) {
+    const double moves = -row.share * force;
+    Eigen::Map<Vector6>(moved_.data() + row.firstA) += moves * Eigen::Map<const Vector6>(row.gradient.data());
+    Eigen::Map<Vector6>(moved_.data() + row.firstB) += moves * Eigen::Map<const Vector6>(row.gradient.data() + 6);
+}
+
 void SweptLinks::clipAndPlace(std::vector<double>& forces) {
+    clip(forces);
     moved_ = held_;
+    for (std::size_t n = 0; n < rows_.size(); ++n)
+        if (forces[n] != 0.0) move(rows_[n], forces[n]);
+}
+
+void SweptLinks::clipPlaced(std::vector<double>& forces) {
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const Bounds b = bounds(n, forces);
-        forces[n] = std::clamp(forces[n], b.low, b.high);
-        if (forces[n] == 0.0) continue;
-        const Row& row = rows_[n];
-        const double moves = -row.share * forces[n];
-        Eigen::Map<Vector6>(moved_.data() + row.firstA) += moves * Eigen::Map<const Vector6>(row.gradient.data());
-        Eigen::Map<Vector6>(moved_.data() + row.firstB) += moves * Eigen::Map<const Vector6>(row.gradient.data() + 6);
+        const double force = clipped(forces[n], b.low, b.high);
+        if (force != forces[n]) move(rows_[n], force - forces[n]);
+        forces[n] = force;
     }
 }
 
@@ -176,8 +186,9 @@ double SweptLinks::bentForce(const Row& row, double free, double force) {
     return forceAt(strain).force;
 }
 
-SweptLinks::Change SweptLinks::sweep(std::vector<double>& forces) {
+SweptLinks::Change SweptLinks::sweep(std::vector<double>& forces, Eigen::VectorXd& changes) {
     Change sum;
+    changes.setZero(static_cast<Eigen::Index>(rows_.size()));
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const Row& row = rows_[n];
         const Bounds within = bounds(n, forces);
@@ -193,6 +204,7 @@ SweptLinks::Change SweptLinks::sweep(std::vector<double>& forces) {
         sum.forces += force * force;
         if (more == 0.0) continue;
         forces[n] = force;
+        changes[static_cast<Eigen::Index>(n)] = more;
         a -= row.share * more * ga;
         b -= row.share * more * gb;
     }

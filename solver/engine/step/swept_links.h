@@ -43,9 +43,17 @@ public:
     /// The same, and moves the blocks to where they balance under these forces.
     void clipAndPlace(std::vector<double>& forces);
 
-    /// Sets every force to what its law gives where the blocks yield to it, one after the other.
+    /// Limits the forces and moves the blocks by what that changes.
     /// \pre the blocks have been placed under these forces.
-    Change sweep(std::vector<double>& forces);
+    void clipPlaced(std::vector<double>& forces);
+
+    /// Scaled displacements of the blocks, which depend linearly on the forces.
+    Eigen::VectorXd& placed() { return moved_; }
+
+    /// Sets every force to what its law gives where the blocks yield to it, one after the other.
+    /// \param changes of the forces, one per row.
+    /// \pre the blocks have been placed under these forces.
+    Change sweep(std::vector<double>& forces, Eigen::VectorXd& changes);
 
     /// Friction limit of row n under these forces [N].
     double limit(std::size_t n, const std::vector<double>& forces) const;
@@ -74,6 +82,7 @@ private:
     void scaleBlocks();
     void addRow(std::size_t link, int pair);
     void scaleGradient(Row& row) const;
+    void move(const Row& row, double force);
     Bounds bounds(std::size_t n, const std::vector<double>& forces) const;
     Bounds bentBounds(std::size_t n, const std::vector<double>& forces) const;
     double bentForce(const Row& row, double free, double force);
