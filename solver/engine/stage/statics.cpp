@@ -66,7 +66,8 @@ private:
         return equilibrium(state, {reached(), between(a_, b_, to)}, most, followsFalls);
     }
 
-    StepEnding equilibrium(State& state, const LoadPath& path, long most, bool followsFalls) {
+    StepEnding equilibrium(State& state, const LoadPath& path, long most = std::numeric_limits<long>::max(),
+                           bool followsFalls = true) {
         StaticSettings settings = settings_;
         settings.followsFalls = followsFalls;
         settings.maxSteps = std::min(most, settings_.maxSteps - progress_.solves);
@@ -315,12 +316,13 @@ private:
         if (!worstLimit(atEnd, 1.0 + reachedShare)) return {};
         over.atLimit = true;
         LimitSearch search(progress_.done, heldLimits(engine_.model, state_), over.share, std::move(atEnd));
+        Reached under{state_, progress_.done};  // the last equilibrium before the limit, from which the next is sought
         double nearest = std::numeric_limits<double>::max();  // to the limit, over it
         int stalled = 0;  // tries since that was halved: equilibria are not exact enough for more
         for (int tries = 0;; ++tries) {
             const double middle = search.next();
-            State trial = state_;
-            const StepEnding ending = equilibrium(trial, middle);
+            State trial = under.state;
+            const StepEnding ending = equilibrium(trial, {between(a_, b_, under.share), between(a_, b_, middle)});
             if (ending.ending != Ending::Done) return ending;
             std::vector<Limit> limits = heldLimits(engine_.model, trial);
             const auto worst = worstLimit(limits, 0.0);
@@ -335,6 +337,7 @@ private:
                 return {};
             }
             if (off > 0.0) over.state = std::move(trial);
+            else under = {std::move(trial), middle};
             search.take(middle, std::move(limits), off > 0.0);
             over.share = search.high();
             if (tries > mostTries || search.width() <= narrowest) return {};  // the limit is passed in a jump
