@@ -4,6 +4,7 @@
 
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -95,7 +96,8 @@ Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, con
     const Eigen::VectorXd start = net - coupled.times(x, net);
     const bool rests = !problem.mayLeave.empty();
     const double inMotion = residual > nearBalance ? looseTolerance : tightTolerance;
-    const double share = !slides ? roundOff : rests ? restTolerance : inMotion;
+    const double atRest = std::clamp(0.1 * residual, restTolerance, tightTolerance);
+    const double share = !slides ? roundOff : rests ? atRest : inMotion;
     const int most = rests ? mostAtRest : mostDirections;
     const double first = start.norm(), enough = share * net.norm();
     if (!(first > enough)) return {x, slides};
