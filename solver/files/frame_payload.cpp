@@ -14,9 +14,9 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> words{"blocks",        "corners", "contacts", "nodes",
+constexpr std::array<std::string_view, 12> words{"blocks",        "corners", "contacts", "nodes",
                                                  "bolts",         "weights", "inertia",  "contact_forces",
-                                                 "node_forces",   "other_forces", "bolt_extremes"};
+                                                 "node_forces",   "other_forces", "bolt_extremes", "block_extremes"};
 
 constexpr std::array<PayloadColumn, 12> blockColumns{{{"x", "m", "centroid"},
                                                       {"y", "m", "centroid"},
@@ -131,6 +131,20 @@ constexpr std::array<PayloadColumn, 28> boltExtremeColumns{
      {"plate_use_s", "m", "likewise"},
      {"plate_use_stage", "", "stage then; -1: never above zero"},
      {"plate_use_time", "s", "time then, within the stage"}}};
+
+constexpr std::array<PayloadColumn, 12> blockExtremeColumns{
+    {{"displacement", "m", "largest of the run so far, since the start or the last zero_displacements"},
+     {"displacement_stage", "", "stage then; -1: none yet"},
+     {"displacement_time", "s", "time then, within the stage"},
+     {"velocity", "m/s", "largest of the run so far"},
+     {"velocity_stage", "", "likewise"},
+     {"velocity_time", "s", "likewise"},
+     {"sigma1", "Pa", "largest major principal stress of the run so far, compression positive"},
+     {"sigma1_stage", "", "likewise"},
+     {"sigma1_time", "s", "likewise"},
+     {"sigma3", "Pa", "smallest minor principal stress of the run so far, compression positive"},
+     {"sigma3_stage", "", "likewise"},
+     {"sigma3_time", "s", "likewise"}}};
 
 /// Takes values off a row and remembers whether one of them was no index of its kind.
 class RowReader {
@@ -358,12 +372,36 @@ bool unpackBoltExtremes(RowReader& row, const Scene& scene, Frame& frame) {
     return row.good();
 }
 
+constexpr std::array blockPeaks{&BlockExtremes::displacement, &BlockExtremes::velocity, &BlockExtremes::sigma1,
+                                &BlockExtremes::sigma3};
+
+void packBlockExtremes(const Frame& frame, std::vector<double>& out) {
+    for (const BlockExtremes& block : frame.blockExtremes)
+        for (const auto peak : blockPeaks) {
+            const BlockPeak& p = block.*peak;
+            out.insert(out.end(), {p.value, static_cast<double>(p.stage), p.time});
+        }
+}
+
+bool unpackBlockExtremes(RowReader& row, const Scene& scene, Frame& frame) {
+    BlockExtremes block;
+    for (const auto peak : blockPeaks) {
+        BlockPeak& p = block.*peak;
+        p.value = row.number();
+        p.stage = row.index(-1, scene.stages.size());
+        p.time = row.number();
+    }
+    frame.blockExtremes.push_back(block);
+    return row.good();
+}
+
 /// Lists that go with others have as many rows, or none.
 bool fits(Payload payload, const Scene& scene, std::size_t blocks, const Frame& frame) {
     switch (payload) {
         case Payload::Blocks: return frame.blocks.size() == blocks;
         case Payload::Bolts: return frame.bolts.size() == scene.bolts.size();
         case Payload::BoltExtremes: return frame.extremes.empty() || frame.extremes.size() == scene.bolts.size();
+        case Payload::BlockExtremes: return frame.blockExtremes.empty() || frame.blockExtremes.size() == blocks;
         case Payload::Weights: return frame.forces.bodies.empty() || frame.forces.bodies.size() == blocks;
         case Payload::ContactForces:
             return frame.forces.contacts.empty() || frame.forces.contacts.size() == frame.contacts.size();
@@ -374,12 +412,12 @@ bool fits(Payload payload, const Scene& scene, std::size_t blocks, const Frame& 
 using Pack = void (*)(const Frame&, std::vector<double>&);
 using UnpackRow = bool (*)(RowReader&, const Scene&, Frame&);
 
-constexpr std::array<Pack, 11> packs{packBlocks,  packCorners, packContacts,      packNodes,      packBolts,
+constexpr std::array<Pack, 12> packs{packBlocks,  packCorners, packContacts,      packNodes,      packBolts,
                                      packWeights, packInertia, packContactForces, packNodeForces, packOtherForces,
-                                     packBoltExtremes};
-constexpr std::array<UnpackRow, 11> unpacks{unpackBlock,  unpackCorner, unpackContact,      unpackNode,      unpackBolt,
+                                     packBoltExtremes, packBlockExtremes};
+constexpr std::array<UnpackRow, 12> unpacks{unpackBlock,  unpackCorner, unpackContact,      unpackNode,      unpackBolt,
                                             unpackWeight, nullptr,      unpackContactForce, unpackNodeForce, unpackOtherForce,
-                                            unpackBoltExtremes};
+                                            unpackBoltExtremes, unpackBlockExtremes};
 
 }  // namespace
 
@@ -398,6 +436,7 @@ std::span<const PayloadColumn> payloadColumns(Payload payload) {
         case Payload::NodeForces: return nodeForceColumns;
         case Payload::OtherForces: return otherForceColumns;
         case Payload::BoltExtremes: return boltExtremeColumns;
+        case Payload::BlockExtremes: return blockExtremeColumns;
     }
     return {};
 }

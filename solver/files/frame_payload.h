@@ -3,8 +3,8 @@
 //
 // How a frame lies in the run store: rows of doubles, one BLOB for the blocks, one
 // for their corners, one for the contacts, one for the bolts' nodes, one for the
-// bolts, five for single forces on the blocks and one for the largest forces in the
-// bolts. The lists of columns here are also written into every store, so that a
+// bolts, five for single forces on the blocks, one for the largest forces in the
+// bolts and one for the extremes of the blocks. The lists of columns here are also written into every store, so that a
 // reader in another language needs nothing but the store.
 #pragma once
 
@@ -25,7 +25,8 @@ struct PayloadColumn {
 };
 
 enum class Payload {
-    Blocks, Corners, Contacts, Nodes, Bolts, Weights, Inertia, ContactForces, NodeForces, OtherForces, BoltExtremes
+    Blocks, Corners, Contacts, Nodes, Bolts, Weights, Inertia, ContactForces, NodeForces, OtherForces, BoltExtremes,
+    BlockExtremes
 };
 
 /// The payloads' names in the store, in the order of `Payload`.

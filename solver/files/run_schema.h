@@ -10,7 +10,7 @@ namespace keyblock::run_schema {
 inline constexpr int applicationId = 0x4B42524E;
 
 /// Rises with every change that an older program would misread.
-inline constexpr int version = 8;
+inline constexpr int version = 9;
 
 inline constexpr const char* tables = R"(
 CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL);
@@ -31,7 +31,7 @@ CREATE TABLE frames (frame INTEGER PRIMARY KEY, stage INTEGER, time REAL, step I
     external REAL, balance_error REAL,
     blocks BLOB, corners BLOB, contacts BLOB, nodes BLOB, bolts BLOB,
     weights BLOB, inertia BLOB, contact_forces BLOB, node_forces BLOB, other_forces BLOB,
-    bolt_extremes BLOB);
+    bolt_extremes BLOB, block_extremes BLOB);
 CREATE TABLE checkpoint (key INTEGER PRIMARY KEY CHECK (key = 1), build TEXT NOT NULL, hash TEXT NOT NULL,
     state BLOB NOT NULL);
 )";
@@ -39,9 +39,9 @@ CREATE TABLE checkpoint (key INTEGER PRIMARY KEY CHECK (key = 1), build TEXT NOT
 /// Told to whoever opens the store with something else.
 inline constexpr const char* layout =
     "Every BLOB holds little-endian IEEE 754 doubles, row after row. Table columns lists the values of a row by "
-    "payload: blocks, corners, contacts, nodes, bolts, weights, inertia, contact_forces, node_forces, other_forces and "
-    "bolt_extremes of a frame; history of a history row; mechanism for stages.blocks and stages.loose, unstable for stages.unstable "
-    "and stages.farthest. Row n of bolts and of bolt_extremes is the scene's bolt n; row n of blocks the n-th that is solved: the scene's, cells in "
+    "payload: blocks, corners, contacts, nodes, bolts, weights, inertia, contact_forces, node_forces, other_forces, "
+    "bolt_extremes and block_extremes of a frame; history of a history row; mechanism for stages.blocks and stages.loose, unstable for stages.unstable "
+    "and stages.farthest. Row n of bolts and of bolt_extremes is the scene's bolt n; row n of blocks and of block_extremes the n-th that is solved: the scene's, cells in "
     "place of those that are cut, then plates that are blocks. Stages, blocks, bolts, nodes, "
     "elements and rows of history count from 0; -1 marks an index that does not apply. events.history_row names the "
     "row just before an event, events.cause the number of the event, from 0, whose release set it over. frames.events counts the events until "

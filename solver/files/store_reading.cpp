@@ -62,7 +62,7 @@ sqlite::Database openedAsPossible(const fs::path& path) {
 constexpr std::array unpacked{Payload::Blocks,     Payload::Corners,       Payload::Contacts,
                               Payload::Bolts,      Payload::Nodes,         Payload::Weights,
                               Payload::Inertia,    Payload::ContactForces, Payload::NodeForces, Payload::OtherForces,
-                              Payload::BoltExtremes};
+                              Payload::BoltExtremes, Payload::BlockExtremes};
 
 std::int64_t pragma(const sqlite::Database& database, const char* name) {
     sqlite::Statement statement(database, std::string("PRAGMA ") + name);
@@ -130,9 +130,10 @@ FrameHead headAt(const sqlite::Statement& row, const Scene& scene) {
 
 Frame frameAt(const sqlite::Database& database, std::int64_t key, const Scene& scene, std::size_t blocks,
               const FrameHead& head) {
-    Frame frame{head.stage, head.time, head.step, {}, {}, {}, head.energy, {}, {}, head.events};
+    Frame frame{head.stage, head.time, head.step, {}, {}, {}, head.energy, {}, {}, {}, head.events};
     sqlite::Statement statement(database, "SELECT blocks, corners, contacts, nodes, bolts, weights, inertia, "
-                                          "contact_forces, node_forces, other_forces, bolt_extremes FROM frames WHERE frame=?");
+                                          "contact_forces, node_forces, other_forces, bolt_extremes, block_extremes "
+                                          "FROM frames WHERE frame=?");
     statement.bind(key);
     if (!statement.next())
         outOfRange();

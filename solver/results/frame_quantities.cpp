@@ -103,6 +103,15 @@ const BoltPeak* peakOf(const BoltExtremes& extremes, std::string_view quantity) 
     return quantity == "moment" ? &extremes.moment : nullptr;
 }
 
+const BlockPeak* peakOf(const BlockExtremes& extremes, std::string_view quantity) {
+    const BlockPeak* peak = quantity == "displacement" ? &extremes.displacement
+                            : quantity == "velocity"   ? &extremes.velocity
+                            : quantity == "sigma1"     ? &extremes.sigma1
+                            : quantity == "sigma3"     ? &extremes.sigma3
+                                                       : nullptr;
+    return peak && peak->stage >= 0 ? peak : nullptr;
+}
+
 Point forceOnA(const ContactFrame& contact) {
     return contact.normalForce * contact.normal - contact.shearForce * turnLeft(contact.normal);
 }

@@ -57,6 +57,9 @@ std::string namesOf(std::span<const FrameQuantity<Row>> rows) {
 /// The largest value of a quantity of bolts over the run until a frame; null where none is kept.
 const BoltPeak* peakOf(const BoltExtremes& extremes, std::string_view quantity);
 
+/// The extreme of a quantity of blocks over the run until a frame; null where none is kept.
+const BlockPeak* peakOf(const BlockExtremes& extremes, std::string_view quantity);
+
 /// Force with which block b pushes block a [N]; −1 times that is the force on b.
 Point forceOnA(const ContactFrame& contact);
 

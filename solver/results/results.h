@@ -126,6 +126,24 @@ struct BoltExtremes {
     bool operator==(const BoltExtremes&) const = default;
 };
 
+/// The extreme value of a block over the run so far, with its time.
+struct BlockPeak {
+    double value = 0.0;
+    int stage = -1;  // −1: none yet
+    double time = 0.0;  // within the stage
+
+    bool operator==(const BlockPeak&) const = default;
+};
+
+/// Extremes of a block over the run so far, at every accepted step and before every failure.
+struct BlockExtremes {
+    BlockPeak displacement;  // largest since the start or the last `zero_displacements` [m]
+    BlockPeak velocity;  // largest [m/s]
+    BlockPeak sigma1, sigma3;  // largest major and smallest minor principal stress, compression positive [Pa]
+
+    bool operator==(const BlockExtremes&) const = default;
+};
+
 /// Energies since the start of the run [J].
 struct Energy {
     double kinetic = 0.0, strain = 0.0, contact = 0.0, bolt = 0.0, friction = 0.0, plastic = 0.0, released = 0.0,
@@ -186,6 +204,7 @@ struct Frame {
     Energy energy;
     FrameForces forces;
     std::vector<BoltExtremes> extremes;  // a row per bolt, from the start of the run to this frame
+    std::vector<BlockExtremes> blockExtremes;  // a row per block, likewise
     long events = 0;  // of the run until this frame: the frames just before and after one may have the same time
 
     bool operator==(const Frame&) const = default;

@@ -53,6 +53,7 @@ struct Checkpoint {
     EventFrames eventFrames;
     Written written;
     std::vector<BoltExtremes> extremes;  // of the bolts, over the run so far
+    std::vector<BlockExtremes> blockExtremes;  // likewise
     std::vector<StageResult> results;  // of the stages that ended
 };
 

@@ -8,6 +8,7 @@
 #include "solver/engine/contact/springs.h"
 #include "solver/engine/model/edge.h"
 #include "solver/engine/stage/energy.h"
+#include "solver/run/block_extremes.h"
 #include "solver/run/bolt_readings.h"
 #include "solver/scene/lookup.h"
 
@@ -104,16 +105,24 @@ void Observation::zero(const State& state) {
         for (std::size_t which : {0, 1}) reference_.monitorPoints.push_back(pointNow(state, m, which));
 }
 
-BlockState Observation::blockState(const State& state, int index) const {
+/// Without its outline.
+BlockState Observation::blockMoved(const State& state, int index) const {
     const auto i = static_cast<std::size_t>(index);
     const BlockMotion& motion = state.blocks[i];
     BlockState block;
-    if (motion.absent) return block;
     block.centroid = motion.centroid + model_.origin;
     block.displacement = motion.centroid - reference_.centroids[i];
     block.rotation = motion.angle - reference_.angles[i];
     block.stress = globalStress(model_.blocks[i], motion);
     block.velocity = centroidVelocity(motion);
+    return block;
+}
+
+BlockState Observation::blockState(const State& state, int index) const {
+    const auto i = static_cast<std::size_t>(index);
+    const BlockMotion& motion = state.blocks[i];
+    if (motion.absent) return {};
+    BlockState block = blockMoved(state, index);
     block.area = areaOf(motion.corners);
     block.weight = model_.blocks[i].mass * model_.gravity.norm();
     for (const Point& corner : motion.corners) block.points.push_back(corner + model_.origin);
@@ -134,6 +143,11 @@ Frame Observation::frame(const State& state, int stage, double time) const {
     }
     frame.energy = energyOf(model_, state);
     return frame;
+}
+
+void Observation::addExtremes(const State& state, int stage, double time, std::vector<BlockExtremes>& extremes) const {
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+        if (!state.blocks[b].absent) addExtreme(blockMoved(state, static_cast<int>(b)), stage, time, extremes[b]);
 }
 
 void Observation::addMonitor(const State& state, std::size_t index, std::vector<double>& values) const {

@@ -32,6 +32,9 @@ public:
     Frame frame(const State& state, int stage, double time) const;
     HistoryRow history(const State& state, int stage, double time) const;
 
+    /// Takes the blocks in `state` into account. \param extremes a row per block.
+    void addExtremes(const State& state, int stage, double time, std::vector<BlockExtremes>& extremes) const;
+
 private:
     struct Fixed {  // a point of a monitor, fixed in its block
         int block = -1;
@@ -39,6 +42,7 @@ private:
     };
     Point pointNow(const State& state, std::size_t monitor, std::size_t which) const;
     Point moved(const State& state, std::size_t monitor, std::size_t which) const;
+    BlockState blockMoved(const State& state, int block) const;
     BlockState blockState(const State& state, int block) const;
     void addMonitor(const State& state, std::size_t monitor, std::vector<double>& values) const;
 

@@ -18,6 +18,7 @@
 #include "solver/engine/time/mass.h"
 #include "solver/results/history.h"
 #include "solver/results/run_source.h"
+#include "solver/run/block_extremes.h"
 #include "solver/run/bolt_extremes.h"
 #include "solver/run/checkpoint.h"
 #include "solver/run/event_frames.h"
@@ -56,6 +57,7 @@ Checkpoint startOf(const Scene& scene, const Model& model) {
     preloadFaces(scene, model, start.state);
     start.state.startEnergy = accountedEnergy(model, start.state);
     start.extremes = startExtremes(model);
+    start.blockExtremes.resize(model.blocks.size());
     start.eventFrames.shown.resize(model.bolts.size(), 0.0);
     return start;
 }
@@ -142,7 +144,10 @@ private:
         if (isStatic() || stage().relaxation) loads_.hold(walls);
         setBoundaries();
         if (!stage().set.empty()) changeJoints(scene_, now_.stage, model_, now_.state);
-        if (stage().zeroDisplacements) observation_.zero(now_.state);
+        if (stage().zeroDisplacements) {
+            observation_.zero(now_.state);
+            forgetDisplacements(now_.blockExtremes);
+        }
         watch_.beginStage(now_.state);
         now_.start = startOfStage(model_, now_.state);
         enterStage();
@@ -204,7 +209,7 @@ private:
             StepEnding ending = dynamics().step(now_.state, now_.time, stage().duration, now_.pace, *this);
             if (ending.ending == Ending::Done) ending = checkEnergy();
             mark(now_.start, now_.state, now_.time, stage().duration);
-            addExtremes(model_, now_.state, now_.stage, now_.time, now_.extremes);
+            noteExtremes(now_.state, now_.time);
             if (ending.ending == Ending::Done) keepPassedPeak(now_.state);
             lookAround();
             keepFrame(false);
@@ -213,8 +218,7 @@ private:
         const StepEnding ending = moveStatic(engine_, now_.state, loads_.loads(), loadsBefore(), loadsAfter(),
                                              staticSettings(scene_, stage()), *this, now_.within);
         now_.time = between(loadsBefore(), loadsAfter(), now_.within.done).time;
-        if (ending.ending == Ending::Done && !now_.within.releasing)
-            addExtremes(model_, now_.state, now_.stage, now_.time, now_.extremes);
+        if (ending.ending == Ending::Done && !now_.within.releasing) noteExtremes(now_.state, now_.time);
         if (ending.ending != Ending::Done || now_.within.releasing) return ending;
         if (now_.within.over()) nextIncrement();
         else if (stage().increments || now_.increment == 0) {
@@ -392,8 +396,13 @@ private:
         return now_.written.events++;
     }
 
-    void keepRow(const State& state, double time) {
+    void noteExtremes(const State& state, double time) {
         addExtremes(model_, state, now_.stage, time, now_.extremes);
+        observation_.addExtremes(state, now_.stage, time, now_.blockExtremes);
+    }
+
+    void keepRow(const State& state, double time) {
+        noteExtremes(state, time);
         sink_.history(observation_.history(state, now_.stage, time));
         ++now_.written.historyRows;
     }
@@ -457,6 +466,7 @@ private:
         frame.events = now_.written.events;
         if (withForces) frame.forces = frameForces(forcesIn(state), state, frame, !isStatic());
         frame.extremes = now_.extremes;
+        frame.blockExtremes = now_.blockExtremes;
         noteShown(model_, state, now_.eventFrames);
         sink_.frame(frame);
         ++now_.written.frames;
@@ -498,6 +508,7 @@ private:
         Frame frame = observation_.frame(now_.state, now_.stage, now_.time);
         frame.events = now_.written.events;
         frame.extremes = now_.extremes;
+        frame.blockExtremes = now_.blockExtremes;
         control_.looked(frame);
     }
 

@@ -188,6 +188,7 @@ void SectionRanges::add(const Frame& frame) {
     gather(request, frame, values.blocks, values.bolts);
     if (contacts_) widen(scale_, frame, values.forces);
     reach(values.blocks, blockReach_);
+    reach(blockPeaks(frame), blockReach_);
     reach(values.bolts, boltReach_);
     reach(peaks(frame), boltReach_);
     frames_.push_back(std::move(values));
@@ -200,6 +201,16 @@ std::vector<Weighed> SectionRanges::peaks(const Frame& frame) const {
     for (const BoltExtremes& bolt : frame.extremes)
         if (const BoltPeak* peak = peakOf(bolt, boltQuantity_->name))
             found.push_back({peak->value * boltQuantity_->display.factor, 1.0});
+    return found;
+}
+
+/// What blocks reached until this frame, also between frames.
+std::vector<Weighed> SectionRanges::blockPeaks(const Frame& frame) const {
+    std::vector<Weighed> found;
+    if (!blockQuantity_) return found;
+    for (const BlockExtremes& block : frame.blockExtremes)
+        if (const BlockPeak* peak = peakOf(block, blockQuantity_->name))
+            found.push_back({peak->value * blockQuantity_->display.factor, 1.0});
     return found;
 }
 

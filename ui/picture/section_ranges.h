@@ -30,6 +30,7 @@ private:
     };
 
     std::vector<Weighed> peaks(const Frame& frame) const;
+    std::vector<Weighed> blockPeaks(const Frame& frame) const;
 
     const FrameQuantity<BlockState>* blockQuantity_;
     const FrameQuantity<BoltNodeFrame>* boltQuantity_;

@@ -160,6 +160,10 @@ BoltExtremes extremes(int stage, double grown) {
     return bolt;
 }
 
+BlockExtremes blockExtremes(int stage, double grown) {
+    return {{2e-3 * grown, stage, 0.25}, {0.5 * grown, 0, 0.5}, {3e5 * grown, stage, 1.0 / 3.0}, {}};
+}
+
 Frame frame(int stage, double time, long step) {
     const double grown = 0.01 * static_cast<double>(step);
     Frame result;
@@ -174,6 +178,7 @@ Frame frame(int stage, double time, long step) {
                      1e-12};
     result.forces = forces(stage == 1, grown);
     result.extremes = {extremes(stage, grown)};
+    result.blockExtremes = {blockExtremes(stage, grown), blockExtremes(0, 2.0 * grown)};
     return result;
 }
 

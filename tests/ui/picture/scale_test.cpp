@@ -92,5 +92,16 @@ TEST(Scale, ReachesThePeakOfABoltBetweenFrames) {
     EXPECT_FALSE(bar.isDashed(50.0) || bar.isDashed(-1e-3));
 }
 
+TEST(Scale, ReachesThePeakOfABlockBetweenFrames) {
+    test::BricksRun run;
+    const LegendBar before = *run.picture(0).blockLegend;
+    ASSERT_EQ(before.quantity, "sigma1");
+    for (Frame& frame : run.results.frames) frame.blockExtremes.resize(frame.blocks.size());
+    run.results.frames[1].blockExtremes[0].sigma1 = {250e6, 0, 0.5};
+    const LegendBar bar = *run.picture(0).blockLegend;
+    EXPECT_LT(before.range.high, 250.0);
+    EXPECT_GE(bar.range.high, 250.0);
+}
+
 }  // namespace
 }  // namespace keyblock
