@@ -70,7 +70,7 @@ const FrameQuantity<ContactFrame> ofContacts[]{
 const FrameQuantity<BoltNodeFrame> ofNodes[]{
     {"axial_force", "axial_force_N", [](OfNode n) { return n.axialForce; }, force("Axial force N", "tension +", true)},
     {"shear_force", "shear_force_N", [](OfNode n) { return n.shearForce; }, force("Shear force Q", "", true)},
-    {"moment", "moment_Nm", [](OfNode n) { return n.moment; }, {"Moment M", "N m", 1.0, "", true}},
+    {"moment", "moment_Nm", [](OfNode n) { return n.moment; }, {"Moment M", "kN m", 1e-3, "", true}},
     {"anchor_force", "anchor_force_N", [](OfNode n) { return n.anchorForce; },
      force("Bond force", "rock pulls towards the head +", true)},
     {"slip", "slip_m", [](OfNode n) { return n.slip; }, millimetres("Slip", "rock towards the head +", true)},

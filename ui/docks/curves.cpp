@@ -96,7 +96,7 @@ QWidget* Curves::makeChoices() {
     choice_->setMaximumWidth(mostOfChoice);
     row->addWidget(choice_);
     connect(choice_, QOverload<int>::of(&QComboBox::activated), this, [this] {
-        wanted_ = choice_->currentText();
+        wanted_ = choice_->currentData().toString();
         choose();
     });
     if (all) {
@@ -118,7 +118,7 @@ void Curves::runChanged() {
     stale_ = true;
     read_.reset();
     choice_->clear();
-    view_->clear(tr("Curves of the history stand here once there is a run."));
+    view_->clear(tr("History plots appear here once a run has started."));
     if (isVisible()) read();
 }
 
@@ -178,12 +178,19 @@ void Curves::fillChoice() {
     QStringList names;
     for (const CurveEntry& entry : read_->own.entries) names += entry.name;
     if (axes_) names += tr("Any quantity over any other");
-    QStringList shown;
-    for (int i = 0; i < choice_->count(); ++i) shown += choice_->itemText(i);
-    if (names == shown) return;
+    QStringList offered;
+    for (int i = 0; i < choice_->count(); ++i) offered += choice_->itemData(i).toString();
+    if (names == offered) return;
     const QSignalBlocker quiet(choice_);
     choice_->clear();
-    choice_->addItems(names);
+    for (const QString& name : names) choice_->addItem(QString(), name);
+}
+
+/// Entries keep their names whatever the units are, so that the same one stays chosen.
+void Curves::captionChoice() {
+    for (int i = 0; i < choice_->count(); ++i)
+        choice_->setItemText(i, QString::fromStdString(shownTitle(choice_->itemData(i).toString().toStdString(),
+                                                                  display_.numbers())));
 }
 
 /// The last of the choices.
@@ -201,7 +208,8 @@ const CurveEntry* Curves::current() const {
 
 void Curves::choose() {
     if (!cursor_.run() || !read_) return;
-    const int index = choice_->findText(wanted_);
+    captionChoice();
+    const int index = choice_->findData(wanted_);
     choice_->setCurrentIndex(index >= 0 ? index : choice_->count() > 0 ? 0 : -1);
     const bool byAxes = choosesAxes();
     if (byAxes && std::exchange(offered_, cursor_.run()) != cursor_.run()) axes_->offer(*cursor_.run());

@@ -47,6 +47,7 @@ private:
     void read();
     void take(std::shared_ptr<const CurveReading> reading, int took);
     void fillChoice();
+    void captionChoice();
     void choose();
     void showPinned();
     CurveEntry withOther(CurveEntry entry) const;

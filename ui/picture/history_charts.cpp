@@ -230,7 +230,7 @@ private:
             double& most = largest[unitOf(panel)];
             most = std::max(most, largestOf(panel));
         }
-        largest["N m"] = std::max(largest["N m"], 1e3 * largest["kN"]);
+        largest["kN m"] = std::max(largest["kN m"], largest["kN"]);
         const auto isNothing = [&](const ChartPanel& panel) {
             return largestOf(panel) <= nothing * largest[unitOf(panel)];
         };

@@ -24,7 +24,7 @@ struct Shown {
 /// In the order of `BoltQuantity`.
 constexpr std::array<Shown, boltQuantityWords.size()> shownOfBolts{{{"Axial force (kN)", 1e-3},
                                                                     {"Shear force (kN)", 1e-3},
-                                                                    {"Moment (N m)", 1.0},
+                                                                    {"Moment (kN m)", 1e-3},
                                                                     {"Bond force (kN)", 1e-3},
                                                                     {"Slip of bolts (mm)", 1e3},
                                                                     {"Plate force (kN)", 1e-3},

@@ -3,9 +3,11 @@
 #include "ui/picture/probe.h"
 
 #include "solver/results/words.h"
+#include "ui/picture/shown_numbers.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace keyblock {
 
@@ -14,32 +16,55 @@ namespace {
 constexpr std::array<std::string_view, 4> ofBlocks{"sigma1", "sigma3", "displacement", "velocity"};
 constexpr std::array<std::string_view, 5> ofBolts{"axial_force", "shear_force", "moment", "anchor_force", "slip"};
 
-template <typename Row>
-void addRow(ProbeReading& reading, const FrameQuantity<Row>& quantity, const Row& row) {
-    constexpr std::string_view stress = "Block stress ";
-    std::string title(quantity.display.title);
-    if (title.starts_with(stress)) title.erase(0, stress.size());
-    const std::string value = numberText(quantity.value(row) * quantity.display.factor);
-    reading.rows.emplace_back(title, value + (quantity.display.unit.empty() ? "" : " ") + std::string(quantity.display.unit));
-}
+constexpr double beyond = 0.01;  // a peak is worth a number where the present value is farther from it, of its size
 
-template <typename Row, std::size_t count>
-void addRows(ProbeReading& reading, std::span<const FrameQuantity<Row>> all, const FrameQuantity<Row>* first,
-             const std::array<std::string_view, count>& usual, const Row& row) {
-    if (first) addRow(reading, *first, row);
-    for (const std::string_view name : usual)
-        if (const auto* quantity = findQuantity(all, name); quantity && quantity != first) addRow(reading, *quantity, row);
-}
+/// Makes rows in the units and signs of a picture.
+struct RowMaker {
+    const ShownNumbers& numbers;
+    ProbeReading& reading;
+
+    std::string shown(double value, const QuantityDisplay& display, bool hasUnit) const {
+        const ShownAs as = shownAs(display.unit, display.convention, numbers);
+        const std::string text = numberText(as.factor * withoutRoundOff(value * display.factor, display.unit));
+        return !hasUnit || as.unit.empty() ? text : text + " " + as.unit;
+    }
+
+    template <typename Row>
+    void add(const FrameQuantity<Row>& quantity, const Row& row, const BlockExtremes* extremes) {
+        constexpr std::string_view stress = "Block stress ";
+        std::string title(quantity.display.title);
+        if (title.starts_with(stress)) title.erase(0, stress.size());
+        const double now = quantity.value(row);
+        std::string text = shown(now, quantity.display, true);
+        const BlockPeak* peak = extremes ? peakOf(*extremes, quantity.name) : nullptr;
+        if (peak && std::abs(peak->value - now) > beyond * std::abs(peak->value))
+            text += ", peak " + shown(peak->value, quantity.display, false);
+        reading.rows.emplace_back(title, text);
+    }
+
+    template <typename Row, std::size_t count>
+    void addAll(std::span<const FrameQuantity<Row>> all, const FrameQuantity<Row>* first,
+                const std::array<std::string_view, count>& usual, const Row& row,
+                const BlockExtremes* extremes = nullptr) {
+        if (first) add(*first, row, extremes);
+        for (const std::string_view name : usual)
+            if (const auto* quantity = findQuantity(all, name); quantity && quantity != first)
+                add(*quantity, row, extremes);
+    }
+};
 
 }  // namespace
 
 ProbeReading probed(const SectionPicture& picture, const Frame& frame, const Pick& pick,
                     const FrameQuantity<BlockState>* blocksFirst, const FrameQuantity<BoltNodeFrame>* boltsFirst) {
     ProbeReading reading;
+    RowMaker make{picture.numbers, reading};
     if (pick.kind == PickKind::Block) {
         reading.head = "Block " + picture.blocks[pick.shape].name;
-        if (static_cast<std::size_t>(pick.block) < frame.blocks.size())
-            addRows(reading, blockQuantities(), blocksFirst, ofBlocks, frame.blocks[static_cast<std::size_t>(pick.block)]);
+        const auto block = static_cast<std::size_t>(pick.block);
+        if (block < frame.blocks.size())
+            make.addAll(blockQuantities(), blocksFirst, ofBlocks, frame.blocks[block],
+                        block < frame.blockExtremes.size() ? &frame.blockExtremes[block] : nullptr);
         return reading;
     }
     const BoltShape& shape = picture.bolts[pick.shape];
@@ -52,7 +77,7 @@ ProbeReading probed(const SectionPicture& picture, const Frame& frame, const Pic
     const BoltNodeFrame& element = frame.bolts[bolt].nodes[static_cast<std::size_t>(std::max(pick.element, 0))];
     node.axialForce = element.axialForce;
     node.shearForce = element.shearForce;
-    addRows(reading, boltQuantities(), boltsFirst, ofBolts, node);
+    make.addAll(boltQuantities(), boltsFirst, ofBolts, node);
     if (pick.node >= 0) reading.rows.emplace_back("Bond", std::string(wordOf(node.state)));
     return reading;
 }

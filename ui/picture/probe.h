@@ -17,7 +17,8 @@ struct ProbeReading {
     std::vector<std::pair<std::string, std::string>> rows;  // what, how much with its unit
 };
 
-/// Of the frame that the picture shows. \param shownFirst of blocks and bolts; null: none.
+/// Of the frame that the picture shows, in the units and signs of the picture; of a block also its peak so far where that
+/// is clearly beyond the present value. \param shownFirst of blocks and bolts; null: none.
 ProbeReading probed(const SectionPicture& picture, const Frame& frame, const Pick& pick,
                     const FrameQuantity<BlockState>* blocksFirst, const FrameQuantity<BoltNodeFrame>* boltsFirst);
 

@@ -18,8 +18,11 @@ struct UnitRow {
     double factor;
 };
 
-constexpr std::array units{UnitRow{"MPa", "Pa", 1e6}, UnitRow{"kN", "N", 1e3}, UnitRow{"mm", "m", 1e-3},
-                           UnitRow{"kJ", "J", 1e3}, UnitRow{"mrad", "rad", 1e-3}};
+constexpr std::array units{UnitRow{"MPa", "Pa", 1e6}, UnitRow{"kN", "N", 1e3},      UnitRow{"kN m", "N m", 1e3},
+                           UnitRow{"mm", "m", 1e-3},  UnitRow{"kJ", "J", 1e3},      UnitRow{"mrad", "rad", 1e-3}};
+
+/// Less is not measured by anything, and not resolved by double precision of a section of rock.
+constexpr double leastForce = 1e-6, leastOther = 1e-9;  // [MPa, kN, kN m], and of other units
 
 constexpr std::string_view compression = "compression +", per = " per ";
 
@@ -121,7 +124,31 @@ ShownAs shownAs(std::string_view unit, std::string_view convention, const ShownN
     return shown;
 }
 
+double withoutRoundOff(double value, std::string_view unit) {
+    const std::string_view alone = unit.substr(0, unit.find(per));
+    double least = leastOther;
+    for (const UnitRow& row : units) {
+        const bool isForce = row.usual == "MPa" || row.usual.starts_with("kN");
+        const double usual = isForce ? leastForce : leastOther;
+        if (alone == row.usual) least = usual;
+        else if (alone == row.si) least = usual * row.factor;
+    }
+    return std::abs(value) < least ? 0.0 : value;
+}
+
 double factorOf(std::string title, const ShownNumbers& numbers) { return turnTitle(title, numbers); }
+
+std::string shownTitle(const std::string& title, const ShownNumbers& numbers) {
+    std::string shown;
+    std::size_t from = 0;
+    for (std::size_t open = title.find('('); open != std::string::npos; open = title.find('(', from)) {
+        const std::size_t close = title.find(')', open);
+        if (close == std::string::npos) break;
+        shown += title.substr(from, open + 1 - from) + shownAs(title.substr(open + 1, close - open - 1), {}, numbers).unit;
+        from = close;
+    }
+    return shown + title.substr(from);
+}
 
 std::string forceText(double force, const ShownNumbers& numbers) {
     return numbers.si ? numberText(force) + " N" : numberText(1e-3 * force) + " kN";

@@ -31,8 +31,14 @@ struct ShownAs {
 /// Of a quantity with that unit (`MPa`, `kN per bolt`) and sign convention, as pictures are made.
 ShownAs shownAs(std::string_view unit, std::string_view convention, const ShownNumbers& numbers);
 
+/// A number in its unit, as pictures are made or plain SI; 0 where it is no more than round-off can leave of that unit.
+double withoutRoundOff(double value, std::string_view unit);
+
 /// Of a title that ends with its unit: `Axial force (kN)`.
 double factorOf(std::string title, const ShownNumbers& numbers);
+
+/// A title with its units as shown: `Axial force (kN) over joint opening (mm)` becomes `… (N) over … (m)`.
+std::string shownTitle(const std::string& title, const ShownNumbers& numbers);
 
 std::string forceText(double force, const ShownNumbers& numbers);  // of [N], with its unit: `119 kN`
 std::string lengthText(double length, const ShownNumbers& numbers);  // of [m], with its unit: `31 mm`

@@ -33,7 +33,8 @@ QString metres(double value) { return QString::number(value, 'f', 3).replace('-'
 QString blockText(const SectionPicture& picture, const BlockShape& block) {
     QString text = StatusLine::tr("Block %1").arg(QString::fromStdString(block.name));
     if (block.value && picture.blockLegend)
-        text += dot + QString::fromStdString(picture.blockLegend->title) + ' ' + Display::number(*block.value) + ' ' +
+        text += dot + QString::fromStdString(picture.blockLegend->title) + ' ' +
+                Display::number(withoutRoundOff(*block.value, picture.blockLegend->unit)) + ' ' +
                 QString::fromStdString(picture.blockLegend->unit);
     return text;
 }

@@ -111,5 +111,23 @@ TEST(Probe, TellsTheQuantityShownFirst) {
     EXPECT_EQ(bolt.rows.back().second, "bonded");
 }
 
+TEST(Probe, ShowsPeaksBetweenFramesAndNoRoundOff) {
+    BricksRun run;
+    Frame& frame = run.results.frames[1];
+    const SectionPicture picture = run.picture(1);
+    const Pick pick = pickAt(picture, {0.3, 1.2});
+    const auto row = static_cast<std::size_t>(pick.block);
+    frame.blockExtremes.resize(frame.blocks.size());
+    frame.blockExtremes[row].displacement = {0.5, 0, 0.1};
+    frame.blocks[row].stress = {2.9e-10, 0.0, 0.0};
+    const ProbeReading block = probed(picture, frame, pick, nullptr, nullptr);
+    EXPECT_EQ(block.rows[0].second, "0 MPa");
+    EXPECT_EQ(block.rows[2].first, "Displacement");
+    EXPECT_TRUE(block.rows[2].second.ends_with(" mm, peak 500")) << block.rows[2].second;
+    SectionPicture si = picture;
+    showAs(si, {true, false});
+    EXPECT_TRUE(probed(si, frame, pick, nullptr, nullptr).rows[2].second.ends_with(" m, peak 0.5"));
+}
+
 }  // namespace
 }  // namespace keyblock

@@ -24,7 +24,18 @@ TEST(ShownNumbers, NameTheUnitAndTheSign) {
     EXPECT_EQ(force.convention, "tension +");
     EXPECT_EQ(force.factor, 1e3);
     EXPECT_EQ(shownAs("kN", "compression +", {false, true}).factor, 1.0);  // of a contact: a force is no stress
-    EXPECT_EQ(shownAs("N m", "", {true, false}).unit, "N m");
+    EXPECT_EQ(shownAs("kN m", "", {true, false}).unit, "N m");
+    EXPECT_EQ(shownAs("kN m", "", {true, false}).factor, 1e3);
+    EXPECT_EQ(withoutRoundOff(-2.9e-16, "MPa"), 0.0);
+    EXPECT_EQ(withoutRoundOff(2.5e-5, "MPa"), 2.5e-5);  // 1 mm of rock
+    EXPECT_EQ(withoutRoundOff(1e-8, "mm"), 1e-8);
+    EXPECT_EQ(withoutRoundOff(0.5, "Pa"), 0.0);
+    EXPECT_EQ(withoutRoundOff(1e-7, "kN per bolt"), 0.0);
+    EXPECT_EQ(withoutRoundOff(0.5, "N"), 0.5);
+    EXPECT_EQ(shownTitle("Axial force (kN) over joint opening (mm)", {true, false}),
+              "Axial force (N) over joint opening (m)");
+    EXPECT_EQ(shownTitle("Pins: Slip (mm), 2 (of 3", {true, true}), "Pins: Slip (m), 2 (of 3");
+    EXPECT_EQ(shownTitle("Utilisation", {true, false}), "Utilisation");
     EXPECT_EQ(forceText(119e3, {}), "119 kN");
     EXPECT_EQ(forceText(119e3, {true, false}), "119\u2009000 N");
     EXPECT_EQ(lengthText(0.031, {}), "31 mm");
