@@ -46,7 +46,7 @@ struct RowMaker {
     QString shown(double value, std::string_view unit, double factor, std::string_view convention = {}) const {
         const ShownAs as = shownAs(unit, convention, numbers);
         const QString symbol = QString::fromStdString(as.unit);
-        return Display::number(factor * as.factor * value, 4) + (symbol.isEmpty() ? QString() : ' ' + symbol);
+        return Display::number(as.factor * withoutRoundOff(factor * value, unit), 4) + (symbol.isEmpty() ? QString() : ' ' + symbol);
     }
 
     void add(const QString& name, const QString& value) { rows.push_back({name, value}); }
@@ -71,6 +71,23 @@ struct RowMaker {
         QString title = text(found->display.title);
         if (title.startsWith("Block stress ")) title = title.mid(13);
         add(title, shown(found->value(block), found->display.unit, found->display.factor, found->display.convention));
+    }
+
+    void blockPeak(const QString& name, std::string_view quantity, const BlockExtremes& extremes) {
+        const auto* found = findQuantity(blockQuantities(), quantity);
+        const BlockPeak* peak = peakOf(extremes, quantity);
+        if (!found || !peak) return;
+        const QuantityDisplay& display = found->display;
+        rows.push_back({name, shown(peak->value, display.unit, display.factor, display.convention),
+                        timeText(run.scene(), peak->stage, peak->time)});
+    }
+
+    void energy(const BoltFrame& bolt) {
+        const double all = bolt.elasticEnergy + bolt.plasticEnergy + bolt.bondEnergy;
+        const auto part = [&](double joules) { return shown(joules, "kJ", 1e-3); };
+        rows.push_back({Texts::tr("Energy taken so far"), part(all),
+                        Texts::tr("elastic %1, plastic %2, bond %3")
+                            .arg(part(bolt.elasticEnergy), part(bolt.plasticEnergy), part(bolt.bondEnergy))});
     }
 };
 
@@ -124,7 +141,7 @@ ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, con
     const double axial = peaks.axialForce.value;
     make.peak(Texts::tr("Largest N"), peaks.axialForce, "kN", 1e-3, axial);
     make.peak(Texts::tr("Largest Q"), peaks.shearForce, "kN", 1e-3, axial);
-    make.peak(Texts::tr("Largest M"), peaks.moment, "N m", 1.0, axial);
+    make.peak(Texts::tr("Largest M"), peaks.moment, "kN m", 1e-3, axial);
     make.use(Texts::tr("Use of steel"), peaks.steel);
     make.use(Texts::tr("Use of shear strength"), peaks.shear);
     make.use(Texts::tr("Use of bond"), peaks.bond);
@@ -132,6 +149,7 @@ ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, con
     if (report.isInstalled()) {
         addPlate(report, make);
         addBond(report, make);
+        make.energy(frame.bolts[static_cast<std::size_t>(bolt)]);
     }
     result.events = eventsOf(run, some(events, [&](const Event& event) { return event.bolt == bolt; }));
     return result;
@@ -149,6 +167,13 @@ ResultReport blockResults(const RunSource& run, const Frame& frame, int block, c
         make.add(Texts::tr("State now"), Texts::tr("excavated"));
     } else {
         for (const char* name : quantities) make.quantity(name, state);
+    }
+    if (const auto row = static_cast<std::size_t>(block); row < frame.blockExtremes.size()) {
+        const BlockExtremes& extremes = frame.blockExtremes[row];
+        make.blockPeak(Texts::tr("Largest displacement"), "displacement", extremes);
+        make.blockPeak(Texts::tr("Largest velocity"), "velocity", extremes);
+        make.blockPeak(Texts::tr("Largest σ₁"), "sigma1", extremes);
+        make.blockPeak(Texts::tr("Smallest σ₃"), "sigma3", extremes);
     }
     result.events = eventsOf(run, some(events, [&](const Event& event) {
                                  return event.bolt < 0 && (event.block == block || event.otherBlock == block);

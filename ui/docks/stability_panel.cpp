@@ -24,7 +24,7 @@ namespace keyblock {
 namespace {
 
 enum BlockColumn { BlockName, How, Moved, Weight, StageOf };
-enum BoltColumn { BoltName, State, Governs, Holds, AxialPeak, ShearPeak, MomentPeak, SteelUse, ShearUse, BondUse, PlateUse };
+enum BoltColumn { BoltName, State, Governs, Holds, AxialPeak, ShearPeak, MomentPeak, SteelUse, ShearUse, BondUse, PlateUse, EnergyTaken };
 
 constexpr double nothing = 1e-9;  // of the axial force: round-off
 constexpr int mostNamed = 3;  // blocks in a cell
@@ -69,14 +69,17 @@ QString percent(const std::optional<double>& use) {
 }
 
 /// Of every bolt, at the last frame.
-std::vector<BoltCondition> conditionsOf(const RunSource& run) {
-    std::vector<BoltCondition> conditions;
-    if (run.frames().empty()) return conditions;
+std::vector<BoltEnd> endsOf(const RunSource& run) {
+    std::vector<BoltEnd> ends;
+    if (run.frames().empty()) return ends;
     const Frame last = run.frame(run.frames().size() - 1);
     const std::vector<Event> events = run.events();
-    for (std::size_t bolt = 0; bolt < last.bolts.size(); ++bolt)
-        conditions.push_back(boltReport(run.scene(), last, static_cast<int>(bolt), events).condition);
-    return conditions;
+    for (std::size_t bolt = 0; bolt < last.bolts.size(); ++bolt) {
+        const BoltFrame& state = last.bolts[bolt];
+        ends.push_back({boltReport(run.scene(), last, static_cast<int>(bolt), events).condition, state.elasticEnergy,
+                        state.plasticEnergy, state.bondEnergy});
+    }
+    return ends;
 }
 
 }  // namespace
@@ -88,8 +91,9 @@ StabilityPanel::StabilityPanel(const Themes& themes, const Display& display, Tim
                     {tr("Block"), tr("How"), tr("Moved"), tr("Weight"), tr("Stage")}, Moved, Weight, this)),
       bolts_(table("boltUses", tr("Largest forces and use of each bolt"),
                    {tr("Bolt"), tr("State"), tr("Governs"), tr("Holds"), tr("N"), tr("Q"), tr("M"), tr("Steel, %"), tr("Shear, %"),
-                    tr("Bond, %"), tr("Plate, %")},
-                   AxialPeak, PlateUse, this)) {
+                    tr("Bond, %"), tr("Plate, %"), tr("Energy")},
+                   AxialPeak, EnergyTaken, this)) {
+    bolts_->headerItem()->setToolTip(EnergyTaken, tr("Energy taken by the bolt over the run"));
     setObjectName("stabilityPanel");
     setAttribute(Qt::WA_StyledBackground);
     setAccessibleName(tr("Stability"));
@@ -142,19 +146,19 @@ void StabilityPanel::readBolts() {
     read_ = run_->frames().size();
     reader_.ask([this, run = run_, soFar = std::make_shared<const RunSoFar>(run_)]() -> Background::Result {
         std::vector<BoltUse> uses;
-        std::vector<BoltCondition> conditions;
+        std::vector<BoltEnd> ends;
         try {
             uses = boltUses(*soFar);
-            conditions = conditionsOf(*soFar);
+            ends = endsOf(*soFar);
         } catch (const std::exception&) {
             return {};  // the run's store is gone, which its own messages tell
         }
         std::stable_sort(uses.begin(), uses.end(),
                          [](const BoltUse& a, const BoltUse& b) { return a.highest() > b.highest(); });
-        return [this, run, uses = std::move(uses), conditions = std::move(conditions)] {
-            if (run != run_ || conditions.size() < uses.size()) return;
+        return [this, run, uses = std::move(uses), ends = std::move(ends)] {
+            if (run != run_ || ends.size() < uses.size()) return;
             uses_ = uses;
-            conditions_ = conditions;
+            ends_ = ends;
             fill();
         };
     });
@@ -203,18 +207,21 @@ void StabilityPanel::fillBolts() {
     for (const BoltUse& use : uses_) {
         const BoltExtremes& peaks = use.extremes;
         const double axial = peaks.axialForce.value;
+        const BoltEnd& end = ends_[static_cast<std::size_t>(use.bolt)];
         const auto share = [&](BoltStrength strength) { return percent(use.use[static_cast<std::size_t>(strength)]); };
         QTreeWidgetItem* row = addRow(
             bolts_,
             {QString::fromStdString(boltName(run_->scene(), use.bolt)),
-             text(wordOf(conditions_[static_cast<std::size_t>(use.bolt)])),
+             text(wordOf(end.condition)),
              use.governs ? tr("%1 %2 %").arg(text(boltStrengthWords[static_cast<std::size_t>(*use.governs)]),
                                              percent(use.highest()))
                          : QStringLiteral("–"),
              namesOf(use.holds), peakText(peaks.axialForce, "N", axial), peakText(peaks.shearForce, "N", axial),
              peakText(peaks.moment, "N m", axial), share(BoltStrength::Steel), share(BoltStrength::Shear),
-             share(BoltStrength::Bond), share(BoltStrength::Plate)},
+             share(BoltStrength::Bond), share(BoltStrength::Plate), energyText(end.elastic + end.plastic + end.bond)},
             use.bolt);
+        row->setToolTip(EnergyTaken, tr("elastic %1, plastic %2, bond %3")
+                                         .arg(energyText(end.elastic), energyText(end.plastic), energyText(end.bond)));
         row->setToolTip(AxialPeak, whenText(peaks.axialForce));
         row->setToolTip(ShearPeak, whenText(peaks.shearForce));
         row->setToolTip(MomentPeak, whenText(peaks.moment));
@@ -229,6 +236,11 @@ QString StabilityPanel::peakText(const BoltPeak& peak, const char* unit, double 
     if (std::abs(peak.value) < nothing * std::abs(axial)) return QStringLiteral("0");
     const ShownUnit shown = display_.shown(unit);
     return tr("%1 %2 at %3 m").arg(Display::number(shown.factor * peak.value, 3), shown.symbol, Display::number(peak.at, 3));
+}
+
+QString StabilityPanel::energyText(double joules) const {
+    const ShownUnit shown = display_.shown("J");
+    return Display::number(shown.factor * joules, 3) + ' ' + shown.symbol;
 }
 
 QString StabilityPanel::whenText(const BoltPeak& peak) const {

@@ -25,6 +25,12 @@ class LiveRun;
 class Themes;
 class TimeCursor;
 
+/// A bolt at the last frame: its state, and the energy that it has taken [J].
+struct BoltEnd {
+    BoltCondition condition = BoltCondition::NotInstalled;
+    double elastic = 0.0, plastic = 0.0, bond = 0.0;
+};
+
 class StabilityPanel : public QWidget {
     Q_OBJECT
 
@@ -47,6 +53,7 @@ private:
     void fillBlocks(const Verdict& verdict);
     void fillBolts();
     QString peakText(const BoltPeak& peak, const char* unit, double axial) const;
+    QString energyText(double joules) const;
     QString whenText(const BoltPeak& peak) const;
     QString namesOf(const std::vector<int>& blocks) const;
 
@@ -60,7 +67,7 @@ private:
     std::shared_ptr<const LiveRun> run_;  // null: none is shown
     std::size_t read_ = 0;  // frames of the run when its bolts were last read
     std::vector<BoltUse> uses_;  // of the run so far, most used first
-    std::vector<BoltCondition> conditions_;  // of the bolts, a row each
+    std::vector<BoltEnd> ends_;  // of the bolts, a row each
     Background reader_;  // last: it ends before what its results go to
 };
 

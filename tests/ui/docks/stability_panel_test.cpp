@@ -68,6 +68,8 @@ TEST_F(StabilityPanelTest, SaysThatAHungBlockStandsAndHowItsBoltIsUsed) {
     EXPECT_EQ(row->text(1), "intact");
     EXPECT_TRUE(row->text(4).startsWith("26.5 kN at ")) << row->text(4).toStdString();  // 2.7 t of rock
     EXPECT_EQ(row->text(3), "hung");
+    EXPECT_TRUE(row->text(11).endsWith("J")) << row->text(11).toStdString();
+    EXPECT_GT(row->text(11).section(' ', 0, 0).replace(QString::fromUtf8("−"), "-").toDouble(), 0.0);
     shown.click(bolts, 0);
     EXPECT_EQ(shown.choice.bolt(), 0);
 }

@@ -10,6 +10,7 @@
 #include "ui/docks/quantity_table.h"
 #include "ui/docks/result_card.h"
 #include "ui/document/document.h"
+#include "ui/look/display.h"
 #include "ui/look/theme.h"
 #include "ui/panels/property_panel.h"
 #include "ui/runs/block_choice.h"
@@ -40,6 +41,7 @@ protected:
         NEED_SCREEN();
         themes_ = std::make_unique<Themes>();
         window_ = std::make_unique<MainWindow>(*themes_);
+        window_->findChild<Display*>()->setSystem(UnitSystem::Engineering);
         window_->show();
         canvas_ = window_->findChild<Canvas*>();
         const fs::path copy = folder_.path() / "rebar-20.json";
@@ -75,6 +77,12 @@ TEST_F(ResultSelections, ABlockAndABoltShowTheirResults) {
     EXPECT_GE(blocks.block(), 0);
     ASSERT_TRUE(waitFor([&] { return card.report() != nullptr && card.isVisible(); }));
     EXPECT_TRUE(title().startsWith("Block ")) << title().toStdString();
+    const auto valueOf = [&](const QString& name) {
+        const auto& all = card.report()->rows;
+        const auto row = std::ranges::find_if(all, [&](const ResultRow& each) { return each.name == name; });
+        return row == all.end() ? QString() : row->value;
+    };
+    EXPECT_TRUE(valueOf("Largest σ₁").endsWith(" MPa")) << valueOf("Largest σ₁").toStdString();
     QTest::mouseClick(canvas_, Qt::LeftButton, {}, boltPixel());
     EXPECT_EQ(window_->findChild<BoltChoice*>()->bolt(), 0);
     EXPECT_EQ(blocks.block(), -1);
@@ -84,6 +92,8 @@ TEST_F(ResultSelections, ABlockAndABoltShowTheirResults) {
     const auto largest = std::ranges::find_if(rows, [](const ResultRow& row) { return row.name == "Largest N"; });
     ASSERT_NE(largest, rows.end());
     EXPECT_TRUE(largest->value.startsWith("195")) << largest->value.toStdString();
+    EXPECT_TRUE(valueOf("Energy taken so far").endsWith(" kJ")) << valueOf("Energy taken so far").toStdString();
+    EXPECT_TRUE(valueOf("Largest M").isEmpty() || valueOf("Largest M") == "0" || valueOf("Largest M").endsWith(" kN m"));
     EXPECT_FALSE(card.report()->events.empty());
     QTest::mouseClick(canvas_, Qt::LeftButton, {}, blockPixel());
     EXPECT_EQ(window_->findChild<BoltChoice*>()->bolt(), -1);
