@@ -8,6 +8,7 @@
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
 #include "ui/panels/field_help.h"
+#include "ui/panels/field_target.h"
 #include "ui/panels/field_words.h"
 #include "ui/panels/form_row_widget.h"
 
@@ -138,6 +139,8 @@ void FieldForm::addGroup(const FormGroup& group) {
         connect(widget, &FormRowWidget::entered, this,
                 [this, widget](const FieldValue& value) { enter(*widget, value); });
         connect(widget, &FormRowWidget::resetAsked, this, [this, widget] { reset(widget->row()); });
+        connect(widget, &FormRowWidget::targetAsked, this,
+                [this, widget] { Q_EMIT targetAsked(QString::fromStdString(targetOf(widget->row()))); });
         connect(widget, &FormRowWidget::focused, this, [this, widget] { Q_EMIT rowFocused(widget->row()); });
         rows->addWidget(widget);
         rows_.push_back(widget);

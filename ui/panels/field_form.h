@@ -44,6 +44,7 @@ public:
 
 Q_SIGNALS:
     void rowFocused(const keyblock::FormRow& row);
+    void targetAsked(const QString& pointer);  // the object that a field names
 
 private:
     void schedule();

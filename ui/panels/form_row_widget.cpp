@@ -5,6 +5,7 @@
 #include "ui/look/display.h"
 #include "ui/look/elided_label.h"
 #include "ui/look/theme.h"
+#include "ui/panels/field_target.h"
 #include "ui/panels/field_words.h"
 
 #include <QGridLayout>
@@ -19,7 +20,7 @@ namespace keyblock {
 namespace {
 
 constexpr int inset = 12, rowHeight = 25, headingHeight = 26, indent = 10;
-constexpr int valueWidth = 100, flagWidth = 16, unitWidth = 38, metreWidth = 18, arrowSize = 16, gap = 6;
+constexpr int valueWidth = 100, stressWidth = 76, flagWidth = 16, unitWidth = 38, metreWidth = 18, arrowSize = 16, gap = 6;
 
 QToolButton* smallButton(QWidget* parent, const QString& tip, const char* name) {
     auto* button = new QToolButton(parent);
@@ -44,7 +45,7 @@ void setWeight(QLabel& label, bool bold) {
 FormRowWidget::FormRowWidget(const FormRow& row, const FormContext& context, QWidget* parent)
     : QWidget(parent), context_(context), row_(row), editor_(makeValueEditor(row, context, this)),
       label_(new ElidedLabel(this)), unit_(new QLabel(this)),
-      reset_(smallButton(this, tr("Back to the default"), "reset")),
+      reset_(smallButton(this, tr("Back to the default"), "reset")), target_(smallButton(this, {}, "target")),
       problem_(new QLabel(this)) {
     setObjectName(QString::fromStdString("row:" + row.path));
     if (row.structure && row.field)
@@ -60,6 +61,7 @@ FormRowWidget::FormRowWidget(const FormRow& row, const FormContext& context, QWi
     connect(editor_, &ValueEditor::takenBack, this, [this] { setRefusal({}); });
     connect(editor_, &ValueEditor::focused, this, &FormRowWidget::focused);
     connect(reset_, &QToolButton::clicked, this, &FormRowWidget::resetAsked);
+    connect(target_, &QToolButton::clicked, this, &FormRowWidget::targetAsked);
 }
 
 void FormRowWidget::layOut() {
@@ -79,8 +81,12 @@ void FormRowWidget::layOut() {
         const int span = acrossUnit ? 2 : 1;
         const bool flag = row_.field->kind == FieldKind::Flag;  // leaves its room to the label
         const int further = acrossUnit ? gap + unitWidth : unitWidth - forUnit;
-        editor_->setFixedWidth(flag ? flagWidth : valueWidth + further);
+        const bool leads = namesObject(row_);
+        const int forTarget = leads ? gap + arrowSize : 0;
+        const bool isStress = row_.field->isStress && row_.field->kind == FieldKind::Number;  // its label says the sign
+        editor_->setFixedWidth(flag ? flagWidth : (isStress ? stressWidth : valueWidth) + further - forTarget);
         grid->addWidget(editor_, 0, 1, 1, span);
+        if (leads) grid->addWidget(target_, 0, 2, Qt::AlignRight);
     }
     if (!acrossUnit) grid->addWidget(unit_, 0, 2);
     unit_->setVisible(!acrossUnit);
@@ -105,10 +111,21 @@ void FormRowWidget::present(const FormRow& row, const QString& problems, bool er
     keepsPlace.setRetainSizeWhenHidden(true);
     reset_->setSizePolicy(keepsPlace);
     reset_->setVisible(row.changed && row.resettable);
+    showTarget();
     problems_ = problems;
     error_ = error;
     editor_->present(row);
     showProblem();
+}
+
+void FormRowWidget::showTarget() {
+    const bool leads = !targetOf(row_).empty() && !row_.mixed;
+    target_->setVisible(namesObject(row_));
+    target_->setEnabled(leads);
+    target_->setIcon(context_.themes.icon("chevron-right"));
+    const QString tip = tr("Show the properties of %1").arg(QString::fromStdString(nameOfTarget(row_)));
+    target_->setToolTip(leads ? tip : QString());
+    target_->setAccessibleName(leads ? tip : tr("Show what this field names"));
 }
 
 void FormRowWidget::setRefusal(const QString& why) {

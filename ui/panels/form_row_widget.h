@@ -31,10 +31,12 @@ Q_SIGNALS:
     void entered(const keyblock::FieldValue& value);
     void resetAsked();
     void focused();
+    void targetAsked();  // the object that the field names
 
 private:
     void layOut();
     void showProblem();
+    void showTarget();
 
     FormContext context_;
     FormRow row_;
@@ -42,6 +44,7 @@ private:
     QLabel* label_;
     QLabel* unit_;
     QToolButton* reset_;
+    QToolButton* target_;
     QLabel* problem_;
     QString refusal_, problems_;
     bool error_ = false;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/property_panel.h"
 
+#include "solver/scene/lookup.h"
 #include "solver/scene/pointer.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
@@ -72,6 +73,7 @@ PropertyPanel::PropertyPanel(const FormContext& context, Selection& selection, Q
     column->addWidget(makeFoot());
     connect(filter_, &QLineEdit::textChanged, form_, &FieldForm::setFilter);
     connect(form_, &FieldForm::rowFocused, this, &PropertyPanel::showHelp);
+    connect(form_, &FieldForm::targetAsked, this, &PropertyPanel::goTo);
     connect(&context.document, &Document::moved, this, [this](const WhereNow& now) {
         if (!pin_->isChecked()) return;
         const QStringList left = whereNow(pinned_, now);
@@ -137,6 +139,18 @@ QWidget* PropertyPanel::makeFoot() {
 
 void PropertyPanel::follow() {
     if (!pin_->isChecked()) present(selection_.pointers());
+}
+
+/// To an object that a field names; types of the library are not the scene's to edit.
+void PropertyPanel::goTo(const QString& pointer) {
+    const Scene& scene = *context_.document.scene();
+    const std::vector<std::string> parts = partsOf(pointer.toStdString());
+    const BoltType* type = parts.size() == 2 && parts[0] == "bolt_types" ? findBoltType(scene, parts[1]) : nullptr;
+    if (parts.size() == 2 && parts[0] == "bolt_types" && (!type || type->builtIn))
+        return Q_EMIT libraryAsked(QString::fromStdString(parts[1]));
+    if (!objectAt(scene, pointer.toStdString())) return;
+    pin_->setChecked(false);
+    selection_.set({pointer});
 }
 
 void PropertyPanel::present(const QStringList& pointers) {

@@ -44,8 +44,12 @@ public:
     /// Empty: none.
     void setSubject(const QString& title, const QString& detail);
 
+Q_SIGNALS:
+    void libraryAsked(const QString& type);  // the type is of the program's library, not of the scene
+
 private:
     void follow();
+    void goTo(const QString& pointer);
     void present(const QStringList& pointers);
     void showHeader();
     void showFoot();

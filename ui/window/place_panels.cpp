@@ -74,6 +74,12 @@ void placeBelow(QMainWindow& window, const PanelNeeds& needs, Panels& panels) {
                            dock->show();
                            dock->raise();
                        });
+    QObject::connect(panels.properties, &PropertyPanel::libraryAsked, panels.libraryDock,
+                     [dock = panels.libraryDock, library = panels.library](const QString& type) {
+                         dock->show();
+                         dock->raise();
+                         library->choose(type);
+                     });
     const auto badge = [dock = panels.problemsDock](int urgent) {
         dock->setWindowTitle(urgent > 0 ? QMainWindow::tr("Problems  %1").arg(urgent) : QMainWindow::tr("Problems"));
     };
