@@ -19,6 +19,7 @@ struct UnitRow {
 
 // Lengths of a section stay in metres: what is drawn in metres is typed in metres.
 constexpr std::array engineering{
+    UnitRow{Display::modulusUnit, "GPa", 1e-9},
     UnitRow{"Pa", "MPa", 1e-6},          UnitRow{"Pa/m", "MPa/m", 1e-6},    UnitRow{"N", "kN", 1e-3},
     UnitRow{"N/m", "kN/m", 1e-3},        UnitRow{"N m", "kN m", 1e-3},      UnitRow{"N·m", "kN m", 1e-3},
     UnitRow{"J", "kJ", 1e-3},            UnitRow{"N/m per m", "MN/m²", 1e-6},  UnitRow{"N/m³", "kN/m³", 1e-3},
@@ -49,6 +50,7 @@ ShownUnit Display::shown(std::string_view siUnit) const {
     if (system_ == UnitSystem::Engineering)
         for (const UnitRow& row : engineering)
             if (row.si == siUnit) return {QString::fromUtf8(row.symbol), row.factor};
+    if (siUnit == modulusUnit) return {QStringLiteral("Pa"), 1.0};
     return {QString::fromUtf8(siUnit.data(), static_cast<int>(siUnit.size())), 1.0};
 }
 

@@ -32,6 +32,9 @@ public:
     bool compressionPositive() const { return compressionPositive_; }
     void setCompressionPositive(bool positive);
 
+    /// The unit of an elastic modulus, which is shown in GPa where stresses are in MPa.
+    static constexpr std::string_view modulusUnit = "Pa (modulus)";
+
     /// Unit in which a value of that SI unit (as the field table writes it) is shown; itself where no other is usual.
     ShownUnit shown(std::string_view siUnit) const;
 

@@ -6,6 +6,7 @@
 #include <QHash>
 
 #include <algorithm>
+#include <array>
 
 namespace keyblock {
 
@@ -47,6 +48,7 @@ const std::vector<Heading>& headings() {
     static const std::vector<Heading> list{
         {"bolt pattern", QT_TRANSLATE_NOOP("FieldWords", "Bolt"),
          {"type", "length", "angle_from_wall", "divisions", "plate", "pretension"}},
+        {"scene", QT_TRANSLATE_NOOP("FieldWords", "Quantities of interest"), {"quantities"}},
         {"joint set", QT_TRANSLATE_NOOP("FieldWords", "Traces"),
          {"trace_length", "trace_length_deviation", "bridge", "bridge_deviation", "stagger"}},
         {"stage", QT_TRANSLATE_NOOP("FieldWords", "Excavation and support"),
@@ -60,13 +62,14 @@ const std::vector<Heading>& headings() {
          {"dynamic_factor", "steel_dynamic_factor", "plate_dynamic_factor"}},
         {"bolt type", QT_TRANSLATE_NOOP("FieldWords", "Grout across the bolt"), {"normal_stiffness", "normal_per"}},
         {"bolt type", QT_TRANSLATE_NOOP("FieldWords", "Sources"), {"sources"}},
-        {"analysis", QT_TRANSLATE_NOOP("FieldWords", "Contacts and solution"),
-         {"penalty_ratio", "shear_ratio", "tolerance", "max_passes", "iteration", "contact"}},
         {"joint material", QT_TRANSLATE_NOOP("FieldWords", "Stiffness"),
          {"normal_stiffness", "shear_stiffness", "crushing_strength"}},
     };
     return list;
 }
+
+constexpr std::array numericalKeys{"penalty_ratio", "shear_ratio", "tolerance", "max_passes",
+                                   "iteration",     "contact",     "rho_inf",   "integration"};
 
 /// Parts of `a, or b`.
 std::vector<std::string> alternatives(std::string_view unit) {
@@ -134,11 +137,18 @@ QString headingOf(const Structure& structure, const Field& field) {
     for (const Heading& heading : headings())
         if (structure.name == heading.structure && std::ranges::count(heading.keys, field.key))
             return Texts::tr(heading.title);
-    return titleOf(structure);
+    const QString numerical = numericalHeading(structure, field);
+    return numerical.isEmpty() ? titleOf(structure) : numerical;
+}
+
+QString numericalHeading(const Structure& structure, const Field& field) {
+    const bool isNumerical = structure.name == "analysis" && std::ranges::count(numericalKeys, field.key);
+    return isNumerical ? Texts::tr("Numerical settings") : QString();
 }
 
 std::string unitOf(const ObjectAt& at, const Field& field) {
     const auto units = alternatives(field.unit);
+    if (field.unit == "Pa" && field.key.ends_with("_modulus")) return std::string(Display::modulusUnit);
     if (units.size() < 2) return units.front();
     if (field.key == "every") return "s";
     std::string second = units[1];

@@ -31,6 +31,9 @@ QString countedOf(const Structure& structure, int count);
 /// The heading under which a field of the object itself stands; most structures have one, their title.
 QString headingOf(const Structure& structure, const Field& field);
 
+/// The heading of a group of numerical settings, which few users change; empty: the field is in no such group.
+QString numericalHeading(const Structure& structure, const Field& field);
+
 /// SI unit of the field's number in this object, where the table leaves a choice (`N/m, or N/m per m`).
 std::string unitOf(const ObjectAt& at, const Field& field);
 

@@ -70,8 +70,12 @@ public:
         if (!title.isEmpty()) groupTitled(own, title, depth, prefix);
         for (const Field& field : structure.fields) {
             if (!field.get || !appliesToAll(objects, field)) continue;
-            const QString heading = title.isEmpty() ? headingOf(structure, field) : title;
-            groupTitled(own, heading, depth, prefix).rows.push_back(rowOf(objects, field, prefix));
+            const QString numerical = numericalHeading(structure, field);
+            const bool isApart = !title.isEmpty() && !numerical.isEmpty();
+            const QString heading = isApart ? numerical : title.isEmpty() ? headingOf(structure, field) : title;
+            FormGroup& group = groupTitled(own, heading, isApart ? depth + 1 : depth, prefix);
+            group.closedAtFirst = group.closedAtFirst || isApart || field.key == "quantities";
+            group.rows.push_back(rowOf(objects, field, prefix));
         }
         std::ranges::move(own, std::back_inserter(groups_));
         for (const Field& field : structure.fields)

@@ -52,10 +52,7 @@ struct Teller {
         return box(right.x() - left.x(), high.y() - low.y());
     }
 
-    QString of(const Material& m) const {
-        if (display.system() == UnitSystem::Si) return stress(m.youngsModulus);
-        return numberText(m.youngsModulus * 1e-9, {}, display, 3) + " GPa";
-    }
+    QString of(const Material& m) const { return quantity(m.youngsModulus, Display::modulusUnit); }
     QString of(const JointMaterial& m) const {
         const QString phi = QString::fromUtf8("φ %1").arg(angle(m.frictionAngle));
         return m.cohesion > 0.0 ? phi + QString::fromUtf8(" · c ") + stress(m.cohesion) : phi;

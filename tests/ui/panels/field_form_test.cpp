@@ -15,6 +15,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
+#include <QToolButton>
 #include <QWheelEvent>
 
 #include <cmath>
@@ -59,7 +60,7 @@ TEST(FieldForm, NumbersAreShownAndTypedInTheUnitsOfTheDisplay) {
     FormBench bench(sampleScene("drift-bolted"));
     const std::string material = bench.document.scene()->materials[0].first;
     bench.choose({"/materials/" + material});
-    bench.type("youngs_modulus", "47300");
+    bench.type("youngs_modulus", "47.3");
     EXPECT_EQ(bench.document.scene()->materials[0].second.youngsModulus, 47.3e9);
     bench.type("youngs_modulus", "60 GPa");
     EXPECT_EQ(bench.document.scene()->materials[0].second.youngsModulus, 60e9);
@@ -68,6 +69,30 @@ TEST(FieldForm, NumbersAreShownAndTypedInTheUnitsOfTheDisplay) {
     bench.type("youngs_modulus", "5.5e10");
     EXPECT_EQ(bench.document.scene()->materials[0].second.youngsModulus, 5.5e10);
     EXPECT_EQ(Display::number(-0.0), "0");
+}
+
+TEST(FieldForm, AnArrowLeadsToTheTypeOfABolt) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("rebar-20"));
+    bench.choose({"/bolts/0"});
+    QString asked;
+    QObject::connect(&bench.form, &FieldForm::targetAsked, &bench.form, [&](const QString& pointer) { asked = pointer; });
+    auto* arrow = bench.row("type")->findChild<QToolButton*>("target");
+    ASSERT_TRUE(arrow && arrow->isVisible());
+    QTest::mouseClick(arrow, Qt::LeftButton);
+    EXPECT_EQ(asked.toStdString(), "/bolt_types/" + bench.document.scene()->bolts[0].type);
+    EXPECT_FALSE(bench.row("plate")->findChild<QToolButton*>("target")->isVisible()) << "no object is named there";
+}
+
+TEST(FieldForm, NumericalSettingsBeginClosed) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    bench.choose({""});
+    EXPECT_TRUE(bench.row("analysis/gravity")->isVisible());
+    EXPECT_FALSE(bench.row("analysis/penalty_ratio")->isVisible());
+    EXPECT_FALSE(bench.row("analysis/rho_inf") && bench.row("analysis/rho_inf")->isVisible());
+    bench.form.setFilter("penalty");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return bench.row("analysis/penalty_ratio")->isVisible(); }));
 }
 
 TEST(FieldForm, LongNamesLeaveTheFieldsInSight) {
@@ -337,7 +362,7 @@ TEST(FieldForm, UnitsStandBesideTheirNumbers) {
     const UnitCase cases[] = {
         {"drift-bolted", "/joint_sets/0", "spacing", "m"},
         {"drift-bolted", "/joint_sets/0", "dip", "°"},
-        {"drift-bolted", "/materials/granite", "youngs_modulus", "MPa"},
+        {"drift-bolted", "/materials/granite", "youngs_modulus", "GPa"},
         {"drift-bolted", "/materials/granite", "density", "kg/m³"},
         {"drift-bolted", "/materials/granite", "poissons_ratio", ""},
         {"drift-bolted", "/bolt_patterns/0", "pretension", "kN"},
