@@ -14,12 +14,15 @@
 
 #include <algorithm>
 #include <limits>
+#include <variant>
 
 namespace keyblock {
 namespace {
 
 constexpr double roomForNumbers = 80.0;  // [px] of a bolt
 constexpr double firstReach = 60.0;  // [px] from the wall at which it is meant
+constexpr double samePlace = 1e-9;  // [m]
+constexpr double mostBolts = 1000.0;
 
 }  // namespace
 
@@ -34,8 +37,9 @@ QString PatternTool::prompt() const {
 QString PatternTool::detail() const {
     if (!from_ || !runEnd()) return {};
     if (const auto problem = boltPatternProblem(patternOf(pattern_))) return QString::fromStdString(problem->message);
-    return tr("%n bolts", nullptr, static_cast<int>(bolts_.size())) + ' ' +
-           tr("along %1 of %2").arg(lengthText(run_), QString::fromStdString(tunnel().name));
+    const QString bolts = tr("%n bolts", nullptr, static_cast<int>(bolts_.size()));
+    const QString apart = bolts_.size() > 1 ? ' ' + tr("%1 apart").arg(lengthText(pattern_.spacing)) : QString();
+    return bolts + apart + ' ' + tr("along %1 of %2").arg(lengthText(run_), QString::fromStdString(tunnel().name));
 }
 
 QString PatternTool::commitText() const {
@@ -49,10 +53,36 @@ std::vector<ToolField> PatternTool::fields() {
     const auto row = [&](const char* key, const QString& label, const QStringList& choices = {}) {
         return rowField("bolt_patterns", key, &pattern_, label, tell, choices);
     };
-    std::vector<ToolField> fields{row("type", tr("Type"), types), row("spacing", tr("Spacing")),
-                                  row("length", tr("Length")), row("angle_from_wall", tr("Angle from wall")),
-                                  row("plate", tr("Plate")), row("offset", tr("Offset")),
-                                  row("spacing_out_of_plane", tr("Out of plane"))};
+    // Spacing and offset are kept as they are asked for; a click elsewhere fits them anew.
+    const auto given = [&](const char* key, const QString& label, double& value) {
+        ToolField field = rowField("bolt_patterns", key, &pattern_, label, [] {});
+        field.get = [&value] { return FieldValue(value); };
+        field.set = [this, &value, check = field.set](const FieldValue& typed) {
+            const QString problem = check(typed);
+            if (const auto* number = std::get_if<double>(&typed); number && problem.isEmpty()) {
+                value = *number;
+                changedOptions();  // last: the bar makes its fields anew
+            }
+            return problem;
+        };
+        return field;
+    };
+    std::vector<ToolField> fields{row("type", tr("Type"), types)};
+    if (fit() == PatternFit::EndToEnd) {
+        fields.push_back(numberField("count", tr("Bolts"), tr("Number of bolts; the first and the last stand at the ends."),
+                                     {}, {.least = 1.0, .most = mostBolts}, count_, tell));
+        fields.back().isInteger = true;
+    } else {
+        fields.push_back(given("spacing", tr("Spacing"), given_.spacing));
+    }
+    fields.push_back(row("length", tr("Length")));
+    fields.push_back(choiceField("fit", tr("Layout"), {tr("from the start"), tr("centred"), tr("end to end")}, fit_, tell));
+    fields.back().help = tr("From the start at the spacing, with equal distances to both ends, or a number of bolts from "
+                            "end to end.");
+    fields.push_back(row("angle_from_wall", tr("Angle from wall")));
+    fields.push_back(row("plate", tr("Plate")));
+    if (fit() == PatternFit::FromStart) fields.push_back(given("offset", tr("Offset"), given_.offset));
+    fields.push_back(row("spacing_out_of_plane", tr("Out of plane")));
     fields.back().none = lengthText(scene().analysis.thickness).section(' ', 0, 0);
     fields.push_back(rowField("bolt_patterns", "way", &pattern_, tr("Way"), [this] {
         wayChosen_ = true;
@@ -68,6 +98,7 @@ void PatternTool::begin() {
     if (pattern_.spacing > 0.0) return;  // as the one before
     const Edit fresh = appendAt(scene(), "/bolt_patterns");
     pattern_ = fresh.scene.boltPatterns.back();
+    given_ = {pattern_.spacing, pattern_.offset};
 }
 
 void PatternTool::refresh() {
@@ -124,6 +155,9 @@ void PatternTool::layOut() {
     const double cw = runAlong(tunnel(), from_->along, to->along, Way::Clockwise);
     if (!wayChosen_) pattern_.way = ccw <= cw ? Way::CounterClockwise : Way::Clockwise;
     run_ = pattern_.way == Way::CounterClockwise ? ccw : cw;
+    const bool isClosed = (from_->place - to->place).norm() < samePlace;
+    const PatternPlaces places = fitted(fit(), given_, static_cast<int>(count_), run_, isClosed);
+    pattern_.spacing = places.spacing, pattern_.offset = places.offset;
     bolts_ = boltsOfPattern(scene(), pattern_);
 }
 

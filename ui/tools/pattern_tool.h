@@ -6,6 +6,7 @@
 #pragma once
 
 #include "ui/edit/wall.h"
+#include "ui/tools/pattern_fit.h"
 #include "ui/tools/tool.h"
 
 namespace keyblock {
@@ -42,7 +43,12 @@ private:
     void layOut();
     void changedOptions();
 
+    PatternFit fit() const { return static_cast<PatternFit>(fit_); }
+
     ScenePattern pattern_;
+    PatternPlaces given_;  // what the user wants, before it is fitted to the wall
+    int fit_ = static_cast<int>(PatternFit::Centred);
+    double count_ = 6.0;  // of bolts from end to end
     bool wayChosen_ = false;  // by a person, else the shorter run
     std::optional<WallPlace> from_, to_, hover_;
     std::vector<ObjectLine> bolts_;

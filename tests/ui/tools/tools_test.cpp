@@ -377,6 +377,47 @@ TEST(Tools, OptionsInTheBarChangeTheGhost) {
     EXPECT_DOUBLE_EQ(place.scene().boltPatterns[0].spacing, 2.0);
 }
 
+TEST(Tools, APatternIsCentredOrReachesFromEndToEnd) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    place.choose("pattern");
+    place.click({2.55, 0.0});
+    place.click({-2.55, 0.0});
+    const auto option = [&](const char* name, const QString& text) {
+        auto* line = place.desk->bar().findChild<QLineEdit*>(QString("option.") + name);
+        ASSERT_TRUE(line) << name;
+        line->setText(text);
+        QTest::keyClick(line, Qt::Key_Return);
+    };
+    const auto layout = [&](const char* word) {
+        for (const ToolField& field : place.desk->tool().fields()) {
+            if (field.id == "fit") {
+                EXPECT_EQ(field.set(FieldValue(std::string(word))), "");
+            }
+        }
+    };
+    option("spacing", "1.9");
+    place.key(Qt::Key_Return);
+    ASSERT_EQ(place.scene().boltPatterns.size(), 1u);
+    const auto headsOf = [&](std::size_t row) { return boltsOfPattern(place.scene(), place.scene().boltPatterns[row]); };
+    const auto centred = headsOf(0);
+    ASSERT_GE(centred.size(), 3u);
+    EXPECT_NEAR(centred.front().points[1].y(), centred.back().points[1].y(), 1e-3) << "as far from either end";
+    EXPECT_NEAR(centred.front().points[1].x(), -centred.back().points[1].x(), 1e-3);
+    place.choose("pattern");
+    place.click({2.55, 0.0});
+    place.click({-2.55, 0.0});
+    layout("end to end");
+    option("count", "5");
+    EXPECT_TRUE(place.desk->tool().commitText().contains("5")) << place.desk->tool().commitText().toStdString();
+    place.key(Qt::Key_Return);
+    ASSERT_EQ(place.scene().boltPatterns.size(), 2u);
+    const auto even = headsOf(1);
+    ASSERT_EQ(even.size(), 5u);
+    EXPECT_NEAR(even.back().points[1].x(), -even.front().points[1].x(), 1e-4) << "the last one is not left out";
+}
+
 TEST(Tools, TabWalksThroughTheFieldsOfATool) {
     NEED_SCREEN();
     Place place;
@@ -460,20 +501,20 @@ TEST(Tools, WhatFindsNoRoomInTheBarWaitsBehindAButton) {
     QTest::qWait(50);
     auto* more = place.desk->bar().findChild<QToolButton*>("toolMore");
     ASSERT_TRUE(more->isVisible());
-    EXPECT_FALSE(place.desk->bar().findChild<QLineEdit*>("option.offset")->isVisible());
+    EXPECT_FALSE(place.desk->bar().findChild<QLineEdit*>("option.spacing_out_of_plane")->isVisible());
     more->click();
     auto* popup = place.desk->bar().findChild<QFrame*>("toolMorePopup");
     ASSERT_TRUE(popup);
-    auto* offset = popup->findChild<QLineEdit*>("option.offset");
-    ASSERT_TRUE(offset);
-    offset->setText("0,25");
-    QTest::keyClick(offset, Qt::Key_Return);
+    auto* apart = popup->findChild<QLineEdit*>("option.spacing_out_of_plane");
+    ASSERT_TRUE(apart);
+    apart->setText("1,25");
+    QTest::keyClick(apart, Qt::Key_Return);
     popup->close();
     place.click({2.55, 0.0});
     place.click({-2.55, 0.0});
     place.key(Qt::Key_Return);
     ASSERT_EQ(place.scene().boltPatterns.size(), 1u);
-    EXPECT_DOUBLE_EQ(place.scene().boltPatterns[0].offset, 0.25);
+    EXPECT_DOUBLE_EQ(place.scene().boltPatterns[0].spacingOutOfPlane.value_or(0.0), 1.25);
     place.desk->bar().resize(1400, 36);
     QTest::qWait(50);
     EXPECT_FALSE(more->isVisible());
