@@ -31,12 +31,13 @@ void CanvasSheet::paintEvent(QPaintEvent*) {
         QPainter painter(&kept_);
         painter.setRenderHint(QPainter::Antialiasing);
         if (canvas_.picture()) paintPicture(painter);
-        else if (!canvas_.hintAside_) paintHint(painter);
     }
     const double ratio = devicePixelRatioF();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.drawPixmap(0, 0, kept_);
+    const bool begins = !canvas_.tool() || !canvas_.tool()->isDrawing();
+    if (!canvas_.picture() && !canvas_.hintAside_ && begins) paintHint(painter);
     for (const CanvasOverlay* overlay : canvas_.overlays_) {
         painter.save();
         overlay->paint(painter, canvas_.map());

@@ -41,6 +41,8 @@ public:
     /// Above everything, in pixels.
     virtual void paint(QPainter&, const CanvasMap&) const {}
     virtual QCursor cursor() const { return Qt::ArrowCursor; }
+    /// True once it has a point of what it draws: hints on how to begin then stand in its way.
+    virtual bool isDrawing() const { return false; }
 };
 
 /// Painted above the section and below the tool: selection, problems, call-outs.

@@ -211,6 +211,7 @@ void ToolDesk::contextMenu(const CanvasEvent& event, QPoint global) {
 }
 
 QCursor ToolDesk::cursor() const { return tool_->cursor(); }
+bool ToolDesk::isDrawing() const { return tool_->previous().has_value(); }
 
 void ToolDesk::paint(QPainter& painter, const CanvasMap& map) const {
     ToolInk ink(painter, map, bench_->theme());

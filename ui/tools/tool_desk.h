@@ -52,6 +52,7 @@ public:
     void contextMenu(const CanvasEvent& event, QPoint global) override;
     void paint(QPainter& painter, const CanvasMap& map) const override;
     QCursor cursor() const override;
+    bool isDrawing() const override;
 
 Q_SIGNALS:
     void chosen(const QString& id);
