@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QCursor>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPainter>
@@ -55,7 +56,7 @@ public:
         painter->setPen(t.text3);
         const QRect rest = room.adjusted(used, 0, 0, 0);
         const QString why = commands_.whyNot(action);
-        const QString more = action->isEnabled() ? commands_.menuOf(action) : why.isEmpty() ? CommandPalette::tr("not now") : why;
+        const QString more = action->isEnabled() ? commands_.menuOf(action) : why.isEmpty() ? CommandPalette::tr("unavailable") : why;
         if (rest.width() > 40)
             painter->drawText(rest, Qt::AlignVCenter | Qt::AlignLeft,
                               painter->fontMetrics().elidedText(more, Qt::ElideRight, rest.width()));
@@ -88,7 +89,9 @@ QList<QAction*> commandsFor(const QString& typed, const Commands& commands, cons
         if (match >= 0 && action->isVisible()) fits.push_back({action, match, age < 0 ? mostRecent : age});
     }
     std::ranges::stable_sort(fits, [](const Fit& a, const Fit& b) {
-        return a.match != b.match ? a.match > b.match : a.age < b.age;
+        if (a.match != b.match) return a.match > b.match;
+        if (a.action->isEnabled() != b.action->isEnabled()) return a.action->isEnabled();
+        return a.age < b.age;
     });
     QList<QAction*> found;
     for (const Fit& fit : fits) found << fit.action;
@@ -97,7 +100,7 @@ QList<QAction*> commandsFor(const QString& typed, const Commands& commands, cons
 
 CommandPalette::CommandPalette(const Commands& commands, const Themes& themes, QWidget* window)
     : QFrame(window), commands_(commands), themes_(themes), typed_(new QLineEdit(this)), found_(new QListWidget(this)),
-      recent_(QSettings().value(recentKey).toStringList()) {
+      none_(new QLabel(this)),      recent_(QSettings().value(recentKey).toStringList()) {
     setObjectName("palette");
     typed_->setObjectName("palette.typed");
     typed_->setAccessibleName(tr("Search commands"));
@@ -114,6 +117,12 @@ CommandPalette::CommandPalette(const Commands& commands, const Themes& themes, Q
     column->setSpacing(6);
     column->addWidget(typed_);
     column->addWidget(found_);
+    none_->setObjectName("palette.none");
+    none_->setProperty("role", "detail");
+    none_->setContentsMargins(12, 6, 12, 8);
+    none_->setWordWrap(true);
+    none_->setTextFormat(Qt::PlainText);
+    column->addWidget(none_);
     typed_->installEventFilter(this);
     connect(typed_, &QLineEdit::textChanged, this, &CommandPalette::list);
     // Later: a list that scrolls to what is chosen says so too, and must not choose something else in the midst of it.
@@ -139,6 +148,10 @@ void CommandPalette::list() {
         item->setToolTip(action->statusTip());
     }
     found_->setCurrentRow(0);
+    const bool isEmpty = found_->count() == 0;
+    none_->setText(tr("No command matches “%1”. Try another word.").arg(typed_->text()));
+    found_->setVisible(!isEmpty);
+    none_->setVisible(isEmpty);
     place();
 }
 
@@ -146,6 +159,7 @@ void CommandPalette::place() {
     const int rows = std::clamp(found_->count(), 1, mostRows);
     const int room = parentWidget()->width() - 16;
     found_->setFixedHeight(rows * rowHeight + 2);
+    layout()->activate();
     resize(std::min(widest, room), layout()->sizeHint().height());
     move((parentWidget()->width() - this->width()) / 2, top);
 }

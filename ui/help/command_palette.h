@@ -11,6 +11,7 @@
 
 class QAction;
 class QLineEdit;
+class QLabel;
 class QListWidget;
 
 namespace keyblock {
@@ -39,11 +40,12 @@ private:
     const Themes& themes_;
     QLineEdit* typed_;
     QListWidget* found_;
+    QLabel* none_;  // what is said where nothing fits
     QStringList recent_;  // ids, newest first, kept in the settings
     QPoint mouse_;  // where it was when something was last chosen by it [px of the screen]
 };
 
-/// Commands that fit what is typed, best first; of equals those that were used last.
+/// Commands that fit what is typed, best first; of equals those that can be used, and of those the last used.
 QList<QAction*> commandsFor(const QString& typed, const Commands& commands, const QStringList& recent);
 
 }  // namespace keyblock

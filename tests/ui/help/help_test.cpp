@@ -15,6 +15,7 @@
 #include "ui/look/theme.h"
 
 #include <QKeySequenceEdit>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -64,6 +65,22 @@ TEST(Palettes, TypeAndEnterRunsTheCommand) {
     EXPECT_EQ(palette.findChild<QListWidget*>("palette.found")->item(0)->text(), "Run");  // used last
     QTest::keyClick(typed, Qt::Key_Escape);
     EXPECT_FALSE(palette.isVisible());
+}
+
+TEST(Palettes, UnavailableCommandsComeLastAndNoMatchIsSaid) {
+    NEED_SCREEN();
+    Room room;
+    room.commands.setWhyNot("run.start", "Nothing to run");
+    CommandPalette palette(room.commands, room.themes, &room.window);
+    palette.open();
+    const auto* found = palette.findChild<QListWidget*>("palette.found");
+    ASSERT_EQ(found->count(), 3);
+    EXPECT_EQ(found->item(2)->text(), "Run");
+    const auto* none = palette.findChild<QLabel*>("palette.none");
+    EXPECT_TRUE(none->isHidden());
+    QTest::keyClicks(palette.findChild<QLineEdit*>("palette.typed"), "zzz");
+    EXPECT_EQ(found->count(), 0);
+    EXPECT_TRUE(none->isVisible() && none->text().contains("zzz"));
 }
 
 TEST(CommandTexts, SayTheKeysOfNowAndWhyACommandIsOff) {
