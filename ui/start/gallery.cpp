@@ -36,6 +36,7 @@ const std::array kindsOfSamples{
     Kind{QT_TRANSLATE_NOOP("keyblock::Gallery", "Bolts"), [](const Sample& s) { return s.category == "bolts"; }},
     Kind{QT_TRANSLATE_NOOP("keyblock::Gallery", "Blocks"), [](const Sample& s) { return s.category == "blocks"; }},
     Kind{QT_TRANSLATE_NOOP("keyblock::Gallery", "Dynamic"), [](const Sample& s) { return s.isDynamic; }},
+    Kind{QT_TRANSLATE_NOOP("keyblock::Gallery", "Verification"), [](const Sample& s) { return s.isVerification; }},
 };
 
 }  // namespace
@@ -87,6 +88,7 @@ QWidget* Gallery::makeHeader() {
         const auto n = std::ranges::count_if(samples_, kindsOfSamples[i].has);
         auto* pill = new QPushButton(tr(kindsOfSamples[i].text) + (i == 0 ? " " + QString::number(n) : QString()), header);
         pill->setCheckable(true);
+        pill->setAutoDefault(true);  // Enter presses it, as Space does
         pill->setChecked(i == 0);
         pill->setProperty("pill", true);
         pill->setObjectName(QStringLiteral("kind.") + kindsOfSamples[i].text);

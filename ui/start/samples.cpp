@@ -18,6 +18,7 @@ namespace keyblock {
 namespace {
 
 constexpr char folder[] = ":/samples";
+constexpr double closeTolerance = 0.05;  // relative
 
 QByteArray contentOf(const QString& path) {
     QFile file(path);
@@ -47,6 +48,15 @@ bool hasDynamicStage(const JsonNode& root) {
     return list && std::ranges::any_of(*list, [](const JsonNode& stage) { return textAt(stage, "/kind") == "dynamic"; });
 }
 
+/// Expected values with close tolerances, none of them taken from the program itself.
+bool isVerification(const JsonNode& root) {
+    const JsonNode* expected = nodeAt(root, "/about/expected");
+    const auto* list = expected ? std::get_if<JsonList>(&expected->value) : nullptr;
+    return list && !list->empty() && std::ranges::all_of(*list, [](const JsonNode& value) {
+        return numberAt(value, "/tolerance") <= closeTolerance && !textAt(value, "/source").startsWith("this program");
+    });
+}
+
 Sample sampleOf(const QString& path, const JsonNode& root, const JsonNode& measured) {
     Sample sample;
     sample.name = QFileInfo(path).completeBaseName();
@@ -55,6 +65,7 @@ Sample sampleOf(const QString& path, const JsonNode& root, const JsonNode& measu
     sample.shows = textAt(root, "/about/shows");
     sample.category = textAt(root, "/about/category");
     sample.isDynamic = hasDynamicStage(root);
+    sample.isVerification = isVerification(root);
     const std::string row = "/samples/" + sample.name.toStdString();
     sample.blocks = static_cast<int>(numberAt(measured, row + "/blocks"));
     sample.bolts = static_cast<int>(numberAt(measured, row + "/bolts"));

@@ -19,6 +19,7 @@ struct Sample {
     QString path;  // of the file within the program
     QString title, shows, category;
     bool isDynamic = false;
+    bool isVerification = false;  // all its expected values have a source other than this program, and are met closely
     int blocks = 0, bolts = 0;
     double seconds = 0.0;  // that it was measured to run; 0: not measured
 };

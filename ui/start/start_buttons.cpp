@@ -8,10 +8,12 @@
 #include "ui/start/samples.h"
 
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <QStyle>
+#include <QTextLayout>
 
 #include <cmath>
 
@@ -19,7 +21,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int side = 24, inset = 12;  // [px]
+constexpr int side = 24, inset = 12, tipWidth = 360;  // [px]
 
 QFont sized(const QFont& base, int pixels, bool bold = false) {
     QFont font = base;
@@ -36,6 +38,17 @@ int line(QPainter& painter, const QRect& place, const QString& words, const QFon
     const QString shown = painter.fontMetrics().elidedText(words, Qt::ElideRight, place.width());
     painter.drawText(place, int(edge | Qt::AlignVCenter), shown);
     return painter.fontMetrics().horizontalAdvance(shown);
+}
+
+/// The first line broken between words, the rest on the second.
+void twoLines(QPainter& painter, const QRect& first, const QString& words, const QFont& font, const QColor& colour) {
+    QTextLayout layout(words, font);
+    layout.beginLayout();
+    QTextLine top = layout.createLine();
+    top.setLineWidth(first.width());
+    layout.endLayout();
+    line(painter, first, words.left(top.textLength()).trimmed(), font, colour);
+    line(painter, first.translated(0, first.height()), words.mid(top.textLength()).trimmed(), font, colour);
 }
 
 QString counts(int blocks, int bolts) {
@@ -73,9 +86,8 @@ SampleCard::SampleCard(const Sample& sample, const Themes& themes, QWidget* pare
     setText(sample.title);
     setAccessibleName(sample.title);
     setAccessibleDescription(sample.shows);
-    // As rich text it is broken into lines of a readable width.
-    setToolTip(QStringLiteral("<p>%1</p><p>%2</p>")
-                   .arg(sample.shows.toHtmlEscaped(), tr("Opens a copy. Run time on the reference machine.").toHtmlEscaped()));
+    setToolTip(QStringLiteral("<table width='%1'><tr><td><p>%2</p><p>%3</p></td></tr></table>")
+                   .arg(QString::number(tipWidth), sample.shows.toHtmlEscaped(), tr("Opens a copy. Run time on the reference machine.").toHtmlEscaped()));
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_Hover);
     setFixedHeight(height);
@@ -107,11 +119,11 @@ void SampleCard::paintEvent(QPaintEvent*) {
     painter.drawPath(frame);
     const int inner = width() - 2 * inset;
     line(painter, {inset, picture + 10, inner, 18}, text(), sized(font(), 13, true), t.text);
-    line(painter, {inset, picture + 29, inner, 16}, line_, sized(font(), 12), t.text2);
-    const int copy = isOn ? line(painter, {inset, picture + 54, inner, 16}, tr("Open copy"), sized(font(), 12, true),
+    twoLines(painter, {inset, picture + 29, inner, 16}, line_, sized(font(), 12), t.text2);
+    const int copy = isOn ? line(painter, {inset, picture + 70, inner, 16}, tr("Open copy"), sized(font(), 12, true),
                                  t.accent, Qt::AlignRight)
                           : 0;
-    line(painter, {inset, picture + 54, inner - copy - 8, 16}, facts_, sized(font(), 11), t.text2);
+    line(painter, {inset, picture + 70, inner - copy - 8, 16}, facts_, sized(font(), 11), t.text2);
 }
 
 RecentRow::RecentRow(const RecentFile& file, const Themes& themes, QWidget* parent)
@@ -136,10 +148,16 @@ void RecentRow::setPicture(const QImage& image, const SceneFacts& facts) {
     update();
 }
 
+void RecentRow::keyPressEvent(QKeyEvent* event) {
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (isEnter) click();
+    else QAbstractButton::keyPressEvent(event);
+}
+
 QString RecentRow::factsText() const {
-    if (!exists_) return tr("the file is gone");
+    if (!exists_) return tr("file not found");
     if (!known_) return {};
-    if (!facts_.isThere) return tr("is no scene that can be read");
+    if (!facts_.isThere) return tr("cannot be read as a scene");
     const QString all = counts(facts_.blocks, facts_.bolts);
     const QString dot = QString::fromUtf8(" · ");
     if (facts_.errors > 0) return all + dot + (facts_.errors == 1 ? tr("1 error") : tr("%1 errors").arg(facts_.errors));

@@ -21,7 +21,7 @@ class SampleCard : public QAbstractButton {
     Q_OBJECT
 
 public:
-    static constexpr int picture = 165, height = 249, leastWidth = 300;  // [px]
+    static constexpr int picture = 165, height = 265, leastWidth = 300;  // [px]
 
     SampleCard(const Sample& sample, const Themes& themes, QWidget* parent = nullptr);
     void setPicture(const QImage& image);
@@ -46,6 +46,7 @@ public:
     void setPicture(const QImage& image, const SceneFacts& facts);
 
 protected:
+    void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:

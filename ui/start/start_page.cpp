@@ -159,6 +159,7 @@ QWidget* StartPage::makeCommandButton(const QString& id, bool primary) {
     button->setProperty("start", true);
     button->setProperty("primary", primary);
     if (primary) button->setIcon(rooms_.themes.icon("plus", rooms_.themes.current().onAccent));
+    button->setAutoDefault(true);  // Enter presses it, as Space does
     button->setObjectName("start." + id);
     button->setAccessibleName(words);
     button->setToolTip(action->toolTip());
@@ -260,7 +261,7 @@ void StartPage::showRecent() {
                          rooms_.themes.current());
     }
     if (rooms_.recent.files().empty()) {
-        auto* none = label(tr("Scenes that you open or save stand here."), "emptyHint", this);
+        auto* none = label(tr("Scenes that you open or save are listed here."), "emptyHint", this);
         recent_->addWidget(none);
     }
     recent_->addStretch(1);

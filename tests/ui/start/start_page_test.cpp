@@ -83,6 +83,29 @@ TEST(StartPages, AKindOfSamplesCanBeChosen) {
     QTest::mouseClick(page.page->findChild<QPushButton*>("kind.Drifts"), Qt::LeftButton);
     EXPECT_FALSE(page.page->findChild<SampleCard*>("sample.drift-bolted")->isHidden());
     EXPECT_TRUE(page.page->findChild<SampleCard*>("sample.incline")->isHidden());
+    QTest::mouseClick(page.page->findChild<QPushButton*>("kind.Verification"), Qt::LeftButton);
+    EXPECT_TRUE(page.page->findChild<SampleCard*>("sample.drift-bolted")->isHidden());
+    EXPECT_TRUE(page.page->findChild<SampleCard*>("sample.angle-rebar-40")->isHidden()) << "expects its own result";
+    EXPECT_FALSE(page.page->findChild<SampleCard*>("sample.incline")->isHidden());
+}
+
+TEST(StartPages, EnterPressesWhatHasTheFocus) {
+    NEED_SCREEN();
+    const test::ScratchFolder scratch;
+    const QString file = QString::fromStdString((scratch.path() / "heading.json").string());
+    Page page;
+    page.document.save(file);
+    page.recent.add(file);
+    page.covered.show();
+    page.page->open();
+    QString opened;
+    QObject::connect(page.page, &StartPage::openWanted, [&](const QString& path) { opened = path; });
+    auto* row = page.page->findChild<RecentRow*>("recent.heading.json");
+    ASSERT_TRUE(row);
+    QTest::keyClick(row, Qt::Key_Return);
+    EXPECT_TRUE(waitFor([&] { return opened == file; })) << opened.toStdString();
+    QTest::keyClick(page.page->findChild<QPushButton*>("start.file.new"), Qt::Key_Return);
+    EXPECT_EQ(page.begun, 1);
 }
 
 TEST(StartPages, RecentFilesAndWhatWasNotClosedStandThere) {
