@@ -4,6 +4,7 @@
 
 #include "solver/results/run_source.h"
 #include "ui/look/commands.h"
+#include "ui/look/question.h"
 #include "ui/look/theme.h"
 #include "ui/runs/comparison.h"
 #include "ui/runs/runs.h"
@@ -15,7 +16,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
-#include <QMessageBox>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -143,8 +143,9 @@ void RunList::showMenu(const QPoint& at) {
     }
     menu.addSeparator();
     QAction* away = menu.addAction(tr("Remove %1…").arg(name), this, [this, store, name] {
-        const auto answer = QMessageBox::question(this, tr("Remove run"),
-                                                  tr("Remove %1 and its file %2? This cannot be undone.").arg(name, store));
+        const auto answer = ask(*this, tr("Remove run"), tr("Remove %1 and its file?").arg(name),
+                                tr("%1\nThis cannot be undone.").arg(store),
+                                {{QMessageBox::Cancel, {}}, {QMessageBox::Yes, tr("Remove")}});
         if (answer == QMessageBox::Yes) runs_.remove(store);
     });
     away->setEnabled(!goesOn);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look/ask_path.h"
 
+#include "ui/look/question.h"
+
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 
 namespace keyblock {
 
@@ -14,8 +15,8 @@ QString askSavePath(QWidget& window, const QString& title, const QString& start,
     if (typed.isEmpty() || typed.endsWith('.' + ending)) return typed;
     const QString path = typed + '.' + ending;
     if (!QFileInfo::exists(path)) return path;
-    const auto answer = QMessageBox::question(
-        &window, title, QWidget::tr("%1 is there already. Write over it?").arg(QFileInfo(path).fileName()));
+    const auto answer = ask(window, title, QWidget::tr("%1 exists already.").arg(QFileInfo(path).fileName()), {},
+                            {{QMessageBox::Cancel, {}}, {QMessageBox::Yes, QWidget::tr("Replace")}});
     return answer == QMessageBox::Yes ? path : QString();
 }
 

@@ -5,14 +5,15 @@
 #include "solver/run/errors.h"
 #include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
+#include "ui/document/file_folder.h"
 #include "ui/edit/usual.h"
 #include "ui/look/ask_path.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
+#include "ui/look/question.h"
 #include "ui/look/theme.h"
 
 #include <QFileDialog>
-#include <QMessageBox>
 #include <QUndoStack>
 #include <QWidget>
 
@@ -25,15 +26,18 @@ bool saveTo(Document& document, const QString& path, QWidget& window) {
         document.save(path);
         return true;
     } catch (const CannotWrite& error) {
-        QMessageBox::critical(&window, QWidget::tr("The scene was not saved"), QString::fromUtf8(error.what()));
+        ask(window, QWidget::tr("Save scene"), QWidget::tr("The scene was not saved."), QString::fromUtf8(error.what()),
+            {{QMessageBox::Ok, {}}});
         return false;
     }
 }
 
 bool saveAs(Document& document, QWidget& window) {
-    const QString start = document.path().isEmpty() ? document.title() + ".json" : document.path();
+    const QString start = document.path().isEmpty() ? fileFolder(document) + '/' + document.title() + ".json" : document.path();
     const QString path = askSavePath(window, QWidget::tr("Save scene"), start, QWidget::tr("Scenes (*.json)"), "json");
-    return !path.isEmpty() && saveTo(document, path, window);
+    if (path.isEmpty() || !saveTo(document, path, window)) return false;
+    rememberFolderOf(path);
+    return true;
 }
 
 bool save(Document& document, QWidget& window) {
@@ -44,7 +48,26 @@ QString askForFile(const Document& document, QWidget& window) {
     const QStringList filters{QWidget::tr("All that can be opened (*.json *.kbrun *.dxf *.DXF *.csv *.CSV)"),
                               QWidget::tr("Scenes (*.json)"), QWidget::tr("Runs (*.kbrun)"),
                               QWidget::tr("Drawings and lists (*.dxf *.DXF *.csv *.CSV)")};
-    return QFileDialog::getOpenFileName(&window, QWidget::tr("Open"), document.path(), filters.join(";;"));
+    return QFileDialog::getOpenFileName(&window, QWidget::tr("Open"), fileFolder(document), filters.join(";;"));
+}
+
+/// Back to the file, which is read again.
+void addRevert(Commands& commands, Document& document, QWidget& window) {
+    QAction* revert = commands.add(
+        {"file.revert", QWidget::tr("Revert to saved"), "File", {}, QWidget::tr("Discards all edits since the last save."),
+         {}, false, "save"},
+        [&] {
+            const auto answer = ask(window, QWidget::tr("Revert to saved"),
+                                    QWidget::tr("Discard all edits of %1 since the last save?").arg(document.title()), {},
+                                    {{QMessageBox::Cancel, {}}, {QMessageBox::Discard, {}}});
+            if (answer == QMessageBox::Discard) openDocument(document, document.path(), window, UnsavedEdits::Settled);
+        });
+    const auto enable = [revert, &document] {
+        revert->setEnabled(!document.path().isEmpty() && document.isModified());
+    };
+    QObject::connect(&document, &Document::fileChanged, revert, enable);
+    QObject::connect(&document.undo(), &QUndoStack::cleanChanged, revert, enable);
+    enable();
 }
 
 }  // namespace
@@ -52,16 +75,14 @@ QString askForFile(const Document& document, QWidget& window) {
 bool mayDiscard(Document& document, QWidget& window) {
     finishTyping();
     if (!document.isModified()) return true;
-    QMessageBox box(QMessageBox::Question, QWidget::tr("Unsaved edits"),
-                    QWidget::tr("%1 has edits that are not saved.").arg(document.title()),
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
-    box.setDefaultButton(QMessageBox::Save);
-    const int answer = box.exec();
+    const auto answer = ask(window, QWidget::tr("Unsaved edits"),
+                            QWidget::tr("%1 has unsaved edits.").arg(document.title()), {},
+                            {{QMessageBox::Save, {}}, {QMessageBox::Discard, {}}, {QMessageBox::Cancel, {}}});
     return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save(document, window));
 }
 
-void openDocument(Document& document, const QString& path, QWidget& window) {
-    if (!mayDiscard(document, window)) return;
+void openDocument(Document& document, const QString& path, QWidget& window, UnsavedEdits edits) {
+    if (edits == UnsavedEdits::Ask && !mayDiscard(document, window)) return;
     if (!document.open(path).empty()) document.openPart(path);
 }
 
@@ -71,7 +92,11 @@ void addFileCommands(Commands& commands, Document& document, QWidget& window,
                  [&] { if (mayDiscard(document, window)) document.startNew(newScene()); });
     commands.add({"file.open", QWidget::tr("Open…"), "File", "open", QWidget::tr("Opens a scene, a run with its scene, or a drawing to import."), {QKeySequence::Open}},
                  [&document, &window, open = std::move(open)] {
-                     if (const QString path = askForFile(document, window); !path.isEmpty()) open(path);
+                     if (!mayDiscard(document, window)) return;
+                     const QString path = askForFile(document, window);
+                     if (path.isEmpty()) return;
+                     rememberFolderOf(path);
+                     open(path);
                  });
     commands.add({"file.save", QWidget::tr("Save"), "File", "save", QWidget::tr("Writes the scene to its file."),
                   {QKeySequence::Save}, false, "save"},
@@ -79,6 +104,7 @@ void addFileCommands(Commands& commands, Document& document, QWidget& window,
     commands.add({"file.saveAs", QWidget::tr("Save as…"), "File", {}, QWidget::tr("Writes the scene to another file."),
                   {QKeySequence("Ctrl+Shift+S")}, false, "save"},
                  [&] { saveAs(document, window); });
+    addRevert(commands, document, window);
     commands.add({"file.quit", QWidget::tr("Quit"), "File", {}, {}, {QKeySequence("Ctrl+Q")}, false, "quit"},
                  [&] { window.close(); });
 }

@@ -17,7 +17,9 @@ class Display;
 class Document;
 class Themes;
 
-/// `open` gets the file that the user chooses: a scene, a run or a drawing.
+enum class UnsavedEdits { Ask, Settled };
+
+/// `open` gets the file that the user chooses: a scene, a run or a drawing. Unsaved edits are settled before.
 void addFileCommands(Commands& commands, Document& document, QWidget& window, std::function<void(const QString&)> open);
 void addEditCommands(Commands& commands, Document& document);
 void addCanvasCommands(Commands& commands, Canvas& canvas);
@@ -25,9 +27,10 @@ void addViewCommands(Commands& commands, Themes& themes, Display& display);
 
 /// Opens a scene file; asks first where unsaved edits would be lost. Of one with errors what can be read is opened, and
 /// the document tells which.
-void openDocument(Document& document, const QString& path, QWidget& window);
+/// \param edits whether the user has already been asked about them.
+void openDocument(Document& document, const QString& path, QWidget& window, UnsavedEdits edits = UnsavedEdits::Ask);
 
-/// True when the document is saved, was saved now, or a person lets go of the edits.
+/// True when the document is saved, was saved now, or the user discards the edits.
 bool mayDiscard(Document& document, QWidget& window);
 
 }  // namespace keyblock

@@ -3,6 +3,7 @@
 #include "ui/window/import_binding.h"
 
 #include "ui/document/document.h"
+#include "ui/document/file_folder.h"
 #include "ui/edit/run_setup.h"
 #include "ui/edit/usual.h"
 #include "ui/look/commands.h"
@@ -20,8 +21,10 @@ namespace {
 void addImport(QMainWindow& window, Commands& commands, Document& document, const Themes& themes,
                const CommandText& text, const QString& filter) {
     commands.add(text, [&window, &document, &themes, filter] {
-        const QString path = QFileDialog::getOpenFileName(&window, QMainWindow::tr("Import a drawing"), document.path(), filter);
-        if (!path.isEmpty()) openImport(window, document, themes, path);
+        const QString path = QFileDialog::getOpenFileName(&window, QMainWindow::tr("Import a drawing"), fileFolder(document), filter);
+        if (path.isEmpty()) return;
+        rememberFolderOf(path);
+        openImport(window, document, themes, path);
     });
 }
 

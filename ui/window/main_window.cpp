@@ -38,14 +38,26 @@
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QScreen>
+#include <QStringList>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QToolBar>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace keyblock {
 
 namespace {
+
+/// What these commands show lies under the start page: tools, results and panels.
+bool showsBelowStartPage(const QAction& action) {
+    static const QStringList rooms{"tool.", "scene.", "run.", "time.", "panel."};
+    static const QStringList others{"help.contents", "help.scene", "help.theory", "help.verification", "view.probe",
+                                    "view.fit",      "view.zoomBox"};
+    const QString id = action.objectName();
+    return others.contains(id) || std::any_of(rooms.begin(), rooms.end(), [&](const QString& room) { return id.startsWith(room); });
+}
 
 constexpr QSize roomOfFrame(8, 40);  // [px] that a window manager puts round the window; nobody tells before it is shown
 
@@ -62,7 +74,8 @@ MainWindow::MainWindow(Themes& themes)
     setObjectName("studio");
     resize(QSize(1600, 1000).boundedTo(screen()->availableSize() - roomOfFrame));
     selection_->follow(*document_);
-    addFileCommands(*commands_, *document_, *this, [this](const QString& path) { openPath(path); });
+    addFileCommands(*commands_, *document_, *this,
+                    [this](const QString& path) { openPath(path, UnsavedEdits::Settled); });
     addImportCommands(*this, *commands_, *document_, themes_);
     addEditCommands(*commands_, *document_);
     addViewCommands(*commands_, themes_, *display_);
@@ -95,14 +108,16 @@ MainWindow::MainWindow(Themes& themes)
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::openPath(const QString& path) {
+void MainWindow::openPath(const QString& path) { openPath(path, UnsavedEdits::Ask); }
+
+void MainWindow::openPath(const QString& path, UnsavedEdits edits) {
     if (path.endsWith(".kbrun", Qt::CaseInsensitive)) {
         start_->hide();
-        openRun(*document_, runs_->runs(), path, *this);
+        openRun(*document_, runs_->runs(), path, *this, edits);
     } else if (isDrawing(path)) {
         openImport(*this, *document_, themes_, path);
     } else {
-        openDocument(*document_, path, *this);
+        openDocument(*document_, path, *this, edits);
     }
 }
 
@@ -127,8 +142,8 @@ void MainWindow::placeFileRooms() {
     new FileDrops(*this, [this](const QString& path) { openPath(path); });
     recent_ = new RecentFiles(*document_, this);
     start_ = addStartPage(*this, {themes_, *commands_, *document_, *journal_, *recent_});
-    for (const char* id : {"help.contents", "help.scene", "help.theory", "help.verification", "panel.library"})
-        connect(commands_->action(id), &QAction::triggered, start_, &QWidget::hide);  // it opens beside the canvas
+    for (QAction* action : commands_->all())
+        if (showsBelowStartPage(*action)) connect(action, &QAction::triggered, start_, &QWidget::hide);
     layouts_ = new Layouts(*this, *commands_);
     placeAtRight(*menuBar(), {layouts_->makeButton(menuBar()), search});
 }

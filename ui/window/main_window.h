@@ -25,6 +25,7 @@ class StartPage;
 class Themes;
 class Visibility;
 class WorkflowBar;
+enum class UnsavedEdits;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -43,6 +44,7 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
+    void openPath(const QString& path, UnsavedEdits edits);
     void placeBars();
     void placeFileRooms();
     void placeCanvas();

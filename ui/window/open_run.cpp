@@ -52,19 +52,19 @@ std::optional<SceneOfRun> sceneOfRun(const QString& store) {
 }
 
 /// False: the user keeps the document as it is.
-bool takeScene(Document& document, SceneOfRun found, const QString& name, QWidget& window) {
+bool takeScene(Document& document, SceneOfRun found, const QString& name, QWidget& window, UnsavedEdits edits) {
     if (sceneHash(*document.committed()) == found.hash) return true;
-    if (!mayDiscard(document, window)) return false;
+    if (edits == UnsavedEdits::Ask && !mayDiscard(document, window)) return false;
     if (found.file.isEmpty() || !document.open(found.file).empty()) document.startNew(std::move(found.scene), name);
     return true;
 }
 
 }  // namespace
 
-void openRun(Document& document, Runs& runs, const QString& store, QWidget& window) {
+void openRun(Document& document, Runs& runs, const QString& store, QWidget& window, UnsavedEdits edits) {
     const QString path = QFileInfo(store).absoluteFilePath();
     std::optional<SceneOfRun> found = sceneOfRun(path);
-    if (found && !takeScene(document, std::move(*found), QFileInfo(path).completeBaseName(), window)) return;
+    if (found && !takeScene(document, std::move(*found), QFileInfo(path).completeBaseName(), window, edits)) return;
     runs.open(path);
 }
 

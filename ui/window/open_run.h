@@ -5,16 +5,15 @@
 // the same, else the copy of the scene that the store holds.
 #pragma once
 
-class QString;
-class QWidget;
+#include "ui/window/file_commands.h"
 
 namespace keyblock {
 
 class Document;
 class Runs;
 
-/// Replaces the document, after asking if it has unsaved edits, unless it holds the scene of the run already. A store
+/// Replaces the document, after asking if it has unsaved edits that the user was not asked about, unless it holds the scene of the run already. A store
 /// that cannot be read leaves the document as it is; `runs` reports the error.
-void openRun(Document& document, Runs& runs, const QString& store, QWidget& window);
+void openRun(Document& document, Runs& runs, const QString& store, QWidget& window, UnsavedEdits edits);
 
 }  // namespace keyblock

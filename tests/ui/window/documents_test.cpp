@@ -14,6 +14,7 @@
 #include "ui/runs/time_cursor.h"
 #include "ui/window/main_window.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QFileDialog>
 #include <QLabel>
@@ -138,10 +139,52 @@ void answerWith(const QString& name, int& asked) {
             auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
             if (!question) return;
             ++asked;
-            question->button(QMessageBox::No)->click();
+            question->button(QMessageBox::Cancel)->click();
         });
         QMetaObject::invokeMethod(dialog, "accept");
     });
+}
+
+/// Presses a button of the question that comes, and says what else is open then.
+void pressWhenAsked(QMessageBox::StandardButton button, QString& title) {
+    QTimer::singleShot(0, [=, &title] {
+        auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!question) return pressWhenAsked(button, title);
+        title = question->windowTitle();
+        question->button(button)->click();
+    });
+}
+
+TEST_F(Documents, RevertReadsTheSavedFileAgain) {
+    open("incline");
+    QAction* revert = window_->findChild<Commands*>()->action("file.revert");
+    EXPECT_FALSE(revert->isEnabled());
+    const Scene saved = *document_->scene();
+    Scene edited = saved;
+    edited.title = "Edited";
+    document_->apply("Set title", edited);
+    EXPECT_TRUE(revert->isEnabled());
+    QString title;
+    pressWhenAsked(QMessageBox::Cancel, title);
+    revert->trigger();
+    EXPECT_EQ(document_->scene()->title, "Edited");
+    pressWhenAsked(QMessageBox::Discard, title);
+    revert->trigger();
+    EXPECT_EQ(title, "Revert to saved");
+    EXPECT_EQ(*document_->scene(), saved);
+    EXPECT_FALSE(document_->isModified() || revert->isEnabled());
+}
+
+TEST_F(Documents, UnsavedEditsAreAskedAboutBeforeAFileIsChosen) {
+    open("incline");
+    Scene edited = *document_->scene();
+    edited.title = "Edited";
+    document_->apply("Set title", edited);
+    QString title;
+    pressWhenAsked(QMessageBox::Cancel, title);
+    window_->findChild<Commands*>()->action("file.open")->trigger();  // waits for no file
+    EXPECT_EQ(title, "Unsaved edits");
+    EXPECT_EQ(document_->scene()->title, "Edited");
 }
 
 TEST_F(Documents, AFileIsNotWrittenOverUnaskedWhereItsEndingIsNotTyped) {
