@@ -18,6 +18,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,7 @@ namespace keyblock {
 namespace {
 
 constexpr int mostOfBox = 150, spaceBeforeToggles = 8;  // [px]; longer choices are cut
+constexpr std::array kindsOfArrows{ArrowKind::Displacements, ArrowKind::Velocities, ArrowKind::StressCrosses};  // as offered
 constexpr double factors[]{1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
 
 /// A box that says before its choice what is chosen.
@@ -87,19 +89,12 @@ ViewBar::ViewBar(const Themes& themes, Commands& commands, ViewSettings& setting
     bolts_ = addChoice("viewBolts", tr("Bolts"));
     ribbon_ = addChoice("viewRibbon", tr("Ribbon"));
     factor_ = addChoice("viewFactor", tr("Deformation"));
+    arrows_ = addChoice("viewArrows", tr("Arrows"));
     fill();
     row_->addSpacing(spaceBeforeToggles);
-    callOuts_ = addToggle("viewCallOuts", tr("Call-outs at events"), "label");
-    arrows_[static_cast<std::size_t>(ArrowKind::Displacements)] =
-        addToggle("viewArrows", tr("Arrows of displacement"), "arrow");
-    arrows_[static_cast<std::size_t>(ArrowKind::Velocities)] =
-        addToggle("viewVelocities", tr("Arrows of velocity"), "velocity");
-    arrows_[static_cast<std::size_t>(ArrowKind::StressCrosses)] =
-        addToggle("viewCrosses", tr("Principal stresses as crosses"), "stress-cross");
-    contacts_ = addToggle("viewContacts", tr("Forces between blocks"), "load");
+    callOuts_ = addToggle("viewCallOuts", tr("Labels"), tr("Label the events on the section"), "label");
+    contacts_ = addToggle("viewContacts", tr("Contact forces"), tr("Draw the forces between blocks as lines"), "contact-force");
     for (QToolButton* button : {callOuts_, contacts_}) connect(button, &QToolButton::clicked, this, &ViewBar::take);
-    for (std::size_t kind = 0; kind < arrows_.size(); ++kind)
-        connect(arrows_[kind], &QToolButton::clicked, this, [this, kind](bool on) { takeArrows(kind, on); });
     row_->addStretch(1);
     connect(&settings, &ViewSettings::changed, this, &ViewBar::showChoice);
     connect(&themes, &Themes::changed, this, &ViewBar::showIcons);
@@ -116,14 +111,16 @@ QComboBox* ViewBar::addChoice(const char* name, const QString& title) {
     return choice;
 }
 
-QToolButton* ViewBar::addToggle(const char* name, const QString& text, const char* icon) {
+QToolButton* ViewBar::addToggle(const char* name, const QString& text, const QString& tip, const char* icon) {
     auto* button = new QToolButton(this);
     button->setObjectName(name);
+    button->setText(text);
     button->setAccessibleName(text);
-    button->setToolTip(text);
+    button->setToolTip(tip);
     button->setProperty("iconName", icon);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setCheckable(true);
-    button->setFixedSize(28, 28);
+    button->setFixedHeight(28);
     row_->addWidget(button);
     toggles_.push_back(button);
     return button;
@@ -135,6 +132,7 @@ void ViewBar::fill() {
     bolts_->addItem(tr("plain"));
     for (const auto& quantity : boltQuantities()) bolts_->addItem(text(quantity.display.title));
     ribbon_->addItems({tr("none"), tr("selected bolt"), tr("most loaded bolt")});
+    arrows_->addItems({tr("none"), tr("displacement"), tr("velocity"), tr("principal stresses")});
     for (const double factor : factors) factor_->addItem(QStringLiteral("×") + Display::number(factor, 4), factor);
 }
 
@@ -172,14 +170,8 @@ void ViewBar::take() {
     choice.factor = factor_->currentData().toDouble();
     choice.callOuts = callOuts_->isChecked();
     choice.contacts = contacts_->isChecked();
-    settings_.choose(choice);
-    showChoice();
-}
-
-/// One kind of arrows at a time; a second click takes them away.
-void ViewBar::takeArrows(std::size_t kind, bool on) {
-    ViewChoice choice = settings_.choice();
-    choice.arrows = on ? std::optional(static_cast<ArrowKind>(kind)) : std::nullopt;
+    const int arrows = arrows_->currentIndex() - 1;
+    choice.arrows = arrows >= 0 ? std::optional(kindsOfArrows[static_cast<std::size_t>(arrows)]) : std::nullopt;
     settings_.choose(choice);
     showChoice();
 }
@@ -197,10 +189,10 @@ void ViewBar::showChoice() {
     factor_->setCurrentIndex(factor_->findData(choice.factor));
     ribbon_->setEnabled(choice.bolts != nullptr);
     callOuts_->setChecked(choice.callOuts);
-    for (std::size_t kind = 0; kind < arrows_.size(); ++kind)
-        arrows_[kind]->setChecked(choice.arrows == static_cast<ArrowKind>(kind));
+    const auto kind = choice.arrows ? std::ranges::find(kindsOfArrows, *choice.arrows) : kindsOfArrows.end();
+    arrows_->setCurrentIndex(kind == kindsOfArrows.end() ? 0 : static_cast<int>(kind - kindsOfArrows.begin()) + 1);
     contacts_->setChecked(choice.contacts);
-    for (QComboBox* box : {blocks_, bolts_, ribbon_, factor_}) box->updateGeometry();
+    for (QComboBox* box : {blocks_, bolts_, ribbon_, factor_, arrows_}) box->updateGeometry();
     fit();
 }
 
@@ -233,11 +225,10 @@ std::vector<QWidget*> ViewBar::dispensable() const {
     std::vector<QWidget*> found;
     for (const char* name : {"view.fitBar", "view.zoomBoxBar"})
         if (auto* button = findChild<QWidget*>(name)) found.push_back(button);
-    found.push_back(contacts_);
-    found.insert(found.end(), arrows_.rbegin(), arrows_.rend());
+    found.insert(found.end(), {contacts_, callOuts_, arrows_});
     for (const char* name : {"export.figureBar", "view.probeBar"})
         if (auto* button = findChild<QWidget*>(name)) found.push_back(button);
-    found.insert(found.end(), {factor_, callOuts_, ribbon_});
+    found.insert(found.end(), {factor_, ribbon_});
     return found;
 }
 

@@ -34,11 +34,10 @@ protected:
 
 private:
     QComboBox* addChoice(const char* name, const QString& title);
-    QToolButton* addToggle(const char* name, const QString& text, const char* icon);
+    QToolButton* addToggle(const char* name, const QString& text, const QString& tip, const char* icon);
     void fill();
     void addCommands();
     void take();
-    void takeArrows(std::size_t kind, bool on);
     void showChoice();
     void showIcons();
     void makeMore();
@@ -49,9 +48,8 @@ private:
     Commands& commands_;
     ViewSettings& settings_;
     QHBoxLayout* row_;
-    QComboBox *blocks_, *bolts_, *ribbon_, *factor_;
+    QComboBox *blocks_, *bolts_, *ribbon_, *factor_, *arrows_;
     QToolButton *callOuts_, *contacts_;
-    std::array<QToolButton*, 3> arrows_;  // in the order of `ArrowKind`
     std::vector<QToolButton*> toggles_;
     QToolButton* more_ = nullptr;  // for what has no room
     std::vector<QWidget*> hidden_;  // that has none, from the left

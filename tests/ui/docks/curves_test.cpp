@@ -86,6 +86,27 @@ TEST_F(CurvesTest, WhatIsPinnedIsShownUntilItsCrossIsClicked) {
     EXPECT_FALSE(curves.findChild<QWidget*>("pinLegend")->isVisible());
 }
 
+TEST_F(CurvesTest, CaptionsFollowTheUnits) {
+    Themes themes;
+    TimeCursor cursor;
+    Display display;
+    display.setSystem(UnitSystem::Engineering);
+    Curves curves(themes, display, cursor, CurveKind::All, nullptr);
+    const auto* view = curves.findChild<ChartView*>("chart");
+    const auto* choice = curves.findChild<QComboBox*>("curveChoice");
+    curves.resize(500, 240);
+    curves.show();
+    cursor.setRun(test::slidingRun(path("a.kbrun"), 0.3), false);
+    ASSERT_TRUE(waitFor([&] { return view->chart().has_value() && choice->count() > 1; }));
+    EXPECT_TRUE(choice->currentText().endsWith("(mm)")) << choice->currentText().toStdString();
+    const int chosen = choice->currentIndex();
+    display.setSystem(UnitSystem::Si);
+    EXPECT_TRUE(choice->currentText().endsWith("(m)")) << choice->currentText().toStdString();
+    EXPECT_EQ(choice->currentIndex(), chosen);
+    EXPECT_TRUE(view->chart()->panels[0].title.ends_with("(m)"));
+    display.setSystem(UnitSystem::Engineering);
+}
+
 TEST_F(CurvesTest, AnyNumberStandsOverAnyOtherAndBesideThatOfAnotherRun) {
     Themes themes;
     TimeCursor cursor;
@@ -219,15 +240,19 @@ TEST_F(CurvesTest, ArrowsAreOfOneKindAtATime) {
     bar.resize(1200, 36);
     bar.show();
     const auto click = [&](const char* name) { QTest::mouseClick(bar.findChild<QToolButton*>(name), Qt::LeftButton); };
-    click("viewVelocities");
+    auto* arrows = bar.findChild<QComboBox*>("viewArrows");
+    const auto choose = [&](const QString& kind) {
+        arrows->setCurrentIndex(arrows->findText(kind));
+        Q_EMIT arrows->activated(arrows->currentIndex());
+    };
+    choose("velocity");
     EXPECT_EQ(settings.choice().arrows, ArrowKind::Velocities);
-    click("viewCrosses");
+    choose("principal stresses");
     EXPECT_EQ(settings.choice().arrows, ArrowKind::StressCrosses);
-    EXPECT_FALSE(bar.findChild<QToolButton*>("viewVelocities")->isChecked());
     click("viewContacts");
     EXPECT_EQ(settings.choice().arrows, ArrowKind::StressCrosses);
     EXPECT_TRUE(settings.choice().contacts);
-    click("viewCrosses");
+    choose("none");
     EXPECT_FALSE(settings.choice().arrows);
 }
 
