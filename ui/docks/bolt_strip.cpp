@@ -123,7 +123,7 @@ QString BoltStrip::title() const {
 
 void BoltStrip::runChanged() {
     past_.reset();
-    showNothing(tr("The bolt that is selected stands here, straightened, once there is a run."));
+    showNothing(tr("Run the scene, then select a bolt to see its forces along the bar."));
     make();
 }
 

@@ -153,7 +153,7 @@ QString EventsModel::chainOf(std::size_t number) const {
 EventsList::EventsList(const Themes& themes, const Display& display, TimeCursor& cursor, BoltChoice& choice,
                        QWidget* parent)
     : QWidget(parent), cursor_(cursor), choice_(choice), model_(new EventsModel(themes, display, cursor, this)),
-      view_(new QTreeView(this)), empty_(new QLabel(tr("What lets go stands here, as it happens."), this)) {
+      view_(new QTreeView(this)), empty_(new QLabel(tr("Failures are listed here as they occur."), this)) {
     setObjectName("eventsList");
     setAttribute(Qt::WA_StyledBackground);
     setAccessibleName(tr("Events"));

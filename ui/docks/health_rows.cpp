@@ -90,6 +90,8 @@ HealthRows healthAt(const LiveRun& run, int stage, double time) {
     setCourse(rows[3], std::move(balance));
     for (HealthRow& row : rows)
         if (row.value) row.state = judged(*row.value, row.limit);
+    // A step that is subdivided is slower, not wrong.
+    if (rows[1].state == HealthState::Bad) rows[1].state = HealthState::Warning;
     // What is accepted lies within the tolerance; near to it is as it should be.
     if (rows[4].value) rows[4].state = *rows[4].value > rows[4].limit ? HealthState::Warning : HealthState::Good;
     return rows;

@@ -76,7 +76,7 @@ QColor colourOf(HealthState state, const Theme& theme) {
 HealthStrip::HealthStrip(const Themes& themes, TimeCursor& cursor, QWidget* parent)
     : QWidget(parent), themes_(themes), cursor_(cursor) {
     setObjectName("health");
-    setAccessibleName(tr("Health of the numbers"));
+    setAccessibleName(tr("Solver diagnostics"));
     setMouseTracking(true);
     connect(&themes, &Themes::changed, this, QOverload<>::of(&QWidget::update));
     connect(&cursor, &TimeCursor::runChanged, this, &HealthStrip::judge);
@@ -109,8 +109,8 @@ QString HealthStrip::nameOf(HealthMeasure measure) const {
         case HealthMeasure::Passes:
             return known_ && cursor_.run()->scene().analysis.iteration == Iteration::OpenClose
                        ? tr("Open–close iterations")
-                       : tr("Passes of a step");
-        case HealthMeasure::StepCuts: return tr("Step cuts");
+                       : tr("Iterations per step");
+        case HealthMeasure::StepCuts: return tr("Time-step reductions");
         case HealthMeasure::Penetration: return tr("Penetration / block size");
         case HealthMeasure::Balance: return tr("Energy balance error");
         case HealthMeasure::Residual: break;
@@ -125,22 +125,22 @@ QString HealthStrip::adviceOn(const HealthRow& row) const {
     const QString who = block.isEmpty() ? tr("A step") : tr("Block %1").arg(block);
     switch (row.measure) {
         case HealthMeasure::Passes:
-            return tr("%1 needs %2 of %3 passes. A shorter time step or more increments settle sooner.")
+            return tr("%1 needs %2 of at most %3 iterations. Reduce the time step or use more increments.")
                 .arg(who, valueText(row), Display::number(row.limit, 3));
         case HealthMeasure::StepCuts:
-            return tr("%1 of 100 steps were cut. A shorter time step, or more increments of a static stage, need fewer.")
+            return tr("%1 of the last 100 steps were subdivided. Results are not affected, but the run is slower; a shorter time "
+                      "step, or more increments in a static stage, avoids it.")
                 .arg(valueText(row));
         case HealthMeasure::Penetration:
-            return tr("%1 goes into its neighbour by %2 of its size. A larger penalty ratio, or contacts by multipliers, "
-                      "keep blocks apart.")
+            return tr("%1 penetrates its neighbour by %2 of its size. Increase the penalty ratio, or use contacts by "
+                      "multipliers.")
                 .arg(who, valueText(row));
         case HealthMeasure::Balance:
-            return tr("%1 of the energy is unaccounted for. A shorter time step or a smaller tolerance keeps the books "
-                      "closer.")
+            return tr("%1 of the energy is unaccounted for. Reduce the time step or the tolerance.")
                 .arg(valueText(row));
         case HealthMeasure::Residual: break;
     }
-    return tr("%1 is off balance by %2 of the forces at play. A shorter time step helps.").arg(who, valueText(row));
+    return tr("%1 is out of balance by %2 of the forces that act. Reduce the time step.").arg(who, valueText(row));
 }
 
 void HealthStrip::paintEvent(QPaintEvent*) {
@@ -152,7 +152,7 @@ void HealthStrip::paintEvent(QPaintEvent*) {
     if (!known_) {
         painter.setPen(theme.text3);
         painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("How well the numbers behave stands here once there is a run."));
+                         tr("Solver diagnostics appear here once a run has started."));
         return;
     }
     double y = top;

@@ -135,7 +135,7 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
     QDockWidget* curves = makeDock(window, themes, "curvesDock", tr("Curves"), allCurves);
     auto* stability = new StabilityPanel(themes, parts_.display, *cursor_, *choice_, &window);
     QDockWidget* verdict = makeDock(window, themes, "stabilityDock", tr("Stability"), stability);
-    QDockWidget* health = makeDock(window, themes, "healthDock", tr("Health"), health_);
+    QDockWidget* health = makeDock(window, themes, "healthDock", tr("Solver"), health_);
     eventsDock_ = makeDock(window, themes, "eventsDock", tr("Events"), events_);
     QDockWidget* energy = makeDock(window, themes, "energyDock", tr("Energy"), energies);
     auto* quantities = new QuantityTable(themes, *cursor_, &window);

@@ -121,6 +121,19 @@ TEST(HealthRows, TellTheWorstOfTheStepsAndTheBlockBehindIt) {
     EXPECT_EQ(after[2].course.size(), 2u);
 }
 
+TEST(HealthRows, SubdividedStepsAreNoError) {
+    const auto run = elevenFrames();
+    LiveBatch batch;
+    HealthSample sample;
+    sample.time = 0.2;
+    sample.steps = sample.stepCuts = 100;
+    batch.health = sample;
+    run->append(std::move(batch));
+    const HealthRows rows = healthAt(*run, 0, 0.3);
+    EXPECT_EQ(rows[1].value, 100.0);
+    EXPECT_EQ(rows[1].state, HealthState::Warning);
+}
+
 TEST(LiveRunHealth, StaysSmallHoweverLongTheRun) {
     const auto run = elevenFrames();
     for (int i = 0; i < 20000; ++i) {
