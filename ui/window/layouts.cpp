@@ -155,12 +155,17 @@ void Layouts::show(Arrangement arrangement) {
     apply();
 }
 
-/// As it was left, or as it is at first; sizes take once the window has laid itself out.
+/// As it was left, or as it is at first; sizes take once the window has laid itself out. Nothing is painted before: docks
+/// on their way would lie over each other.
 void Layouts::apply() {
-    if (!now().isEmpty() && window_.restoreState(now(), version)) return;
-    showOnly(window_, arrangement_);
-    QTimer::singleShot(0, this, [this, shown = arrangement_] {
-        if (shown == arrangement_) size(window_, shown);
+    window_.setAnimated(false);
+    window_.setUpdatesEnabled(false);
+    const bool isRestored = !now().isEmpty() && window_.restoreState(now(), version);
+    if (!isRestored) showOnly(window_, arrangement_);
+    QTimer::singleShot(0, this, [this, isRestored, shown = arrangement_] {
+        if (!isRestored && shown == arrangement_) size(window_, shown);
+        window_.setUpdatesEnabled(true);
+        window_.setAnimated(true);
     });
 }
 
