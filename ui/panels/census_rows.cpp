@@ -71,7 +71,7 @@ std::vector<CensusRow> censusRows(const Census& census) {
 }
 
 QString costText(double seconds) {
-    if (seconds < 1.0) return Texts::tr("under a second");
+    if (seconds < 1.0) return Texts::tr("< 1 s");
     if (seconds < 60.0) return Texts::tr("%1 s").arg(rough(seconds));
     if (seconds < 3600.0) {
         const int rest = static_cast<int>(std::round(std::fmod(seconds, 60.0) / 10.0)) * 10;

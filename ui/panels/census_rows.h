@@ -21,7 +21,7 @@ struct CensusRow {
 
 std::vector<CensusRow> censusRows(const Census& census);
 
-/// `1 min 50 s`, `under a second`.
+/// `1 min 50 s`, `< 1 s`.
 QString costText(double seconds);
 
 /// `210 MB`.

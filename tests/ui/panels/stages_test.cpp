@@ -131,7 +131,7 @@ TEST(CensusPanel, CountsWhatTheCensusCounts) {
 }
 
 TEST(CensusRows, TimesAndMemoryAreRead) {
-    EXPECT_EQ(costText(0.3), "under a second");
+    EXPECT_EQ(costText(0.3), "< 1 s");
     EXPECT_EQ(costText(42.0), "42 s");
     EXPECT_EQ(costText(110.0), "1 min 50 s");
     EXPECT_EQ(costText(119.0), "2 min");
