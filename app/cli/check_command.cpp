@@ -36,7 +36,7 @@ void tell(const std::filesystem::path& scene, const std::vector<Problem>& proble
 
 constexpr std::size_t mostOfAKind = 10;
 
-std::string placeText(const Point& place) { return "(" + shortest(place.x()) + ", " + shortest(place.y()) + ")"; }
+std::string placeText(const Point& place) { return "(" + coordinateText(place.x()) + ", " + coordinateText(place.y()) + ")"; }
 
 /// What was merged, trimmed and dropped: how many of each kind, then up to ten of them, or all.
 void tellNotes(const SceneCut& cut, bool all) {
@@ -56,9 +56,9 @@ void tellNotes(const SceneCut& cut, bool all) {
 void tellCut(const SceneCut& cut, bool all) {
     if (cut.blocks == 0 && cut.sources.empty())
         return;  // patterns of bolts alone
-    print("cut into " + std::to_string(cut.blocks) + " blocks of " + shortest(cut.area) + " m² with " +
-          std::to_string(cut.vertices) + " corners; tolerance " + shortest(cut.tolerance) + " m, least area " +
-          shortest(cut.minArea) + " m², least width " + shortest(cut.minWidth) + " m\n");
+    print("cut into " + std::to_string(cut.blocks) + " blocks of " + rounded(cut.area) + " m² with " +
+          std::to_string(cut.vertices) + " corners; tolerance " + rounded(cut.tolerance) + " m, least area " +
+          rounded(cut.minArea) + " m², least width " + rounded(cut.minWidth) + " m\n");
     if (cut.open > 0)
         print("  left out in open tunnels: " + std::to_string(cut.open) + '\n');
     if (cut.split > 0)

@@ -73,7 +73,7 @@ std::string sceneLine(const Import& import, const std::filesystem::path& out) {
                        counted(scene.tunnels.size(), "tunnel") + ", " + counted(scene.bolts.size(), "bolt");
     if (import.cut)
         line += "; cut into " + counted(static_cast<std::size_t>(import.cut->blocks), "block") + " of " +
-                shortest(import.cut->area) + " m²" +
+                rounded(import.cut->area) + " m²" +
                 (import.cut->notes.empty() ? "" : ", with notes that 'keyblock check' lists");
     return line + '\n';
 }

@@ -161,7 +161,7 @@ private:
         return closed.outlines;
     }
 
-    static std::string text(const Point& p) { return "(" + shortest(p.x()) + ", " + shortest(p.y()) + ")"; }
+    static std::string text(const Point& p) { return "(" + coordinateText(p.x()) + ", " + coordinateText(p.y()) + ")"; }
 
     void addTunnels() {
         const std::vector<DrawnLine>& lines = lines_[LayerRole::Tunnel];

@@ -40,7 +40,7 @@ bool checkCells(const Block& block, const std::string& pointer, CheckReport& rep
 std::string fault(const PlatePlace& place) {
     switch (place.fault) {
         case PlateFault::NoFace:
-            return "the plate is a block and needs a face to lie on, but the head lies " + shortest(place.away) +
+            return "the plate is a block and needs a face to lie on, but the head lies " + rounded(place.away) +
                    " m from the nearest";
         case PlateFault::Corner: return "the head lies on a corner, so the plate could lie on either face";
         case PlateFault::InRock: return "the plate would overlap rock on every face at the head";
@@ -67,7 +67,7 @@ std::vector<Point> checkPlate(const Bolt& bolt, const std::string& pointer, Chec
     const double width = boltTypeOf(context.scene, bolt).plate.width;
     if (place.overhang > 1e-6 * width)
         context.report.warning(where,
-                               "no face backs " + shortest(place.overhang) + " m of the plate's width of " +
+                               "no face backs " + rounded(place.overhang) + " m of the plate's width of " +
                                    shortest(width) + " m",
                                "Move the head away from the face's end");
     return place.outline;

@@ -80,8 +80,8 @@ void checkModulus(const BoltType& type, const std::string& pointer, CheckReport&
     const double fromSteel = type.steel[1].second / type.steel[1].first;
     if (type.youngsModulus && !(std::abs(*type.youngsModulus - fromSteel) <= modulusAgreement * fromSteel))
         report.error(under(pointer, "youngs_modulus"),
-                     "Young's modulus " + shortest(*type.youngsModulus) + " Pa and the first piece of 'steel', " +
-                         shortest(fromSteel) + " Pa, differ by more than 1 %",
+                     "Young's modulus " + rounded(*type.youngsModulus) + " Pa and the first piece of 'steel', " +
+                         rounded(fromSteel) + " Pa, differ by more than 1 %",
                      "Leave 'youngs_modulus' out, or correct the first strain and stress of 'steel'");
 }
 
@@ -107,8 +107,8 @@ void checkSection(const BoltType& type, const std::string& pointer, CheckReport&
     const double circle = std::numbers::pi / 4.0 * type.diameter * type.diameter;
     if (type.area && *type.area > circle * (1.0 + areaAgreement))
         report.error(under(pointer, "area"),
-                     "the area " + shortest(*type.area) + " m² is larger than the full circle of the diameter, " +
-                         shortest(circle) + " m²",
+                     "the area " + rounded(*type.area) + " m² is larger than the full circle of the diameter, " +
+                         rounded(circle) + " m²",
                      "Correct the area [m²] or the diameter [m]");
 }
 

@@ -59,9 +59,9 @@ bool checkAlongFaces(const Bolt& bolt, const std::string& pointer, CheckContext&
         return true;
     context.report.error(pointer,
                          nameOf(bolt) + " lies along a face of the block " +
-                             inQuotes(displayName(context.scene, along.block)) + " from " + shortest(along.from) +
-                             " m to " + shortest(along.to) + " m of its length, where no rock can be told to hold it",
-                         "Move or turn it by more than " + shortest(2.0 * context.tolerance) +
+                             inQuotes(displayName(context.scene, along.block)) + " from " + rounded(along.from) +
+                             " m to " + rounded(along.to) + " m of its length, where no rock can be told to hold it",
+                         "Move or turn it by more than " + rounded(2.0 * context.tolerance) +
                              " m, into the rock on one side");
     return false;
 }
@@ -113,7 +113,7 @@ bool checkPlaceOnBolt(const BoltPlace& place, double length, double tolerance, c
         return true;
     report.error(pointer,
                  std::string(what) + " at " + shortest(place.s) + " m lies past the end of the bolt, which is " +
-                     shortest(length) + " m long",
+                     rounded(length) + " m long",
                  "Count metres from the far end, at most the bolt's length");
     return false;
 }

@@ -15,7 +15,7 @@ namespace keyblock {
 
 namespace {
 
-std::string placeText(const Point& place) { return "(" + shortest(place.x()) + ", " + shortest(place.y()) + ")"; }
+std::string placeText(const Point& place) { return "(" + coordinateText(place.x()) + ", " + coordinateText(place.y()) + ")"; }
 
 }  // namespace
 

@@ -78,8 +78,8 @@ bool checkOutline(const std::vector<Point>& points, const std::string& pointer, 
     }
     if (const auto place = crossesItself(points, tolerance)) {
         report.error(pointer,
-                     "the outline crosses itself or runs back along itself at (" + shortest(place->x()) + ", " +
-                         shortest(place->y()) + ")",
+                     "the outline crosses itself or runs back along itself at (" + coordinateText(place->x()) + ", " +
+                         coordinateText(place->y()) + ")",
                      "Give the corners in order round " + std::string(what) + ", or split it in two");
         return false;
     }
@@ -203,7 +203,7 @@ void checkInSituStress(CheckContext& context) {
         if (!(most > roundOff * largest) || !std::isfinite(most))
             continue;
         context.report.warning(under("/in_situ_stress", key),
-                               "the rock is under tension: " + shortest(most) + " Pa at y = " + shortest(height) + " m",
+                               "the rock is under tension: " + rounded(most) + " Pa at y = " + coordinateText(height) + " m",
                                "In a file tension is positive: give compression as a negative number, and a "
                                "'reference_y' at which the stress is known");
     }

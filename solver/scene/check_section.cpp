@@ -79,7 +79,7 @@ bool checkDomain(CheckContext& context) {
     if (tolerance && *tolerance > coarsestTolerance * size)
         context.report.error("/cutting/tolerance",
                              "a tolerance of " + shortest(*tolerance) + " m is more than a hundredth of the domain",
-                             "Give at most " + shortest(coarsestTolerance * size) + " m, or leave it out");
+                             "Give at most " + rounded(coarsestTolerance * size) + " m, or leave it out");
     return true;
 }
 

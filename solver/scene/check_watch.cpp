@@ -44,7 +44,7 @@ void checkPlace(const Monitor& monitor, const Bolt& bolt, const std::string& poi
     const double tolerance = 1e-9 * length;
     if (places == 1 && (place > length + tolerance || place < -tolerance))
         report.error(under(pointer, placeKey(monitor)),
-                     "the place is past the end of the bolt " + inQuotes(bolt.name) + ", which is " + shortest(length) +
+                     "the place is past the end of the bolt " + inQuotes(bolt.name) + ", which is " + rounded(length) +
                          " m long",
                      "Give at most the bolt's length");
 }

@@ -15,6 +15,16 @@ std::string rounded(double number) {
     return {text.data(), end.ptr};
 }
 
+std::string coordinateText(double metres) {
+    std::array<char, 400> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), metres, std::chars_format::fixed, 3).ptr;
+    std::string plain(text.data(), end);
+    if (plain.find('.') == std::string::npos) return plain;  // not finite
+    plain.erase(plain.find_last_not_of('0') + 1);
+    if (plain.ends_with('.')) plain.pop_back();
+    return plain == "-0" ? "0" : plain;
+}
+
 std::string shortest(double number) {
     std::array<char, 32> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;

@@ -11,6 +11,9 @@ namespace keyblock {
 /// Four digits, for people.
 std::string rounded(double number);
 
+/// A coordinate [m] to the millimetre, for people.
+std::string coordinateText(double metres);
+
 /// The shortest text that reads back as the same double; `inf` and `nan` for what is not finite.
 std::string shortest(double number);
 

@@ -264,7 +264,7 @@ std::string noteText(const SceneCut& cut, const CutNote& note) {
         return source >= 0 && static_cast<std::size_t>(source) < cut.sources.size()
                    ? cut.sources[static_cast<std::size_t>(source)] : std::string("the boundary");
     };
-    const std::string metres = shortest(note.measure) + " m", area = shortest(note.measure) + " m²";
+    const std::string metres = rounded(note.measure) + " m", area = rounded(note.measure) + " m²";
     switch (note.kind) {
         case CutNoteKind::MergedTrace:
             return metres + " of " + name(note.source) + " lie on " + name(note.other) + ", which has the faces";
