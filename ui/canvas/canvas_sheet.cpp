@@ -47,6 +47,7 @@ void CanvasSheet::paintEvent(QPaintEvent*) {
     if (canvas_.tool()) canvas_.tool()->paint(painter, canvas_.map());
     for (const QRect& panel : panels_)
         painter.drawPixmap(panel, kept_, QRectF(panel.topLeft() * ratio, panel.size() * ratio).toRect());
+    if (canvas_.tool()) canvas_.tool()->paintAbovePanels(painter, canvas_.map());
     if (canvas_.boxFrom_) paintBox(painter, QRectF(*canvas_.boxFrom_, *canvas_.boxTo_).normalized());
 }
 

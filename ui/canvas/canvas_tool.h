@@ -38,8 +38,10 @@ public:
     /// True when the key was for the tool.
     virtual bool key(QKeyEvent&) { return false; }
     virtual void contextMenu(const CanvasEvent&, QPoint /*global*/) {}
-    /// Above everything, in pixels.
+    /// Above the section and what overlays paint, in pixels.
     virtual void paint(QPainter&, const CanvasMap&) const {}
+    /// The same above the legend and other panels.
+    virtual void paintAbovePanels(QPainter&, const CanvasMap&) const {}
     virtual QCursor cursor() const { return Qt::ArrowCursor; }
     /// True once it has a point of what it draws: hints on how to begin then stand in its way.
     virtual bool isDrawing() const { return false; }

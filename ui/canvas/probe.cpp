@@ -63,7 +63,7 @@ void Probe::leave() {
     canvas_.refresh();
 }
 
-void Probe::paint(QPainter& painter, const CanvasMap& map) const {
+void Probe::paintAbovePanels(QPainter& painter, const CanvasMap& map) const {
     if (!mouse_) return;
     const std::optional<Pick> pick = canvas_.pickAt(*mouse_);
     const std::optional<ProbeReading> reading = pick ? reading_(*pick) : std::nullopt;

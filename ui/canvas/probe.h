@@ -38,7 +38,7 @@ public:
     void press(const CanvasEvent& event) override;
     void move(const CanvasEvent& event) override;
     void leave() override;
-    void paint(QPainter& painter, const CanvasMap& map) const override;
+    void paintAbovePanels(QPainter& painter, const CanvasMap& map) const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
 
 Q_SIGNALS:
