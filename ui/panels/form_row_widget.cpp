@@ -85,8 +85,11 @@ void FormRowWidget::layOut() {
         const int forTarget = leads ? gap + arrowSize : 0;
         const bool isStress = row_.field->isStress && row_.field->kind == FieldKind::Number;  // its label says the sign
         editor_->setFixedWidth(flag ? flagWidth : (isStress ? stressWidth : valueWidth) + further - forTarget);
-        grid->addWidget(editor_, 0, 1, 1, span);
-        if (leads) grid->addWidget(target_, 0, 2, Qt::AlignRight);
+        auto* value = new QHBoxLayout;
+        value->setSpacing(gap);
+        value->addWidget(editor_);
+        if (leads) value->addWidget(target_);
+        grid->addLayout(value, 0, 1, 1, span);
     }
     if (!acrossUnit) grid->addWidget(unit_, 0, 2);
     unit_->setVisible(!acrossUnit);
