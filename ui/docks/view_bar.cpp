@@ -93,6 +93,7 @@ ViewBar::ViewBar(const Themes& themes, Commands& commands, ViewSettings& setting
     fill();
     row_->addSpacing(spaceBeforeToggles);
     callOuts_ = addToggle("viewCallOuts", tr("Labels"), tr("Label the events on the section"), "label");
+    callOuts_->setToolButtonStyle(Qt::ToolButtonIconOnly);  // its sign says it, and others need the room
     contacts_ = addToggle("viewContacts", tr("Contact forces"), tr("Draw the forces between blocks as lines"), "contact-force");
     for (QToolButton* button : {callOuts_, contacts_}) connect(button, &QToolButton::clicked, this, &ViewBar::take);
     row_->addStretch(1);
