@@ -17,12 +17,24 @@ std::vector<double> mapped(const std::vector<double>& x) {
     return {1.0 + 0.99 * x[0], 1.0 - 0.9 * x[1], 1.0 + 0.5 * x[2]};
 }
 
+/// A round from x to the map of it, and what the mixing makes of that.
+bool mixed(AndersonMixing& mixing, const std::vector<double>& x, std::vector<double>& next, Eigen::VectorXd& linear) {
+    Eigen::VectorXd change(static_cast<Eigen::Index>(x.size()));
+    for (std::size_t i = 0; i < x.size(); ++i) change[static_cast<Eigen::Index>(i)] = next[i] - x[i];
+    return mixing.mix(change, next, linear);
+}
+
+bool mixed(AndersonMixing& mixing, const std::vector<double>& x, std::vector<double>& next) {
+    Eigen::VectorXd none;
+    return mixed(mixing, x, next, none);
+}
+
 TEST(AndersonMixing, FindsTheFixedPointOfALinearMapInAsManyRoundsAsUnknowns) {
     AndersonMixing mixing(4);
     std::vector<double> x{0.0, 0.0, 0.0};
     for (int round = 0; round < 5; ++round) {
         std::vector<double> next = mapped(x);
-        mixing.mix(x, next);
+        mixed(mixing, x, next);
         x = next;
     }
     EXPECT_NEAR(x[0], 100.0, 1e-4);  // plain rounds have 4.9 by now; the normal equations keep half of the digits
@@ -30,21 +42,34 @@ TEST(AndersonMixing, FindsTheFixedPointOfALinearMapInAsManyRoundsAsUnknowns) {
     EXPECT_NEAR(x[2], 2.0, 1e-4);
 }
 
+TEST(AndersonMixing, CombinesWhatDependsLinearlyOnTheValuesAsItDoesThem) {
+    AndersonMixing mixing(2);
+    const auto sums = [](const std::vector<double>& x) { return Eigen::Vector2d(2.0 * x[0] - x[1], 3.0 + x[2]); };
+    std::vector<double> x{0.0, 0.0, 0.0};
+    for (int round = 0; round < 6; ++round) {
+        std::vector<double> next = mapped(x);
+        Eigen::VectorXd linear = sums(next);
+        EXPECT_EQ(mixed(mixing, x, next, linear), round > 0);
+        EXPECT_LE((linear - sums(next)).norm(), 1e-12 * sums(next).norm());
+        x = next;
+    }
+}
+
 TEST(AndersonMixing, BeginsWithAPlainRound) {
     AndersonMixing mixing(4);
     std::vector<double> next = mapped({0.0, 0.0, 0.0});
-    EXPECT_FALSE(mixing.mix({0.0, 0.0, 0.0}, next));
+    EXPECT_FALSE(mixed(mixing, {0.0, 0.0, 0.0}, next));
     EXPECT_EQ(next, mapped({0.0, 0.0, 0.0}));
 }
 
 TEST(AndersonMixing, ForgetsWhereTheIterationGoesAstray) {
     AndersonMixing mixing(4);
     std::vector<double> next{1.0};
-    EXPECT_FALSE(mixing.mix({0.0}, next));
+    EXPECT_FALSE(mixed(mixing, {0.0}, next));
     next = {1.5};
-    EXPECT_TRUE(mixing.mix({1.0}, next));
+    EXPECT_TRUE(mixed(mixing, {1.0}, next));
     next = {50.0};
-    EXPECT_FALSE(mixing.mix({2.0}, next));  // the change is 48 after 0.5
+    EXPECT_FALSE(mixed(mixing, {2.0}, next));  // the change is 48 after 0.5
     EXPECT_EQ(next[0], 50.0);
 }
 
