@@ -25,6 +25,8 @@ constexpr std::array engineering{
     UnitRow{"J", "kJ", 1e-3},            UnitRow{"N/m per m", "MN/m²", 1e-6},  UnitRow{"N/m³", "kN/m³", 1e-3},
 };
 
+constexpr double plainBelow = 1e6;  // larger numbers have powers of ten
+
 }  // namespace
 
 Display::Display(QObject* parent)
@@ -62,6 +64,8 @@ QString Display::summary() const {
 QString Display::number(double shown, int digits) {
     if (!std::isfinite(shown)) return QString::fromUtf8("–");
     QString text = QString::number(shown == 0.0 ? 0.0 : shown, 'g', digits);  // a zero has no sign
+    const bool isWhole = std::abs(shown) >= 1.0 && std::abs(shown) < plainBelow;
+    if (isWhole && text.contains('e')) text = QString::number(text.toDouble(), 'f', 0);  // 1000, not 1e3
     const int exponent = text.indexOf('e');
     if (exponent < 0) {
         const int point = text.indexOf('.');

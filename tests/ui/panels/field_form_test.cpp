@@ -69,6 +69,9 @@ TEST(FieldForm, NumbersAreShownAndTypedInTheUnitsOfTheDisplay) {
     bench.type("youngs_modulus", "5.5e10");
     EXPECT_EQ(bench.document.scene()->materials[0].second.youngsModulus, 5.5e10);
     EXPECT_EQ(Display::number(-0.0), "0");
+    EXPECT_EQ(Display::number(1000.0, 3), "1\u2009000");
+    EXPECT_EQ(Display::number(-195312.0, 4), "\u2212195\u2009300");
+    EXPECT_EQ(Display::number(2.5e7, 3), "2.5e7");
 }
 
 TEST(FieldForm, AnArrowLeadsToTheTypeOfABolt) {
