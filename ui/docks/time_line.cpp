@@ -85,7 +85,7 @@ TimeLine::TimeLine(const Themes& themes, const Display& display, Commands& comma
     auto* text = labelIn(empty_, "timeLineHint", tr("Time line"));
     text->setMost(QWIDGETSIZE_MAX);
     const auto tell = [this, text] {
-        text->setText(tr("No run is shown. %1 runs all stages; the time line then tells what let go, and when.")
+        text->setText(tr("No results yet. Press %1 to run all stages; failures are then marked on the timeline.")
                           .arg(commands_.callOf("run.start")));
     };
     tell();

@@ -182,7 +182,7 @@ void CensusPanel::ask() {
     const Checked& checked = document_.checked();
     if (!document_.checkIsCurrent() || document_.isPreviewing() || !isVisible()) return;  // asked again then
     if (hasErrors(checked.problems))
-        return tell(tr("Mend the errors under Problems; then it is told what a run would model."));
+        return tell(tr("Fix the errors under Problems to see the model summary."));
     const Scene& solved = checked.cut ? checked.cut->scene : *checked.scene;
     if (solved.blocks.empty()) return tell(tr("Nothing to model yet: draw an outline or a block."));
     tell(tr("Counting…"));

@@ -237,9 +237,9 @@ TEST_F(DocksTest, TheTimeLineScrubsZoomsAndCounts) {
     line.show();
     EXPECT_EQ(line.height(), 30);  // nothing to tell yet
     const auto* hint = line.findChild<QLabel*>("timeLineHint");
-    EXPECT_TRUE(hint->text().contains("F5 runs")) << hint->text().toStdString();
+    EXPECT_TRUE(hint->text().contains("Press F5")) << hint->text().toStdString();
     commands.setKeys("run.start", {QKeySequence("F4")});
-    EXPECT_TRUE(hint->text().contains("F4 runs")) << hint->text().toStdString();
+    EXPECT_TRUE(hint->text().contains("Press F4")) << hint->text().toStdString();
     commands.setKeys("run.start", {});
     cursor.setRun(elevenFrames(), false);
     EXPECT_EQ(line.height(), 104);
