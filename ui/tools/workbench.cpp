@@ -120,9 +120,21 @@ Pointed Workbench::pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardM
     return pointed;
 }
 
-Pointed Workbench::freePointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
+/// A point that nothing snaps, no finer than it is seen: in whole powers of ten below a pixel, so that nobody meets 17
+/// digits where a corner was placed by eye.
+Point Workbench::asSeen(const Point& raw) const {
+    const double finer = std::pow(10.0, -std::floor(std::log10(metres(1.0))));  // steps in a metre
+    const auto one = [&](double metres) {
+        // Divided by a whole number, the result is the decimal that is meant.
+        return finer >= 1.0 ? std::round(metres * finer) / finer : std::round(metres * finer) * std::round(1.0 / finer);
+    };
+    return {one(raw.x()), one(raw.y())};
+}
+
+Pointed Workbench::freePointAt(const Point& aimed, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
                                const std::optional<Point>& previous) const {
     look();
+    const Point raw = asSeen(aimed);
     const bool straight = previous && isStraight(modifiers);
     Pointed pointed{straight ? straightened(raw, *previous) : raw, raw, {}, pixel, modifiers};
     if (!modes_.gridSnap) return pointed;

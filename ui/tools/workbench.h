@@ -105,6 +105,7 @@ Q_SIGNALS:
 private:
     void look() const;
     bool isStraight(Qt::KeyboardModifiers modifiers) const;
+    Point asSeen(const Point& raw) const;
 
     Canvas& canvas_;
     Document& document_;

@@ -356,6 +356,21 @@ TEST(Tools, ABoltStandsSquareToTheWall) {
     EXPECT_EQ(place.scene().stages[2].install, std::vector<std::string>{"B1"});
 }
 
+TEST(Tools, PointsPlacedByEyeHaveShortNumbers) {
+    NEED_SCREEN();
+    Place place;
+    place.drawDrift();
+    place.choose("joint");
+    place.click({-9.87654321, -7.654321});
+    place.click({-6.1234567, -3.3333333});
+    place.key(Qt::Key_Return);
+    ASSERT_EQ(place.scene().joints.size(), 1u);
+    for (const Point& point : place.scene().joints[0].points) {
+        EXPECT_EQ(point.x(), QString::number(point.x(), 'f', 2).toDouble()) << "a pixel is larger than a centimetre";
+        EXPECT_EQ(point.y(), QString::number(point.y(), 'f', 2).toDouble());
+    }
+}
+
 TEST(Tools, OptionsInTheBarChangeTheGhost) {
     NEED_SCREEN();
     Place place;
