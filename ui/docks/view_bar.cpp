@@ -26,7 +26,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int mostOfBox = 150, spaceBeforeToggles = 2;  // [px]; longer choices are cut
+constexpr int mostOfBox = 150, spaceBeforeToggles = 6;  // [px]; longer choices are cut
 constexpr std::array kindsOfArrows{ArrowKind::Displacements, ArrowKind::Velocities, ArrowKind::StressCrosses};  // as offered
 constexpr double factors[]{1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
 
@@ -42,7 +42,7 @@ public:
         bold.setWeight(QFont::DemiBold);
         const QFontMetrics metrics(font());
         const int text = metrics.horizontalAdvance(title_) + 8 + metrics.horizontalAdvance(currentText());
-        return {text + 29, 26};
+        return {text + 34, 26};
     }
     QSize minimumSizeHint() const override { return {96, 26}; }
 
@@ -93,8 +93,7 @@ ViewBar::ViewBar(const Themes& themes, Commands& commands, ViewSettings& setting
     fill();
     row_->addSpacing(spaceBeforeToggles);
     callOuts_ = addToggle("viewCallOuts", tr("Labels"), tr("Label the events on the section"), "label");
-    callOuts_->setToolButtonStyle(Qt::ToolButtonIconOnly);  // its sign says it, and others need the room
-    contacts_ = addToggle("viewContacts", tr("Contacts"), tr("Draw the forces between blocks as lines"), "contact-force");
+    contacts_ = addToggle("viewContacts", tr("Contact forces"), tr("Draw the forces between blocks as lines"), "contact-force");
     for (QToolButton* button : {callOuts_, contacts_}) connect(button, &QToolButton::clicked, this, &ViewBar::take);
     row_->addStretch(1);
     connect(&settings, &ViewSettings::changed, this, &ViewBar::showChoice);
@@ -119,9 +118,8 @@ QToolButton* ViewBar::addToggle(const char* name, const QString& text, const QSt
     button->setAccessibleName(text);
     button->setToolTip(tip);
     button->setProperty("iconName", icon);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setCheckable(true);
-    button->setFixedHeight(28);
+    button->setFixedSize(28, 28);
     row_->addWidget(button);
     toggles_.push_back(button);
     return button;
