@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/gallery.h"
 
+#include "ui/look/elided_label.h"
 #include "ui/look/theme.h"
 #include "ui/start/start_buttons.h"
 #include "ui/start/thumbnails.h"
@@ -75,7 +76,8 @@ QWidget* Gallery::makeHeader() {
     row->setSpacing(4);
     auto* title = new QLabel(tr("Samples"), header);
     title->setObjectName("sectionTitle");
-    auto* hint = new QLabel(tr("Each opens as a copy, says what it shows and what numbers to expect"), header);
+    auto* hint = new ElidedLabel(header);
+    hint->setText(tr("Each opens as a copy, says what it shows and what numbers to expect"));
     hint->setObjectName("hint");
     hint->setMinimumWidth(0);
     hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

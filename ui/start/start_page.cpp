@@ -39,7 +39,7 @@ namespace {
 
 constexpr int sideWidth = 424, narrowSide = 340, leastPage = 1000, rim = 24;  // [px]
 constexpr std::size_t mostBoxes = 3;
-constexpr char atStartKey[] = "start/showPage";
+constexpr char atStartKey[] = "start/showPage", commandKey[] = "command";
 
 void clear(QLayout& layout) {
     while (QLayoutItem* item = layout.takeAt(0)) {
@@ -74,6 +74,7 @@ StartPage::StartPage(const Rooms& rooms, QWidget* covered)
     connect(&rooms.document, &Document::replaced, this, &QWidget::hide);
     connect(&rooms.document, &Document::changed, this, &QWidget::hide);
     connect(&rooms.themes, &Themes::changed, this, [this] {
+        showIcons();
         if (!isVisible()) return;
         showRecovery();
         showRecent();
@@ -84,6 +85,7 @@ StartPage::StartPage(const Rooms& rooms, QWidget* covered)
                 for (RecentRow* recentRow : findChildren<RecentRow*>())
                     if (recentRow->text() == path) recentRow->setPicture(image, facts);
             });
+    showIcons();
     hide();
 }
 
@@ -158,7 +160,7 @@ QWidget* StartPage::makeCommandButton(const QString& id, bool primary) {
     auto* button = new QPushButton(action->icon(), "  " + words, this);
     button->setProperty("start", true);
     button->setProperty("primary", primary);
-    if (primary) button->setIcon(rooms_.themes.icon("plus", rooms_.themes.current().onAccent));
+    button->setProperty(commandKey, id);
     button->setAutoDefault(true);  // Enter presses it, as Space does
     button->setObjectName("start." + id);
     button->setAccessibleName(words);
@@ -170,6 +172,17 @@ QWidget* StartPage::makeCommandButton(const QString& id, bool primary) {
     connect(&rooms_.commands, &Commands::keysChanged, keys, [keys, action] { keys->setText(keysOf(*action)); });
     connect(button, &QPushButton::clicked, action, &QAction::trigger);
     return button;
+}
+
+/// Icons of commands follow the theme, buttons made of them do not.
+void StartPage::showIcons() {
+    for (QPushButton* button : side_->findChildren<QPushButton*>()) {
+        const QString id = button->property(commandKey).toString();
+        if (id.isEmpty()) continue;
+        const bool isPrimary = button->property("primary").toBool();
+        button->setIcon(isPrimary ? rooms_.themes.icon("plus", rooms_.themes.current().onAccent)
+                                  : rooms_.commands.action(id)->icon());
+    }
 }
 
 QWidget* StartPage::makeButtons() {
@@ -201,6 +214,7 @@ QWidget* StartPage::makeFoot() {
         QAction* action = rooms_.commands.action(id);
         auto* link = new QPushButton(action->icon(), " " + words, foot);
         link->setProperty("quiet", true);
+        link->setProperty(commandKey, action->objectName());
         link->setAutoDefault(true);  // Enter presses it, as Space does
         link->setAccessibleName(words);
         link->setToolTip(action->toolTip());

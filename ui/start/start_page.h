@@ -67,6 +67,7 @@ private:
     QWidget* makeFoot();
     QWidget* makeCommandButton(const QString& id, bool primary);
     void showRecovery();
+    void showIcons();
     void showRecent();
     void follow();
     void fitSide(bool narrow);

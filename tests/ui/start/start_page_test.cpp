@@ -89,6 +89,18 @@ TEST(StartPages, AKindOfSamplesCanBeChosen) {
     EXPECT_FALSE(page.page->findChild<SampleCard*>("sample.incline")->isHidden());
 }
 
+TEST(StartPages, IconsFollowTheTheme) {
+    NEED_SCREEN();
+    Page page;
+    const auto* button = page.page->findChild<QPushButton*>("start.file.open");
+    const bool wasDark = page.themes.isDark();
+    const qint64 before = button->icon().cacheKey();
+    page.themes.choose(!wasDark);
+    EXPECT_NE(button->icon().cacheKey(), before);
+    EXPECT_EQ(button->icon().cacheKey(), page.commands.action("file.open")->icon().cacheKey());
+    page.themes.choose(wasDark);
+}
+
 TEST(StartPages, EnterPressesWhatHasTheFocus) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
