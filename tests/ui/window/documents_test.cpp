@@ -8,8 +8,11 @@
 
 #include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
+#include "ui/document/selection.h"
 #include "ui/look/commands.h"
 #include "ui/look/theme.h"
+#include "ui/panels/form_row_widget.h"
+#include "ui/panels/library_panel.h"
 #include "ui/runs/runs.h"
 #include "ui/runs/time_cursor.h"
 #include "ui/window/main_window.h"
@@ -143,6 +146,26 @@ void answerWith(const QString& name, int& asked) {
         });
         QMetaObject::invokeMethod(dialog, "accept");
     });
+}
+
+TEST_F(Documents, ABoltLeadsToItsTypeInTheSceneOrInTheLibrary) {
+    auto* selection = window_->findChild<Selection*>();
+    const auto follow = [&] {
+        selection->set({"/bolts/0"});
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // rows of what was shown before
+        auto* row = window_->findChild<FormRowWidget*>("row:type");
+        auto* arrow = row ? row->findChild<QToolButton*>("target") : nullptr;
+        ASSERT_TRUE(arrow && arrow->isEnabled());
+        arrow->click();
+    };
+    open("burst-rebar");
+    follow();
+    EXPECT_EQ(selection->pointers(), QStringList{"/bolt_types/brittle"});
+    open("rebar-20");
+    follow();
+    EXPECT_EQ(selection->pointers(), QStringList{"/bolts/0"});
+    EXPECT_EQ(window_->findChild<LibraryPanel*>()->chosen(), "rebar-20");
+    EXPECT_TRUE(window_->findChild<LibraryPanel*>()->isVisible());
 }
 
 /// Presses a button of the question that comes, and says what else is open then.
