@@ -43,7 +43,7 @@ public:
     /// The same above the legend and other panels.
     virtual void paintAbovePanels(QPainter&, const CanvasMap&) const {}
     virtual QCursor cursor() const { return Qt::ArrowCursor; }
-    /// True once it has a point of what it draws: hints on how to begin then stand in its way.
+    /// True once it has a point of what it draws: hints on how to begin are then in its way.
     virtual bool isDrawing() const { return false; }
 };
 

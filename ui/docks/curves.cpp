@@ -186,7 +186,7 @@ void Curves::fillChoice() {
     for (const QString& name : names) choice_->addItem(QString(), name);
 }
 
-/// Entries keep their names whatever the units are, so that the same one stays chosen.
+/// Entries keep their names when the units change, so that the same one stays chosen.
 void Curves::captionChoice() {
     for (int i = 0; i < choice_->count(); ++i)
         choice_->setItemText(i, QString::fromStdString(shownTitle(choice_->itemData(i).toString().toStdString(),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The folder in which dialogs for scenes and drawings begin: that of the document,
-// else the one used last, whatever was exported in between.
+// else the one used last; exports in between do not count.
 #pragma once
 
 #include <QString>

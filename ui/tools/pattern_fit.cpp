@@ -25,7 +25,7 @@ PatternPlaces fitted(PatternFit fit, const PatternPlaces& given, int bolts, doub
         return {given.spacing, std::max(0.0, roundedDown(0.5 * (run - intervals * given.spacing)))};
     }
     const int intervals = isClosed ? bolts : bolts - 1;
-    if (intervals < 1) return {run, roundedDown(0.5 * run)};  // one bolt stands in the middle
+    if (intervals < 1) return {run, roundedDown(0.5 * run)};  // one bolt, in the middle
     return {std::max(step, roundedDown(run / intervals)), 0.0};
 }
 

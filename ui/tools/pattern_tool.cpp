@@ -53,7 +53,7 @@ std::vector<ToolField> PatternTool::fields() {
     const auto row = [&](const char* key, const QString& label, const QStringList& choices = {}) {
         return rowField("bolt_patterns", key, &pattern_, label, tell, choices);
     };
-    // Spacing and offset are kept as they are asked for; a click elsewhere fits them anew.
+    // What the user wants is kept: another end of the wall is fitted from it again.
     const auto given = [&](const char* key, const QString& label, double& value) {
         ToolField field = rowField("bolt_patterns", key, &pattern_, label, [] {});
         field.get = [&value] { return FieldValue(value); };
@@ -61,7 +61,7 @@ std::vector<ToolField> PatternTool::fields() {
             const QString problem = check(typed);
             if (const auto* number = std::get_if<double>(&typed); number && problem.isEmpty()) {
                 value = *number;
-                changedOptions();  // last: the bar makes its fields anew
+                changedOptions();  // last: the bar replaces its fields
             }
             return problem;
         };
@@ -69,7 +69,7 @@ std::vector<ToolField> PatternTool::fields() {
     };
     std::vector<ToolField> fields{row("type", tr("Type"), types)};
     if (fit() == PatternFit::EndToEnd) {
-        fields.push_back(numberField("count", tr("Bolts"), tr("Number of bolts; the first and the last stand at the ends."),
+        fields.push_back(numberField("count", tr("Bolts"), tr("Number of bolts; the first and the last are at the ends."),
                                      {}, {.least = 1.0, .most = mostBolts}, count_, tell));
         fields.back().isInteger = true;
     } else {

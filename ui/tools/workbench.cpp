@@ -120,8 +120,8 @@ Pointed Workbench::pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardM
     return pointed;
 }
 
-/// A point that nothing snaps, no finer than it is seen: in whole powers of ten below a pixel, so that nobody meets 17
-/// digits where a corner was placed by eye.
+/// A point without a snap, no finer than it is seen: in whole powers of ten below a pixel. A corner placed by eye would
+/// have 17 digits otherwise.
 Point Workbench::asSeen(const Point& raw) const {
     const double finer = std::pow(10.0, -std::floor(std::log10(metres(1.0))));  // steps in a metre
     const auto one = [&](double metres) {

@@ -50,7 +50,7 @@ TEST(BlockExtremes, APeakBetweenTwoFramesIsKept) {
         EXPECT_GT(last.back().velocity.value, 1.5 * end.blocks[1].velocity.norm());
         EXPECT_EQ(end.blockExtremes[0].velocity.value, 0.0) << "the fixed block";
     }
-    EXPECT_EQ(last[0], last[1]) << "whatever frames are kept";
+    EXPECT_EQ(last[0], last[1]) << "for any number of frames";
 }
 
 }  // namespace
