@@ -6,12 +6,13 @@
 .DEFAULT_GOAL := help
 .PHONY: help run show pictures test person drifts safety-series kills asan tsan bench fuzz clean packages
 
-SHOWN := build/release/drift-bolted
+SAMPLE := drift-rebar-dbolt
+SHOWN := build/release/$(SAMPLE)
 
 help:
-	@echo "make run    build Keyblock and open its window on a drift in two joint sets, ready for F5; without a display: make show"
-	@echo "make show   excavate, bolt and load the drift on the command line, draw and film it, compare with the paper"
-	@echo "make pictures  make the pictures of the README anew"
+	@echo "make run    build Keyblock and open its window on a drift with rebars and D-bolts, ready for F5; without a display: make show"
+	@echo "make show   excavate, bolt and load the drift on the command line, draw and animate it, compare with the paper"
+	@echo "make pictures  regenerate the pictures of the README"
 	@echo "make test   build and run all tests"
 	@echo "make person draw, bolt, run and export a drift in the window with real clicks and keys, on a screen of its own"
 	@echo "make drifts run random drifts and prove from their tables what the program says of them, SEED=7 or SEED=1-200"
@@ -35,25 +36,25 @@ endef
 run: packages
 	$(call build,release)
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] && [ -x build/release/keyblock-studio ]; then \
-	    echo build/release/keyblock-studio samples/drift-bolted.json; \
-	    exec build/release/keyblock-studio samples/drift-bolted.json; \
+	    echo build/release/keyblock-studio samples/$(SAMPLE).json; \
+	    exec build/release/keyblock-studio samples/$(SAMPLE).json; \
 	else $(MAKE) --no-print-directory show; fi
 
 # What `make run` does where no window can be shown.
 show: packages
 	$(call build,release)
-	build/release/keyblock run samples/drift-bolted.json --overwrite --out $(SHOWN).kbrun
+	build/release/keyblock run samples/$(SAMPLE).json --overwrite --out $(SHOWN).kbrun
 	build/release/keyblock info $(SHOWN).kbrun
 	build/release/keyblock export $(SHOWN).kbrun --figure section --out $(SHOWN).pdf
 	build/release/keyblock export $(SHOWN).kbrun --figure section --out $(SHOWN).png
-	build/release/keyblock export $(SHOWN).kbrun --figure bolt --out $(SHOWN)-bolt.pdf
+	build/release/keyblock export $(SHOWN).kbrun --figure bolt --bolt R1 --at pressure:0.1 --out $(SHOWN)-bolt.pdf
 	build/release/keyblock export $(SHOWN).kbrun --figure curves --out $(SHOWN)-curves.pdf
 	@if command -v ffmpeg >/dev/null; then \
 	    echo build/release/keyblock export $(SHOWN).kbrun --animation $(SHOWN).mp4; \
 	    build/release/keyblock export $(SHOWN).kbrun --animation $(SHOWN).mp4; \
-	else echo "ffmpeg is not installed: no film of the drift is made"; fi
+	else echo "ffmpeg is not installed: no animation of the drift is made"; fi
 	build/release/keyblock verify --paper
-	@echo "The drift as figures for a report, and as a film where ffmpeg is installed:"
+	@echo "The drift as figures for a report, and as an animation where ffmpeg is installed:"
 	@ls $(SHOWN)*.pdf $(SHOWN)*.png $(SHOWN)*.mp4 2>/dev/null || true
 
 pictures: packages
