@@ -75,8 +75,9 @@ Sample sampleOf(const QString& path, const JsonNode& root, const JsonNode& measu
 
 /// Those that show most stand first.
 std::pair<int, int> rankOf(const Sample& sample) {
-    static const QStringList first{"drift-rebar-dbolt", "rebar-stated", "dbolt-text-steel", "drift-bolted", "drift-unbolted",
-                                   "rebar-elastic-85", "split-set", "incline", "slope-shaken", "deep-drift"};
+    static const QStringList first{"drift-rebar-dbolt", "rebar-stated", "dbolt-text-steel", "drift-bolted",
+                                   "drift-unbolted", "rebar-elastic-85", "split-set", "incline", "slope-shaken",
+                                   "deep-drift"};
     const int place = first.indexOf(sample.name);
     return {place < 0 ? first.size() : place, QStringList{"drifts", "bolts", "blocks"}.indexOf(sample.category)};
 }
