@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Makes the pictures of the README anew: runs the samples that they show and paints
-# them beside this script. Usage: make.sh PROGRAM, from any folder.
+# Regenerates the pictures of the README: runs the samples that they show and writes
+# their figures, and an animation (needs ffmpeg), next to this script.
+# Usage: make.sh PROGRAM, from any folder.
 set -eu
 program=$(realpath "${1:?usage: make.sh PROGRAM}")
 here=$(cd "$(dirname "$0")" && pwd)
@@ -21,6 +22,18 @@ picture() {
     echo "$here/$name.png"
 }
 
-picture drift-bolted section drift-bolted --dpi 150
-picture drift-unbolted section drift-unbolted --dpi 150
+# The frames of the stages in motion, at a fixed number a second: at events frames are
+# dense in time, so that the animation slows down there.
+animation() {
+    "$program" export "$work/$1.kbrun" --animation "$work/$1-frames" --dpi 100 --width 150 >"$work/told"
+    first=$(awk -F, -v stage="$2" 'index($0, stage) { print NR - 1; exit }' "$work/$1-frames/frames.csv")
+    ffmpeg -loglevel error -framerate 10 -start_number "$first" -i "$work/$1-frames/frame-%04d.png" -vf \
+        'split[a][b];[a]palettegen=max_colors=200:stats_mode=full[p];[b][p]paletteuse=dither=none' "$work/$1.gif"
+    mv "$work/$1.gif" "$here/$1.gif"
+    echo "$here/$1.gif"
+}
+
+picture drift-rebar-dbolt section drift-rebar-dbolt --dpi 150
+picture drift-rebar-dbolt bolt drift-rebar-dbolt-R1 --bolt R1 --at pressure:0.1 --dpi 130
+animation drift-rebar-dbolt pressure
 picture rebar-stated bolt rebar-stated-bolt --dpi 150

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Makes the README's pictures of Studio anew, on a screen of its own. Needs what
+# Regenerates the README's picture of Studio, on a virtual display. Needs what
 # `sh resources/install/debian.sh readers` installs. Usage: studio.sh PROGRAM.
 set -eu
 program=$(realpath "${1:?usage: studio.sh PROGRAM}")
@@ -18,10 +18,10 @@ Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp 3>"$work/display" 2>/dev/
 processes=$!
 read -r number <"$work/display"
 export DISPLAY=":$number"
-cp "$here/../../samples/drift-bolted.json" "$work"
+cp "$here/../../samples/drift-rebar-dbolt.json" "$work"
 
 # Without a window manager the window stands where it says, and nothing else is in the picture.
-"$program" "$work/drift-bolted.json" >"$work/log" 2>&1 &
+"$program" "$work/drift-rebar-dbolt.json" >"$work/log" 2>&1 &
 studio=$!
 processes="$processes $studio"
 for _ in $(seq 100); do
@@ -34,12 +34,12 @@ sleep 1
 xdotool key f
 sleep 1
 xdotool key F5
-# The last stage is the one in which the bolts take their load.
+# In the last stage the left wedge falls.
 for _ in $(seq 600); do
     kill -0 $studio
     sleep 1
-    [ -f "$work/drift-bolted-1.kbrun" ] || continue
-    "$(dirname "$program")/keyblock" info "$work/drift-bolted-1.kbrun" 2>/dev/null | grep -q '^load' && break
+    [ -f "$work/drift-rebar-dbolt-1.kbrun" ] || continue
+    "$(dirname "$program")/keyblock" info "$work/drift-rebar-dbolt-1.kbrun" 2>/dev/null | grep -q '^fall' && break
 done
 sleep 4
 import -window root "$work/studio-run.png"
