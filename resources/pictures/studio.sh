@@ -33,6 +33,9 @@ xdotool windowmove "$window" 0 0 windowsize "$window" 1600 1000 windowfocus "$wi
 sleep 1
 xdotool key f
 sleep 1
+# Closer to the drift.
+xdotool mousemove 835 398 click --repeat 5 --delay 200 4
+sleep 1
 xdotool key F5
 # In the last stage the left wedge falls.
 for _ in $(seq 600); do
