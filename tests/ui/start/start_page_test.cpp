@@ -45,6 +45,7 @@ TEST(StartPages, EverySampleOpensFromWithinTheProgramAsItsFileDoes) {
     NEED_SCREEN();
     const std::vector<Sample> samples = gallerySamples();
     EXPECT_EQ(samples.size(), size_t(QDir(KEYBLOCK_SAMPLES_DIR).entryList({"*.json"}).size()));
+    EXPECT_EQ(samples.front().name, "drift-rebar-dbolt");
     for (const Sample& sample : samples) {
         const std::optional<Scene> scene = sampleScene(sample);
         ASSERT_TRUE(scene) << sample.name.toStdString();
