@@ -58,6 +58,7 @@ show: packages
 	@ls $(SHOWN)*.pdf $(SHOWN)*.png $(SHOWN)*.mp4 2>/dev/null || true
 
 pictures: packages
+	@sh resources/install/debian.sh readers ffmpeg
 	$(call build,release)
 	@sh resources/pictures/make.sh build/release/keyblock
 	@sh resources/pictures/studio.sh build/release/keyblock-studio
