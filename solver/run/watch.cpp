@@ -30,18 +30,28 @@ Event jointEvent(EventKind kind, const Contact& c) {
     return event;
 }
 
+/// A piece of the bolt's shank reaches from the block into other rock: what fell out with the block does not hold it.
+bool ties(const Model& model, const BoltMotion& bolt, int block) {
+    bool inside = false, elsewhere = false;
+    for (std::size_t n = 0; n < bolt.nodes.size(); ++n) {
+        if (n > 0 && bolt.elements[n - 1].ruptured) inside = elsewhere = false;
+        if (const int slot = bolt.nodes[n].slot; slot >= 0) {
+            const bool own = wholeOf(model, bolt.slots[static_cast<std::size_t>(slot)].block) == block;
+            (own ? inside : elsewhere) = true;
+        }
+        if (inside && elsewhere) return true;
+    }
+    return false;
+}
+
 /// Some contact or bolt holds the block, or a cell of it.
 bool carried(const Model& model, const State& state, int block) {
     for (const Contact& c : state.contacts)
         if ((c.bonded || c.normalForce > 0.0) &&
             (wholeOf(model, c.blockA) == block || wholeOf(model, c.blockB) == block))
             return true;
-    for (const BoltMotion& bolt : state.bolts)
-        for (const BoltNode& node : bolt.nodes)
-            if (acts(bolt) && node.slot >= 0 &&
-                wholeOf(model, bolt.slots[static_cast<std::size_t>(node.slot)].block) == block)
-                return true;
-    return false;
+    return std::any_of(state.bolts.begin(), state.bolts.end(),
+                       [&](const BoltMotion& bolt) { return acts(bolt) && ties(model, bolt, block); });
 }
 
 }  // namespace
