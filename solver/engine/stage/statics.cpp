@@ -26,7 +26,7 @@ constexpr int mostRounds = 6;
 constexpr int mostTries = 60;  // to locate an event
 constexpr double narrowest = 1e-12;  // of an increment, when one is
 constexpr int mostStalled = 3;  // of these that come no nearer
-constexpr long longSearch = 12;  // pseudo-steps of a try, after which the next begins where it ended
+constexpr long longSearch = 40;  // iterations of a try, after which the next begins where it ended
 constexpr double locateShare = 1e-4;  // an event is located at least to this share of its limit
 
 // Of increments that the program chooses, in pseudo-time.
@@ -323,7 +323,7 @@ private:
         for (int tries = 0;; ++tries) {
             const double middle = search.next();
             State trial = under.state;
-            const long before = engine_.health.steps;
+            const long before = engine_.health.passes;
             const StepEnding ending = equilibrium(trial, {between(a_, b_, under.share), between(a_, b_, middle)});
             if (ending.ending != Ending::Done) return ending;
             std::vector<Limit> limits = heldLimits(engine_.model, trial);
@@ -339,7 +339,7 @@ private:
                 return {};
             }
             if (off > 0.0) over.state = std::move(trial);
-            else if (engine_.health.steps - before > longSearch) under = {std::move(trial), middle};
+            else if (engine_.health.passes - before > longSearch) under = {std::move(trial), middle};
             search.take(middle, std::move(limits), off > 0.0);
             over.share = search.high();
             if (tries > mostTries || search.width() <= narrowest) return {};  // the limit is passed in a jump
