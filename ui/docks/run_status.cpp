@@ -86,7 +86,8 @@ private:
 
     void paintEnding(QPainter& painter, const RunSession& session) const {
         const Theme& theme = themes_.current();
-        const bool good = !session.failed() && session.outcome() && endedAsPlanned(*session.outcome());
+        const bool good = !session.failed() && session.outcome() && endedAsPlanned(*session.outcome()) &&
+                          !session.isUnstable();
         const char* icon = session.failed() ? "error" : good ? "ok" : "warning";
         const QColor colour = session.failed() ? theme.error : good ? theme.ok : theme.warning;
         QFont font = painter.font();

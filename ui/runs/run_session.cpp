@@ -218,6 +218,11 @@ QString RunSession::finishedMessage() const {
     return tr("The run is finished.");
 }
 
+bool RunSession::isUnstable() const {
+    return isOver() && std::any_of(ending_.stages.begin(), ending_.stages.end(),
+                                   [](const StageResult& result) { return !result.unstable.empty(); });
+}
+
 double RunSession::fraction() const {
     if (isOver() && outcome_ && !failed_ && (endedAsPlanned(*outcome_) || endedUnstable(*outcome_))) return 1.0;
     return run_ && run_->progress() ? std::clamp(run_->progress()->fraction, 0.0, 1.0) : 0.0;

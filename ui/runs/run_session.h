@@ -70,6 +70,7 @@ public:
     // Once it is over.
     std::optional<Outcome> outcome() const { return outcome_; }  // of the last stage; none: something went wrong
     bool failed() const { return failed_; }  // it could not go to its end
+    bool isUnstable() const;  // rock does not stand in one of the stages
     QString message() const { return message_; }  // what became of it, and what to do
 
 Q_SIGNALS:

@@ -72,6 +72,17 @@ TEST_F(RunSessionTest, GivesTheSameResultsAsARunWithoutAWindow) {
     }
 }
 
+TEST_F(RunSessionTest, KnowsWhetherTheRockStands) {
+    for (const auto& [name, unstable] : {std::pair{"burst-rebar", true}, std::pair{"rebar-20", false}}) {
+        RunSession session(orderOf(sample(name), path(std::string(name) + ".kbrun")));
+        EXPECT_FALSE(session.isUnstable()) << name;
+        session.start();
+        ASSERT_TRUE(finishes(session)) << name;
+        EXPECT_FALSE(session.failed()) << name;
+        EXPECT_EQ(session.isUnstable(), unstable) << name << ": " << session.message().toStdString();
+    }
+}
+
 TEST_F(RunSessionTest, WhatTheWindowSawIsWhatTheStoreHolds) {
     RunSession session(orderOf(sample("rebar-20"), path("a.kbrun")));
     session.start();
