@@ -69,8 +69,7 @@ void DrawingFeed::showHint() {
     const Scene& scene = *document_.checked().scene;
     const bool empty = !scene.domain && scene.blocks.empty();
     if (!empty && hasErrors(document_.checked().problems))
-        canvas_.setHint(tr("The section cannot be shown yet"), tr("The problems below say what is missing or wrong."),
-                        true);
+        canvas_.setHint(tr("The scene has errors"), tr("Fix them under Problems to see the section cut into blocks."), true);
     else
         canvas_.setHint(tr("Nothing is drawn yet"), tr("Begin with the outline of the rock, then joints and a tunnel."));
 }
