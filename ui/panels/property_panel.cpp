@@ -84,6 +84,7 @@ PropertyPanel::PropertyPanel(const FormContext& context, Selection& selection, Q
     connect(&context.document, &Document::changed, this, &PropertyPanel::showHeader);
     connect(&context.document, &Document::checkedChanged, this, &PropertyPanel::showHeader);
     connect(&context.themes, &Themes::changed, this, &PropertyPanel::showHeader);
+    connect(&context.display, &Display::changed, this, &PropertyPanel::showHeader);
     follow();
 }
 
@@ -107,6 +108,7 @@ QWidget* PropertyPanel::makeHeader() {
     line->addWidget(pin_);
     column->addLayout(line);
     detail_ = labelOfRole(header, "detail");
+    detail_->setObjectName("propertyDetail");
     column->addWidget(detail_);
     filter_ = new FilterLine(context_.themes, tr("Filter properties"), header);
     filter_->setObjectName("propertyFilter");

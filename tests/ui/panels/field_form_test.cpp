@@ -10,6 +10,7 @@
 #include "ui/edit/edits.h"
 #include "ui/look/commands.h"
 #include "ui/panels/field_words.h"
+#include "ui/panels/property_panel.h"
 #include "ui/panels/value_text.h"
 
 #include <QAction>
@@ -149,6 +150,24 @@ TEST(FieldForm, StressesFollowTheSignSwitchInAndOut) {
     EXPECT_EQ(bench.line("sxx")->text().toStdString(), "−7.5");
     bench.type("sxx", "5");
     EXPECT_EQ(stress(), 5e6);
+    bench.display.setCompressionPositive(true);
+}
+
+TEST(PropertyPanel, HeaderFollowsTheSignSwitch) {
+    NEED_SCREEN();
+    Scene scene = sampleScene("drift-bolted");
+    scene.inSituStress = InSituStress{};
+    scene.inSituStress->sxx = scene.inSituStress->syy = -5e6;
+    FormBench bench(scene);
+    bench.display.setCompressionPositive(true);
+    Selection selection;
+    PropertyPanel panel(bench.context, selection);
+    selection.set({"/in_situ_stress"});
+    QCoreApplication::processEvents();
+    const auto detail = [&] { return panel.findChild<QLabel*>("propertyDetail")->text().toStdString(); };
+    EXPECT_EQ(detail(), "5 / 5 MPa");
+    bench.display.setCompressionPositive(false);
+    EXPECT_EQ(detail(), "−5 / −5 MPa");
     bench.display.setCompressionPositive(true);
 }
 
