@@ -194,14 +194,19 @@ TEST(Tools, AWrongPlaceIsToldAndCanBeCorrected) {
     EXPECT_FALSE(place.scene().domain) << "it has no area";
 }
 
+/// A drift with one joint.
+void drawJoint(Place& place, const Point& from, const Point& to) {
+    place.drawDrift();
+    place.choose("joint");
+    place.click(from);
+    place.click(to);
+    place.key(Qt::Key_Return);
+}
+
 TEST(Tools, SelectDragsWithSnapAndIsOneStep) {
     NEED_SCREEN();
     Place place;
-    place.drawDrift();
-    place.choose("joint");
-    place.click({-10, -5});
-    place.click({-6, -5});
-    place.key(Qt::Key_Return);
+    drawJoint(place, {-10, -5}, {-6, -5});
     place.key(Qt::Key_Escape);
     ASSERT_EQ(place.scene().joints.size(), 1u);
     const std::vector<Point> before = place.scene().joints[0].points;
@@ -359,11 +364,7 @@ TEST(Tools, ABoltStandsSquareToTheWall) {
 TEST(Tools, PointsPlacedByEyeHaveShortNumbers) {
     NEED_SCREEN();
     Place place;
-    place.drawDrift();
-    place.choose("joint");
-    place.click({-9.87654321, -7.654321});
-    place.click({-6.1234567, -3.3333333});
-    place.key(Qt::Key_Return);
+    drawJoint(place, {-9.87654321, -7.654321}, {-6.1234567, -3.3333333});
     ASSERT_EQ(place.scene().joints.size(), 1u);
     for (const Point& point : place.scene().joints[0].points) {
         EXPECT_EQ(point.x(), QString::number(point.x(), 'f', 2).toDouble()) << "a pixel is larger than a centimetre";
