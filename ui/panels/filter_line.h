@@ -10,7 +10,7 @@ namespace keyblock {
 
 class Themes;
 
-/// Dims the placeholder of a line; style sheets would give it the colour of typed text.
+/// Dims the hint of an empty line; a style sheet would give it the colour of typed text.
 void dimHint(QLineEdit& line);
 
 class FilterLine : public QLineEdit {

@@ -13,7 +13,8 @@ namespace {
 
 constexpr int mostDirections = 8, mostAtRest = 16;  // of GMRES, in motion and at rest
 constexpr double looseTolerance = 3e-2, tightTolerance = 1e-2;  // of the force, where friction slides
-constexpr double restTolerance = 1e-4;  // of the force, where friction slides at rest: what is left there drifts
+constexpr double restTolerance = 1e-4;  // of the force, where friction slides near rest: what is left there drifts
+constexpr double restShare = 0.1;  // of the residual, farther from rest; the tight tolerance at most
 constexpr double nearBalance = 3e-3;  // residual from which the tight one holds
 constexpr double roundOff = 1e-8;  // of the force, where nothing slides
 constexpr double slidingTangent = 1e-3;  // of a law's stiffness: under less it slides
@@ -96,7 +97,7 @@ Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, con
     const Eigen::VectorXd start = net - coupled.times(x, net);
     const bool rests = !problem.mayLeave.empty();
     const double inMotion = residual > nearBalance ? looseTolerance : tightTolerance;
-    const double atRest = std::clamp(0.1 * residual, restTolerance, tightTolerance);
+    const double atRest = std::clamp(restShare * residual, restTolerance, tightTolerance);
     const double share = !slides ? roundOff : rests ? atRest : inMotion;
     const int most = rests ? mostAtRest : mostDirections;
     const double first = start.norm(), enough = share * net.norm();
