@@ -47,9 +47,9 @@ const FrameQuantity<BlockState> ofBlocks[]{
      millimetres("Displacement", "length of the vector", false)},
     {"velocity", "speed_m_per_s", [](OfBlock b) { return b.velocity.norm(); },
      velocity("Velocity", "length of the vector", false)},
-    {"sigma1", "sigma1_compressive_Pa", [](OfBlock b) { return principalStress(b.stress).major; },
+    {"sigma1", "sigma1_compressive_Pa", [](OfBlock b) { return principalValues(b.stress).first; },
      stress("Block stress σ₁", 1e-6, "major principal, compression +", false)},
-    {"sigma3", "sigma3_compressive_Pa", [](OfBlock b) { return principalStress(b.stress).minor; },
+    {"sigma3", "sigma3_compressive_Pa", [](OfBlock b) { return principalValues(b.stress).second; },
      stress("Block stress σ₃", 1e-6, "minor principal, compression +", false)},
 };
 
@@ -116,12 +116,18 @@ Point forceOnA(const ContactFrame& contact) {
     return contact.normalForce * contact.normal - contact.shearForce * turnLeft(contact.normal);
 }
 
-PrincipalStress principalStress(const std::array<double, 3>& stress) {
+std::pair<double, double> principalValues(const std::array<double, 3>& stress) {
     const auto [sxx, syy, sxy] = stress;
     const double mean = 0.5 * (sxx + syy);
     const double radius = std::hypot(0.5 * (sxx - syy), sxy);
-    PrincipalStress principal{radius - mean, -mean - radius, {1.0, 0.0}};
-    if (radius == 0.0) return principal;
+    return {radius - mean, -mean - radius};
+}
+
+PrincipalStress principalStress(const std::array<double, 3>& stress) {
+    const auto [sxx, syy, sxy] = stress;
+    const auto [major, minor] = principalValues(stress);
+    PrincipalStress principal{major, minor, {1.0, 0.0}};
+    if (sxx == syy && sxy == 0.0) return principal;
     const double angle = 0.5 * std::atan2(-2.0 * sxy, syy - sxx);  // of the most compressive normal
     principal.direction = Point(std::cos(angle), std::sin(angle));
     return principal;

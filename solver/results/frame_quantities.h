@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace keyblock {
 
@@ -69,7 +70,10 @@ struct PrincipalStress {
     Point direction{1.0, 0.0};  // of σ₁, a unit vector; along x where both are equal
 };
 
-/// From sxx, syy, sxy [Pa], tension positive.
+/// σ₁ and σ₃ of sxx, syy, sxy [Pa], which are positive in tension; σ₁ and σ₃ are positive in compression.
+std::pair<double, double> principalValues(const std::array<double, 3>& stress);
+
+/// The same with the direction of σ₁.
 PrincipalStress principalStress(const std::array<double, 3>& stress);
 
 }  // namespace keyblock

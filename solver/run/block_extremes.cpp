@@ -13,11 +13,11 @@ void addExtreme(const BlockState& block, int stage, double time, BlockExtremes& 
     const auto lower = [&](BlockPeak& peak, double value) {
         if (peak.stage < 0 || value < peak.value) peak = {value, stage, time};
     };
-    const PrincipalStress stress = principalStress(block.stress);
+    const auto [sigma1, sigma3] = principalValues(block.stress);
     raise(extremes.displacement, block.displacement.norm());
     raise(extremes.velocity, block.velocity.norm());
-    raise(extremes.sigma1, stress.major);
-    lower(extremes.sigma3, stress.minor);
+    raise(extremes.sigma1, sigma1);
+    lower(extremes.sigma3, sigma3);
 }
 
 void forgetDisplacements(std::vector<BlockExtremes>& extremes) {

@@ -374,12 +374,12 @@ private:
         afterEvent(now_.state, now_.time);
     }
 
-    /// Events that need no release, with a history row either side.
+    /// Events that need no release, with a history row either side. The extremes of the state are known already.
     void lookAround() {
         for (Event& event : watch_.look(now_.state)) {
-            beforeEvent(now_.state, now_.time);
+            writeRow(now_.state, now_.time);
             this->event(event, now_.state, now_.time);
-            afterEvent(now_.state, now_.time);
+            writeRow(now_.state, now_.time);
         }
     }
 
@@ -403,6 +403,10 @@ private:
 
     void keepRow(const State& state, double time) {
         noteExtremes(state, time);
+        writeRow(state, time);
+    }
+
+    void writeRow(const State& state, double time) {
         sink_.history(observation_.history(state, now_.stage, time));
         ++now_.written.historyRows;
     }
