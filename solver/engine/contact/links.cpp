@@ -33,14 +33,17 @@ class ContactLinks {
 public:
     ContactLinks(const Model& model, const State& state, const std::vector<BlockMotion>& halfway, bool frictionLocked,
                  StepProblem& problem)
-        : model_(model), state_(state), halfway_(halfway), frictionLocked_(frictionLocked), problem_(problem) {}
+        : model_(model), state_(state), halfway_(halfway), frictionLocked_(frictionLocked), problem_(problem) {
+        frames_.reserve(halfway.size());
+        for (const BlockMotion& block : halfway) frames_.push_back(frameOf(block));
+    }
 
     void add(int index) {
         const Contact& c = state_.contacts[static_cast<std::size_t>(index)];
-        const BlockMotion &a = halfway_[c.blockA], &b = halfway_[c.blockB];
         const Point place = contactPoint(halfway_, c);
-        const Edge edge = edgeOf(b.corners, c.edge);
-        const Eigen::Matrix<double, 2, 6> ta = displacementMatrix(a, place), tb = displacementMatrix(b, place);
+        const Edge edge = edgeOf(halfway_[c.blockB].corners, c.edge);
+        const Eigen::Matrix<double, 2, 6> ta = displacementMatrix(frames_[c.blockA], place);
+        const Eigen::Matrix<double, 2, 6> tb = displacementMatrix(frames_[c.blockB], place);
         const auto link = [&](LinkKind kind, const Point& direction, double strain) -> Link& {
             Link& added = problem_.links.emplace_back();
             added.kind = kind;
@@ -71,6 +74,7 @@ private:
     const Model& model_;
     const State& state_;
     const std::vector<BlockMotion>& halfway_;
+    std::vector<BlockFrame> frames_;  // of the blocks halfway
     bool frictionLocked_;
     StepProblem& problem_;
 };

@@ -37,18 +37,26 @@ Point materialPlace(const BlockMotion& motion, const Point& x) {
     return deformation(motion).inverse() * (x - motion.centroid);
 }
 
-Eigen::Matrix<double, 2, 6> displacementMatrix(const BlockMotion& motion, const Point& x) {
-    const Point d = x - motion.centroid;
+BlockFrame frameOf(const BlockMotion& motion) {
     const Eigen::Matrix2d r = rotation(motion.angle);
-    const Point own = (r * stretch(motion)).inverse() * d;  // strains stretch the first shape
+    return {motion.centroid, motion.axis, r, (r * stretch(motion)).inverse()};
+}
+
+Eigen::Matrix<double, 2, 6> displacementMatrix(const BlockFrame& frame, const Point& x) {
+    const Point d = x - frame.centroid;
+    const Point own = frame.toFirstShape * d;  // strains stretch the first shape
     Eigen::Matrix<double, 2, 6> t;
-    t.col(0) = motion.axis;
-    t.col(1) = turnLeft(motion.axis);
+    t.col(0) = frame.axis;
+    t.col(1) = turnLeft(frame.axis);
     t.col(2) = turnLeft(d);
-    t.col(3) = r.col(0) * own.x();
-    t.col(4) = r.col(1) * own.y();
-    t.col(5) = r * Point(0.5 * own.y(), 0.5 * own.x());
+    t.col(3) = frame.rotation.col(0) * own.x();
+    t.col(4) = frame.rotation.col(1) * own.y();
+    t.col(5) = frame.rotation * Point(0.5 * own.y(), 0.5 * own.x());
     return t;
+}
+
+Eigen::Matrix<double, 2, 6> displacementMatrix(const BlockMotion& motion, const Point& x) {
+    return displacementMatrix(frameOf(motion), x);
 }
 
 Eigen::Vector3d frameStress(const BlockModel& block, const BlockMotion& motion) {

@@ -173,7 +173,17 @@ Point materialPoint(const BlockMotion& motion, const Point& place);
 /// The point of the block's frame at the start that is now at `x`.
 Point materialPlace(const BlockMotion& motion, const Point& x);
 
+/// What `displacementMatrix` needs of a block, for many points of the same one.
+struct BlockFrame {
+    Point centroid, axis;
+    Eigen::Matrix2d rotation;
+    Eigen::Matrix2d toFirstShape;  // takes an arm from the centroid back to the first shape
+};
+
+BlockFrame frameOf(const BlockMotion& motion);
+
 /// T(x): displacement at `x` from (u, v, r, εx, εy, γ), strains in the block's frame; the derivative of `moveBlock`.
+Eigen::Matrix<double, 2, 6> displacementMatrix(const BlockFrame& frame, const Point& x);
 Eigen::Matrix<double, 2, 6> displacementMatrix(const BlockMotion& motion, const Point& x);
 
 /// Stress in the block's frame [Pa].
