@@ -42,7 +42,7 @@ const std::vector<PanelChoice>& panelChoices() {
     static const std::vector<PanelChoice> all{
         {QT_TRANSLATE_NOOP("keyblock::BoltStrip", "N · bond · slip"), {"Axial", "Bond", "Slip"}},
         {QT_TRANSLATE_NOOP("keyblock::BoltStrip", "N · Q · M"), {"Axial", "Shear", "Moment"}},
-        {QT_TRANSLATE_NOOP("keyblock::BoltStrip", "everything"), {""}}};
+        {QT_TRANSLATE_NOOP("keyblock::BoltStrip", "all"), {""}}};
     return all;
 }
 
@@ -79,9 +79,9 @@ BoltStrip::BoltStrip(const Themes& themes, const Display& display, TimeCursor& c
     : QWidget(parent), themes_(themes), display_(display), cursor_(cursor), choice_(choice), view_(new ChartView(themes, this)),
       more_(new QToolButton(this)) {
     setObjectName("boltStrip");
-    setAccessibleName(tr("Bolt strip"));
+    setAccessibleName(tr("Bolt diagram"));
     more_->setObjectName("stripMore");
-    more_->setAccessibleName(tr("Bolt and curves shown"));
+    more_->setAccessibleName(tr("Bolt and quantities shown"));
     more_->setToolTip(more_->accessibleName());
     more_->setPopupMode(QToolButton::InstantPopup);
     more_->setFixedSize(24, 22);
@@ -183,7 +183,7 @@ void BoltStrip::make() {
             else if (!isSame || !past->ofAll) held = mostLoadedBolt(run->frame(stored - 1));
             const int bolt = wanted >= 0 ? wanted : held;
             if (bolt < 0 || frame->bolts[static_cast<std::size_t>(bolt)].nodes.size() < 2)
-                return [this] { showNothing(tr("The bolt is not there at this moment.")); };
+                return [this] { showNothing(tr("The bolt is not installed at this time.")); };
             std::shared_ptr<Past> known = past;
             if (!known || known->run != run || known->reach.bolt() != bolt)
                 known = std::make_shared<Past>(Past{run, BoltReach(bolt)});
@@ -219,7 +219,7 @@ void BoltStrip::make() {
 
 void BoltStrip::take(std::shared_ptr<const Shown> shown) {
     shown_ = std::move(shown);
-    if (shown_->chart.chart.panels.empty()) view_->clear(tr("Nothing acts on this bolt yet."));
+    if (shown_->chart.chart.panels.empty()) view_->clear(tr("No forces act on this bolt yet."));
     else view_->show(shown_->chart.chart);
     update();
     Q_EMIT titleChanged();

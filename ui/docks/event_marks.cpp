@@ -17,7 +17,7 @@ namespace {
 /// The words of `wordOf`, for translation.
 constexpr std::array<const char*, eventGroups> groupNames{
     QT_TRANSLATE_NOOP("EventGroup", "slip"),       QT_TRANSLATE_NOOP("EventGroup", "debonding"),
-    QT_TRANSLATE_NOOP("EventGroup", "restick"),    QT_TRANSLATE_NOOP("EventGroup", "yield"),
+    QT_TRANSLATE_NOOP("EventGroup", "re-stick"),   QT_TRANSLATE_NOOP("EventGroup", "yield"),
     QT_TRANSLATE_NOOP("EventGroup", "rupture"),    QT_TRANSLATE_NOOP("EventGroup", "plate"),
     QT_TRANSLATE_NOOP("EventGroup", "pulled out"), QT_TRANSLATE_NOOP("EventGroup", "block falls")};
 

@@ -85,7 +85,7 @@ int EventsModel::columnCount(const QModelIndex& parent) const { return parent.is
 
 QVariant EventsModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-    const std::array<QString, columns> names{tr("No."), tr("Time"), tr("What"), tr("Where"), tr("Force"), tr("After")};
+    const std::array<QString, columns> names{tr("No."), tr("Time"), tr("Event"), tr("Where"), tr("Force"), tr("Cause")};
     return names[static_cast<std::size_t>(section)];
 }
 
@@ -146,7 +146,7 @@ QString EventsModel::chainOf(std::size_t number) const {
         if (event.cause >= at) break;
         at = event.cause;
     }
-    if (at < 0) lines.prepend(tr("the load"));
+    if (at < 0) lines.prepend(tr("load"));
     return lines.join(QStringLiteral("\n→ "));
 }
 

@@ -132,15 +132,15 @@ QString HealthStrip::adviceOn(const HealthRow& row) const {
                       "step, or more increments in a static stage, avoids it.")
                 .arg(valueText(row));
         case HealthMeasure::Penetration:
-            return tr("%1 penetrates its neighbour by %2 of its size. Increase the penalty ratio, or use contacts by "
-                      "multipliers.")
+            return tr("%1 penetrates its neighbour by %2 of its size. Increase the penalty ratio, or use augmented "
+                      "Lagrangian contacts.")
                 .arg(who, valueText(row));
         case HealthMeasure::Balance:
             return tr("%1 of the energy is unaccounted for. Reduce the time step or the tolerance.")
                 .arg(valueText(row));
         case HealthMeasure::Residual: break;
     }
-    return tr("%1 is out of balance by %2 of the forces that act. Reduce the time step.").arg(who, valueText(row));
+    return tr("The unbalanced force of %1 is %2 of the acting forces. Reduce the time step.").arg(who, valueText(row));
 }
 
 void HealthStrip::paintEvent(QPaintEvent*) {

@@ -119,16 +119,16 @@ void QuantityTable::fill(const Reading& reading) {
     const bool isEmpty = list_->topLevelItemCount() == 0;
     list_->setVisible(!isEmpty);
     hint_->setVisible(isEmpty);
-    hint_->setText(!cursor_.run()        ? tr("Run the scene to see the quantities that it asks for.")
-                   : cursor_.goesOn() ? tr("Quantities are measured when the run has ended.")
-                                      : tr("This scene asks for no quantities and expects no values."));
+    hint_->setText(!cursor_.run()        ? tr("Run the scene to see the quantities it defines.")
+                   : cursor_.goesOn() ? tr("Quantities are measured at the end of the run.")
+                                      : tr("This scene defines no quantities and no expected values."));
     for (int column = Name; column < Source; ++column) list_->resizeColumnToContents(column);
 }
 
 void QuantityTable::addExpected(const MeasuredComparison& comparison, bool isWhole) {
     const Expected& expected = comparison.expected;
     const bool isKnown = comparison.measured.value.has_value(), isRelative = expected.value != 0.0;
-    const QString verdict = !isWhole ? tr("run not finished") : comparison.within ? tr("met") : tr("missed");
+    const QString verdict = !isWhole ? tr("run not finished") : comparison.within ? tr("met") : tr("not met");
     auto* row = new QTreeWidgetItem(
         list_, {QString::fromStdString(expected.quantity), numberOf(comparison.measured), Display::number(expected.value, 5),
                 isKnown ? shareText(comparison.deviation, isRelative) : QString(), shareText(expected.tolerance, isRelative),

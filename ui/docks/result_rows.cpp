@@ -85,7 +85,7 @@ struct RowMaker {
     void energy(const BoltFrame& bolt) {
         const double all = bolt.elasticEnergy + bolt.plasticEnergy + bolt.bondEnergy;
         const auto part = [&](double joules) { return shown(joules, "kJ", 1e-3); };
-        rows.push_back({Texts::tr("Energy taken so far"), part(all),
+        rows.push_back({Texts::tr("Energy absorbed so far"), part(all),
                         Texts::tr("elastic %1, plastic %2, bond %3")
                             .arg(part(bolt.elasticEnergy), part(bolt.plasticEnergy), part(bolt.bondEnergy))});
     }
@@ -142,10 +142,10 @@ ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, con
     make.peak(Texts::tr("Largest N"), peaks.axialForce, "kN", 1e-3, axial);
     make.peak(Texts::tr("Largest Q"), peaks.shearForce, "kN", 1e-3, axial);
     make.peak(Texts::tr("Largest M"), peaks.moment, "kN m", 1e-3, axial);
-    make.use(Texts::tr("Use of steel"), peaks.steel);
-    make.use(Texts::tr("Use of shear strength"), peaks.shear);
-    make.use(Texts::tr("Use of bond"), peaks.bond);
-    make.use(Texts::tr("Use of face plate"), peaks.plate);
+    make.use(Texts::tr("Steel utilisation"), peaks.steel);
+    make.use(Texts::tr("Shear utilisation"), peaks.shear);
+    make.use(Texts::tr("Bond utilisation"), peaks.bond);
+    make.use(Texts::tr("Face plate utilisation"), peaks.plate);
     if (report.isInstalled()) {
         addPlate(report, make);
         addBond(report, make);

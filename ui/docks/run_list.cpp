@@ -72,7 +72,7 @@ void RunList::fill() {
     const Theme& theme = themes_.current();
     const QString stale = runs_.staleness();
     stale_->setVisible(!stale.isEmpty());
-    stale_->setText(stale + tr(". %1 runs the scene as it is.").arg(commands_.callOf("run.start")));
+    stale_->setText(stale + tr(". Press %1 to run the current scene.").arg(commands_.callOf("run.start")));
     stale_->setStyleSheet(QStringLiteral("background: %1; color: %2;").arg(theme.warningSoft.name(), theme.text.name()));
     compare_->setIcon(themes_.icon("compare"));
     compare_->setEnabled(!runs_.shown().isEmpty());
@@ -80,7 +80,7 @@ void RunList::fill() {
     for (const RunEntry& entry : runs_.entries()) {
         QString outcome = entry.outcomeText();
         if (!comparison_.store().isEmpty() && entry.path == comparison_.store()) outcome += tr(" · compared");
-        if (entry.ofEarlierScene) outcome += tr(" · of an earlier scene");
+        if (entry.ofEarlierScene) outcome += tr(" · earlier version of the scene");
         const auto count = [&](long RunSummary::* what) {
             return entry.summary ? QLocale::c().toString(qlonglong((*entry.summary).*what)) : QString();
         };
@@ -116,7 +116,7 @@ void RunList::fillCompareMenu(QMenu& menu) {
     });
     if (!comparison_.isOn()) return;
     menu.addSeparator();
-    menu.addAction(tr("End comparing"), &comparison_, &Comparison::end);
+    menu.addAction(tr("Close comparison"), &comparison_, &Comparison::end);
 }
 
 void RunList::showMenu(const QPoint& at) {
@@ -133,10 +133,10 @@ void RunList::showMenu(const QPoint& at) {
         }
     QMenu menu(this);
     menu.addAction(tr("Show %1").arg(name), this, [this, store] { runs_.open(store); });
-    QAction* on = menu.addAction(tr("Go on with %1").arg(name), this, [this, store] { runs_.resume(store); });
+    QAction* on = menu.addAction(tr("Resume %1").arg(name), this, [this, store] { runs_.resume(store); });
     on->setEnabled(resumable && !runs_.isRunning());
     if (comparison_.store() == store) {
-        menu.addAction(tr("End comparing"), &comparison_, &Comparison::end);
+        menu.addAction(tr("Close comparison"), &comparison_, &Comparison::end);
     } else {
         QAction* beside = menu.addAction(tr("Compare with %1").arg(name), this, [this, store] { comparison_.begin(store); });
         beside->setEnabled(readable && !goesOn && !runs_.shown().isEmpty() && store != runs_.shown());

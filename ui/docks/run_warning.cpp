@@ -14,7 +14,7 @@ namespace keyblock {
 RunWarning::RunWarning(const Themes& themes, const TimeCursor& cursor, QWidget* parent)
     : ElidedLabel(parent), themes_(themes), cursor_(cursor) {
     setObjectName("runWarning");
-    setAccessibleName(tr("Warning on the numbers of this stage"));
+    setAccessibleName(tr("Warning about the results of this stage"));
     setContentsMargins(12, 3, 12, 3);
     for (const auto signal : {&TimeCursor::runChanged, &TimeCursor::runGrew, &TimeCursor::moved})
         connect(&cursor, signal, this, &RunWarning::refresh);

@@ -83,14 +83,14 @@ QString SafetyPanel::answer() const {
     const auto number = [](double factor) { return Display::number(factor, 4); };
     if (!search_.problem().isEmpty()) return search_.problem();
     if (search_.isBusy()) return tr("Running with all strengths divided by %1").arg(number(search_.factorNow()));
-    if (!search_.found()) return tr("The scene is run again and again with reduced strengths until it fails.");
+    if (!search_.found()) return tr("The scene is run repeatedly with reduced strengths until it fails.");
     const SafetyFactor& found = *search_.found();
-    if (found.nothingToFreeze) return tr("The scene fails with its own strengths: no bolt forces to freeze.");
+    if (found.nothingToFreeze) return tr("The scene fails with its full strengths: there are no bolt forces to freeze.");
     if (found.lower && found.upper)
         return tr("Factor of safety between %1 (stable) and %2 (fails)").arg(number(*found.lower), number(*found.upper));
     if (found.lower) return tr("Factor of safety above %1 (stable)").arg(number(*found.lower));
     if (found.upper) return tr("Factor of safety below %1 (fails)").arg(number(*found.upper));
-    return found.cutShort == Outcome::Stopped ? tr("Stopped before the first run ended") : tr("No factor was found");
+    return found.cutShort == Outcome::Stopped ? tr("Stopped before the first run ended") : tr("No factor found");
 }
 
 /// How the scene fails at the upper end of the bracket.
@@ -98,8 +98,8 @@ QString SafetyPanel::failure() const {
     if (!search_.found()) return {};
     const SafetyFactor& found = *search_.found();
     QStringList lines;
-    if (found.cutShort == Outcome::Stopped) lines << tr("Stopped; the bracket is as far as it was found.");
-    if (found.cutShort == Outcome::Limit) lines << tr("A limit of the scene was reached in the last run.");
+    if (found.cutShort == Outcome::Stopped) lines << tr("Stopped; this is the bracket found so far.");
+    if (found.cutShort == Outcome::Limit) lines << tr("The last run reached a limit set in the scene.");
     if (found.cutShort == Outcome::Undecided) lines << tr("The runs within the bracket are undecided.");
     if (!found.mode || found.mode->blocks.empty()) return lines.join('\n');
     QStringList blocks;

@@ -56,14 +56,14 @@ ScalePanel::ScalePanel(const LegendBar& bar, const ShownNumbers& numbers, bool c
       to_(makeEnd("scaleTo", tr("Upper end"), std::max(bar.range.low, bar.range.high))),
       clip_(new QCheckBox(tr("Clip the extreme 2 % of the area"), this)), steps_(new QComboBox(this)) {
     setObjectName("scalePanel");
-    setAccessibleName(tr("Scale of the colours"));
+    setAccessibleName(tr("Colour scale"));
     setAttribute(Qt::WA_DeleteOnClose);
     all_->setObjectName("scaleAll");
     frame_->setObjectName("scaleFrame");
     own_->setObjectName("scaleOwn");
     clip_->setObjectName("scaleClip");
     clip_->setVisible(clips);
-    clip_->setToolTip(tr("Leaves out, at either end, the values of 2 % of the area, e.g. those of slivers."));
+    clip_->setToolTip(tr("Ignores the extreme values of 2 % of the area at each end, e.g. those of slivers."));
     steps_->setObjectName("scaleSteps");
     steps_->setAccessibleName(tr("Colours"));
     for (const int count : steps) steps_->addItem(count == 0 ? tr("Continuous") : tr("%1 steps").arg(count), count);

@@ -87,13 +87,13 @@ std::vector<BoltEnd> endsOf(const RunSource& run) {
 StabilityPanel::StabilityPanel(const Themes& themes, const Display& display, TimeCursor& cursor, BoltChoice& choice,
                                QWidget* parent)
     : QWidget(parent), themes_(themes), display_(display), cursor_(cursor), answer_(new QLabel(this)), worst_(new QLabel(this)),
-      blocks_(table("unstableBlocks", tr("Blocks that do not stand"),
-                    {tr("Block"), tr("How"), tr("Moved"), tr("Weight"), tr("Stage")}, Moved, Weight, this)),
-      bolts_(table("boltUses", tr("Largest forces and use of each bolt"),
-                   {tr("Bolt"), tr("State"), tr("Governs"), tr("Holds"), tr("N"), tr("Q"), tr("M"), tr("Steel, %"), tr("Shear, %"),
+      blocks_(table("unstableBlocks", tr("Unstable blocks"),
+                    {tr("Block"), tr("Mode"), tr("Displacement"), tr("Weight"), tr("Stage")}, Moved, Weight, this)),
+      bolts_(table("boltUses", tr("Largest forces and utilisation of each bolt"),
+                   {tr("Bolt"), tr("State"), tr("Governed by"), tr("Supports"), tr("N"), tr("Q"), tr("M"), tr("Steel, %"), tr("Shear, %"),
                     tr("Bond, %"), tr("Plate, %"), tr("Energy")},
                    AxialPeak, EnergyTaken, this)) {
-    bolts_->headerItem()->setToolTip(EnergyTaken, tr("Energy taken by the bolt over the run"));
+    bolts_->headerItem()->setToolTip(EnergyTaken, tr("Energy absorbed by the bolt during the run"));
     setObjectName("stabilityPanel");
     setAttribute(Qt::WA_StyledBackground);
     setAccessibleName(tr("Stability"));
@@ -167,7 +167,7 @@ void StabilityPanel::readBolts() {
 void StabilityPanel::fill() {
     const Verdict verdict = run_ ? verdictOf(run_->stageList(), run_->scene()) : Verdict{};
     const bool over = run_ && isFinished(*run_);
-    QString answer = tr("A run says here whether it stands.");
+    QString answer = tr("Run the scene to see whether it is stable.");
     QColor colour = themes_.current().text2;
     if (run_ && verdict.stands) {
         answer = *verdict.stands ? tr("Stable: yes") : tr("Stable: NO");
@@ -179,7 +179,7 @@ void StabilityPanel::fill() {
     answer_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(colour.name()));
     const auto worst = run_ ? worstBalanced(run_->stageList()) : std::nullopt;
     if (worst)
-        worst_->setText(tr("Least balanced: block %1, %2 of its weight")
+        worst_->setText(tr("Largest unbalanced force: block %1, %2 of its weight")
                             .arg(QString::fromStdString(blockName(run_->blockNames(), worst->health.worst.block)),
                                  Display::number(worst->health.worst.share, 2)));
     worst_->setVisible(worst.has_value());

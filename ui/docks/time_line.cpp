@@ -69,7 +69,7 @@ TimeLine::TimeLine(const Themes& themes, const Display& display, Commands& comma
       full_(new QWidget(this)), empty_(new QWidget(this)), track_(new TimeTrack(themes, cursor, full_)) {
     setObjectName("timeLine");
     setAttribute(Qt::WA_StyledBackground);
-    setAccessibleName(tr("Time line"));
+    setAccessibleName(tr("Timeline"));
     auto* column = new QVBoxLayout(full_);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -82,7 +82,7 @@ TimeLine::TimeLine(const Themes& themes, const Display& display, Commands& comma
     column->addWidget(track_);
     auto* hint = new QHBoxLayout(empty_);
     hint->setContentsMargins(16, 0, 16, 0);
-    auto* text = labelIn(empty_, "timeLineHint", tr("Time line"));
+    auto* text = labelIn(empty_, "timeLineHint", tr("Timeline"));
     text->setMost(QWIDGETSIZE_MAX);
     const auto tell = [this, text] {
         text->setText(tr("No results yet. Press %1 to run all stages; failures are then marked on the timeline.")
@@ -130,7 +130,7 @@ QWidget* TimeLine::makeTransport() {
     loop_ = new QToolButton(bar);
     loop_->setObjectName("timeLoop");
     loop_->setAccessibleName(tr("Loop"));
-    loop_->setToolTip(tr("Begin again at the end"));
+    loop_->setToolTip(tr("Restart at the end"));
     loop_->setCheckable(true);
     loop_->setFixedSize(28, rowHeight);
     connect(loop_, &QToolButton::toggled, this, [this](bool on) { cursor_.setLoops(on); });
@@ -138,7 +138,7 @@ QWidget* TimeLine::makeTransport() {
     speed_ = new QComboBox(bar);
     speed_->setObjectName("timeSpeed");
     speed_->setAccessibleName(tr("Speed"));
-    speed_->setToolTip(tr("Speed of playing; 1× is 25 frames a second"));
+    speed_->setToolTip(tr("Playback speed; 1× is 25 frames per second"));
     for (const double speed : speeds) speed_->addItem(QString::number(speed) + QStringLiteral("×"), speed);
     speed_->setCurrentIndex(3);
     speed_->setFixedSize(58, 24);
@@ -250,7 +250,7 @@ void TimeLine::nameCounts() {
         const QString number = Display::number(static_cast<double>(numbers_.of(group)), 9);
         const QString kinds = QString::fromStdString(numbers_.kindsText(group));
         counts_[g]->setText(short_ > 0 ? number : nameOf(group) + ' ' + number);
-        counts_[g]->setToolTip(tr("Show or hide %1 on the time line; hidden ones are passed over").arg(nameOf(group)) +
+        counts_[g]->setToolTip(tr("Show or hide events on the timeline: %1. Next event skips hidden ones.").arg(nameOf(group)) +
                                (kinds.isEmpty() ? QString() : '\n' + kinds));
         counts_[g]->setEnabled(!kinds.isEmpty());
     }

@@ -78,7 +78,7 @@ std::vector<PlacedEvent> placedEvents(const std::vector<Event>& events, const st
 TimeTrack::TimeTrack(const Themes& themes, TimeCursor& cursor, QWidget* parent)
     : QWidget(parent), themes_(themes), cursor_(cursor) {
     setObjectName("timeTrack");
-    setAccessibleName(tr("Time line"));
+    setAccessibleName(tr("Timeline"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setFixedHeight(76);

@@ -81,13 +81,13 @@ QString shortTitle(std::string_view title) {
 ViewBar::ViewBar(const Themes& themes, Commands& commands, ViewSettings& settings, QWidget* parent)
     : QWidget(parent), themes_(themes), commands_(commands), settings_(settings), row_(new QHBoxLayout(this)) {
     setObjectName("viewBar");
-    setAccessibleName(tr("View of results"));
+    setAccessibleName(tr("Display of results"));
     setFixedHeight(36);
     row_->setContentsMargins(12, 0, 12, 0);
     row_->setSpacing(6);
     blocks_ = addChoice("viewBlocks", tr("Blocks"));
     bolts_ = addChoice("viewBolts", tr("Bolts"));
-    ribbon_ = addChoice("viewRibbon", tr("Ribbon"));
+    ribbon_ = addChoice("viewRibbon", tr("Force diagram"));
     factor_ = addChoice("viewFactor", tr("Deformation"));
     arrows_ = addChoice("viewArrows", tr("Arrows"));
     fill();

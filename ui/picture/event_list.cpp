@@ -103,7 +103,7 @@ std::string countedText(std::span<const Event> events) {
     };
     add(EventKind::JointSlip, "joint slip", "joint slips");
     add(EventKind::JointOpen, "joint opening", "joint openings");
-    add(EventKind::Restick, "bond stuck again", "bonds stuck again");
+    add(EventKind::Restick, "bond re-stick", "bond re-sticks");
     return text;
 }
 

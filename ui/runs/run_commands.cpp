@@ -17,7 +17,7 @@ void enableRunCommands(Commands& commands, const Runs& runs) {
     using State = RunSession::State;
     const State state = runs.isRunning() ? runs.session()->state() : State::Ended;
     const bool goesOn = state == State::Running || state == State::Paused;
-    commands.setWhyNot("run.start", state == State::Ended ? runs.nothingToRun() : Runs::tr("A run goes on already."));
+    commands.setWhyNot("run.start", state == State::Ended ? runs.nothingToRun() : Runs::tr("A run is already in progress."));
     commands.action("run.pause")->setEnabled(goesOn);
     commands.action("run.pause")->setText(state == State::Paused ? Runs::tr("Continue run") : Runs::tr("Pause run"));
     commands.action("run.step")->setEnabled(goesOn);
@@ -43,13 +43,13 @@ void addRunCommands(Commands& commands, Runs& runs) {
     commands.add({"run.start", Runs::tr("Run"), "Run", "play", Runs::tr("Run all stages of the scene"),
                   {QKeySequence(Qt::Key_F5)}},
                  [&runs] { runs.start(); });
-    commands.add({"run.pause", Runs::tr("Pause run"), "Run", "pause", Runs::tr("Pause the run, or go on with it"),
+    commands.add({"run.pause", Runs::tr("Pause run"), "Run", "pause", Runs::tr("Pause or continue the run"),
                   {QKeySequence(Qt::Key_F6)}},
                  [&runs] { runs.pauseOrGoOn(); });
     commands.add({"run.step", Runs::tr("Single step"), "Run", "step",
-                  Runs::tr("Take one step of the run, and pause"), {QKeySequence(Qt::Key_F7)}},
+                  Runs::tr("Run one step, then pause"), {QKeySequence(Qt::Key_F7)}},
                  [&runs] { runs.step(); });
-    commands.add({"run.stop", Runs::tr("Stop run"), "Run", "stop", Runs::tr("Stop the run; what is done is kept"),
+    commands.add({"run.stop", Runs::tr("Stop run"), "Run", "stop", Runs::tr("Stop the run; results so far are kept"),
                   {QKeySequence("Shift+F5")}},
                  [&runs] { runs.stop(); });
     for (const auto signal : {&Runs::sessionChanged, &Runs::sceneChanged})
@@ -62,28 +62,28 @@ void addTimeCommands(Commands& commands, TimeCursor& cursor) {
                          const QKeySequence& key, std::function<void()> run) {
         commands.add({id, text, "Results", icon, help, {key}, false, "time"}, std::move(run));
     };
-    add("time.play", TimeCursor::tr("Play or pause"), "play", TimeCursor::tr("Play the frames one after the other"),
+    add("time.play", TimeCursor::tr("Play or pause"), "play", TimeCursor::tr("Play or pause the frames in sequence"),
         QKeySequence(Qt::Key_Space), [&cursor] { cursor.playOrPause(); });
     add("time.next", TimeCursor::tr("Next frame"), "step", TimeCursor::tr("Show the next frame"),
         QKeySequence(Qt::Key_Period), [&cursor] { cursor.step(1); });
-    add("time.previous", TimeCursor::tr("Previous frame"), "", TimeCursor::tr("Show the frame before"),
+    add("time.previous", TimeCursor::tr("Previous frame"), "", TimeCursor::tr("Show the previous frame"),
         QKeySequence(Qt::Key_Comma), [&cursor] { cursor.step(-1); });
     add("time.home", TimeCursor::tr("First frame"), "home", TimeCursor::tr("Show the first frame of the run"),
         QKeySequence(Qt::Key_Home), [&cursor] { cursor.home(); });
     add("time.end", TimeCursor::tr("Last frame"), "end",
-        TimeCursor::tr("Show the last frame; follow a run that goes on"), QKeySequence(Qt::Key_End),
+        TimeCursor::tr("Show the last frame, or follow a run in progress"), QKeySequence(Qt::Key_End),
         [&cursor] { cursor.end(); });
     add("time.nextEvent", TimeCursor::tr("Next event"), "",
-        TimeCursor::tr("Show the next thing that lets go; slips of joints and resticks are passed over where there is else"),
+        TimeCursor::tr("Show the next failure; joint slips and re-sticks are skipped unless nothing else is left"),
         QKeySequence(Qt::Key_N), [&cursor] { cursor.nextEvent(); });
     add("time.previousEvent", TimeCursor::tr("Previous event"), "",
-        TimeCursor::tr("Show what let go before; slips of joints and resticks are passed over where there is else"),
+        TimeCursor::tr("Show the previous failure; joint slips and re-sticks are skipped unless nothing else is left"),
         QKeySequence("Shift+N"), [&cursor] { cursor.previousEvent(); });
     add("time.bookmark", TimeCursor::tr("Bookmark frame"), "bookmark",
-        TimeCursor::tr("Mark the frame on the time line, or take its mark away"), QKeySequence("Ctrl+B"),
+        TimeCursor::tr("Add or remove a bookmark at this frame on the timeline"), QKeySequence("Ctrl+B"),
         [&cursor] { cursor.toggleBookmark(); });
     add("time.compare", TimeCursor::tr("Compare from here"), "", 
-        TimeCursor::tr("Set cursor B at the frame shown, to read differences from; once more takes it away"),
+        TimeCursor::tr("Set cursor B at this frame to read differences from it (again: remove cursor B)"),
         QKeySequence("Shift+B"), [&cursor] { cursor.toggleCursorB(); });
     const auto enable = [&] { enableTimeCommands(commands, cursor); };
     for (const auto signal : {&TimeCursor::runChanged, &TimeCursor::moved, &TimeCursor::runGrew, &TimeCursor::changed})

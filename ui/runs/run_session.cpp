@@ -35,7 +35,7 @@ void giveWayToTheWindow() { ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gett
 /// The scene, where it can be run. \throws std::runtime_error with the first thing that is wrong.
 void requireRunnable(const Scene& scene, std::optional<SceneCut>& cut) {
     if (scene.stages.empty())
-        throw std::runtime_error("the scene has no stages, so there is nothing to run; add one");
+        throw std::runtime_error("the scene has no stages, so there is nothing to run; add a stage");
     const std::vector<Problem> problems = checkScene(scene, &cut);
     const auto errors = std::count_if(problems.begin(), problems.end(),
                                       [](const Problem& problem) { return problem.severity == Severity::Error; });
@@ -77,11 +77,11 @@ void RunSession::work(Ending& ending) {
     try {
         runIt(ending);
     } catch (const std::bad_alloc&) {
-        ending.problem = tr("There is not enough memory for this run. Fewer blocks or bolt divisions need less.");
+        ending.problem = tr("There is not enough memory for this run. Use fewer blocks or bolt divisions.");
     } catch (const std::exception& error) {
         ending.problem = QString::fromStdString(error.what());
     } catch (...) {
-        ending.problem = tr("The run ended for a reason that it could not tell.");
+        ending.problem = tr("The run ended unexpectedly.");
     }
 }
 
@@ -178,7 +178,7 @@ void RunSession::finish() {
 }
 
 void RunSession::tellEnding() {
-    const QString kept = tr("What was done is kept in %1.").arg(QString::fromStdString(order_.store.string()));
+    const QString kept = tr("Results so far are saved in %1.").arg(QString::fromStdString(order_.store.string()));
     if (!ending_.stages.empty()) outcome_ = ending_.stages.back().outcome;
     if (!ending_.problem.isEmpty()) {
         failed_ = true;
@@ -187,7 +187,7 @@ void RunSession::tellEnding() {
         return;
     }
     if (ending_.nothingToDo) {
-        message_ = tr("This run is finished already; nothing is left to do.");
+        message_ = tr("This run is already finished.");
         return;
     }
     if (ending_.stages.empty()) return;

@@ -60,7 +60,7 @@ QString RunEntry::outcomeText() const {
     if (goesOn) return Runs::tr("running");
     if (!summary) return Runs::tr("cannot be read");
     const QString stage = QString::fromStdString(summary->stage);
-    if (!summary->outcome) return Runs::tr("cut short in %1").arg(stage);
+    if (!summary->outcome) return Runs::tr("interrupted in %1").arg(stage);
     switch (*summary->outcome) {
         case Outcome::Failed: return Runs::tr("failed in %1").arg(stage);
         case Outcome::Stopped: return Runs::tr("stopped in %1").arg(stage);
@@ -68,7 +68,7 @@ QString RunEntry::outcomeText() const {
         case Outcome::Collapse: return Runs::tr("collapse in %1").arg(stage);
         case Outcome::Displaced: return Runs::tr("displaced in %1").arg(stage);
         case Outcome::Undecided: return Runs::tr("undecided in %1").arg(stage);
-        default: return summary->resumable ? Runs::tr("cut short after %1").arg(stage) : Runs::tr("finished");
+        default: return summary->resumable ? Runs::tr("interrupted after %1").arg(stage) : Runs::tr("finished");
     }
 }
 
@@ -162,7 +162,7 @@ QString Runs::staleness() const {
     const QString path = shown();
     const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const RunEntry& e) { return e.path == path; });
     const QString name = entry == entries_.end() ? QFileInfo(path).fileName() : entry->name();
-    return tr("%1 is of an earlier scene").arg(name);
+    return tr("%1 used an earlier version of the scene").arg(name);
 }
 
 QString Runs::newStore() const {
@@ -181,11 +181,11 @@ QString Runs::nothingToRun() const {
 
 void Runs::start() {
     if (isRunning()) {
-        Q_EMIT told(tr("A run goes on already; stop it before another is started."), true);
+        Q_EMIT told(tr("A run is in progress. Stop it before starting another."), true);
         return;
     }
     if (!QDir().mkpath(folder())) {
-        Q_EMIT told(tr("The folder %1 for the run cannot be made; check the right to write there.").arg(folder()),
+        Q_EMIT told(tr("The folder %1 for the run cannot be created. Check the permission to write there.").arg(folder()),
                     true);
         return;
     }
@@ -194,7 +194,7 @@ void Runs::start() {
 
 void Runs::resume(const QString& store) {
     if (isRunning()) {
-        Q_EMIT told(tr("A run goes on already; stop it before another is gone on with."), true);
+        Q_EMIT told(tr("A run is in progress. Stop it before resuming another."), true);
         return;
     }
     begin(store, true);
@@ -221,7 +221,7 @@ void Runs::begin(const QString& store, bool resume) {
     });
     connect(session_.get(), &RunSession::stateChanged, this, &Runs::sessionChanged);
     connect(session_.get(), &RunSession::ended, this, &Runs::sessionEnded);
-    Q_EMIT told(resume ? tr("Going on with %1").arg(store) : tr("Running into %1").arg(store), false);
+    Q_EMIT told(resume ? tr("Resuming %1").arg(store) : tr("Running; results go to %1").arg(store), false);
     session_->start();
     Q_EMIT sessionChanged();
 }
@@ -280,7 +280,7 @@ void Runs::open(const QString& store) {
 
 void Runs::remove(const QString& store) {
     if (isRunning() && store == QString::fromStdString(session_->order().store.string())) {
-        Q_EMIT told(tr("This run goes on; stop it before it is removed."), true);
+        Q_EMIT told(tr("This run is in progress. Stop it before removing it."), true);
         return;
     }
     if (shown() == store) cursor_.setRun(nullptr, false);

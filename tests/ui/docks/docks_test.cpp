@@ -208,7 +208,7 @@ TEST_F(DocksTest, AClickOnAnEventGoesThereAndSelectsItsBolt) {
     EXPECT_FALSE(view->currentIndex().isValid());
     cursor.goTo(2);
     const QString chain = view->model()->index(2, 0).data(Qt::ToolTipRole).toString();
-    EXPECT_TRUE(chain.contains("debonding") && chain.contains("plate loss") && chain.startsWith("the load"))
+    EXPECT_TRUE(chain.contains("debonding") && chain.contains("plate loss") && chain.startsWith("load"))
         << chain.toStdString();
     cursor.setHidden(EventKind::Debonding, true);
     EXPECT_EQ(view->model()->rowCount(), 2);
