@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
     QApplication::setWindowIcon(QIcon(":/icons/app.svg"));
     QCoreApplication::setApplicationVersion(QString::fromUtf8(keyblock::programVersion().data(), int(keyblock::programVersion().size())));
     QCommandLineParser parser;
-    const auto description = QCoreApplication::translate("main", "Draw blocky rock, place bolts, run and watch.");
+    const auto description = QCoreApplication::translate(
+        "main", "Draw blocky rock, place rock bolts, run the analysis and view the results.");
     parser.setApplicationDescription(description);
     parser.addHelpOption();
     parser.addVersionOption();

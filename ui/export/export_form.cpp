@@ -43,7 +43,7 @@ QStringList formatsOf(ExportForm::Kind kind) {
 
 QString nameOfFormat(ExportForm::Kind kind, const QString& format) {
     const bool isFolder = kind == ExportForm::Kind::Film && format == pictureFolder;
-    return isFolder ? ExportForm::tr("PNG pictures in a folder") : format.toUpper();
+    return isFolder ? ExportForm::tr("PNG images in a folder") : format.toUpper();
 }
 
 PaperFormat paperOf(const QString& format) {
@@ -63,7 +63,7 @@ QString folderFor(const std::filesystem::path& store) {
 
 ExportForm::ExportForm(QWidget* parent)
     : QWidget(parent), form_(new QFormLayout(this)), title_(new QLineEdit(this)), perSecond_(new QSpinBox(this)),
-      data_(new QCheckBox(tr("Save the numbers as CSV too"), this)), note_(new QLabel(this)) {
+      data_(new QCheckBox(tr("Also save the data as CSV"), this)), note_(new QLabel(this)) {
     setFixedWidth(formWidth);
     form_->setContentsMargins(0, 0, 0, 0);
     form_->setVerticalSpacing(8);
@@ -92,7 +92,7 @@ QComboBox* ExportForm::addCombo(const QString& label, const QString& name, const
 }
 
 void ExportForm::addRows() {
-    kind_ = addCombo(tr("What"), tr("What to export"), "export.kind");
+    kind_ = addCombo(tr("Content"), tr("Content to export"), "export.kind");
     for (const QString& text : {tr("Section"), tr("Bolt"), tr("Curves"), tr("Events"), tr("Table"), tr("Animation"),
                                 tr("All figures and tables")})
         kind_->addItem(text);
@@ -122,7 +122,7 @@ void ExportForm::addRows() {
     perSecond_->setObjectName("export.perSecond");
     form_->addRow(tr("Frames per second"), perSecond_);
     data_->setObjectName("export.data");
-    data_->setToolTip(tr("Writes the values that the figure shows into CSV files next to it."));
+    data_->setToolTip(tr("Writes the values shown in the figure to CSV files next to it."));
     form_->addRow(QString(), data_);
     note_->setObjectName("export.note");
     note_->setWordWrap(true);
@@ -149,7 +149,7 @@ void ExportForm::fillExtents() {
     extent_->clear();
     extent_->addItem(tr("Around the opening"), int(Extent::Around));
     extent_->addItem(tr("Whole section"), int(Extent::Whole));
-    if (now_.view) extent_->addItem(tr("What is on the screen"), int(Extent::Screen));
+    if (now_.view) extent_->addItem(tr("Current view"), int(Extent::Screen));
     extent_->setCurrentIndex(std::max(0, extent_->findData(before)));
 }
 
@@ -235,8 +235,8 @@ QString ExportForm::note() const {
     if (kind() != Kind::Everything || !now_.run) return {};
     const QString frame = QString::fromStdString(frameText(*now_.run, request().filter));
     if (frame.isEmpty()) return {};
-    return tr("Figures of a moment and the tables of bolts, blocks, contacts and forces show %1. Curves and the other "
-              "tables cover the whole run.")
+    return tr("The section, bolt and event figures and the tables of bolts, blocks, contacts and forces show %1. Curves and "
+              "the other tables cover the whole run.")
         .arg(frame);
 }
 

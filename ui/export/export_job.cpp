@@ -82,7 +82,7 @@ void ExportJob::work(const ExportOrder& order) {
     try {
         message = perform(order);
     } catch (const ExportStopped&) {
-        message = tr("Stopped; nothing unfinished is left.");
+        message = tr("Stopped; unfinished files were removed.");
     } catch (const std::exception& error) {
         message = QString::fromUtf8(error.what());
         isError = true;
@@ -105,7 +105,7 @@ QString ExportJob::perform(const ExportOrder& order) {
             return tr("Saved %1").arg(out);
         case ExportWhat::Film:
             writeFilm(run, order.figure, order.perSecond, order.out, stop_,
-                      [this](std::size_t done, std::size_t all) { tell(tr("Pictures"), done, all); });
+                      [this](std::size_t done, std::size_t all) { tell(tr("Frames"), done, all); });
             return tr("Saved %1").arg(out);
         case ExportWhat::Everything:
             return tr("%1 files saved to %2").arg(exportEverything(run, order)).arg(out);

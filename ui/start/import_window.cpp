@@ -63,8 +63,8 @@ QLabel* heading(const QString& text, QWidget* parent) {
 ImportWindow::ImportWindow(const QString& path, const Themes& themes, QWidget* parent)
     : QWidget(parent, Qt::Window), path_(path), themes_(themes), reading_(new Background(this)),
       unit_(new QComboBox(this)), sagitta_(new QLineEdit(this)),
-      layers_(table({tr("Layer"), tr("Role"), tr("Why")}, tr("Layers and their roles"), "import.layers", this)),
-      account_(table({tr("Entity"), tr("Layer"), tr("Count"), tr("Became")}, tr("What becomes of every entity"),
+      layers_(table({tr("Layer"), tr("Role"), tr("Reason")}, tr("Layers and their roles"), "import.layers", this)),
+      account_(table({tr("Entity"), tr("Layer"), tr("Count"), tr("Imported as")}, tr("How every entity is imported"),
                      "import.account", this)),
       picture_(new PicturePane(themes, this)), words_(new QLabel(this)), import_(new QPushButton(tr("Import"), this)) {
     setObjectName("importWindow");
@@ -81,17 +81,17 @@ ImportWindow::ImportWindow(const QString& path, const Themes& themes, QWidget* p
 
 QWidget* ImportWindow::makeSettings() {
     auto* side = new QWidget(this);
-    unit_->addItem(tr("as the file says"), QString());
+    unit_->addItem(tr("from file"), QString());
     for (const char* unit : units) unit_->addItem(unit, unit);
     unit_->setAccessibleName(tr("Unit of the drawing"));
     unit_->setObjectName("import.unit");
     sagitta_->setPlaceholderText(tr("automatic"));
-    sagitta_->setAccessibleName(tr("Sagitta of curves"));
+    sagitta_->setAccessibleName(tr("Arc tolerance"));
     sagitta_->setObjectName("import.sagitta");
-    sagitta_->setToolTip(tr("How far the straight pieces of an arc may lie off it, in metres."));
+    sagitta_->setToolTip(tr("Largest distance between an arc and its straight segments, in metres."));
     auto* form = new QFormLayout;
     form->addRow(tr("Unit"), unit_);
-    form->addRow(tr("Sagitta of curves [m]"), sagitta_);
+    form->addRow(tr("Arc tolerance (m)"), sagitta_);
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
@@ -99,7 +99,7 @@ QWidget* ImportWindow::makeSettings() {
     column->addSpacing(4);
     column->addWidget(heading(tr("Layers"), side));
     column->addWidget(layers_, 3);
-    column->addWidget(heading(tr("Every entity"), side));
+    column->addWidget(heading(tr("Entities"), side));
     column->addWidget(account_, 4);
     connect(unit_, qOverload<int>(&QComboBox::activated), this, [this] {
         const QString word = unit_->currentData().toString();
@@ -156,7 +156,7 @@ void ImportWindow::readSagitta() {
     const bool isGood = typed.isEmpty() || (number.value && *number.value > 0.0);
     sagitta_->setProperty("invalid", !isGood);
     sagitta_->style()->polish(sagitta_);
-    sagitta_->setToolTip(isGood ? tr("How far the straight pieces of an arc may lie off it, in metres.")
+    sagitta_->setToolTip(isGood ? tr("Largest distance between an arc and its straight segments, in metres.")
                          : number.value ? tr("Give a length above 0.")
                                         : textOf(number.problem));
     if (!isGood || settings_.sagitta == number.value) return;
@@ -174,11 +174,11 @@ void ImportWindow::setRole(const QString& layer, LayerRole role) {
 void ImportWindow::showAttempt(std::shared_ptr<const ImportAttempt> attempt) {
     attempt_ = std::move(attempt);
     const Import& import = attempt_->import;
-    unit_->setItemText(0, import.unit.empty() ? tr("as the file says") : tr("as the file says: %1").arg(textOf(import.unit)));
+    unit_->setItemText(0, import.unit.empty() ? tr("from file") : tr("from file: %1").arg(textOf(import.unit)));
     showLayers();
     showAccount();
     showWords();
-    picture_->show(attempt_->picture, attempt_->unreadable.empty() ? tr("No scene comes of it yet") : textOf(attempt_->unreadable));
+    picture_->show(attempt_->picture, attempt_->unreadable.empty() ? tr("This file does not give a scene yet") : textOf(attempt_->unreadable));
     import_->setEnabled(import.scene.has_value());
 }
 
@@ -216,7 +216,7 @@ void ImportWindow::showAccount() {
         item->setToolTip(3, item->text(3));
     }
     for (const NotTaken& lost : attempt_->import.notTaken) {
-        const QString why = tr("not taken, line %1: %2").arg(lost.place.line).arg(textOf(lost.why));
+        const QString why = tr("skipped, line %1: %2").arg(lost.place.line).arg(textOf(lost.why));
         auto* item = new QTreeWidgetItem(account_, {textOf(lost.kind), textOf(lost.layer), "1", why});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
         item->setForeground(3, themes_.current().warning);
@@ -235,10 +235,11 @@ void ImportWindow::showWords() {
         const QString place = problem.line > 0 ? tr("line %1: ").arg(problem.line) : QString();
         lines << textOf(wordOf(problem.severity)) + ", " + place + textOf(problem.message) + ". " + remedyHere(problem);
     }
-    for (const std::string& assumed : import.assumed) lines << tr("assumed: %1").arg(textOf(assumed));
+    for (const std::string& assumed : import.assumed) lines << tr("Assumed: %1").arg(textOf(assumed));
     words_->setToolTip(lines.join('\n'));
-    if (lines.size() > int(most)) lines = lines.mid(0, int(most)) << tr("and more: see here with the mouse");
-    if (import.scene && import.cut) lines.prepend(tr("Makes %1 blocks.").arg(import.cut->blocks));
+    if (lines.size() > int(most)) lines = lines.mid(0, int(most)) << tr("and more: see the tooltip");
+    if (import.scene && import.cut) 
+        lines.prepend(import.cut->blocks == 1 ? tr("Gives 1 block.") : tr("Gives %1 blocks.").arg(import.cut->blocks));
     words_->setText(lines.join('\n'));
 }
 

@@ -29,7 +29,7 @@ QString titleOf(const PartReading& reading) {
     if (!reading.isOpen) return ReadingReport::tr("%1 was not opened: %2.").arg(file, errors);
     const QString out = reading.leftOut == 1 ? ReadingReport::tr("1 object was left out")
                                              : ReadingReport::tr("%1 objects were left out").arg(reading.leftOut);
-    return ReadingReport::tr("%1 was opened in part as a new scene: %2, %3. The file is as it was.")
+    return ReadingReport::tr("%1 was opened partially as a new scene: %2, %3. The file itself is unchanged.")
         .arg(file, errors, out);
 }
 
@@ -43,7 +43,7 @@ ReadingReport::ReadingReport(const Themes& themes, QWidget* parent)
     title_->setWordWrap(true);
     problems_->setObjectName("reading.problems");
     problems_->setAccessibleName(tr("Problems of the file"));
-    problems_->setHeaderLabels({tr("Line"), tr("What is wrong"), tr("What to do")});
+    problems_->setHeaderLabels({tr("Line"), tr("Problem"), tr("Remedy")});
     problems_->setRootIsDecorated(false);
     text_->setObjectName("reading.text");
     text_->setAccessibleName(tr("Text of the file"));

@@ -32,15 +32,15 @@ RecoveryBox::RecoveryBox(const Abandoned& abandoned, const Themes& themes, QWidg
     setObjectName("recoveryBox");
     auto* icon = new QLabel(this);
     icon->setPixmap(themes.icon("warning", themes.current().warningFill).pixmap(16, 16));
-    auto* title = new QLabel(tr("%1 was not closed.").arg(abandoned.title), this);
+    auto* title = new QLabel(tr("%1 was not closed properly.").arg(abandoned.title), this);
     title->setObjectName("recoveryTitle");
     title->setToolTip(abandoned.path);
     title->setTextFormat(Qt::PlainText);
     const QString edits = abandoned.changes == 1 ? tr("1 edit")
                                                  : tr("%1 edits").arg(abandoned.changes);
-    QString told = tr("%1, the last %2. Edits up to 2 s before the end can be recovered.")
+    QString told = tr("%1, the last %2. Edits made up to 2 s before the crash can be recovered.")
                        .arg(edits, whenText(abandoned.last));
-    if (!abandoned.damage.isEmpty()) told += " " + tr("Of the journal, %1.").arg(abandoned.damage);
+    if (!abandoned.damage.isEmpty()) told += " " + tr("Journal: %1.").arg(abandoned.damage);
     auto* detail = new QLabel(told, this);
     detail->setObjectName("recoveryDetail");
     detail->setWordWrap(true);
@@ -60,10 +60,10 @@ QWidget* RecoveryBox::makeLinks() {
     auto* row = new QHBoxLayout(links);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(12);
-    auto* all = link(tr("Recover"), tr("Opens it with all its edits and their undo."), links);
+    auto* all = link(tr("Recover"), tr("Opens the scene with all edits, which can still be undone."), links);
     auto* less = link(tr("Without the last command"),
-                      tr("Leaves out \"%1\", in case that is what ended the program.").arg(abandoned_.lastStep), links);
-    auto* none = link(tr("Discard"), tr("Gives these edits up for good."), links);
+                      tr("Omits “%1”, in case it caused the crash.").arg(abandoned_.lastStep), links);
+    auto* none = link(tr("Discard"), tr("Deletes these edits permanently."), links);
     connect(all, &QPushButton::clicked, this, [this] { Q_EMIT recoverWanted(abandoned_, Recover::Everything); });
     connect(less, &QPushButton::clicked, this,
             [this] { Q_EMIT recoverWanted(abandoned_, Recover::WithoutLastCommand); });

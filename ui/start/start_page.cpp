@@ -62,7 +62,7 @@ QLabel* label(const QString& text, const char* name, QWidget* parent) {
 StartPage::StartPage(const Rooms& rooms, QWidget* covered)
     : QWidget(covered), rooms_(rooms), thumbnails_(new Thumbnails(this)), side_(makeSide()) {
     setObjectName("startPage");
-    setAccessibleName(tr("First page"));
+    setAccessibleName(tr("Start page"));
     auto* gallery = new Gallery(rooms.themes, *thumbnails_, this);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
@@ -148,7 +148,7 @@ QWidget* StartPage::makeTitle() {
     icon->setPixmap(QIcon(":/icons/app.svg").pixmap(40, 40));
     grid->addWidget(icon, 0, 0, 2, 1);
     grid->addWidget(label(tr("Keyblock Studio"), "pageTitle", title), 0, 1);
-    grid->addWidget(label(tr("2D discontinuous deformation analysis with bolts"), "hint", title), 1, 1);
+    grid->addWidget(label(tr("2D discontinuous deformation analysis with rock bolts"), "hint", title), 1, 1);
     grid->setColumnStretch(1, 1);
     return title;
 }
@@ -208,7 +208,7 @@ QWidget* StartPage::makeFoot() {
     auto* row = new QHBoxLayout;
     row->setSpacing(4);
     const std::pair<const char*, QString> links[]{{"help.contents", tr("Manual")}, {"panel.library", tr("Bolt library")},
-                                                  {"help.verification", tr("Verification")}, {"help.keys", tr("Keys")}};
+                                                  {"help.verification", tr("Verification")}, {"help.keys", tr("Keyboard shortcuts")}};
     for (const auto& [id, words] : links) {
         if (!rooms_.commands.has(id)) continue;
         QAction* action = rooms_.commands.action(id);
@@ -223,7 +223,7 @@ QWidget* StartPage::makeFoot() {
         row->addWidget(link);
     }
     row->addStretch(1);
-    auto* atStart = new QCheckBox(tr("Show this page at start"), foot);
+    auto* atStart = new QCheckBox(tr("Show this page at start-up"), foot);
     atStart->setObjectName("showAtStart");
     atStart->setAccessibleName(atStart->text());
     atStart->setChecked(isWantedAtStart());
@@ -240,7 +240,7 @@ std::vector<Abandoned> StartPage::lookForAbandoned() {
     QStringList unusable;
     std::vector<Abandoned> found = abandonedJournals(journalFolder(), &unusable);
     if (!unusable.isEmpty())
-        Q_EMIT told(tr("A journal cannot be read and is kept aside: %1").arg(unusable.join(", ")));
+        Q_EMIT told(tr("A recovery journal cannot be read and was set aside: %1").arg(unusable.join(", ")));
     return found;
 }
 
@@ -260,7 +260,7 @@ void StartPage::showRecovery() {
         recovery_->addWidget(box);
     }
     if (found.size() > mostBoxes)
-        recovery_->addWidget(label(tr("%1 more after these").arg(found.size() - mostBoxes), "hint", this));
+        recovery_->addWidget(label(tr("%1 more").arg(found.size() - mostBoxes), "hint", this));
     recovery_->parentWidget()->setVisible(!found.empty());
 }
 
@@ -344,8 +344,8 @@ void StartPage::keyPressEvent(QKeyEvent* event) {
 }
 
 void addStartCommands(Commands& commands, StartPage& page) {
-    commands.add({"view.start", StartPage::tr("First page"), "View", "home",
-                  StartPage::tr("Recent scenes, samples and what can be recovered."), {}, false, "start"},
+    commands.add({"view.start", StartPage::tr("Start page"), "View", "home",
+                  StartPage::tr("Shows recent scenes, samples and edits that can be recovered."), {}, false, "start"},
                  [&page] { page.open(); });
 }
 

@@ -51,7 +51,7 @@ struct CompareArea::Second {
 CompareArea::CompareArea(const CompareNeeds& needs, QObject* parent) : QObject(parent), needs_(needs) {
     QAction* action = needs.commands.add(
         {"run.compare", tr("Compare runs"), "Results", "compare",
-         tr("Put a second run beside the one shown, with the same camera and time; once more takes it away"),
+         tr("Show a second run next to this one, with the same view and time (again: close the comparison)"),
          {QKeySequence("Shift+C")}, true},
         [this] { beginOrEnd(); });
     const auto enable = [this, action] {

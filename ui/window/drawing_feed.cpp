@@ -71,7 +71,7 @@ void DrawingFeed::showHint() {
     if (!empty && hasErrors(document_.checked().problems))
         canvas_.setHint(tr("The scene has errors"), tr("Fix them under Problems to see the section cut into blocks."), true);
     else
-        canvas_.setHint(tr("Nothing is drawn yet"), tr("Begin with the outline of the rock, then joints and a tunnel."));
+        canvas_.setHint(tr("Nothing is drawn yet"), tr("Draw the outline of the rock first, then joints and a tunnel."));
 }
 
 }  // namespace keyblock

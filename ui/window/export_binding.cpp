@@ -48,13 +48,13 @@ void addExportCommands(QMainWindow& window, Commands& commands, const Themes& th
     const auto add = [&](const char* id, const QString& text, const QString& help, ExportWhat what) {
         commands.add({id, text, "Results", "export", help, {}, false, "export"}, [exporting, what] { exporting->open(what); });
     };
-    add("export.figure", QMainWindow::tr("Export figure…"), QMainWindow::tr("The section, a bolt, curves or events as SVG, PDF or PNG."),
+    add("export.figure", QMainWindow::tr("Export figure…"), QMainWindow::tr("Exports the section, a bolt, curves or events as SVG, PDF or PNG."),
         ExportWhat::Figure);
-    add("export.table", QMainWindow::tr("Export table…"), QMainWindow::tr("Numbers of the run as CSV."), ExportWhat::Numbers);
-    add("export.film", QMainWindow::tr("Export animation…"), QMainWindow::tr("All frames as MP4, WebM or PNG pictures."), ExportWhat::Film);
-    add("export.all", QMainWindow::tr("Export all…"), QMainWindow::tr("All figures and tables into a folder."), ExportWhat::Everything);
+    add("export.table", QMainWindow::tr("Export table…"), QMainWindow::tr("Exports results of the run as CSV."), ExportWhat::Numbers);
+    add("export.film", QMainWindow::tr("Export animation…"), QMainWindow::tr("Exports all frames as MP4, WebM or PNG images."), ExportWhat::Film);
+    add("export.all", QMainWindow::tr("Export all…"), QMainWindow::tr("Exports all figures and tables into a folder."), ExportWhat::Everything);
     const auto enable = [&commands, &cursor] {
-        const QString why = cursor.run() ? QString() : QMainWindow::tr("There is no run yet; run the scene first.");
+        const QString why = cursor.run() ? QString() : QMainWindow::tr("No results yet; run the scene first.");
         for (const char* id : {"export.figure", "export.table", "export.film", "export.all"}) commands.setWhyNot(id, why);
     };
     QObject::connect(&cursor, &TimeCursor::runChanged, exporting, enable);

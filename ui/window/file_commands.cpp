@@ -45,7 +45,7 @@ bool save(Document& document, QWidget& window) {
 }
 
 QString askForFile(const Document& document, QWidget& window) {
-    const QStringList filters{QWidget::tr("All that can be opened (*.json *.kbrun *.dxf *.DXF *.csv *.CSV)"),
+    const QStringList filters{QWidget::tr("All supported files (*.json *.kbrun *.dxf *.DXF *.csv *.CSV)"),
                               QWidget::tr("Scenes (*.json)"), QWidget::tr("Runs (*.kbrun)"),
                               QWidget::tr("Drawings and lists (*.dxf *.DXF *.csv *.CSV)")};
     return QFileDialog::getOpenFileName(&window, QWidget::tr("Open"), fileFolder(document), filters.join(";;"));
@@ -88,7 +88,7 @@ void openDocument(Document& document, const QString& path, QWidget& window, Unsa
 
 void addFileCommands(Commands& commands, Document& document, QWidget& window,
                      std::function<void(const QString&)> open) {
-    commands.add({"file.new", QWidget::tr("New scene"), "File", "new", QWidget::tr("Begins an empty scene."), {QKeySequence::New}},
+    commands.add({"file.new", QWidget::tr("New scene"), "File", "new", QWidget::tr("Starts an empty scene."), {QKeySequence::New}},
                  [&] { if (mayDiscard(document, window)) document.startNew(newScene()); });
     commands.add({"file.open", QWidget::tr("Open…"), "File", "open", QWidget::tr("Opens a scene, a run with its scene, or a drawing to import."), {QKeySequence::Open}},
                  [&document, &window, open = std::move(open)] {
@@ -129,11 +129,11 @@ void addEditCommands(Commands& commands, Document& document) {
 
 void addCanvasCommands(Commands& commands, Canvas& canvas) {
     const auto middle = [&canvas] { return QPointF(canvas.rect().center()); };
-    commands.add({"view.fit", QWidget::tr("Fit"), "View", "fit", QWidget::tr("Shows what the section is about; again: all of it."),
+    commands.add({"view.fit", QWidget::tr("Fit"), "View", "fit", QWidget::tr("Zooms to the opening; again: to the whole section."),
                   {QKeySequence("F")}, false, "zoom"},
                  [&canvas] { canvas.fit(); });
-    commands.add({"view.zoomBox", QWidget::tr("Zoom box"), "View", "zoom-box",
-                  QWidget::tr("Shows what lies in a box that is drawn."), {QKeySequence("Z")}, false, "zoom"},
+    commands.add({"view.zoomBox", QWidget::tr("Zoom window"), "View", "zoom-box",
+                  QWidget::tr("Zooms to a rectangle that you draw."), {QKeySequence("Z")}, false, "zoom"},
                  [&canvas] { canvas.startZoomBox(); });
     commands.add({"view.zoomIn", QWidget::tr("Zoom in"), "View", {}, {}, {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")},
                   false, "zoom"},
@@ -147,7 +147,7 @@ void addViewCommands(Commands& commands, Themes& themes, Display& display) {
                                  [&] { themes.choose(!themes.isDark()); });
     dark->setChecked(themes.isDark());
     QObject::connect(&themes, &Themes::changed, dark, [dark, &themes] { dark->setChecked(themes.isDark()); });
-    QAction* si = commands.add({"view.si", QWidget::tr("Plain SI units"), "View", {},
+    QAction* si = commands.add({"view.si", QWidget::tr("SI base units"), "View", {},
                                 QWidget::tr("Shows N, Pa and J instead of kN, MPa and kJ."), {}, true, "look"},
                                [&display] {
                                    const bool plain = display.system() == UnitSystem::Si;

@@ -20,7 +20,7 @@ namespace {
 
 void addReadingReport(QMainWindow& window, Document& document, const Themes& themes) {
     auto* report = new ReadingReport(themes, &window);
-    QDockWidget* dock = makeDock(window, themes, "readingDock", QMainWindow::tr("Reading"), report);
+    QDockWidget* dock = makeDock(window, themes, "readingDock", QMainWindow::tr("File errors"), report);
     window.addDockWidget(Qt::BottomDockWidgetArea, dock);
     dock->hide();
     QObject::connect(&document, &Document::readInPart, dock, [&window, dock, report](const PartReading& reading) {
@@ -39,10 +39,10 @@ void tellChanged(NoticeBar& bar, Document& document, const QString& path) {
         if (!document.open(path).empty()) document.openPart(path);
     };
     if (document.isModified())
-        bar.say(QMainWindow::tr("Another program has written %1. You have edits that are not saved.").arg(name),
-                {{QMainWindow::tr("Drop my edits and open it"), reload}});
+        bar.say(QMainWindow::tr("%1 was changed on disk. You have unsaved edits.").arg(name),
+                {{QMainWindow::tr("Discard my edits and reload"), reload}});
     else
-        bar.say(QMainWindow::tr("Another program has written %1.").arg(name), {{QMainWindow::tr("Open it again"), reload}});
+        bar.say(QMainWindow::tr("%1 was changed on disk.").arg(name), {{QMainWindow::tr("Reload"), reload}});
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ void addFileNotices(QMainWindow& window, Document& document, const Themes& theme
     QObject::connect(watch, &FileWatch::changedOnDisk, bar,
                      [bar, &document](const QString& path) { tellChanged(*bar, document, path); });
     QObject::connect(watch, &FileWatch::goneFromDisk, bar, [bar](const QString& path) {
-        bar->say(QMainWindow::tr("%1 is no longer there: another program removed or moved it. Saving writes it again.")
+        bar->say(QMainWindow::tr("%1 no longer exists: another program deleted or moved it. Saving creates it again.")
                      .arg(QFileInfo(path).fileName()), {});
     });
     QObject::connect(&document, &Document::replaced, bar, &QWidget::hide);

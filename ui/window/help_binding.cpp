@@ -36,7 +36,7 @@ void showHelp(QDockWidget& dock, HelpView& view, const QString& topic) {
 KeySheet* makeKeySheet(QMainWindow& window, Commands& commands, const Themes& themes) {
     auto* sheet = new KeySheet(commands, themes, &window);
     sheet->setWindowFlag(Qt::Window);
-    sheet->setWindowTitle(QMainWindow::tr("Keys"));
+    sheet->setWindowTitle(QMainWindow::tr("Keyboard shortcuts"));
     sheet->resize(760, 680);
     return sheet;
 }
@@ -55,24 +55,25 @@ QWidget* addHelp(QMainWindow& window, Commands& commands, const Themes& themes) 
     QObject::connect(view, &HelpView::closeWanted, dock, &QDockWidget::hide);
     auto* palette = new CommandPalette(commands, themes, &window);
     QAction* search = commands.add({"help.palette", QMainWindow::tr("Search commands"), "Help", "search",
-                                    QMainWindow::tr("Finds every command by its name."), {QKeySequence("Ctrl+K")}, false, "find"},
+                                    QMainWindow::tr("Finds a command by its name."), {QKeySequence("Ctrl+K")}, false, "find"},
                                    [palette] { palette->open(); });
     commands.add({"help.contents", QMainWindow::tr("Manual"), "Help", "book",
-                  QMainWindow::tr("Help on the field or tool under the mouse, else on the window."), {QKeySequence("F1")}, false,
+                  QMainWindow::tr("Opens help on the field or tool under the cursor, or on the window."), {QKeySequence("F1")}, false,
                   "pages"},
                  [dock, view] {
                      const QString topic = topicAtHand();
                      showHelp(*dock, *view, topic.isEmpty() ? "studio" : topic);
                  });
-    commands.add({"help.scene", QMainWindow::tr("Fields of a scene"), "Help", {}, QMainWindow::tr("Every field with unit, default and range."), {},
+    commands.add({"help.scene", QMainWindow::tr("Scene fields"), "Help", {}, QMainWindow::tr("Lists every field with unit, default and range."), {},
                   false, "pages"},
                  [dock, view] { showHelp(*dock, *view, "scene"); });
-    commands.add({"help.theory", QMainWindow::tr("Theory"), "Help", {}, QMainWindow::tr("What is solved, and how."), {}, false, "pages"},
+    commands.add({"help.theory", QMainWindow::tr("Theory"), "Help", {}, QMainWindow::tr("Explains the equations and how they are solved."), {}, false, "pages"},
                  [dock, view] { showHelp(*dock, *view, "theory"); });
     commands.add({"help.verification", QMainWindow::tr("Verification"), "Help", "verify",
-                  QMainWindow::tr("What the program is held to, and how to check it."), {}, false, "pages"},
+                  QMainWindow::tr("Lists what the program is checked against, and how to repeat the checks."), {}, false, "pages"},
                  [dock, view] { showHelp(*dock, *view, "verification"); });
-    commands.add({"help.keys", QMainWindow::tr("Keys"), "Help", "keyboard", QMainWindow::tr("All commands with their keys, to look up and change."),
+    commands.add({"help.keys", QMainWindow::tr("Keyboard shortcuts"), "Help", "keyboard",
+                  QMainWindow::tr("Lists all commands and their keys; keys can be changed."),
                   {QKeySequence("?")}, false, "find"},
                  [&window, &commands, &themes, sheet = static_cast<KeySheet*>(nullptr)]() mutable {
                      if (!sheet) sheet = makeKeySheet(window, commands, themes);

@@ -32,11 +32,11 @@ void addImport(QMainWindow& window, Commands& commands, Document& document, cons
 
 void addImportCommands(QMainWindow& window, Commands& commands, Document& document, const Themes& themes) {
     addImport(window, commands, document, themes,
-              {"file.importDxf", QMainWindow::tr("Import DXF…"), "File", "import", QMainWindow::tr("Makes a scene of a drawing, layer by layer."),
+              {"file.importDxf", QMainWindow::tr("Import DXF…"), "File", "import", QMainWindow::tr("Creates a scene from a drawing, layer by layer."),
                {}},
               QMainWindow::tr("Drawings (*.dxf *.DXF)"));
     addImport(window, commands, document, themes,
-              {"file.importCsv", QMainWindow::tr("Import CSV…"), "File", "import", QMainWindow::tr("Makes a scene of a list of joints or bolts."),
+              {"file.importCsv", QMainWindow::tr("Import CSV…"), "File", "import", QMainWindow::tr("Creates a scene from a list of joints or bolts."),
                {}},
               QMainWindow::tr("Lists (*.csv *.CSV)"));
 }

@@ -134,7 +134,7 @@ QString pathOf(const QString& name, Arrangement arrangement) {
 
 Layouts::Layouts(QMainWindow& window, Commands& commands) : QObject(&window), window_(window) {
     addDockCommands(commands);
-    commands.add({"view.resetLayout", tr("Reset layout"), "View", {}, tr("Puts every dock back where it belongs."), {},
+    commands.add({"view.resetLayout", tr("Reset layout"), "View", {}, tr("Restores the default layout."), {},
                   false, "layout"},
                  [this] { reset(); });
 }
@@ -237,7 +237,7 @@ QToolButton* Layouts::makeButton(QWidget* parent) {
     button_ = new QToolButton(parent);
     button_->setObjectName("layoutButton");
     button_->setAccessibleName(tr("Layout"));
-    button_->setToolTip(tr("Where docks stand, by name"));
+    button_->setToolTip(tr("Saved dock layouts"));
     button_->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(button_);
     connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillMenu(*menu); });
@@ -255,7 +255,7 @@ void Layouts::fillMenu(QMenu& menu) {
     }
     if (!menu.isEmpty()) menu.addSeparator();
     auto* field = new QLineEdit(&menu);
-    field->setPlaceholderText(tr("Keep this one as… (Enter)"));
+    field->setPlaceholderText(tr("Save layout as… (Enter)"));
     field->setAccessibleName(tr("Name of this layout"));
     field->setMaxLength(60);
     connect(field, &QLineEdit::returnPressed, this, [this, field, &menu] {
@@ -266,7 +266,7 @@ void Layouts::fillMenu(QMenu& menu) {
     entry->setDefaultWidget(field);
     menu.addAction(entry);
     if (!current_.isEmpty())
-        menu.addAction(tr("Forget “%1”").arg(current_), this, [this] { remove(current_); });
+        menu.addAction(tr("Delete “%1”").arg(current_), this, [this] { remove(current_); });
     menu.addAction(tr("Reset layout"), this, &Layouts::reset);
 }
 

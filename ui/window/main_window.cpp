@@ -99,9 +99,9 @@ MainWindow::MainWindow(Themes& themes)
     connect(document_, &Document::checkedChanged, this, &MainWindow::showStates);
     connect(runs_, &RunArea::statesChanged, this, &MainWindow::showStates);
     connect(journal_, &Journal::failed, this, [this](const QString& why) {
-        statusBar()->showMessage(tr("Edits are no longer kept for recovery: %1").arg(why));
+        statusBar()->showMessage(tr("Edits are no longer saved for recovery: %1").arg(why));
     });
-    connect(journal_, &Journal::mended, this, [this] { statusBar()->showMessage(tr("Edits are kept for recovery again.")); });
+    connect(journal_, &Journal::mended, this, [this] { statusBar()->showMessage(tr("Edits are saved for recovery again.")); });
     showTitle();
     showStates();
 }
@@ -149,7 +149,7 @@ void MainWindow::placeFileRooms() {
 }
 
 void MainWindow::placeBars() {
-    auto* bar = new QToolBar(tr("Order of the work"), this);
+    auto* bar = new QToolBar(tr("Workflow"), this);
     bar->setObjectName("workflowBar");
     bar->setMovable(false);
     bar->toggleViewAction()->setEnabled(false);

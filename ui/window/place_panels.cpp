@@ -62,14 +62,14 @@ void placeBelow(QMainWindow& window, const PanelNeeds& needs, Panels& panels) {
     panels.stages = new StagesPanel(context, needs.selection, &window);
     panels.library = new LibraryPanel(context, needs.selection, &window);
     panels.problemsDock = makeDock(window, needs.themes, "problemsDock", QMainWindow::tr("Problems"), panels.problems);
-    panels.censusDock = makeDock(window, needs.themes, "censusDock", QMainWindow::tr("Census"), panels.census);
+    panels.censusDock = makeDock(window, needs.themes, "censusDock", QMainWindow::tr("Model summary"), panels.census);
     panels.stagesDock = makeDock(window, needs.themes, "stagesDock", QMainWindow::tr("Stages"), panels.stages);
     panels.libraryDock =
         makeDock(window, needs.themes, "libraryDock", QMainWindow::tr("Bolt library"), panels.library);
     for (QDockWidget* dock : {panels.problemsDock, panels.censusDock, panels.stagesDock, panels.libraryDock})
         window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // where, is for the layouts to say
     needs.commands.add({"panel.library", QMainWindow::tr("Open bolt library"), "Tools", "bolt",
-                        QMainWindow::tr("Bolt types with their numbers and sources."), {}, false, "library"},
+                        QMainWindow::tr("Shows bolt types with their parameters and sources."), {}, false, "library"},
                        [dock = panels.libraryDock] {
                            dock->show();
                            dock->raise();
@@ -101,7 +101,7 @@ Panels placePanels(QMainWindow& window, const PanelNeeds& needs) {
     panels.tree = new SceneTree(needs.document, needs.selection, needs.visibility, needs.display, needs.commands,
                                 needs.themes, &window);
     needs.commands.add({"scene.inSituStress", QMainWindow::tr("In-situ stress"), "Insert", "stress-cross",
-                        QMainWindow::tr("Stress of the rock before anything is excavated, constant or rising with depth."),
+                        QMainWindow::tr("Stress in the rock before excavation, constant or increasing with depth."),
                         {}, false, "stress"},
                        [tree = panels.tree] { tree->addInSituStress(); });
     panels.properties = new PropertyPanel(context, needs.selection, &window);

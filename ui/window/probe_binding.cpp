@@ -59,7 +59,7 @@ ProbeBinding::ProbeBinding(const ProbeNeeds& needs, std::function<void(const QSt
         this);
     QAction* action = needs.commands.add(
         {"view.probe", tr("Probe"), "Results", "probe",
-         tr("Tell what is under the mouse, and pin it by a click: its values over time stand under Curves"),
+         tr("Query values at the cursor; click to pin a point and plot its values over time under Curves"),
          {QKeySequence(Qt::Key_V)}, true},
         [this, &needs = needs_] { probe_->setOn(needs.commands.action("view.probe")->isChecked()); });
     connect(probe_, &Probe::switched, action, &QAction::setChecked);
@@ -94,7 +94,7 @@ void ProbeBinding::keep(int number) {
     if (!edit.done()) return tell_(QString::fromStdString(edit.refusal));
     const QString title = QString::fromStdString(titleAt(edit.scene, edit.made));
     needs_.document.apply(tr("Add %1").arg(title), edit.scene);
-    tell_(tr("Added %1; the next run keeps its history.").arg(title));
+    tell_(tr("Added %1; the next run records its history.").arg(title));
 }
 
 }  // namespace keyblock

@@ -120,15 +120,15 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
     QMainWindow& window = parts_.window;
     const Themes& themes = parts_.themes;
     auto* line = new TimeLine(themes, parts_.display, parts_.commands, *cursor_, *choice_, &window);
-    QDockWidget* time = makeBand(window, "timeDock", tr("Time line"), line);
+    QDockWidget* time = makeBand(window, "timeDock", tr("Timeline"), line);
     health_ = new HealthStrip(themes, *cursor_, &window);
     events_ = new EventsList(themes, parts_.display, *cursor_, *choice_, &window);
     log_ = new RunLog(themes, &window);
     auto* bolt = new BoltStrip(themes, parts_.display, *cursor_, *choice_, &window);
-    QDockWidget* strip = makeDock(window, themes, "stripDock", tr("Bolt strip"), bolt);
+    QDockWidget* strip = makeDock(window, themes, "stripDock", tr("Bolt diagram"), bolt);
     connect(bolt, &BoltStrip::titleChanged, strip, [strip, bolt] {
         const QString shown = bolt->title();
-        strip->setWindowTitle(shown.isEmpty() ? tr("Bolt strip") : tr("Bolt strip   %1").arg(shown));
+        strip->setWindowTitle(shown.isEmpty() ? tr("Bolt diagram") : tr("Bolt diagram   %1").arg(shown));
     });
     auto* allCurves = new Curves(themes, parts_.display, *cursor_, CurveKind::All, pins_, &window);
     auto* energies = new Curves(themes, parts_.display, *cursor_, CurveKind::Energies, nullptr, &window);

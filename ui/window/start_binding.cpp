@@ -52,8 +52,8 @@ void tellAbandoned(StartPage& page, const Themes& themes, QWidget* canvas) {
     const std::vector<Abandoned> found = page.lookForAbandoned();
     if (found.empty()) return;
     const QString text = found.size() == 1
-                             ? StartPage::tr("%1 was not closed. Its edits can be recovered.").arg(found[0].title)
-                             : StartPage::tr("%1 scenes were not closed. Their edits can be recovered.").arg(found.size());
+                             ? StartPage::tr("%1 was not closed properly. Its edits can be recovered.").arg(found[0].title)
+                             : StartPage::tr("%1 scenes were not closed properly. Their edits can be recovered.").arg(found.size());
     auto* bar = new NoticeBar(themes, canvas);
     bar->say(text, {{StartPage::tr("Recover…"), [&page] { page.open(); }}});
 }

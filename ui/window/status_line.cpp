@@ -82,7 +82,7 @@ void StatusLine::showCounts() {
 
 void StatusLine::showUndo() {
     const QUndoStack& undo = document_.undo();
-    undo_->setText(undo.canUndo() ? tr("Next undo: %1").arg(undo.undoText()) : QString());
+    undo_->setText(undo.canUndo() ? tr("Undo: %1").arg(undo.undoText()) : QString());
 }
 
 }  // namespace keyblock
