@@ -71,7 +71,7 @@ TEST_F(Figures, AReferenceThatIsWrongIsToldWithItsPlace) {
     EXPECT_NE(ended.err.find("'much'"), std::string::npos) << ended.err;
     ended = figure({"curves", "--reference", "other.csv", "--out", "c.svg"});
     EXPECT_EQ(ended.code, 2);
-    EXPECT_NE(ended.err.find("no panel takes"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("no panel matches"), std::string::npos) << ended.err;
     ended = figure({"section", "--reference", "words.csv", "--out", "c.svg"});
     EXPECT_EQ(ended.code, 2);
     ended = figure({"curves", "--reference", "none.csv", "--out", "c.svg"});

@@ -46,7 +46,7 @@ SectionRequest colouredRequestOf(const RunSource& run, const FigureRequest& requ
     for (auto& [quantity, scale] : section.scales)
         if (scale.of == ScaleOf::ThisFrame) scale.of = ScaleOf::AllFrames;  // pictures of a film are compared
     if (section.arrows)
-        throw CannotDraw("an animation shows colours, not '" + *request.quantity + "'; ask for another quantity");
+        throw CannotDraw("an animation shows colours, not '" + *request.quantity + "'; choose another quantity");
     return section;
 }
 

@@ -29,15 +29,15 @@ constexpr double markDistance = 1.45;  // [mm]
 /// The frame and the bolt to show.
 std::pair<std::size_t, int> chosen(const RunSource& run, const FigureRequest& request) {
     if (request.quantity)
-        throw CannotDraw("the figure of a bolt shows all its quantities; leave --quantity out");
+        throw CannotDraw("a bolt figure shows all quantities; leave --quantity out");
     const auto frame = frameAt(run, request.filter);
-    if (!frame) throw CannotDraw("the run has no frame yet, so there is nothing to show of a bolt");
+    if (!frame) throw CannotDraw("the run has no frames yet, so there is no bolt to show");
     const Frame values = run.frame(*frame);
     const int bolt = request.filter.bolt.value_or(mostLoadedBolt(values));
-    if (bolt < 0) throw CannotDraw("at this moment the run has no bolt");
+    if (bolt < 0) throw CannotDraw("no bolt is installed at this time");
     if (values.bolts[static_cast<std::size_t>(bolt)].nodes.size() < 2)
         throw CannotDraw("bolt " + run.scene().bolts[static_cast<std::size_t>(bolt)].name +
-                         " is not there at this moment; give --at STAGE:TIME");
+                         " is not installed at this time; choose another time with --at STAGE:TIME");
     return {*frame, bolt};
 }
 
@@ -64,7 +64,7 @@ class BoltKey {
 public:
     BoltKey(const std::vector<MarkKind>& kinds, bool envelope, double width) {
         for (const MarkKind kind : kinds) add(kind, std::string(nameOf(kind)), 3.2, width);
-        if (envelope) add(std::nullopt, "least and largest until now", 6.0, width);
+        if (envelope) add(std::nullopt, "envelope to date", 6.0, width);
     }
 
     double height() const { return items_.empty() ? 0.0 : row * (items_.back().row + 1); }

@@ -126,9 +126,9 @@ std::vector<std::string> notesOf(const EventList& events, double width) {
         if (!note.empty())
             for (const std::string& line : wrapped(note, text_style::note, width, 3)) notes.push_back(line);
     };
-    if (events.leftOut > 0) add("and " + std::to_string(events.leftOut) + " more, in the table beside this figure");
+    if (events.leftOut > 0) add("and " + std::to_string(events.leftOut) + " more, in the table next to this figure");
     add(events.counted);
-    if (events.entries.empty() && events.counted.empty()) add("none until now");
+    if (events.entries.empty() && events.counted.empty()) add("none so far");
     return notes;
 }
 
@@ -160,7 +160,7 @@ ColumnItem arrowItem(const ArrowField& field, double scale, double width) {
     std::vector<std::string> notes;
     for (const std::string& note : field.notes)
         for (const std::string& line : wrapped(note, text_style::note, width, 2)) notes.push_back(line);
-    notes.push_back("largest now " + numberText(field.largest) + " " + field.unit);
+    notes.push_back("largest in this frame " + numberText(field.largest) + " " + field.unit);
     return {6.0 + noteRow * static_cast<double>(notes.size()), [&field, scale, notes](Ink& ink, const Point& at) {
                 ink.text(at + Point(0.0, 2.0), field.title, text_style::heading);
                 double shown = roundHalvable(0.45 * field.largest);

@@ -21,7 +21,7 @@ std::string nameOf(ContactKind kind) {
         case ContactKind::Locked: return "locked";
         case ContactKind::Sliding: return "sliding";
         case ContactKind::Bonded: return "bonded";
-        case ContactKind::Pulled: return "bonded, pulled";
+        case ContactKind::Pulled: return "bonded, in tension";
     }
     return {};
 }
@@ -82,10 +82,10 @@ std::vector<std::string> notesOf(const ContactField& field, double width) {
         notes.insert(notes.end(), lines.begin(), lines.end());
         for (std::size_t i = lines.size(); i < least; ++i) notes.emplace_back();
     };
-    add("over " + numberText(field.thickness) + " m of thickness; now up to " + numberText(field.largest) + " " +
-        field.unit + ", in the run " + numberText(field.scale.largest), roomOfNote);
+    add("for " + numberText(field.thickness) + " m of thickness; up to " + numberText(field.largest) + " " + field.unit +
+        " in this frame, " + numberText(field.scale.largest) + " in the run", roomOfNote);
     if (field.scale.largest > field.scale.longest)
-        add("longer ones are cut to " + numberText(field.scale.longest) + " " + field.unit, 1);
+        add("longer lines are clipped to " + numberText(field.scale.longest) + " " + field.unit, 1);
     for (const std::string& note : field.notes) add(note, roomOfNote);
     return notes;
 }
@@ -96,7 +96,7 @@ ColumnItem contactItem(const ContactField& field, double length, double width) {
     if (field.scale.longest <= 0.0)
         return {2.0 + noteRow, [](Ink& ink, const Point& at) {
                     ink.text(at + Point(0.0, 2.0), "Contact force", text_style::heading);
-                    ink.text(at + Point(0.0, 2.0 + noteRow), "no contact bears any", text_style::note);
+                    ink.text(at + Point(0.0, 2.0 + noteRow), "no contact carries a force", text_style::note);
                 }};
     const std::vector<std::string> notes = notesOf(field, width);
     const double kinds = 6.1 + row * static_cast<double>((field.scale.kinds.size() + 1) / 2);

@@ -42,10 +42,10 @@ std::string subtitleOf(const RunSource& run, const HistoryCharts& charts) {
     const RunTime time(run);
     for (const StageSpan& span : time.stages())
         text += (text.empty() ? "Stages: " : ", ") + stageName(run.scene(), span.stage);
-    text += events ? ". Red lines: what let go on bolts." : ".";
+    text += events ? ". Red lines: bolt events." : ".";
     std::string names;
     for (const std::string& name : charts.nothing) names += (names.empty() ? "" : ", ") + name;
-    return text + (names.empty() ? "" : " Next to zero throughout, and not drawn: " + names + ".");
+    return text + (names.empty() ? "" : " Close to zero throughout, not drawn: " + names + ".");
 }
 
 std::vector<FigureData> dataOf(const RunSource& run, const FigureRequest& request) {

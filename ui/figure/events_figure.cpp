@@ -155,14 +155,14 @@ public:
         if (list_.entries.empty()) return;
         if (stageWidth_ > 0.0) cell(ink, y, numberRoom, "Stage", text_style::number, stageWidth_);
         cell(ink, y, timeAt(), "Time", text_style::number, timeWidth_);
-        const std::string force = width_ < 100.0 ? "Before" : "Force before";
-        cell(ink, y, whoAt(), "What let go", text_style::number,
+        const std::string force = width_ < 100.0 ? "Force before" : "Force before failure";
+        cell(ink, y, whoAt(), "Event", text_style::number,
              width_ - whoAt() - textWidth(force, text_style::number) - 2.0);
         ink.text({left_ + width_, y}, force, text_style::number, Align::Right);
         ink.line({left_, y + 1.0}, {left_ + width_, y + 1.0}, {0.13, black});
         for (const EventEntry& entry : list_.entries) row(ink, entry, y += listRow + (&entry == list_.entries.data()));
         if (list_.leftOut > 0)
-            ink.text({left_, y += listRow}, "and " + std::to_string(list_.leftOut) + " more, in the table beside",
+            ink.text({left_, y += listRow}, "and " + std::to_string(list_.leftOut) + " more, in the table next to this figure",
                      text_style::note);
         ink.line({left_, y + 1.2}, {left_ + width_, y + 1.2}, {0.13, black});
     }
@@ -222,9 +222,9 @@ std::string subtitleFor(const FigureRequest& request, const RunSource& run, cons
 }  // namespace
 
 Figure paintEvents(const RunSource& run, const FigureRequest& request) {
-    if (request.quantity) throw CannotDraw("the figure of events shows no quantity; leave --quantity out");
+    if (request.quantity) throw CannotDraw("an events figure shows no quantity; leave --quantity out");
     const RunTime time(run);
-    if (!(time.end() > 0.0)) throw CannotDraw("the run has not begun, so nothing has happened in it");
+    if (!(time.end() > 0.0)) throw CannotDraw("the run has not begun, so it has no events");
     const std::vector<Event> events = shownEvents(run, request);
     const EventList list = eventList(run, events, mostListed);
     const std::string own = "Events: " + (run.scene().title.empty() ? request.runName : run.scene().title);

@@ -84,9 +84,9 @@ void Paper::beginPng() {
     image_ = QImage(static_cast<int>(std::lround(width_ * perMm)), static_cast<int>(std::lround(height_ * perMm)),
                     QImage::Format_RGB32);
     if (image_.isNull())
-        throw CannotDraw("a picture of " + std::to_string(std::lround(width_)) + " × " +
-                         std::to_string(std::lround(height_)) + " mm with " + std::to_string(dpi_) +
-                         " dots per inch has no room in memory; make it smaller or coarser");
+        throw CannotDraw("an image of " + std::to_string(std::lround(width_)) + " × " +
+                         std::to_string(std::lround(height_)) + " mm at " + std::to_string(dpi_) +
+                         " dpi does not fit in memory; reduce its size or resolution");
     image_.fill(Qt::white);
     painter_->begin(&image_);
     painter_->setModes(QCPPainter::pmNoCaching | QCPPainter::pmNonCosmetic);
@@ -99,7 +99,7 @@ std::string Paper::finish() {
         const int dotsPerMetre = static_cast<int>(std::lround(dpi_ / mmPerInch * 1000.0));
         image_.setDotsPerMeterX(dotsPerMetre);
         image_.setDotsPerMeterY(dotsPerMetre);
-        if (!image_.save(&buffer_, "PNG")) throw CannotDraw("there is no memory for a picture of this size; make it smaller");
+        if (!image_.save(&buffer_, "PNG")) throw CannotDraw("there is not enough memory for an image of this size; reduce it");
     }
     std::string bytes = buffer_.data().toStdString();
     if (format_ == PaperFormat::Pdf) blank(bytes, "/CreationDate", "\n");

@@ -47,9 +47,8 @@ void chooseQuantity(const FigureRequest& request, SectionRequest& section) {
     else if (const auto* ofBlocks = findQuantity(blockQuantities(), *request.quantity)) section.blocks = ofBlocks;
     else if (const auto* ofBolts = findQuantity(boltQuantities(), *request.quantity)) section.bolts = ofBolts;
     else
-        throw CannotDraw("a section shows no quantity '" + *request.quantity + "'; of blocks there are " +
-                         namesOf(blockQuantities()) + "; of bolts " + namesOf(boltQuantities()) +
-                         "; over blocks " + arrowNames());
+        throw CannotDraw("a section has no quantity '" + *request.quantity + "'; of blocks: " + namesOf(blockQuantities()) +
+                         "; of bolts: " + namesOf(boltQuantities()) + "; drawn over blocks: " + arrowNames());
 }
 
 }  // namespace

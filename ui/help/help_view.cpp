@@ -183,14 +183,17 @@ bool HelpView::goTo(const QString& words, int occurrence) {
 void HelpView::search(const QString& words) {
     if (words.simplified().isEmpty()) return;
     const std::vector<HelpHit> hits = searchHelp(words);
-    QString html = "<h3>" + tr("%1 places with “%2”").arg(hits.size()).arg(words.toHtmlEscaped()) + "</h3>";
+    const QString typed = words.toHtmlEscaped();
+    const QString found = hits.size() == 1 ? tr("1 result for “%1”").arg(typed)
+                                           : tr("%1 results for “%2”").arg(hits.size()).arg(typed);
+    QString html = "<h3>" + found + "</h3>";
     const QString colour = themes_.current().accent.name(), soft = themes_.current().text2.name();
     for (const HelpHit& hit : hits)
         html += QStringLiteral("<p><a style='color:%1; text-decoration:none' href='%2'><b>%3</b></a><br>"
                                "<span style='color:%4'>%5</span><br>%6</p>")
                     .arg(colour, linkTo(hit, words.simplified()), hit.heading.toHtmlEscaped(), soft,
                          hit.page->title.toHtmlEscaped(), hit.line.left(160).toHtmlEscaped());
-    if (hits.empty()) html += "<p>" + tr("Try another word, or fewer.") + "</p>";
+    if (hits.empty()) html += "<p>" + tr("Try other words, or fewer words.") + "</p>";
     text_->setHtml(html);
     shown_.clear();
 }

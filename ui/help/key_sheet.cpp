@@ -47,12 +47,12 @@ KeySheet::KeySheet(Commands& commands, const Themes& themes, QWidget* parent)
       sheet_(new QTreeWidget(this)) {
     setObjectName("keySheet");
     filter_->setObjectName("keySheet.filter");
-    filter_->setAccessibleName(tr("Filter commands and keys"));
+    filter_->setAccessibleName(tr("Filter commands and shortcuts"));
     filter_->setPlaceholderText(filter_->accessibleName());
     filter_->setClearButtonEnabled(true);
     sheet_->setObjectName("keySheet.list");
-    sheet_->setAccessibleName(tr("Commands and their keys"));
-    sheet_->setHeaderLabels({tr("Command"), tr("Keys"), tr("What it does")});
+    sheet_->setAccessibleName(tr("Commands and their keyboard shortcuts"));
+    sheet_->setHeaderLabels({tr("Command"), tr("Shortcut"), tr("Description")});
     sheet_->setRootIsDecorated(false);
     sheet_->setIndentation(12);
     sheet_->header()->setStretchLastSection(true);
@@ -76,10 +76,10 @@ QWidget* KeySheet::makeEditor() {
     conflict_->setWordWrap(true);
     keys_ = new QKeySequenceEdit(editor);
     keys_->setObjectName("keySheet.keys");
-    keys_->setAccessibleName(tr("New keys"));
-    if (auto* line = keys_->findChild<QLineEdit*>()) line->setAccessibleName(tr("New keys"));
+    keys_->setAccessibleName(tr("New shortcut"));
+    if (auto* line = keys_->findChild<QLineEdit*>()) line->setAccessibleName(tr("New shortcut"));
     set_ = new QPushButton(tr("Set"), editor);
-    original_ = new QPushButton(tr("Original keys"), editor);
+    original_ = new QPushButton(tr("Restore default"), editor);
     for (QPushButton* button : {set_, original_}) {
         button->setAccessibleName(button->text());
         button->setObjectName("keySheet." + button->text());
@@ -115,7 +115,7 @@ void KeySheet::list() {
     QFont bold = font();
     bold.setWeight(QFont::DemiBold);
     for (const char* menu : {"File", "Edit", "View", "Insert", "Run", "Results", "Tools", "Help", ""}) {
-        auto* group = new QTreeWidgetItem(sheet_, {*menu ? QString(menu) : tr("Elsewhere")});
+        auto* group = new QTreeWidgetItem(sheet_, {*menu ? QString(menu) : tr("Other")});
         group->setData(0, groupRole, QString(menu));
         group->setFont(0, bold);
         group->setFlags(Qt::ItemIsEnabled);
@@ -155,7 +155,7 @@ QAction* KeySheet::chosen() const {
 
 void KeySheet::showChosen() {
     const QAction* action = chosen();
-    name_->setText(action ? tr("Keys of “%1”").arg(nameOf(action)) : tr("Choose a command to change its keys"));
+    name_->setText(action ? tr("Shortcut of “%1”").arg(nameOf(action)) : tr("Select a command to change its shortcut"));
     keys_->setKeySequence(action ? action->shortcut() : QKeySequence());
     for (QWidget* widget : {static_cast<QWidget*>(keys_), static_cast<QWidget*>(set_), static_cast<QWidget*>(original_)})
         widget->setEnabled(action);
@@ -164,7 +164,7 @@ void KeySheet::showChosen() {
 
 void KeySheet::showConflict() {
     const QAction* other = chosen() ? commandWithKeys(commands_, keys_->keySequence(), chosen()) : nullptr;
-    conflict_->setText(other ? tr("“%1” has these keys now and would lose them.").arg(nameOf(other)) : QString());
+    conflict_->setText(other ? tr("“%1” uses this shortcut and would lose it.").arg(nameOf(other)) : QString());
 }
 
 void KeySheet::change() {

@@ -199,8 +199,8 @@ private:
         if (now().lost) text += "; lost";
         const NodeQuantity& axial = *findQuantity(boltQuantities(), "axial_force");
         const double force = largest(now(), axial);
-        return text + "; largest axial force now " + numberText(force > nothing * reach_.largestForce() ? force * 1e-3 : 0.0) + " kN" +
-               usedText() + ".";
+        return text + "; largest axial force in this frame " +
+               numberText(force > nothing * reach_.largestForce() ? force * 1e-3 : 0.0) + " kN" + usedText() + ".";
     }
 
     /// Of the run so far.
@@ -208,7 +208,7 @@ private:
         const auto bolt = static_cast<std::size_t>(bolt_);
         if (bolt >= frame_.extremes.size()) return {};
         const std::string text = useText(boltUse(bolt_, frame_.extremes[bolt]));
-        return text.empty() ? "" : "; until now " + text;
+        return text.empty() ? "" : "; to date " + text;
     }
 
     /// Bond forces; slip, too, where some nodes have no anchor that could tell it.

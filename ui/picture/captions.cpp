@@ -88,7 +88,7 @@ std::string subtitleOf(const Scene& scene, double factor) {
     join(text, rockText(scene), "; ");
     join(text, jointText(scene), "; ");
     join(text, boltText(scene), "; ");
-    join(text, factor == 1.0 ? "drawn to scale" : "displacements drawn " + numberText(factor) + " times", "; ");
+    join(text, factor == 1.0 ? "drawn to scale" : "displacements scaled by " + numberText(factor), "; ");
     return text + ".";
 }
 

@@ -61,7 +61,7 @@ void thinOut(ContactField& field, const Box& window) {
     const std::size_t all = field.lines.size();
     const double smallest = least * field.scale.longest;
     std::erase_if(field.lines, [&](const ContactLine& line) { return line.force.norm() < smallest; });
-    std::string which = "those under " + numberText(smallest) + " " + field.unit + " left out";
+    std::string which = "forces below " + numberText(smallest) + " " + field.unit + " omitted";
     if (field.lines.size() > manyLines) {
         const double side = twoDigits(std::sqrt((window.max - window.min).prod() / squares));
         field.lines = largestOfEach(field.lines, side);

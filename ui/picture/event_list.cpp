@@ -40,14 +40,14 @@ std::string several(int count, const char* one, const char* more) {
 
 std::string wordsOf(EventKind kind, int n) {
     switch (kind) {
-        case EventKind::Debonding: return several(n, "node debonds", "nodes debond");
-        case EventKind::Yield: return several(n, "steel yields", "elements yield");
-        case EventKind::Hinge: return several(n, "plastic hinge", "plastic hinges");
+        case EventKind::Debonding: return several(n, "debonds at one node", "nodes debond");
+        case EventKind::Yield: return several(n, "yields", "elements yield");
+        case EventKind::Hinge: return several(n, "forms a plastic hinge", "plastic hinges");
         case EventKind::TensileRupture: return several(n, "ruptures (tension)", "ruptures (tension)");
         case EventKind::ShearRupture: return several(n, "ruptures (shear)", "ruptures (shear)");
-        case EventKind::PlateLoss: return "loses its plate";
+        case EventKind::PlateLoss: return "loses its face plate";
         case EventKind::BoltLoss: return "is lost";
-        case EventKind::PulledOut: return several(n, "node pulled out", "nodes pulled out");
+        case EventKind::PulledOut: return several(n, "has one node pulled out", "nodes pulled out");
         case EventKind::BlockFalls: return "falls";
         case EventKind::Collapse: return "collapse";
         default: return std::string(wordOf(kind));

@@ -92,9 +92,9 @@ private:
     HistoryCharts unknown(const std::string& asked) const {
         std::string names;
         for (const Series& series : series_) names += (names.empty() ? "" : ", ") + series.name;
-        return {{}, "'" + asked + "' is no monitor of the scene, nor one over another; there are: " +
+        return {{}, "'" + asked + "' is not a monitor of the scene, nor one monitor over another; monitors: " +
                         (names.empty() ? "none" : names) +
-                        "; further BOLT.axial_force and the like of every bolt, energy.kinetic and the like", {}, {}};
+                        "; also the quantities of every bolt, such as BOLT.axial_force, and energies, such as energy.kinetic", {}, {}};
     }
 
     std::vector<Series> forces() const {

@@ -92,7 +92,7 @@ std::vector<double> ReferencePlacer::abscissas(std::size_t t, const Chart& chart
     else if (count != 1)
         found = -1;
     if (byName < 0 && count > 1 && faults_[t].empty())
-        faults_[t] = "it has " + std::to_string(count) + " columns that may be the axis " + inQuotes(axis.name);
+        faults_[t] = std::to_string(count) + " of its columns may be the axis " + inQuotes(axis.name);
     hasAxis_[t] = hasAxis_[t] || found >= 0;
     if (found < 0) return {};
     std::vector<double> x = table.columns[static_cast<std::size_t>(found)].values;
@@ -103,7 +103,7 @@ std::vector<double> ReferencePlacer::abscissas(std::size_t t, const Chart& chart
     for (std::size_t row = 0; chart.overTime && row < table.stages.size(); ++row) {
         const auto stage = std::find(stages_.begin(), stages_.end(), table.stages[row]);
         const bool known = stage != stages_.end();
-        if (!known) faults_[t] = "its stage " + inQuotes(table.stages[row]) + " is none of the run";
+        if (!known) faults_[t] = "the run has no stage " + inQuotes(table.stages[row]);
         x[row] = known ? time_.at(static_cast<int>(stage - stages_.begin()), x[row])
                        : std::numeric_limits<double>::quiet_NaN();
     }
@@ -128,7 +128,7 @@ void ReferencePlacer::placeColumn(std::size_t t, std::size_t c, const std::vecto
     const ReferenceColumn& column = table.columns[c];
     ChartPanel* panel = panelFor(column, chart);
     if (!panel || referencesOf(*panel) == mostReferences) {
-        if (panel) faults_[t] = "the panel " + panel->title + " holds four reference curves already";
+        if (panel) faults_[t] = "the panel " + panel->title + " already has four reference curves";
         return;
     }
     ChartCurve curve{table.name, styles[referencesOf(*panel)], {}, {}};
@@ -169,7 +169,7 @@ std::vector<Problem> ReferencePlacer::problems() const {
                                 : !hasAxis_[t]      ? "; it has no column for an axis"
                                                     : "";
         told.push_back({all ? Severity::Error : Severity::Warning, tables_[t].file, 0, "",
-                        "no panel takes " + left + why, remedy});
+                        "no panel matches " + left + why, remedy});
     }
     return told;
 }

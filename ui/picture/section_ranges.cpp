@@ -73,7 +73,7 @@ void takeScale(const ScaleChoice& choice, const std::vector<Weighed>& values, Le
         takeRange(rangeWithout(values, choice.clips ? shareOutside : 0.0), true, bar);
     if (bar.clips()) bar.notes.emplace_back("extreme 2 % of the area clipped");
     if (choice.of == ScaleOf::ThisFrame) bar.notes.emplace_back("scale of this frame");
-    if (choice.of == ScaleOf::Own) bar.notes.emplace_back("range set by hand");
+    if (choice.of == ScaleOf::Own) bar.notes.emplace_back("range set manually");
 }
 
 /// Limits that the range holds.

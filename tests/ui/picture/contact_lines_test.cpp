@@ -88,7 +88,7 @@ TEST(ContactLines, WhatIsTooSmallToBeSeenIsLeftOutAndTold) {
     frame.contacts = {contactAt({0, 0}, 9e3), contactAt({1, 0}, 50.0)};
     const ContactField field = seenWithin(contactField({10.0, 9.0, 50.0, {}}, frame, placesOf(frame)), everything);
     ASSERT_EQ(field.lines.size(), 1u);
-    EXPECT_EQ(field.notes.back(), "1 of 2 contacts in view drawn: those under 0.1 kN left out");
+    EXPECT_EQ(field.notes.back(), "1 of 2 contacts in view drawn: forces below 0.1 kN omitted");
 }
 
 /// 200 m · 200 m of blocks of 1 m: squares of √(40 000/1500) = 5.2 m, rounded up to 5.2 m: 40 from −20 to 19.
