@@ -55,7 +55,7 @@ Pin sliderPin(const LiveRun& run) {
                  nullptr);
 }
 
-TEST_F(CurvesTest, WhatIsPinnedIsShownUntilItsCrossIsClicked) {
+TEST_F(CurvesTest, APinIsPlottedUntilItsCrossIsClicked) {
     Themes themes;
     TimeCursor cursor;
     Pins pins(cursor);
@@ -107,7 +107,7 @@ TEST_F(CurvesTest, CaptionsFollowTheUnits) {
     display.setSystem(UnitSystem::Engineering);
 }
 
-TEST_F(CurvesTest, AnyNumberStandsOverAnyOtherAndBesideThatOfAnotherRun) {
+TEST_F(CurvesTest, AnyQuantityIsPlottedAgainstAnotherTogetherWithASecondRun) {
     Themes themes;
     TimeCursor cursor;
     Pins pins(cursor);
@@ -144,7 +144,7 @@ TEST_F(CurvesTest, AnyNumberStandsOverAnyOtherAndBesideThatOfAnotherRun) {
     EXPECT_FALSE(view->chart());
 }
 
-TEST(CurveEntries, AnotherRunStandsAtTheSameTimesOfTheSameStages) {
+TEST(CurveEntries, ASecondRunIsPlottedAtTheSameStageTimes) {
     const auto entryOf = [](std::vector<StageSpan> stages, std::vector<double> x) {
         CurveEntry entry;
         entry.chart.overTime = true;
@@ -183,7 +183,7 @@ LiveBatch longHistory(const LiveRun& run, std::size_t rows) {
     return batch;
 }
 
-TEST_F(CurvesTest, ALongHistoryKeepsNobodyWaiting) {
+TEST_F(CurvesTest, ALongHistoryDoesNotBlockTheWindow) {
     Themes themes;
     TimeCursor cursor;
     Pins pins(cursor);
@@ -212,7 +212,7 @@ TEST_F(CurvesTest, ALongHistoryKeepsNobodyWaiting) {
     EXPECT_LT(longest, std::max<qint64>(60, once));
 }
 
-TEST(HistoryLog, WhatWasHandedOutDoesNotGrow) {
+TEST(HistoryLog, ACopyThatWasHandedOutDoesNotGrow) {
     HistoryLog log;
     std::vector<HistoryLog> copies;
     double time = 0.0;
@@ -232,7 +232,7 @@ TEST(HistoryLog, WhatWasHandedOutDoesNotGrow) {
     for (std::size_t row = 0; row < log.size(); ++row) EXPECT_EQ(log[row].time, static_cast<double>(row));
 }
 
-TEST_F(CurvesTest, ArrowsAreOfOneKindAtATime) {
+TEST_F(CurvesTest, OnlyOneKindOfArrowsIsDrawn) {
     Themes themes;
     Commands commands(themes);
     ViewSettings settings;

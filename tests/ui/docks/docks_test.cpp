@@ -57,7 +57,7 @@ std::shared_ptr<LiveRun> elevenFrames() {
     return run;
 }
 
-TEST(TimeTrack, ThousandsOfEventsThinOutAndTheGravestStay) {
+TEST(TimeTrack, ThousandsOfEventsAreThinnedAndTheMostSevereStay) {
     std::vector<Event> events;
     std::vector<double> places;
     for (int i = 0; i < 5000; ++i) {
@@ -81,7 +81,7 @@ TEST(TimeTrack, ThousandsOfEventsThinOutAndTheGravestStay) {
     EXPECT_TRUE(rupture);
 }
 
-TEST(TimeAxis, GivesDynamicStagesMoreRoomAndComesBack) {
+TEST(TimeAxis, GivesDynamicStagesMoreRoomAndInvertsExactly) {
     Scene scene;
     scene.stages.resize(2);
     scene.stages[1].kind = StageKind::Dynamic;
@@ -98,7 +98,7 @@ TEST(TimeAxis, GivesDynamicStagesMoreRoomAndComesBack) {
     EXPECT_TRUE(TimeAxis(Scene{}).isEmpty());
 }
 
-TEST(HealthRows, TellTheWorstOfTheStepsAndTheBlockBehindIt) {
+TEST(HealthRows, ShowTheWorstStepAndItsBlock) {
     const auto run = elevenFrames();
     EXPECT_EQ(healthAt(*run, 0, 1.0)[0].state, HealthState::Unknown);  // nobody watched the steps
     const auto add = [&](double time, int passes, double depth, int block) {
@@ -121,7 +121,7 @@ TEST(HealthRows, TellTheWorstOfTheStepsAndTheBlockBehindIt) {
     EXPECT_EQ(after[2].course.size(), 2u);
 }
 
-TEST(HealthRows, SubdividedStepsAreNoError) {
+TEST(HealthRows, SubdividedStepsAreNotAnError) {
     const auto run = elevenFrames();
     LiveBatch batch;
     HealthSample sample;
@@ -155,7 +155,7 @@ protected:
     void SetUp() override { NEED_SCREEN(); }
 };
 
-TEST_F(DocksTest, AWarningShowsWhyNumbersAreDoubtful) {
+TEST_F(DocksTest, AWarningShowsWhyResultsAreUnreliable) {
     const Themes themes;
     TimeCursor cursor;
     RunWarning line(themes, cursor);
@@ -177,7 +177,7 @@ TEST_F(DocksTest, AWarningShowsWhyNumbersAreDoubtful) {
     EXPECT_TRUE(line.isHidden());
 }
 
-TEST_F(DocksTest, AClickOnAnEventGoesThereAndSelectsItsBolt) {
+TEST_F(DocksTest, AClickOnAnEventGoesToItsTimeAndSelectsItsBolt) {
     Themes themes;
     TimeCursor cursor;
     Selection selection;
@@ -214,14 +214,14 @@ TEST_F(DocksTest, AClickOnAnEventGoesThereAndSelectsItsBolt) {
     EXPECT_EQ(view->model()->rowCount(), 2);
 }
 
-TEST_F(DocksTest, EventsAreCalledAsTheyAreEverywhere) {
+TEST_F(DocksTest, EventGroupsHaveTheSameNamesEverywhere) {
     for (std::size_t g = 0; g < eventGroups; ++g) {
         const auto group = static_cast<EventGroup>(g);
         EXPECT_EQ(nameOf(group).toStdString(), wordOf(group));
     }
 }
 
-TEST_F(DocksTest, TheTimeLineScrubsZoomsAndCounts) {
+TEST_F(DocksTest, TheTimelineScrubsZoomsAndCounts) {
     Themes themes;
     Commands commands(themes);
     TimeCursor cursor;
@@ -267,7 +267,7 @@ TEST_F(DocksTest, TheTimeLineScrubsZoomsAndCounts) {
     QTest::mouseClick(track, Qt::LeftButton, {}, {300, 50});
 }
 
-TEST(BoltChoice, ABoltOfAPatternIsChosenByItsPattern) {
+TEST(BoltChoice, ChoosingABoltOfAPatternSelectsThePattern) {
     Scene scene = test::bricks();
     scene.boltPatterns.resize(1);
     scene.boltPatterns[0].name = "roof";
@@ -292,7 +292,7 @@ TEST(BoltChoice, ABoltOfAPatternIsChosenByItsPattern) {
     EXPECT_EQ(choice.bolt(), -1);
 }
 
-TEST(BoltChoice, KeepsToNamesWhereTheSceneWasEditedSinceTheRun) {
+TEST(BoltChoice, MatchesBoltsByNameAfterTheSceneWasEdited) {
     Scene ran = test::bricks();
     ran.bolts.push_back(ran.bolts.front());
     ran.bolts.back().name = "C";

@@ -31,7 +31,7 @@ protected:
     SafetySearch search_{document_};
 };
 
-TEST_F(SafetyPanelTest, FindsTheBracketOfASlope) {
+TEST_F(SafetyPanelTest, SearchOnASlopeFindsTheBracket) {
     SafetyPanel panel(search_);
     panel.show();
     Scene scene = test::sample("slope-safety.json");
@@ -46,7 +46,7 @@ TEST_F(SafetyPanelTest, FindsTheBracketOfASlope) {
     EXPECT_EQ(panel.findChild<QTreeWidget*>("safetyRuns")->topLevelItemCount(), int(search_.runs().size()));
 }
 
-TEST_F(SafetyPanelTest, StopEndsTheSearchAndAnUnfitSceneIsRefused) {
+TEST_F(SafetyPanelTest, StopEndsTheSearchAndAnEmptySceneIsRefused) {
     search_.start();
     EXPECT_FALSE(search_.isBusy()) << "an empty scene has nothing to run";
     EXPECT_FALSE(search_.problem().isEmpty());

@@ -37,7 +37,7 @@ protected:
     QPointer<ScalePanel> panel;
 };
 
-TEST_F(ScalePanelTest, TakesEveryChoiceAtOnce) {
+TEST_F(ScalePanelTest, AppliesEveryChoiceAtOnce) {
     NEED_SCREEN();
     open({});
     panel->findChild<QRadioButton*>("scaleFrame")->click();
@@ -60,7 +60,7 @@ TEST_F(ScalePanelTest, ReadsNumbersInTheUnitsAndSignsShown) {
     EXPECT_EQ(chosen().own, (ValueRange{0.0, 3.0}));  // MPa of compression
 }
 
-TEST_F(ScalePanelTest, MarksWhatItCannotRead) {
+TEST_F(ScalePanelTest, MarksFieldsThatCannotBeRead) {
     NEED_SCREEN();
     open({});
     type("scaleTo", "much");

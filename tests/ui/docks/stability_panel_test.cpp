@@ -55,7 +55,7 @@ protected:
     test::ScratchFolder folder_;
 };
 
-TEST_F(StabilityPanelTest, SaysThatAHungBlockStandsAndHowItsBoltIsUsed) {
+TEST_F(StabilityPanelTest, ShowsAHungBlockAsStableWithTheUtilisationOfItsBolt) {
     ShownPanel shown;
     EXPECT_FALSE(shown.answer().contains("Stable"));
     shown.cursor.setRun(test::storedRun(test::sample("suspended-block.json"), folder_.path() / "a.kbrun"), false);
@@ -74,7 +74,7 @@ TEST_F(StabilityPanelTest, SaysThatAHungBlockStandsAndHowItsBoltIsUsed) {
     EXPECT_EQ(shown.choice.bolt(), 0);
 }
 
-TEST_F(StabilityPanelTest, NamesWhatFallsAndOutlinesItOnAClick) {
+TEST_F(StabilityPanelTest, ListsAFallingBlockAndOutlinesItOnClick) {
     ShownPanel shown;
     Scene scene = test::sample("suspended-block.json");
     Block loose = scene.blocks.back();

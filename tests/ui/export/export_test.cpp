@@ -74,7 +74,7 @@ TEST_F(Exports, FiguresOfAllKindsAndFormats) {
     }
 }
 
-TEST_F(Exports, EverythingIntoAFolder) {
+TEST_F(Exports, AllFiguresAndTablesIntoAFolder) {
     order_.what = ExportWhat::Everything;
     order_.out = scratch_.path() / "all";
     order_.figure.filter.stage = 0;  // as the window asks for the moment that it shows
@@ -93,7 +93,7 @@ TEST_F(Exports, EverythingIntoAFolder) {
     EXPECT_TRUE(said.startsWith(QString("%1 files").arg(files))) << said.toStdString();
 }
 
-TEST_F(Exports, NumbersComeWithAFigureOnlyIfAskedFor) {
+TEST_F(Exports, DataComeWithAFigureOnlyOnRequest) {
     order_.figure.format = PaperFormat::Svg;
     order_.out = scratch_.path() / "alone" / "section.svg";
     fs::create_directories(order_.out.parent_path());
@@ -106,7 +106,7 @@ TEST_F(Exports, NumbersComeWithAFigureOnlyIfAskedFor) {
     EXPECT_GT(std::distance(fs::directory_iterator(order_.out.parent_path()), {}), 2);
 }
 
-TEST_F(Exports, AnAnimationWithoutFfmpegIsAFolderOfPictures) {
+TEST_F(Exports, AnAnimationWithoutFfmpegIsAFolderOfImages) {
     order_.what = ExportWhat::Film;
     order_.out = scratch_.path() / "frames";
     order_.figure.dpi = 40;
@@ -116,7 +116,7 @@ TEST_F(Exports, AnAnimationWithoutFfmpegIsAFolderOfPictures) {
     EXPECT_TRUE(fs::exists(order_.out / "frames.csv"));
 }
 
-TEST_F(Exports, TheFormAsksForWhatTheScreenShows) {
+TEST_F(Exports, TheFormStartsFromTheCurrentView) {
     const auto store = std::make_shared<const RunStore>(order_.store);
     ExportForm form(nullptr);
     Exportable shown{store, order_.store, 1, "sigma3", 0, 1.0};
@@ -142,11 +142,11 @@ TEST_F(Exports, TheFormAsksForWhatTheScreenShows) {
     EXPECT_TRUE(form.findChild<QLabel*>("export.note")->text().contains("frame 2 of"));
 }
 
-TEST(TabSeparated, QuotesGoAndCommasInThemStay) {
+TEST(TabSeparated, QuotesAreRemovedAndCommasInThemStay) {
     EXPECT_EQ(tabSeparated("a,b\n\"x, y\",\"say \"\"no\"\"\"\n"), "a\tb\nx, y\tsay \"no\"\n");
 }
 
-TEST_F(Exports, AFilmIsMadeOrStopped) {
+TEST_F(Exports, AnAnimationIsWrittenOrStopped) {
     if (QStandardPaths::findExecutable("ffmpeg").isEmpty()) GTEST_SKIP() << "ffmpeg is not installed";
     order_.what = ExportWhat::Film;
     order_.out = scratch_.path() / "film.mp4";
@@ -162,7 +162,7 @@ TEST_F(Exports, AFilmIsMadeOrStopped) {
     EXPECT_FALSE(fs::exists(order_.out));
 }
 
-TEST_F(Exports, WhatCannotBeWrittenOrReadIsTold) {
+TEST_F(Exports, FilesThatCannotBeWrittenOrReadAreReported) {
     order_.out = "/nowhere/at/all.svg";
     EXPECT_TRUE(run(order_).second);
     order_.out = scratch_.path() / "figure.svg";
@@ -193,7 +193,7 @@ TEST_F(Exports, TheWindowPreviewsAndCopies) {
     EXPECT_TRUE(waitFor([] { return QApplication::clipboard()->text().contains('\t'); }));
 }
 
-TEST(ExportWindows, WithoutARunNothingIsOffered) {
+TEST(ExportWindows, WithoutARunExportIsDisabled) {
     NEED_SCREEN();
     Themes themes;
     ExportWindow window([] { return Exportable{}; }, themes, nullptr);

@@ -15,7 +15,7 @@ QVector<QString> labelsOf(RoundTicker& ticker, double low, double high) {
     return labels;
 }
 
-TEST(ChartTickers, NumbersOfALowPanelDoNotTouchAndTellTheScale) {
+TEST(ChartTickers, NumbersOfALowPanelDoNotOverlapAndShowTheScale) {
     RoundTicker ticker(5);
     EXPECT_EQ(labelsOf(ticker, 0.0, 200.0), (QVector<QString>{"0", "50", "100", "150", "200"}));
     ticker.setLeast(0.4);

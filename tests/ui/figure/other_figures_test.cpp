@@ -59,7 +59,7 @@ TEST_F(OtherFigures, HaveTheSameBytesEachTime) {
             EXPECT_EQ(painted(kind, format).bytes, painted(kind, format).bytes);
 }
 
-TEST_F(OtherFigures, SayTheirWordsInPdf) {
+TEST_F(OtherFigures, ContainTheirTextInPdf) {
     const std::vector<std::string> words[]{{"Bolt B: Bricks", "Axial force N (kN)", "distance from"},
                                            {"Bricks", "Axial force (kN)", "pull", "time (s)"},
                                            {"Events: Bricks", "joint-slip", "B: 2 elements yield", "125 kN"}};
@@ -71,7 +71,7 @@ TEST_F(OtherFigures, SayTheirWordsInPdf) {
     }
 }
 
-TEST_F(OtherFigures, WarnOfNumbersThatAreDoubtful) {
+TEST_F(OtherFigures, WarnOfUnreliableResults) {
     StageResult result;
     result.outcome = Outcome::Duration;
     bricks.results.stages = {result};
@@ -82,7 +82,7 @@ TEST_F(OtherFigures, WarnOfNumbersThatAreDoubtful) {
         EXPECT_NE(painted(kind).bytes.find("Warning: energy balance error of 76 %"), std::string::npos);
 }
 
-TEST_F(OtherFigures, HaveTheirDataBesideThem) {
+TEST_F(OtherFigures, WriteTheirDataNextToThem) {
     EXPECT_EQ(painted(FigureKind::Bolt).data.size(), 2u);
     EXPECT_EQ(painted(FigureKind::Bolt).data[1].suffix, "-envelope");
     std::ostringstream envelope;
@@ -93,7 +93,7 @@ TEST_F(OtherFigures, HaveTheirDataBesideThem) {
 }
 
 /// Every word lies on the sheet, as a reader of PDF finds them.
-TEST_F(OtherFigures, KeepNamesAndKeysOnTheNarrowestPaper) {
+TEST_F(OtherFigures, KeepNamesAndLegendsOnTheNarrowestPaper) {
     const std::string name = "a monitor of the northern ventilation drift at chainage four hundred and twelve";
     Monitor gap;
     gap.name = name;
@@ -122,7 +122,7 @@ TEST_F(OtherFigures, KeepNamesAndKeysOnTheNarrowestPaper) {
     }
 }
 
-TEST_F(OtherFigures, WhatIsNotThereIsTold) {
+TEST_F(OtherFigures, MissingDataAreReported) {
     FigureRequest bolt;
     bolt.kind = FigureKind::Bolt;
     bolt.quantity = "slip";
@@ -130,7 +130,7 @@ TEST_F(OtherFigures, WhatIsNotThereIsTold) {
     FigureRequest curves;
     curves.kind = FigureKind::Curves;
     curves.quantity = "push";
-    EXPECT_NE(problemOf(curves).find("there are: pull"), std::string::npos);
+    EXPECT_NE(problemOf(curves).find("monitors: pull"), std::string::npos);
     bricks.results = {};
     bolt.quantity.reset();
     EXPECT_NE(problemOf(bolt).find("no frame"), std::string::npos);

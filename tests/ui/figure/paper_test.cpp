@@ -9,7 +9,7 @@
 namespace keyblock {
 namespace {
 
-TEST(Papers, APictureLargerThanTheMemoryIsRefused) {
+TEST(Papers, AnImageLargerThanTheMemoryIsRefused) {
     try {
         Paper(PaperFormat::Png, 40000.0, 40000.0, 1200, "wall");
         FAIL() << "two million pixels square were promised";

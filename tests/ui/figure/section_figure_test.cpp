@@ -91,7 +91,7 @@ TEST_F(SectionFigure, PngHasItsSizeAndResolution) {
     }
 }
 
-TEST_F(SectionFigure, DataComeBesideIt) {
+TEST_F(SectionFigure, DataAreWrittenNextToIt) {
     const MemoryRun source(run.scene, run.results);
     const Figure figure = paintFigure(source, {});
     ASSERT_EQ(figure.data.size(), 3u);
@@ -103,7 +103,7 @@ TEST_F(SectionFigure, DataComeBesideIt) {
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);  // of that frame alone
 }
 
-TEST_F(SectionFigure, AQuantityThatIsNotThereIsToldWithTheOthers) {
+TEST_F(SectionFigure, AnUnknownQuantityIsReportedWithTheKnownOnes) {
     FigureRequest request;
     request.quantity = "happiness";
     try {
@@ -136,7 +136,7 @@ TEST_F(SectionFigure, ARunWithoutFramesShowsItsScene) {
 }
 
 /// Bolts of several cases in one scene may lie on one another; no smaller stroke would part them.
-TEST_F(SectionFigure, BoltsOnOneAnotherAreDrawn) {
+TEST_F(SectionFigure, CoincidentBoltsAreDrawn) {
     const std::string shank = "stroke-width=\"14\"";  // 0.7 mm
     ASSERT_NE(painted(PaperFormat::Svg).find(shank), std::string::npos);
     run.scene.bolts.push_back(run.scene.bolts[0]);
@@ -149,7 +149,7 @@ TEST_F(SectionFigure, BoltsOnOneAnotherAreDrawn) {
     EXPECT_EQ(painted(PaperFormat::Svg).find(shank), std::string::npos);
 }
 
-TEST_F(SectionFigure, LongNamesAreBrokenAndCutOff) {
+TEST_F(SectionFigure, LongNamesAreWrappedAndElided) {
     run.scene.title = std::string(40, 'W') + " " + std::string(300, 'W');
     run.scene.bolts[0].name = std::string(200, 'W');
     run.scene.stages[0].name = std::string(200, 'W');

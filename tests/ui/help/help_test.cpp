@@ -42,7 +42,7 @@ struct Room {
     int runs = 0;
 };
 
-TEST(Matches, BeginningsOfWordsComeFirst) {
+TEST(Matches, MatchesAtTheStartOfWordsComeFirst) {
     EXPECT_GT(matchOf("fit", "Zoom to fit"), matchOf("fit", "Profit"));
     EXPECT_GT(matchOf("zo fi", "Zoom to fit"), 0);
     EXPECT_GT(matchOf("ztf", "Zoom to fit"), 0);
@@ -50,7 +50,7 @@ TEST(Matches, BeginningsOfWordsComeFirst) {
     EXPECT_EQ(matchOf("", "Zoom to fit"), 0);
 }
 
-TEST(Palettes, TypeAndEnterRunsTheCommand) {
+TEST(Palettes, TypingAndEnterRunsTheCommand) {
     NEED_SCREEN();
     Room room;
     CommandPalette palette(room.commands, room.themes, &room.window);
@@ -67,7 +67,7 @@ TEST(Palettes, TypeAndEnterRunsTheCommand) {
     EXPECT_FALSE(palette.isVisible());
 }
 
-TEST(Palettes, UnavailableCommandsComeLastAndNoMatchIsSaid) {
+TEST(Palettes, UnavailableCommandsComeLastAndNoMatchIsReported) {
     NEED_SCREEN();
     Room room;
     room.commands.setWhyNot("run.start", "Nothing to run");
@@ -83,7 +83,7 @@ TEST(Palettes, UnavailableCommandsComeLastAndNoMatchIsSaid) {
     EXPECT_TRUE(none->isVisible() && none->text().contains("zzz"));
 }
 
-TEST(CommandTexts, SayTheKeysOfNowAndWhyACommandIsOff) {
+TEST(CommandTexts, ShowTheCurrentKeysAndWhyACommandIsDisabled) {
     NEED_SCREEN();
     Room room;
     QAction* run = room.commands.action("run.start");
@@ -101,7 +101,7 @@ TEST(CommandTexts, SayTheKeysOfNowAndWhyACommandIsOff) {
     EXPECT_FALSE(run->toolTip().contains("Nothing to run."));
 }
 
-TEST(KeySheets, KeysAreChangedAndTheOtherCommandLosesThem) {
+TEST(KeySheets, ANewShortcutIsTakenFromTheOtherCommand) {
     NEED_SCREEN();
     Room room;
     KeySheet sheet(room.commands, room.themes);
@@ -120,7 +120,7 @@ TEST(KeySheets, KeysAreChangedAndTheOtherCommandLosesThem) {
     room.commands.setKeys("view.fit", {});
 }
 
-TEST(HelpPages, EveryPageIsThereAndSearched) {
+TEST(HelpPages, EveryPageExistsAndIsSearched) {
     NEED_SCREEN();
     ASSERT_FALSE(helpPages().empty());
     EXPECT_EQ(helpPages().front().name, "studio");
@@ -131,7 +131,7 @@ TEST(HelpPages, EveryPageIsThereAndSearched) {
     EXPECT_TRUE(searchHelp("no such word at all").empty());
 }
 
-TEST(HelpViews, EveryFieldIsFoundBelowItsObject) {
+TEST(HelpViews, EveryFieldIsFoundUnderItsObject) {
     NEED_SCREEN();
     Themes themes;
     HelpView view(themes);
@@ -145,7 +145,7 @@ TEST(HelpViews, EveryFieldIsFoundBelowItsObject) {
     EXPECT_EQ(above.block().text().toStdString(), "bolt pattern");
 }
 
-TEST(HelpViews, AToolIsFoundBelowTheTools) {
+TEST(HelpViews, AToolIsFoundUnderTools) {
     NEED_SCREEN();
     Themes themes;
     HelpView view(themes);
@@ -157,7 +157,7 @@ TEST(HelpViews, AToolIsFoundBelowTheTools) {
     }
 }
 
-TEST(HelpViews, TheNearestTopicCounts) {
+TEST(HelpViews, TheNearestTopicIsUsed) {
     NEED_SCREEN();
     QWidget outer;
     outer.setProperty("helpTopic", "studio");

@@ -31,7 +31,7 @@ struct OneBolt {
     std::vector<Event> events;
 };
 
-TEST(BoltReports, ABoltThatIsNotThereIsNotInstalled) {
+TEST(BoltReports, ABoltWithoutNodesIsNotInstalled) {
     OneBolt one;
     one.frame.bolts.front().nodes.clear();
     EXPECT_EQ(one.report().condition, BoltCondition::NotInstalled);
@@ -52,7 +52,7 @@ TEST(BoltReports, CountsNodesAndTheLengthWithoutBond) {
     EXPECT_EQ(report.use.governs, BoltStrength::Steel);
 }
 
-TEST(BoltReports, TheGravestStateCounts) {
+TEST(BoltReports, TheMostSevereStateIsReported) {
     OneBolt one;
     const auto happens = [&](EventKind kind) {
         one.events.emplace_back().kind = kind;

@@ -9,7 +9,7 @@
 namespace keyblock {
 namespace {
 
-TEST(Captions, SayStageOnceAndShortTimesShortly) {
+TEST(Captions, NameTheStageOnceAndShortenShortTimes) {
     Scene scene = test::bricks();
     scene.title = "Drift";
     Results results;

@@ -20,7 +20,7 @@ namespace {
 
 using namespace test;
 
-TEST(Chart, RangesHoldCurvesAndLimitsWithinReach) {
+TEST(Chart, RangesIncludeCurvesAndNearbyLimits) {
     ChartPanel panel;
     panel.curves = {{"", CurveStyle::Main, {0, 1}, {-0.0001, 90.0}}};
     panel.limits = {{"yield", 120.0, false}, {"ultimate", 200.0, true}};
@@ -43,7 +43,7 @@ TEST(BoltChart, ShowsForcesOfElementsAsSteps) {
     EXPECT_EQ(axial.limits[0].name, "yield");
 }
 
-TEST(BoltChart, EnvelopesHoldAllFramesUntilNow) {
+TEST(BoltChart, EnvelopesIncludeAllFramesToDate) {
     BricksRun bricks;
     std::swap(bricks.results.frames[0].bolts, bricks.results.frames[1].bolts);  // 100 kN first, then 1 kN
     const MemoryRun run(bricks.scene, bricks.results);
@@ -58,7 +58,7 @@ TEST(BoltChart, EnvelopesHoldAllFramesUntilNow) {
 }
 
 /// Round-off of a bolt that lets go is no force: the range is that of what it bore.
-TEST(BoltChart, RangesHoldWhatRealNodesBoreUntilNow) {
+TEST(BoltChart, RangesIncludeTheForcesOfBondedNodesToDate) {
     BricksRun bricks;
     for (std::size_t f : {0u, 1u})
         for (BoltNodeFrame& node : bricks.results.frames[f].bolts[0].nodes) {
@@ -70,11 +70,11 @@ TEST(BoltChart, RangesHoldWhatRealNodesBoreUntilNow) {
     const ChartPanel& bond = chart.chart.panels[1];
     EXPECT_EQ(bond.title, "Bond force (kN)");
     EXPECT_EQ(bond.range, (ValueRange{-40.0, 0.0}));
-    EXPECT_NE(chart.subtitle.find("now 0 kN"), std::string::npos) << chart.subtitle;
+    EXPECT_NE(chart.subtitle.find("in this frame 0 kN"), std::string::npos) << chart.subtitle;
 }
 
 /// What sheared a bar off is shown, though nothing is left of it now.
-TEST(BoltChart, ShearThatWasHasAPanel) {
+TEST(BoltChart, PastShearForcesHaveAPanel) {
     BricksRun bricks;
     bricks.results.frames[0].bolts[0].nodes[1].shearForce = 119e3;
     const BoltChart chart = boltChart(MemoryRun(bricks.scene, bricks.results), 1, 0);
@@ -89,7 +89,7 @@ TEST(BoltChart, ShearThatWasHasAPanel) {
 }
 
 /// As each node is embedded, on the side of zero where the forces are; a bond that falls has its residual, too.
-TEST(BoltChart, BondsHaveTheirLimitsNodeByNode) {
+TEST(BoltChart, BondLimitsAreDrawnNodeByNode) {
     BricksRun bricks;
     auto& nodes = bricks.results.frames[1].bolts[0].nodes;
     for (std::size_t i : {0u, 1u, 3u}) {
@@ -111,7 +111,7 @@ TEST(BoltChart, BondsHaveTheirLimitsNodeByNode) {
     EXPECT_EQ(boltChart(MemoryRun(bricks.scene, bricks.results), 1, 0).chart.panels[1].limits.size(), 1u);
 }
 
-TEST(BoltChart, ZonesAndJointsStandWhereTheyAre) {
+TEST(BoltChart, ZonesAndJointsAreAtTheirPositions) {
     BricksRun bricks;
     auto& nodes = bricks.results.frames[1].bolts[0].nodes;
     nodes[1].state = nodes[2].state = NodeState::Slipping;
@@ -168,7 +168,7 @@ struct HistoryRun : BricksRun {
     }
 };
 
-TEST(RunTime, StagesStandOneAfterTheOther) {
+TEST(RunTime, StagesFollowOneAnother) {
     const HistoryRun bricks;
     const RunTime time(MemoryRun(bricks.scene, bricks.results));
     ASSERT_EQ(time.stages().size(), 2u);
@@ -194,7 +194,7 @@ TEST(RunTime, OneStageHasItsOwnTime) {
     EXPECT_EQ(time.title(), "time (s)");
 }
 
-TEST(RunTime, EachStageHasNumbersOfItsOwnThatDoNotTouch) {
+TEST(RunTime, EachStageHasItsOwnNumbersWithoutOverlap) {
     const std::vector<StageSpan> stages{{0, "settle", 0.0, 1.0, 1.0}, {1, "burst", 1.0, 4.0, 0.008}};
     const auto widthOf = [](const std::string& text) { return 1.2 * static_cast<double>(text.size()) + 1.0; };
     for (const double length : {20.0, 60.0, 120.0}) {
@@ -226,7 +226,7 @@ TEST(HistoryCharts, LoadOverDisplacementComesFirst) {
     EXPECT_EQ(load.events, (std::vector<double>{2.0}));  // yields and rupture at one place; joints are not told
 }
 
-TEST(HistoryCharts, PanelsGoByQuantity) {
+TEST(HistoryCharts, PanelsAreGroupedByQuantity) {
     const HistoryCharts charts = HistoryRun().charts();
     const Chart& time = charts.charts[1];
     std::vector<std::string> titles;
@@ -237,7 +237,7 @@ TEST(HistoryCharts, PanelsGoByQuantity) {
     EXPECT_EQ(time.dividers, (std::vector<double>{1.0}));
 }
 
-TEST(HistoryCharts, WhatIsAskedForIsShownAlone) {
+TEST(HistoryCharts, ARequestedQuantityIsShownAlone) {
     const HistoryRun run;
     const HistoryCharts over = run.charts("crown.uy over gap");
     ASSERT_EQ(over.charts.size(), 1u);
@@ -248,7 +248,7 @@ TEST(HistoryCharts, WhatIsAskedForIsShownAlone) {
     EXPECT_NE(none.problem.find("gap, pull, crown.ux, crown.uy"), std::string::npos) << none.problem;
 }
 
-TEST(HistoryCharts, AnyNumberStandsOverAnyOther) {
+TEST(HistoryCharts, AnyQuantityIsPlottedAgainstAnother) {
     HistoryRun run;
     const auto column = static_cast<std::size_t>(historyColumn(run.scene, {-1, 0, 0, BoltQuantity::AxialForce}));
     for (std::size_t i = 0; i < run.results.history.size(); ++i)
@@ -281,7 +281,7 @@ const ChartCurve* referenceIn(const ChartPanel& panel) {
     return nullptr;
 }
 
-TEST(References, StandWhereBothMeasuresAreShown) {
+TEST(References, AreDrawnWhereBothMeasuresAreShown) {
     const HistoryRun run;
     const MemoryRun source(run.scene, run.results);
     const HistoryCharts charts = historyCharts(source, {}, {labOf("opening", "load")});
@@ -317,7 +317,7 @@ TEST(References, NamesDecideBetweenPanelsOfOneMeasure) {
     EXPECT_TRUE(historyCharts(source, "crown.uy", {overTime("sag")}).references.empty());  // one panel: no doubt
 }
 
-TEST(References, TimesOfAStageStandWhereTheStageDoes) {
+TEST(References, StageTimesArePlottedWithinTheStage) {
     const HistoryRun run;
     const MemoryRun source(run.scene, run.results);
     ReferenceTable table{"lab.csv", "lab", {"settle", run.scene.stages[1].name},
@@ -329,7 +329,7 @@ TEST(References, TimesOfAStageStandWhereTheStageDoes) {
     EXPECT_EQ(referenceIn(wrong.charts[0].panels[0])->x, (std::vector<double>{2.5}));
 }
 
-TEST(References, WhatIsLeftOverIsTold) {
+TEST(References, UnmatchedColumnsAreReported) {
     const HistoryRun run;
     ReferenceTable table = labOf("gap", "pull");
     table.columns.push_back({"work_J", "work", Measure::Energy, {0.0, 1.0, 2.0}});
@@ -348,7 +348,7 @@ TEST(References, WithoutAColumnForAnAxisNothingIsDrawn) {
     EXPECT_FALSE(referenceIn(charts.charts[0].panels[0]));
 }
 
-TEST(References, TwoOfAFileAreTalkedOfByTheirColumns) {
+TEST(References, TwoCurvesOfAFileAreNamedByTheirColumns) {
     const HistoryRun run;
     ReferenceTable table = labOf("gap", "dry");
     table.columns.push_back({"wet_kN", "wet", Measure::Force, {0.0, 1e3, 2e3}});
@@ -372,7 +372,7 @@ TEST(HistoryCharts, RoundOffHasNoPanel) {
     EXPECT_EQ(run.charts("crown.ux").charts[0].panels.size(), 1U);  // whoever asks for it sees it
 }
 
-TEST(HistoryCharts, ARunWithoutHistorySaysSo) {
+TEST(HistoryCharts, ARunWithoutHistoryIsReported) {
     HistoryRun run;
     run.results.history.clear();
     run.results.frames.clear();

@@ -22,7 +22,7 @@ double lightness(const Colour& colour) {
     return y > 0.008856 ? 116.0 * std::cbrt(y) - 16.0 : 903.3 * y;
 }
 
-TEST(Colour, GoesThroughItsStops) {
+TEST(Colour, PassesThroughItsStops) {
     EXPECT_EQ(colourAt(slate, 0.0), rgb(0xF3EEE6));
     EXPECT_EQ(colourAt(slate, 1.0), rgb(0x264A6E));
     EXPECT_EQ(colourAt(ember, 0.5), rgb(0xC84A00));

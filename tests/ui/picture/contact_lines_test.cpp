@@ -35,7 +35,7 @@ std::vector<Point> placesOf(const Frame& frame) {
     return places;
 }
 
-TEST(ContactLines, RunAlongNormalAndShearTogether) {
+TEST(ContactLines, FollowTheResultantOfNormalAndShear) {
     ContactFrame contact = contactAt({1.0, 2.0}, 4e3, ContactState::Sliding);
     contact.shearForce = 3e3;
     const ContactLine line = contactLine(contact);
@@ -43,12 +43,12 @@ TEST(ContactLines, RunAlongNormalAndShearTogether) {
     EXPECT_NEAR((line.force - Point(3.0, 4.0)).norm(), 0.0, 1e-12);  // kN, block a is pushed up and to the right
 }
 
-TEST(ContactLines, ABondThatIsPulledAtIsAKindOfItsOwn) {
+TEST(ContactLines, ABondInTensionIsItsOwnKind) {
     EXPECT_EQ(contactLine(contactAt({0, 0}, 1.0, ContactState::Bonded)).kind, ContactKind::Bonded);
     EXPECT_EQ(contactLine(contactAt({0, 0}, -1.0, ContactState::Bonded)).kind, ContactKind::Pulled);
 }
 
-TEST(ContactLines, TheLongestStandsForAllButTheLargestForces) {
+TEST(ContactLines, TheLongestLineCoversAllButTheLargestForces) {
     EXPECT_EQ(longestOf({}), 0.0);
     EXPECT_EQ(longestOf({3.0}), 5.0);  // a round number
     std::vector<double> sizes(1000, 4.0);
@@ -57,7 +57,7 @@ TEST(ContactLines, TheLongestStandsForAllButTheLargestForces) {
     EXPECT_EQ(longestOf({4.0, 4.0, 40.0}), 50.0);
 }
 
-TEST(ContactLines, TheScaleIsThatOfAllFrames) {
+TEST(ContactLines, AllFramesShareTheScale) {
     Frame first, second;
     first.contacts = {contactAt({0, 0}, 5e3), contactAt({0, 0}, 0.0, ContactState::Open)};
     second.contacts = {contactAt({0, 0}, 20e3, ContactState::Sliding)};
@@ -70,7 +70,7 @@ TEST(ContactLines, TheScaleIsThatOfAllFrames) {
     EXPECT_EQ(scale.kinds, (std::vector<ContactKind>{ContactKind::Locked, ContactKind::Sliding}));
 }
 
-TEST(ContactLines, TheLargestAreDrawnLastAndOpenOnesNot) {
+TEST(ContactLines, LargestForcesAreDrawnLastAndOpenContactsOmitted) {
     Frame frame;
     frame.contacts = {contactAt({0, 0}, 9e3), contactAt({1, 0}, 2e3), contactAt({2, 0}, 0.0, ContactState::Open),
                       contactAt({500, 0}, 3e3)};
@@ -83,7 +83,7 @@ TEST(ContactLines, TheLargestAreDrawnLastAndOpenOnesNot) {
     EXPECT_EQ(field.notes.back(), "all 2 contacts in view drawn");
 }
 
-TEST(ContactLines, WhatIsTooSmallToBeSeenIsLeftOutAndTold) {
+TEST(ContactLines, InvisiblySmallForcesAreOmittedWithANote) {
     Frame frame;
     frame.contacts = {contactAt({0, 0}, 9e3), contactAt({1, 0}, 50.0)};
     const ContactField field = seenWithin(contactField({10.0, 9.0, 50.0, {}}, frame, placesOf(frame)), everything);
@@ -92,7 +92,7 @@ TEST(ContactLines, WhatIsTooSmallToBeSeenIsLeftOutAndTold) {
 }
 
 /// 200 m · 200 m of blocks of 1 m: squares of √(40 000/1500) = 5.2 m, rounded up to 5.2 m: 40 from −20 to 19.
-TEST(ContactLines, AmongManyTheLargestOfEachSquareStands) {
+TEST(ContactLines, AmongManyTheLargestOfEachSquareIsKept) {
     Frame frame;
     for (int x = -100; x < 100; ++x)
         for (int y = -100; y < 100; ++y)
@@ -103,7 +103,7 @@ TEST(ContactLines, AmongManyTheLargestOfEachSquareStands) {
     EXPECT_EQ(field.notes.back(), "1600 of 40\u2009000 contacts in view drawn: only the largest of each 5.2 m square");
 }
 
-TEST(ContactLines, StandWhereTheirBlocksAreDrawn) {
+TEST(ContactLines, AreDrawnAtTheirBlocks) {
     BricksRun bricks;
     bricks.results.frames[1].contacts = {contactAt({0.0, 1.01}, 9e3)};  // at a corner of the brick that was lifted
     const MemoryRun run(bricks.scene, bricks.results);

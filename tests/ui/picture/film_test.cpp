@@ -27,7 +27,7 @@ protected:
     std::unique_ptr<SectionFilm> film;
 };
 
-TEST_F(Film, SharesWindowRangesAndScale) {
+TEST_F(Film, FramesShareWindowRangesAndScale) {
     ASSERT_GE(film->size(), 2U);
     const SectionPicture last = film->picture(film->size() - 1);
     for (std::size_t i = 0; i < film->size(); ++i) {
@@ -44,7 +44,7 @@ TEST_F(Film, SharesWindowRangesAndScale) {
     }
 }
 
-TEST_F(Film, SharesTheScaleOfContacts) {
+TEST_F(Film, FramesShareTheScaleOfContacts) {
     for (std::size_t i : {0u, 1u}) {
         ContactFrame contact;
         contact.position = {1.0, 1.0};
@@ -60,7 +60,7 @@ TEST_F(Film, SharesTheScaleOfContacts) {
     EXPECT_EQ(shown.picture(1).contacts->scale.longest, 10.0);
 }
 
-TEST_F(Film, ShowsWhatASinglePictureShows) {
+TEST_F(Film, AFrameEqualsASinglePicture) {
     for (std::size_t i = 0; i < film->size(); ++i) {
         request.frame = i;
         const SectionPicture alone = sectionPicture(source, request), picture = film->picture(i);

@@ -20,7 +20,7 @@ SectionRequest coloured() {
     return request;
 }
 
-TEST(SectionRanges, GrowToWhatAllFramesGive) {
+TEST(SectionRanges, GrowToTheRangesOfAllFrames) {
     const test::BricksRun bricks;
     const MemoryRun run(bricks.scene, bricks.results);
     const SectionRequest request = coloured();
@@ -43,7 +43,7 @@ TEST(SectionRanges, ForgettingFramesKeepsTheLargest) {
     EXPECT_GE(high, 90.0);
 }
 
-TEST(BoltReach, GivesTheChartThatAllFramesGiveButForEnvelopes) {
+TEST(BoltReach, GivesTheSameChartAsAllFramesExceptEnvelopes) {
     const test::BricksRun bricks;
     const MemoryRun run(bricks.scene, bricks.results);
     BoltReach reach(0);

@@ -19,7 +19,7 @@ std::shared_ptr<SectionPicture> bricksPicture() {
     return std::make_shared<SectionPicture>(sectionPicture(run, request));
 }
 
-TEST(Pick, BlocksNodesAndBoltsAreToldApart) {
+TEST(Pick, DistinguishesBlocksNodesAndBolts) {
     const PickIndex index(bricksPicture());
     const auto block = index.at({3.5, 0.5}, 0.05);
     ASSERT_TRUE(block);
@@ -39,7 +39,7 @@ TEST(Pick, BlocksNodesAndBoltsAreToldApart) {
     EXPECT_FALSE(index.at({NAN, 0.0}, 0.05));
 }
 
-TEST(Pick, FindsTheRightOneOfFiveThousand) {
+TEST(Pick, FindsTheRightBlockAmongFiveThousand) {
     auto picture = std::make_shared<SectionPicture>();
     for (int i = 0; i < 5000; ++i) {
         const Point at(i % 100, i / 100);

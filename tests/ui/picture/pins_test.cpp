@@ -56,7 +56,7 @@ TEST(Pins, HasTheValuesOfTheFrames) {
     EXPECT_EQ(force.values(), (std::vector<double>{1.0, 100.0}));
 }
 
-TEST(Pins, ABlockThatIsNotThereHasNoValueAndDisplacementsBeginAnew) {
+TEST(Pins, AMissingBlockHasNoValueAndDisplacementsRestartFromZero) {
     const BricksRun run;
     PinTrack track(blockPin(run.picture(0), {0.3, 1.2}, "displacement"));
     Frame frame = run.results.frames[1];
@@ -75,7 +75,7 @@ TEST(Pins, ABlockThatIsNotThereHasNoValueAndDisplacementsBeginAnew) {
     EXPECT_TRUE(std::isnan(track.values()[3]));
 }
 
-TEST(Pins, StandByQuantityFourInAChart) {
+TEST(Pins, AreChartedByQuantityFourToAChart) {
     const BricksRun run;
     const MemoryRun source(run.scene, run.results);
     std::vector<std::shared_ptr<const PinTrack>> tracks;
@@ -95,7 +95,7 @@ TEST(Pins, StandByQuantityFourInAChart) {
     EXPECT_TRUE(pinCharts(source, {std::make_shared<PinTrack>(tracks[0]->pin())}).empty());  // no frame read yet
 }
 
-TEST(Probe, TellsTheQuantityShownFirst) {
+TEST(Probe, ListsTheShownQuantityFirst) {
     const BricksRun run;
     const SectionPicture picture = run.picture(1);
     const auto* shown = findQuantity(blockQuantities(), "uy");

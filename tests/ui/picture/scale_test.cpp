@@ -34,13 +34,13 @@ bool says(const LegendBar& bar, const std::string& note) {
     return std::find(bar.notes.begin(), bar.notes.end(), note) != bar.notes.end();
 }
 
-TEST(Scale, HoldsAllValuesByDefault) {
+TEST(Scale, SpansAllValuesByDefault) {
     const LegendBar bar = Sliver().blocks({});
     EXPECT_EQ(bar.range, (ValueRange{0.0, 30.0}));
     EXPECT_FALSE(bar.goesAbove || bar.clips());
 }
 
-TEST(Scale, SaysWhatItClips) {
+TEST(Scale, NotesWhatItClips) {
     ScaleChoice choice;
     choice.clips = true;
     const LegendBar bar = Sliver().blocks(choice);
@@ -49,7 +49,7 @@ TEST(Scale, SaysWhatItClips) {
     EXPECT_TRUE(says(bar, "extreme 2 % of the area clipped"));
 }
 
-TEST(Scale, OfThisFrameLeavesOutTheOthers) {
+TEST(Scale, OfThisFrameIgnoresTheOthers) {
     Sliver run;
     run.results.frames[1].blocks[2].stress = {0.0, -3e6, 0.0};
     ScaleChoice choice;
@@ -59,7 +59,7 @@ TEST(Scale, OfThisFrameLeavesOutTheOthers) {
     EXPECT_TRUE(says(run.blocks(choice), "scale of this frame"));
 }
 
-TEST(Scale, TakesARangeThatWasTyped) {
+TEST(Scale, UsesATypedRange) {
     ScaleChoice choice;
     choice.of = ScaleOf::Own;
     choice.own = {2.0, 12.5};

@@ -26,12 +26,12 @@ double lengthOf(const std::vector<LineShape>& lines) {
     return length;
 }
 
-TEST(Section, WallsAreWhereNoBlockIsBeyond) {
+TEST(Section, FacesWithoutANeighbourAreWalls) {
     // Round the outside: 4 + 1 + (the slab's top from x = 3 on) 1 + 1 + 3 + 2; joints are no walls.
     EXPECT_NEAR(lengthOf(BricksRun().picture(0).walls), 4 + 1 + 1 + 1 + 3 + 2, 1e-9);
 }
 
-TEST(Section, ABlockThatIsGoneLeavesWalls) {
+TEST(Section, AnExcavatedBlockLeavesWalls) {
     BricksRun run;
     run.results.frames[0].blocks[2] = BlockState{};  // the right brick was excavated
     const SectionPicture picture = run.picture(0);
@@ -39,7 +39,7 @@ TEST(Section, ABlockThatIsGoneLeavesWalls) {
     EXPECT_NEAR(lengthOf(picture.walls), 4 + 1 + 2 + 1 + 2 + 2, 1e-9);
 }
 
-TEST(Section, FacesOfOneEdgeArePartJointPartWall) {
+TEST(Section, OneEdgeCanBePartJointPartWall) {
     const Scene scene = bricks();
     const SolvedBlocks solved = solvedBlocks(scene);
     const auto pieces = facePieces(scene, solved, cornersBefore(solved), {1, 1, 1});
@@ -51,7 +51,7 @@ TEST(Section, FacesOfOneEdgeArePartJointPartWall) {
     EXPECT_NEAR(wall, 0.25, 1e-9);
 }
 
-TEST(Section, DisplacementsAreDrawnAsLargeAsAsked) {
+TEST(Section, DisplacementsAreScaledByTheFactor) {
     const SectionPicture plain = BricksRun().picture(1), enlarged = BricksRun().picture(1, 20.0);
     EXPECT_NEAR(plain.blocks[1].outline[0].y(), 1.01, 1e-12);
     EXPECT_NEAR(enlarged.blocks[1].outline[0].y(), 1.2, 1e-12);
@@ -81,7 +81,7 @@ TEST(Section, RangesAreThoseOfAllFrames) {
 }
 
 /// 1 mPa in rock of 50 GPa is round-off, and no range opens for it; 1 kPa is a stress.
-TEST(Section, RoundOffIsNoStress) {
+TEST(Section, RoundOffIsNotShownAsStress) {
     for (const double size : {1e-3, 1e3}) {
         BricksRun run;
         for (Frame& frame : run.results.frames)
@@ -93,7 +93,7 @@ TEST(Section, RoundOffIsNoStress) {
 }
 
 /// Whoever looks for blocks that have all fallen finds them.
-TEST(Section, TheWindowFollowsWhenNothingIsLeft) {
+TEST(Section, TheExtentFollowsBlocksThatAllFell) {
     BricksRun run;
     for (BlockState& block : run.results.frames[1].blocks)
         for (Point& point : block.points) point.y() -= 30.0;
@@ -102,7 +102,7 @@ TEST(Section, TheWindowFollowsWhenNothingIsLeft) {
     EXPECT_GT(run.picture(1).model.min.y(), -1.0);
 }
 
-TEST(Section, LimitsOfTheSteelStandOnTheBar) {
+TEST(Section, SteelLimitsAreMarkedOnTheLegend) {
     // 400 MPa on π/4·20² mm² is 125.7 kN: within half as much again of the largest force, so the bar reaches it.
     const SectionPicture picture = BricksRun().picture(1);
     ASSERT_FALSE(picture.boltLegend->limits.empty());
@@ -113,7 +113,7 @@ TEST(Section, LimitsOfTheSteelStandOnTheBar) {
     EXPECT_NEAR(*picture.ribbon->limit, 125.66, 0.01);
 }
 
-TEST(Section, ARibbonOfBondForcesHasTheLimitOfEachNode) {
+TEST(Section, AForceDiagramOfBondForcesHasTheLimitOfEachNode) {
     BricksRun bricks;
     auto& nodes = bricks.results.frames[1].bolts[0].nodes;
     const MemoryRun run(bricks.scene, bricks.results);
@@ -133,7 +133,7 @@ TEST(Section, ARibbonOfBondForcesHasTheLimitOfEachNode) {
     EXPECT_NEAR(*sectionPicture(run, request).ribbon->limit, 120.0, 1e-12);
 }
 
-TEST(Arrows, CrossesStandInTheBlocksWithBothStresses) {
+TEST(Arrows, CrossesShowBothPrincipalStressesInTheBlocks) {
     const BricksRun bricks;
     const std::vector<Point> places{{0, 0}, {1, 1}, {2, 2}};
     const ArrowField field = arrowField(ArrowKind::StressCrosses, bricks.results.frames[0], places);
@@ -145,7 +145,7 @@ TEST(Arrows, CrossesStandInTheBlocksWithBothStresses) {
     EXPECT_DOUBLE_EQ(field.largest, 3.0);
 }
 
-TEST(Arrows, DisplacementsAreThoseOfTheFrame) {
+TEST(Arrows, DisplacementsAreOfTheFrame) {
     const BricksRun bricks;
     const std::vector<Point> places(3, Point(0.0, 0.0));
     const ArrowField field = arrowField(ArrowKind::Displacements, bricks.results.frames[1], places);
@@ -153,7 +153,7 @@ TEST(Arrows, DisplacementsAreThoseOfTheFrame) {
     EXPECT_EQ(field.unit, "mm");
 }
 
-TEST(Section, RoundOffHasNoRibbon) {
+TEST(Section, RoundOffHasNoForceDiagram) {
     BricksRun bricks;
     for (BoltNodeFrame& node : bricks.results.frames[0].bolts[0].nodes) node.axialForce *= 1e-9;
     EXPECT_FALSE(bricks.picture(0).ribbon);
@@ -182,7 +182,7 @@ TEST(Section, WithoutResultsNothingIsColoured) {
     EXPECT_EQ(picture.title, "Bricks, before the run");
 }
 
-TEST(Section, TheLeastGraveEventsAreLeftOutFirst) {
+TEST(Section, TheLeastSevereEventsAreOmittedFirst) {
     BricksRun run;
     std::vector<Event> events;
     for (int bolt = 0; bolt < 1; ++bolt)

@@ -31,7 +31,7 @@ TEST(ClipToBox, CutsSegments) {
     EXPECT_FALSE(clippedToBox({-1.0, 0.5}, {-0.1, 0.5}, unit));
 }
 
-TEST(Placement, NothingCoversAnything) {
+TEST(Placement, LabelsDoNotOverlap) {
     const Box frame{{0, 0}, {50, 50}};
     Placement placement(frame);
     placement.keepOff(Point(0, 25), Point(50, 25), 1.0);
@@ -46,7 +46,7 @@ TEST(Placement, NothingCoversAnything) {
     }
 }
 
-TEST(Placement, WhatFindsNoRoomIsTold) {
+TEST(Placement, LabelsWithoutRoomAreReported) {
     Placement placement({{0, 0}, {10, 10}});
     placement.keepOff(Box{{0, 0}, {10, 10}});
     EXPECT_FALSE(placement.place({1, 1}, {{5, 5}, {2, 2}}));
@@ -64,14 +64,14 @@ std::size_t countOf(const std::vector<Mark>& marks, MarkKind kind) {
         std::count_if(marks.begin(), marks.end(), [&](const Mark& mark) { return mark.kind == kind; }));
 }
 
-TEST(Marks, BondedOnesKeepTheirDistance) {
+TEST(Marks, BondedMarksKeepTheirDistance) {
     const auto kept = thinned(marksAlong(MarkKind::Bonded, 0.0, 0.03, 60), 0.1);
     EXPECT_EQ(kept.size(), 15u);  // every fourth
     for (std::size_t i = 0; i < kept.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) EXPECT_GE(std::abs(kept[i].s - kept[j].s), 0.1);
 }
 
-TEST(Marks, WhatLetGoGivesWayToNothingElse) {
+TEST(Marks, FailedMarksAreNeverDropped) {
     auto marks = marksAlong(MarkKind::Bonded, 0.0, 0.1, 10);
     marks.push_back({MarkKind::Gone, 0.31, {0.0, 0.0}, {1.0, 0.0}});
     marks.push_back({MarkKind::Yielded, 0.315, {0.0, 0.0}, {1.0, 0.0}});
@@ -83,7 +83,7 @@ TEST(Marks, WhatLetGoGivesWayToNothingElse) {
     EXPECT_EQ(countOf(kept, MarkKind::Bonded), 8u);  // those at 0.3 and 0.4 give way
 }
 
-TEST(Marks, AnArtificialPointIsNeverGone) {
+TEST(Marks, AnIntermediatePointIsNeverFailed) {
     Bolt bolt;
     bolt.head = {1.0, 0.0};
     BoltFrame frame;

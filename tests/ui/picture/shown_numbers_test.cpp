@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-TEST(ShownNumbers, NameTheUnitAndTheSign) {
+TEST(ShownNumbers, GiveTheUnitAndTheSign) {
     const ShownAs stress = shownAs("MPa", "major principal, compression +", {true, true});
     EXPECT_EQ(stress.unit, "Pa");
     EXPECT_EQ(stress.convention, "major principal, tension +");
@@ -42,7 +42,7 @@ TEST(ShownNumbers, NameTheUnitAndTheSign) {
     EXPECT_EQ(lengthText(0.031, {true, false}), "0.031 m");
 }
 
-TEST(ShownNumbers, TurnTheSignOfStressAndKeepColours) {
+TEST(ShownNumbers, ReverseTheSignOfStressAndKeepColours) {
     const SectionPicture before = BricksRun().picture(1);
     SectionPicture after = before;
     showAs(after, {false, true});
@@ -59,7 +59,7 @@ TEST(ShownNumbers, TurnTheSignOfStressAndKeepColours) {
     EXPECT_EQ(after.bolts[0].values, before.bolts[0].values);
 }
 
-TEST(ShownNumbers, TurnUnitsOfAllThatIsDrawn) {
+TEST(ShownNumbers, ConvertTheUnitsOfEverythingDrawn) {
     const SectionPicture before = BricksRun().picture(1);
     SectionPicture after = before;
     showAs(after, {true, false});
@@ -72,7 +72,7 @@ TEST(ShownNumbers, TurnUnitsOfAllThatIsDrawn) {
     EXPECT_EQ(after.boltLegend->limits.size(), before.boltLegend->limits.size());
 }
 
-TEST(ShownNumbers, TurnTheAxesOfCharts) {
+TEST(ShownNumbers, ConvertTheAxesOfCharts) {
     Chart chart;
     chart.xTitle = "opening (mm)";
     chart.x = {0.0, 20.0};

@@ -19,7 +19,7 @@ TEST(Ticks, RangesWidenToRoundNumbers) {
     EXPECT_EQ(roundedSymmetric({-3.0, 7.0}, 5), (ValueRange{-10.0, 10.0}));
 }
 
-TEST(Ticks, RangesWithoutWidthGetOne) {
+TEST(Ticks, RangesWithoutWidthAreWidened) {
     EXPECT_EQ(roundedRange({0.0, 0.0}, 5), (ValueRange{0.0, 1.0}));
     EXPECT_EQ(roundedRange({5.0, 5.0}, 5), (ValueRange{0.0, 6.0}));
     EXPECT_EQ(roundedRange({-5.0, -5.0}, 5), (ValueRange{-6.0, 0.0}));
@@ -27,7 +27,7 @@ TEST(Ticks, RangesWithoutWidthGetOne) {
     EXPECT_GT(tiny.high, 2.9e-14);
 }
 
-TEST(Ticks, StandAtEqualRoundSteps) {
+TEST(Ticks, AreAtEqualRoundSteps) {
     const Ticks ticks = roundTicks({0.0, 0.6}, 5);
     ASSERT_EQ(ticks.values.size(), 4u);
     EXPECT_DOUBLE_EQ(ticks.values[1], 0.2);
@@ -47,7 +47,7 @@ TEST(Ticks, ScaleBarsCanBeHalved) {
     EXPECT_DOUBLE_EQ(roundHalvable(60.0), 100.0);
 }
 
-TEST(Ticks, FewOutliersAreLeftOutByWeight) {
+TEST(Ticks, FewOutliersAreExcludedByWeight) {
     std::vector<Weighed> values;
     for (int i = 0; i < 99; ++i) values.push_back({static_cast<double>(i), 1.0});
     values.push_back({1e6, 0.5});
@@ -57,7 +57,7 @@ TEST(Ticks, FewOutliersAreLeftOutByWeight) {
     EXPECT_EQ(rangeWithout({{3.0, 1.0}}, 0.02), (ValueRange{3.0, 3.0}));
 }
 
-TEST(NumberText, HasTrueMinusAndThinSpaces) {
+TEST(NumberText, UsesATrueMinusAndThinSpaces) {
     EXPECT_EQ(numberText(-3.25, 2), "−3.25");
     EXPECT_EQ(numberText(-0.001, 1), "0.0");
     EXPECT_EQ(numberText(1234.0, 0), "1234");
@@ -65,7 +65,7 @@ TEST(NumberText, HasTrueMinusAndThinSpaces) {
     EXPECT_EQ(numberText(-1234567.0, 0), "−1\u2009234\u2009567");
 }
 
-TEST(NumberText, KeepsThreeDigitsThatCount) {
+TEST(NumberText, KeepsThreeSignificantDigits) {
     EXPECT_EQ(numberText(0.0), "0");
     EXPECT_EQ(numberText(0.2124), "0.212");
     EXPECT_EQ(numberText(20.94), "20.9");

@@ -39,7 +39,7 @@ Pin pinOf(const LiveRun& run, std::string_view quantity) {
     return pinAt(*picture, *pick, place, findQuantity(blockQuantities(), quantity), nullptr);
 }
 
-TEST_F(PinsTest, APinTellsWhatAMonitorAtItsPlaceDoes) {
+TEST_F(PinsTest, APinGivesTheValuesOfAMonitorAtTheSamePoint) {
     TimeCursor cursor;
     Pins pins(cursor);
     const auto run = test::slidingRun(path("a.kbrun"), 0.5);
@@ -63,7 +63,7 @@ TEST_F(PinsTest, APinTellsWhatAMonitorAtItsPlaceDoes) {
     EXPECT_EQ(pins.pins().front().number, 2);
 }
 
-TEST_F(PinsTest, PinsStayInAnotherRunOfTheSameBlocksAndGoWithTheRun) {
+TEST_F(PinsTest, PinsStayForARunOfTheSameBlocksAndAreRemovedWithTheRun) {
     TimeCursor cursor;
     Pins pins(cursor);
     const auto run = test::slidingRun(path("a.kbrun"), 0.2);
@@ -79,7 +79,7 @@ TEST_F(PinsTest, PinsStayInAnotherRunOfTheSameBlocksAndGoWithTheRun) {
     EXPECT_TRUE(pins.tracks().empty());
 }
 
-TEST_F(PinsTest, AStoreThatGoesAwayIsTold) {
+TEST_F(PinsTest, ADeletedStoreIsReported) {
     TimeCursor cursor;
     Pins pins(cursor);
     QString told;

@@ -33,7 +33,7 @@ struct Room {
     bool isOn(const char* id) const { return commands.action(id)->isEnabled(); }
 };
 
-TEST(RunCommands, RunIsOffWhereThereIsNothingToRunAndSaysWhy) {
+TEST(RunCommands, RunIsDisabledWithAReasonWhenThereIsNothingToRun) {
     NEED_SCREEN();
     Room room;
     room.document.startNew(newScene());
@@ -53,7 +53,7 @@ TEST(RunCommands, RunIsOffWhereThereIsNothingToRunAndSaysWhy) {
     EXPECT_FALSE(room.isOn("run.start"));
 }
 
-TEST(RunCommands, CommandsOfTimeAreOffAtTheEnds) {
+TEST(RunCommands, TimeCommandsAreDisabledAtTheEnds) {
     NEED_SCREEN();
     Room room;
     const auto run = std::make_shared<LiveRun>(

@@ -72,7 +72,7 @@ TEST_F(RunSessionTest, GivesTheSameResultsAsARunWithoutAWindow) {
     }
 }
 
-TEST_F(RunSessionTest, KnowsWhetherTheRockStands) {
+TEST_F(RunSessionTest, KnowsWhetherTheRockIsStable) {
     for (const auto& [name, unstable] : {std::pair{"burst-rebar", true}, std::pair{"rebar-20", false}}) {
         RunSession session(orderOf(sample(name), path(std::string(name) + ".kbrun")));
         EXPECT_FALSE(session.isUnstable()) << name;
@@ -83,7 +83,7 @@ TEST_F(RunSessionTest, KnowsWhetherTheRockStands) {
     }
 }
 
-TEST_F(RunSessionTest, WhatTheWindowSawIsWhatTheStoreHolds) {
+TEST_F(RunSessionTest, TheWindowGetsTheSameDataAsTheStore) {
     RunSession session(orderOf(sample("rebar-20"), path("a.kbrun")));
     session.start();
     ASSERT_TRUE(finishes(session));
@@ -103,7 +103,7 @@ TEST_F(RunSessionTest, WhatTheWindowSawIsWhatTheStoreHolds) {
     EXPECT_TRUE(opened->frame(3) == store.frame(3));
 }
 
-TEST_F(RunSessionTest, StoppedAndGoneOnWithItEndsTheSame) {
+TEST_F(RunSessionTest, StoppedAndResumedEndsWithTheSameResults) {
     const SceneReading reading = sample("rebar-20");
     const Results plain = plainRun(*reading.scene, path("plain.kbrun"));
     bool stopped = false;
@@ -130,7 +130,7 @@ TEST_F(RunSessionTest, StoppedAndGoneOnWithItEndsTheSame) {
     EXPECT_EQ(session.run()->frames().size(), plain.frames.size());
 }
 
-TEST_F(RunSessionTest, PausedItTakesOneStepForEachThatIsAsked) {
+TEST_F(RunSessionTest, SingleStepWhilePausedRunsOneStep) {
     RunSession session(orderOf(sample("drift-bolted"), path("c.kbrun")));
     session.start();
     ASSERT_TRUE(waitFor([&] { return session.steps() > 3; }, 60000));
@@ -154,7 +154,7 @@ TEST_F(RunSessionTest, PausedItTakesOneStepForEachThatIsAsked) {
     ASSERT_TRUE(finishes(session));
 }
 
-TEST_F(RunSessionTest, ASceneThatCannotRunEndsInWords) {
+TEST_F(RunSessionTest, ASceneThatCannotRunEndsWithAMessage) {
     SceneReading reading = sample("incline");
     reading.scene->stages.clear();
     RunSession session(orderOf(reading, path("d.kbrun")));
@@ -172,7 +172,7 @@ TEST_F(RunSessionTest, ASceneThatCannotRunEndsInWords) {
     EXPECT_FALSE(fs::exists(path("e.kbrun")));
 }
 
-TEST_F(RunSessionTest, AStoreThatCannotBeWrittenEndsInWords) {
+TEST_F(RunSessionTest, AStoreThatCannotBeWrittenEndsWithAMessage) {
     for (const char* store : {"/dev/full", "/proc/no-such-place/a.kbrun"}) {
         RunSession session(orderOf(sample("incline"), store));
         session.start();
@@ -182,7 +182,7 @@ TEST_F(RunSessionTest, AStoreThatCannotBeWrittenEndsInWords) {
     }
 }
 
-TEST_F(RunSessionTest, GoingAwayStopsTheRunAndKeepsIt) {
+TEST_F(RunSessionTest, DestroyingTheSessionStopsTheRunAndKeepsItsStore) {
     {
         RunSession session(orderOf(sample("drift-bolted"), path("f.kbrun")));
         session.start();
@@ -191,7 +191,7 @@ TEST_F(RunSessionTest, GoingAwayStopsTheRunAndKeepsIt) {
     EXPECT_FALSE(RunStore(path("f.kbrun")).frames().empty());
 }
 
-TEST_F(RunSessionTest, AWindowThatHangsMissesNothing) {
+TEST_F(RunSessionTest, AWindowThatHangsMissesNoData) {
     RunSession session(orderOf(sample("rebar-20"), path("g.kbrun")));
     session.start();
     QThread::msleep(1500);

@@ -94,7 +94,7 @@ TEST_F(TimeCursorTest, StopsJustBeforeAndJustAfterAnEvent) {
     EXPECT_EQ(cursor.frame(), 2u);
 }
 
-TEST_F(TimeCursorTest, TellsWhetherThereIsMoreOnEitherSide) {
+TEST_F(TimeCursorTest, KnowsWhetherItCanStepForwardsAndBackwards) {
     TimeCursor cursor;
     EXPECT_FALSE(cursor.canStep(1) || cursor.canStep(-1) || cursor.canGoHome() || cursor.canGoToEnd());
     EXPECT_FALSE(cursor.hasNextEvent() || cursor.hasPreviousEvent());
@@ -154,7 +154,7 @@ TEST_F(TimeCursorTest, PlaysToTheEndAndLoops) {
     cursor.pause();
 }
 
-TEST_F(TimeCursorTest, FollowsARunThatGoesOnUntilAPersonLooksBack) {
+TEST_F(TimeCursorTest, FollowsARunInProgressUntilTheUserStepsBack) {
     TimeCursor cursor;
     const auto run = tenFrames();
     cursor.setRun(run, true);

@@ -34,7 +34,7 @@ std::string drawing() {
            "0\nTEXT\n8\nnotes\n10\n1\n20\n1\n1\nhello\n0\nENDSEC\n0\nEOF\n";
 }
 
-TEST(ImportWindows, RolesMakeAScene) {
+TEST(ImportWindows, ChosenRolesGiveAScene) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const std::filesystem::path file = scratch.path() / "section.dxf";
@@ -69,7 +69,7 @@ TEST(ImportWindows, RolesMakeAScene) {
     window->close();
 }
 
-TEST(ImportWindows, AFileThatIsNoneIsToldAndMakesNothing) {
+TEST(ImportWindows, AFileThatIsNotADrawingIsReportedAndGivesNoScene) {
     NEED_SCREEN();
     Themes themes;
     auto* window = new ImportWindow("/nowhere/at-all.dxf", themes, nullptr);

@@ -41,7 +41,7 @@ struct Page {
     int begun = 0;
 };
 
-TEST(StartPages, EverySampleOpensFromWithinTheProgramAsItsFileDoes) {
+TEST(StartPages, EveryBuiltInSampleEqualsItsFile) {
     NEED_SCREEN();
     const std::vector<Sample> samples = gallerySamples();
     EXPECT_EQ(samples.size(), size_t(QDir(KEYBLOCK_SAMPLES_DIR).entryList({"*.json"}).size()));
@@ -59,7 +59,7 @@ TEST(StartPages, EverySampleOpensFromWithinTheProgramAsItsFileDoes) {
     }
 }
 
-TEST(StartPages, CardsGetPicturesAndOpenCopies) {
+TEST(StartPages, SampleCardsGetPicturesAndOpenCopies) {
     NEED_SCREEN();
     Page page;
     QString opened;
@@ -76,7 +76,7 @@ TEST(StartPages, CardsGetPicturesAndOpenCopies) {
     EXPECT_EQ(page.begun, 1);
 }
 
-TEST(StartPages, AKindOfSamplesCanBeChosen) {
+TEST(StartPages, SamplesAreFilteredByKind) {
     NEED_SCREEN();
     Page page;
     page.covered.show();
@@ -102,7 +102,7 @@ TEST(StartPages, IconsFollowTheTheme) {
     page.themes.choose(wasDark);
 }
 
-TEST(StartPages, EnterPressesWhatHasTheFocus) {
+TEST(StartPages, EnterPressesTheFocusedWidget) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const QString file = QString::fromStdString((scratch.path() / "heading.json").string());
@@ -121,7 +121,7 @@ TEST(StartPages, EnterPressesWhatHasTheFocus) {
     EXPECT_EQ(page.begun, 1);
 }
 
-TEST(StartPages, RecentFilesAndWhatWasNotClosedStandThere) {
+TEST(StartPages, RecentFilesAndRecoverableScenesAreListed) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const QString file = QString::fromStdString((scratch.path() / "crosscut-east.json").string());
@@ -149,7 +149,7 @@ TEST(StartPages, RecentFilesAndWhatWasNotClosedStandThere) {
     EXPECT_TRUE(waitFor([] { return abandonedJournals().empty(); }));
 }
 
-TEST(StartPages, AnErrorOfReadingAndCheckingIsCountedOnce) {
+TEST(StartPages, AnErrorFoundByReadingAndCheckingIsCountedOnce) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const QString file = QString::fromStdString((scratch.path() / "faulty.json").string());
@@ -169,7 +169,7 @@ TEST(StartPages, AnErrorOfReadingAndCheckingIsCountedOnce) {
     EXPECT_TRUE(row->accessibleDescription().contains("3 errors")) << row->accessibleDescription().toStdString();
 }
 
-TEST(StartPages, TimesAreToldShortly) {
+TEST(StartPages, TimesAreShownInShortForm) {
     const QDateTime now(QDate(2026, 11, 22), QTime(15, 0));
     EXPECT_EQ(whenText(now.addSecs(-2400), now), "today 14:20");
     EXPECT_EQ(whenText(now.addDays(-1), now), "yesterday");

@@ -72,7 +72,7 @@ protected:
     Canvas* canvas_ = nullptr;
 };
 
-TEST_F(Documents, AnotherSceneIsFittedAndHasNoRunWhereResultsWereShown) {
+TEST_F(Documents, OpeningAnotherSceneWhileResultsAreShownFitsItWithoutARun) {
     open("incline");
     EXPECT_EQ(stateOf("workflow.4"), "not yet");
     run();
@@ -87,7 +87,7 @@ TEST_F(Documents, AnotherSceneIsFittedAndHasNoRunWhereResultsWereShown) {
     EXPECT_FALSE(window_->findChild<Runs*>()->session());
 }
 
-TEST_F(Documents, AFaultySceneIsFittedByWhatIsDrawnOfIt) {
+TEST_F(Documents, ASceneWithErrorsIsFittedToWhatIsDrawn) {
     std::ifstream in(fs::path(KEYBLOCK_SAMPLES_DIR) / "incline.json");
     nlohmann::json scene = nlohmann::json::parse(in);
     for (auto& material : scene["materials"]) material["density"] = -1.0;
@@ -104,7 +104,7 @@ TEST_F(Documents, AFaultySceneIsFittedByWhatIsDrawnOfIt) {
         }
 }
 
-TEST_F(Documents, ResultsShowTheNewestRunWhereNoneWasChosen) {
+TEST_F(Documents, ResultsShowTheNewestRunWhenNoneWasChosen) {
     open("incline");
     run();
     open("drift-bolted");
@@ -118,7 +118,7 @@ TEST_F(Documents, ResultsShowTheNewestRunWhereNoneWasChosen) {
     EXPECT_EQ(runs.shown(), runs.entries().front().path);
 }
 
-TEST_F(Documents, WhatIsUnderTheMouseIsToldOnTheSectionAlone) {
+TEST_F(Documents, ValuesAtTheCursorAreShownOverTheSectionOnly) {
     open("drift-bolted");
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
     auto* under = window_->findChild<QLabel*>("status.under");
@@ -148,7 +148,7 @@ void answerWith(const QString& name, int& asked) {
     });
 }
 
-TEST_F(Documents, ABoltLeadsToItsTypeInTheSceneOrInTheLibrary) {
+TEST_F(Documents, ABoltLinksToItsTypeInTheSceneOrInTheLibrary) {
     auto* selection = window_->findChild<Selection*>();
     const auto follow = [&] {
         selection->set({"/bolts/0"});
@@ -198,7 +198,7 @@ TEST_F(Documents, RevertReadsTheSavedFileAgain) {
     EXPECT_FALSE(document_->isModified() || revert->isEnabled());
 }
 
-TEST_F(Documents, UnsavedEditsAreAskedAboutBeforeAFileIsChosen) {
+TEST_F(Documents, OpenAsksAboutUnsavedEditsBeforeAFileIsChosen) {
     open("incline");
     Scene edited = *document_->scene();
     edited.title = "Edited";
@@ -210,7 +210,7 @@ TEST_F(Documents, UnsavedEditsAreAskedAboutBeforeAFileIsChosen) {
     EXPECT_EQ(document_->scene()->title, "Edited");
 }
 
-TEST_F(Documents, AFileIsNotWrittenOverUnaskedWhereItsEndingIsNotTyped) {
+TEST_F(Documents, SavingANameWithoutExtensionAsksBeforeItOverwrites) {
     open("incline");
     const fs::path other = folder_.path() / "other.json";
     test::putContent(other, "mine");

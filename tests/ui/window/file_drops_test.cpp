@@ -52,7 +52,7 @@ bool shows(const char* kind) {
     return false;
 }
 
-TEST(FileDrops, AreOpenedAsWhatTheyAre) {
+TEST(FileDrops, AreOpenedByFileType) {
     NEED_SCREEN();
     Window screen;
     EXPECT_TRUE(screen.drop({KEYBLOCK_SAMPLES_DIR "/incline.json"}));
@@ -68,7 +68,7 @@ TEST(FileDrops, AreOpenedAsWhatTheyAre) {
     EXPECT_FALSE(screen.drop({}));
 }
 
-TEST(FileDrops, ARunThatIsNoneIsTold) {
+TEST(FileDrops, AFileThatIsNotARunIsReported) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     test::putContent(scratch.path() / "no.kbrun", "this is no run");
@@ -79,7 +79,7 @@ TEST(FileDrops, ARunThatIsNoneIsTold) {
     EXPECT_TRUE(waitFor([&] { return told.contains("no.kbrun"); })) << told.toStdString();
 }
 
-TEST(FilesGone, AreToldAndCountAsUnsaved) {
+TEST(FilesGone, AreReportedAndCountAsUnsaved) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const QString path = QString::fromStdString((scratch.path() / "scene.json").string());

@@ -70,7 +70,7 @@ void expectNames(QWidget& window) {
     }
 }
 
-TEST(Names, EverythingThatTakesInputHasOne) {
+TEST(Names, EveryWidgetThatTakesInputHasAnAccessibleName) {
     NEED_SCREEN();
     Themes themes;
     MainWindow window(themes);

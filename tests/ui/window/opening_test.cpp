@@ -50,7 +50,7 @@ protected:
     std::unique_ptr<MainWindow> window_;
 };
 
-TEST_F(Opening, ARunComesWithTheSceneThatItsStoreHolds) {
+TEST_F(Opening, ARunOpensWithTheSceneFromItsStore) {
     const Scene scene = test::sample("incline.json");
     test::slidingRun(folder_.path() / "elsewhere-1.kbrun", 0.05);
     open(folder_.path() / "elsewhere-1.kbrun");
@@ -65,7 +65,7 @@ TEST_F(Opening, ARunComesWithTheSceneThatItsStoreHolds) {
     EXPECT_FALSE(runs.entries().front().ofEarlierScene);
 }
 
-TEST_F(Opening, ARunComesWithItsFileWhileThatIsTheSame) {
+TEST_F(Opening, ARunOpensWithItsSceneFileWhileThatIsUnchanged) {
     Scene scene = test::sample("incline.json");
     scene.stages.front().duration = 0.05;
     scene.output.every = 0.01;
@@ -118,7 +118,7 @@ TEST_F(Opening, AnImportedDrawingCanBeRunUndoneAndRecovered) {
     EXPECT_FALSE(document().isModified());
 }
 
-TEST_F(Opening, AnotherSceneBeginsAtItsGeometry) {
+TEST_F(Opening, AnotherSceneOpensAtTheGeometryStep) {
     test::slidingRun(folder_.path() / "a-1.kbrun", 0.05);
     open(folder_.path() / "a-1.kbrun");
     ASSERT_TRUE(showsRun());

@@ -52,7 +52,7 @@ void tellCounts(const Somebody& somebody) {
     for (const auto& [what, times] : somebody.counts()) std::cerr << times << "  " << what << "\n";
 }
 
-TEST(RandomActions, NeitherCrashNorHangAndUndoLeadsBack) {
+TEST(RandomActions, DoNotCrashOrHangAndUndoRestoresTheScene) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const QStringList files = filesIn(scratch.path());

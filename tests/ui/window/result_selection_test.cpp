@@ -102,7 +102,7 @@ TEST_F(ResultSelections, ABlockAndABoltShowTheirResults) {
     EXPECT_FALSE(card.isVisible());
 }
 
-TEST_F(ResultSelections, TheRightButtonOffersWhatCanBeDone) {
+TEST_F(ResultSelections, TheRightButtonOpensAMenuOfActions) {
     QMenu menu;
     window_->findChild<ResultSelection*>()->fillMenu(menu, boltPixel());
     QStringList entries;

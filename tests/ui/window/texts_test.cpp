@@ -92,7 +92,7 @@ Texts foundTexts(const fs::path& list) {
 }
 
 /// A text that is not written where it is translated is hidden from lupdate, unless a mark shows it.
-TEST(Texts, NoneIsTranslatedUnseen) {
+TEST(Texts, NoTranslatedTextIsHiddenFromLupdate) {
     const QRegularExpression hidden(R"((translate\(\s*"[^"]*"\s*,|\btr\()\s*[^"\s\)])");
     for (const fs::path& path : sources()) {
         const QString text = QString::fromStdString(test::contentOf(path));
@@ -116,7 +116,7 @@ TEST(Texts, EveryCommandIsTranslated) {
 }
 
 #ifdef KEYBLOCK_LUPDATE
-TEST(Texts, EveryTextThatIsShownIsOnTheTranslatorsList) {
+TEST(Texts, EveryShownTextIsFoundByLupdate) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const fs::path scene = scratch.path() / "pull.json";
