@@ -177,7 +177,7 @@ void Curves::take(std::shared_ptr<const CurveReading> reading, int took) {
 void Curves::fillChoice() {
     QStringList names;
     for (const CurveEntry& entry : read_->own.entries) names += entry.name;
-    if (axes_) names += tr("Any quantity against another");
+    if (axes_) names += tr("Any quantity over any other");
     QStringList offered;
     for (int i = 0; i < choice_->count(); ++i) offered += choice_->itemData(i).toString();
     if (names == offered) return;

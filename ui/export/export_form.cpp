@@ -63,7 +63,7 @@ QString folderFor(const std::filesystem::path& store) {
 
 ExportForm::ExportForm(QWidget* parent)
     : QWidget(parent), form_(new QFormLayout(this)), title_(new QLineEdit(this)), perSecond_(new QSpinBox(this)),
-      data_(new QCheckBox(tr("Also save the data as CSV"), this)), note_(new QLabel(this)) {
+      data_(new QCheckBox(tr("Save the numbers as CSV too"), this)), note_(new QLabel(this)) {
     setFixedWidth(formWidth);
     form_->setContentsMargins(0, 0, 0, 0);
     form_->setVerticalSpacing(8);

@@ -29,7 +29,7 @@ constexpr double markDistance = 1.45;  // [mm]
 /// The frame and the bolt to show.
 std::pair<std::size_t, int> chosen(const RunSource& run, const FigureRequest& request) {
     if (request.quantity)
-        throw CannotDraw("a bolt figure shows all quantities; leave --quantity out");
+        throw CannotDraw("a bolt figure shows all quantities; omit --quantity");
     const auto frame = frameAt(run, request.filter);
     if (!frame) throw CannotDraw("the run has no frames yet, so there is no bolt to show");
     const Frame values = run.frame(*frame);

@@ -64,7 +64,7 @@ std::vector<FigureData> dataOf(const RunSource& run, const FigureRequest& reques
 
 Figure paintCurves(const RunSource& run, const FigureRequest& request) {
     if (request.filter.bolt || request.filter.when || request.filter.stage)
-        throw CannotDraw("curves show the whole run and its monitors; leave --bolt, --stage and --at out");
+        throw CannotDraw("curves show the whole run and its monitors; omit --bolt, --stage and --at");
     const HistoryCharts charts = historyCharts(run, request.quantity, request.references);
     if (charts.charts.empty()) throw CannotDraw(charts.problem);
     for (const Problem& problem : charts.references)

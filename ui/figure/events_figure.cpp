@@ -222,7 +222,7 @@ std::string subtitleFor(const FigureRequest& request, const RunSource& run, cons
 }  // namespace
 
 Figure paintEvents(const RunSource& run, const FigureRequest& request) {
-    if (request.quantity) throw CannotDraw("an events figure shows no quantity; leave --quantity out");
+    if (request.quantity) throw CannotDraw("an events figure shows no quantity; omit --quantity");
     const RunTime time(run);
     if (!(time.end() > 0.0)) throw CannotDraw("the run has not begun, so it has no events");
     const std::vector<Event> events = shownEvents(run, request);
