@@ -28,7 +28,7 @@ QComboBox* addBox(QWidget& row, const char* name, const QString& title) {
     box->completer()->setFilterMode(Qt::MatchContains);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(15);
-    // What was typed and is no name goes back to what is chosen.
+    // Typed text that is not a name is reset to the current choice.
     QObject::connect(box->lineEdit(), &QLineEdit::editingFinished, box,
                      [box] { box->setEditText(box->itemText(box->currentIndex())); });
     row.layout()->addWidget(box);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which number of a run stands over which: two boxes that find a name by a few of
-// its letters, for runs with hundreds of bolts too.
+// Chooses which quantity of a run is plotted against which: two boxes that find a name
+// by a few of its letters, even in runs with hundreds of bolts.
 #pragma once
 
 #include <QWidget>
@@ -21,9 +21,9 @@ class AxisChoice : public QWidget {
 public:
     explicit AxisChoice(QWidget* parent = nullptr);
 
-    /// Offers the numbers of a run; what was chosen stays where the run has it too.
+    /// Offers the quantities of a run; the current choice stays if the new run has it too.
     void offer(const RunSource& run);
-    /// As `allSeries` calls them; `x` is empty for time, `y` where there is nothing to choose.
+    /// Names as in `allSeries`; `x` is empty for time, `y` if there is nothing to choose.
     std::string y() const;
     std::string x() const;
 

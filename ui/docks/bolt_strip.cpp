@@ -27,15 +27,15 @@ namespace keyblock {
 namespace {
 
 constexpr int bandRoom = 46;  // [px] above the curves
-constexpr double bandTop = 16.0, bandHeight = 26.0;  // in it
-constexpr int leastBetween = 150;  // [ms] between two pictures of a run that goes on
+constexpr double bandTop = 16.0, bandHeight = 26.0;  // within it
+constexpr int leastBetween = 150;  // [ms] between two redraws during a run
 constexpr std::size_t manyMarks = 24;
-constexpr std::size_t mostRead = 240;  // frames of a stored run, evenly over all
+constexpr std::size_t mostRead = 240;  // frames of a stored run, evenly spread
 constexpr ChartLayout strip{15.0, 15.0, 1.2, true};
 
 struct PanelChoice {
     const char* text;
-    std::vector<const char*> columns;  // beginnings of the panels' titles
+    std::vector<const char*> columns;  // how the panels' titles begin
 };
 
 const std::vector<PanelChoice>& panelChoices() {
@@ -46,7 +46,7 @@ const std::vector<PanelChoice>& panelChoices() {
     return all;
 }
 
-/// Short names fit beside the panels.
+/// Short names fit next to the panels.
 void shorten(ChartPanel& panel) {
     static const std::pair<const char*, const char*> names[]{{"Axial force", "N"}, {"Shear force", "Q"},
                                                              {"Moment", "M"},      {"Bond force", "Bond"},
@@ -66,7 +66,7 @@ struct BoltStrip::Past {
     int held = -1;  // the most loaded bolt, unless another is selected
     bool ofAll = false;  // of the whole run
 
-    /// Frames of the store, once.
+    /// Reads frames of the store, once.
     void readStored(std::size_t count) {
         if (std::exchange(read, true)) return;
         const std::size_t some = std::min(count, mostRead);
@@ -160,7 +160,7 @@ void BoltStrip::fillMenu(QMenu& menu) {
     }
 }
 
-/// Of a run that is followed, a few times a second: axes and curves are drawn anew each time.
+/// During a run this is called a few times a second: axes and curves are recreated each time.
 void BoltStrip::make() {
     if (cursor_.isLive() && made_.isValid() && made_.elapsed() < leastBetween) {
         if (!later_.isActive()) later_.start(leastBetween - static_cast<int>(made_.elapsed()));
@@ -238,7 +238,7 @@ void BoltStrip::paintEvent(QPaintEvent*) {
     paintFronts(painter);
 }
 
-/// The blocks that the bolt goes through, named, and tints of what slips.
+/// Names the blocks that the bolt crosses and tints the slipping intervals.
 void BoltStrip::paintBlocks(QPainter& painter) const {
     const Theme& theme = themes_.current();
     const double left = view_->xOf(0.0), right = view_->xOf(shown_->chart.length);
@@ -273,7 +273,7 @@ void BoltStrip::paintBlocks(QPainter& painter) const {
                      tr("head"));
 }
 
-/// The marks of the bolt, thinned where they would touch; what let go stays.
+/// The marks of the bolt, thinned where they would overlap; marks of failures stay.
 void BoltStrip::paintBand(QPainter& painter) const {
     const double y = bandTop + 0.5 * bandHeight, left = view_->xOf(0.0), right = view_->xOf(shown_->chart.length);
     painter.setPen(QPen(themes_.current().text3, 2.0));
@@ -285,7 +285,7 @@ void BoltStrip::paintBand(QPainter& painter) const {
         paintMark(painter, mark.kind, {view_->xOf(mark.s), y}, {1.0, 0.0}, small, theme);
 }
 
-/// How far slipping has gone: lines down through all curves; joints dotted.
+/// Lines through all curves at the slip fronts; dotted lines at joints.
 void BoltStrip::paintFronts(QPainter& painter) const {
     const Theme& theme = themes_.current();
     painter.setPen(QPen(theme.text, 1.2));

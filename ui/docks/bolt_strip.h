@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One bolt straightened, at the moment that is shown: the state of its bond as a band
-// with the moving front, and below it forces, bond and slip on one axis.
+// One bolt straightened, at the time shown: the state of its bond as a band with the
+// moving front, and below it forces, bond and slip on one axis.
 #pragma once
 
 #include "ui/document/background.h"
@@ -36,7 +36,7 @@ public:
     ~BoltStrip() override;
 
     QSize sizeHint() const override { return {740, 214}; }
-    /// "B6 · rebar 20 · 2.40 m"; empty where none is shown.
+    /// "B6 · rebar 20 · 2.40 m"; empty if none is shown.
     QString title() const;
 
 Q_SIGNALS:
@@ -48,12 +48,12 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// What the bolt has been through, grown by one thread.
+    /// History of the bolt so far, extended by one thread.
     struct Past;
     struct Shown {
         BoltChart chart;
         std::vector<std::pair<double, std::string>> blocks;  // along the bolt [m]: names
-        QString name, type, use;  // use: of the strength that governs, in the run so far
+        QString name, type, use;  // use: utilisation of the governing strength in the run so far
     };
 
     void runChanged();
@@ -71,7 +71,7 @@ private:
     BoltChoice& choice_;
     ChartView* view_;
     QToolButton* more_;
-    std::size_t panels_ = 0;  // which of the choices
+    std::size_t panels_ = 0;  // index of the choice
     std::shared_ptr<Past> past_;
     std::shared_ptr<const Shown> shown_;
     QElapsedTimer made_;

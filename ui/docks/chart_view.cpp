@@ -24,7 +24,7 @@ namespace keyblock {
 namespace {
 
 constexpr int leastWidth = 140, leastHeight = 62;  // [px] of a readable chart
-constexpr double leastPanel = 38.0;  // [px] of height; panels that would get less are left out, the last first
+constexpr double leastPanel = 38.0;  // [px] of height; panels that would get less are omitted, the last first
 constexpr double pixelsPerTick = 17.0;
 constexpr double axisRoom = 24.0;  // [px] of height, for the labels of the axis of abscissas
 
@@ -33,7 +33,7 @@ Colour mixed(const QColor& a, const QColor& b, double share) {
     return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
 }
 
-/// The chart with as many of its first panels as the height has room for.
+/// The chart with as many of its first panels as fit into the height.
 Chart fittingChart(const Chart& chart, int height) {
     Chart fitting = chart;
     const auto most = static_cast<std::size_t>(std::max(1.0, (height - axisRoom) / leastPanel));
@@ -126,7 +126,7 @@ void ChartView::redraw() {
     Chart chart = fittingChart(*chart_, height());
     const double perPanel = (height() - axisRoom) / static_cast<double>(chart.panels.size());
     layout.mostTicks = std::clamp(static_cast<int>(perPanel / pixelsPerTick), 2, mostPanelTicks);
-    for (ChartPanel& panel : chart.panels)  // as many points as can be seen
+    for (ChartPanel& panel : chart.panels)  // no more points than pixels show
         for (ChartCurve& curve : panel.curves)
             curve = thinned(curve, static_cast<std::size_t>(std::max(400, 3 * width())));
     const Box box{{0.6, 0.8}, {width() / pixelsPerMm - 0.6, height() / pixelsPerMm - 0.6}};
@@ -143,7 +143,7 @@ void ChartView::paintEvent(QPaintEvent*) {
     if (now_) paintNow(painter);
 }
 
-/// Why there is no chart, or that there is no room for it.
+/// Text that says why there is no chart, or that there is no room for it.
 void ChartView::paintMessage(QPainter& painter) const {
     const bool isShort = chart_ && !chart_->panels.empty();
     painter.fillRect(rect(), themes_.current().panel);
@@ -178,7 +178,7 @@ void ChartView::paintNow(QPainter& painter) const {
         painter.drawEllipse(QPointF(x, y), 4.0, 4.0);
         const QString value = Display::number(*now_->y[p], 4);
         const double wide = metrics.horizontalAdvance(value);
-        const bool left = x + 8.0 + wide > pixelsPerMm * place_.right;  // beyond stand the names of curves
+        const bool left = x + 8.0 + wide > pixelsPerMm * place_.right;  // names of curves are further to the right
         const QRectF box(left ? x - 8.0 - wide : x + 8.0, std::max(y - 16.0, pixelsPerMm * place_.panels[p].top - 8.0),
                          wide, 14.0);
         QColor ground = theme.panel;
@@ -207,7 +207,7 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
                        this);
 }
 
-/// What each curve has at the abscissa, by its point nearest to it.
+/// The value of each curve at the abscissa, from its nearest point.
 QString ChartView::valuesAt(double x) const {
     QString text;
     if (!chart_->isStaged()) {
@@ -236,7 +236,7 @@ void ChartView::contextMenuEvent(QContextMenuEvent* event) {
     menu.exec(event->globalPos());
 }
 
-/// A block of columns for each curve, one below the other, as spreadsheets take it.
+/// One block of columns per curve, one below the other, for spreadsheets.
 QString ChartView::table() const {
     QString text;
     for (const ChartPanel& panel : chart_->panels)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A chart in a dock: drawn as on paper, in the colours of the window, with the
-// moment that is shown marked on it.
+// A chart in a dock: drawn as on paper, in the colours of the window, with the current
+// time marked on it.
 #pragma once
 
 #include "ui/figure/chart_ink.h"
@@ -20,10 +20,10 @@ struct Theme;
 
 ChartTheme chartThemeOf(const Theme& theme);
 
-/// Where the moment lies on a chart: on the first curve of the panels that have a value.
+/// The current time on a chart: a point on the first curve of each panel that has a value.
 struct ChartNow {
     double x = 0.0;
-    std::vector<std::optional<double>> y;  // a panel each
+    std::vector<std::optional<double>> y;  // one per panel
 };
 
 class ChartView : public QWidget {
@@ -34,7 +34,7 @@ public:
 
     void show(Chart chart);
     using QWidget::show;
-    /// No chart, and why.
+    /// Shows no chart, and the reason.
     void clear(const QString& message);
     void setNow(std::optional<ChartNow> now);
     void setRoom(const ChartLayout& layout);
@@ -51,8 +51,8 @@ public:
     static constexpr double pixelsPerMm = 5.25;  // makes 10.5 px of the figures' 2 mm letters
 
 Q_SIGNALS:
-    void picked(double x);  // a place on the axis of abscissas was clicked
-    void redrawn();  // places of pixels are new
+    void picked(double x);  // an abscissa was clicked
+    void redrawn();  // pixel positions have changed
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -22,7 +22,7 @@ struct Texts {
 
 constexpr double roundOff = 1e-9;
 
-/// The first curve whole: where there was no number it lies in pieces.
+/// The first curve in one piece: it is split where values are missing.
 void addPieces(CurveEntry& entry, const ChartPanel& panel) {
     for (const ChartCurve& piece : panel.curves) {
         if (piece.style != panel.curves.front().style) break;
@@ -115,7 +115,7 @@ std::vector<CurveEntry> pinEntries(const RunSource& run, const std::vector<std::
 
 namespace {
 
-/// The axis of one run, longer where another went on.
+/// The longer axis of the two runs.
 std::vector<StageSpan> lengthened(std::vector<StageSpan> axis, const std::vector<StageSpan>& other) {
     for (const StageSpan& span : other) {
         StageSpan& last = axis.back();
@@ -130,7 +130,7 @@ std::vector<StageSpan> lengthened(std::vector<StageSpan> axis, const std::vector
     return axis;
 }
 
-/// A curve on the axis of another run: each moment where the same time of the same stage stands there.
+/// A curve on the axis of another run: each point is moved to the same time of the same stage.
 ChartCurve onAxis(ChartCurve curve, const std::vector<StageSpan>& own, const std::vector<StageSpan>& axis) {
     ChartCurve placed = curve;
     placed.x.clear();

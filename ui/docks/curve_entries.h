@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The charts that the dock of curves offers: those that a run has of itself, any
-// number over any other, what a person pinned, and beside them those of another run.
+// The charts offered in the dock of curves: those of the run, any quantity against any
+// other, pinned points, and the curves of a second run for comparison.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -23,7 +23,7 @@ enum class CurveKind { All, Energies };
 struct CurveEntry {
     QString name;
     Chart chart;
-    std::vector<double> x, y;  // over another number: a value for each row of the history, or each frame
+    std::vector<double> x, y;  // against another quantity: one value per row of the history, or per frame
     bool ofFrames = false;
 };
 
@@ -32,38 +32,38 @@ struct CurveEntries {
     QString problem;  // why there are none
 };
 
-/// What is to be read of a run, and of another that stands beside it.
+/// What to read from a run, and from a second run that is compared with it.
 struct CurveOrder {
-    std::shared_ptr<const RunSource> run, other;  // other: null where there is none
+    std::shared_ptr<const RunSource> run, other;  // other: null if none
     CurveKind kind = CurveKind::All;
     std::vector<std::shared_ptr<const PinTrack>> tracks;
-    std::string y, x;  // axes by the names of `allSeries`; without y no such curve is wanted
+    std::string y, x;  // axes, named as in `allSeries`; without y no such curve is read
 };
 
-/// What was read.
+/// The result of reading.
 struct CurveReading {
-    CurveEntries own, other;  // pins among the own
-    CurveEntries free, otherFree;  // over the axes that were asked for
-    std::string y, x;  // those
+    CurveEntries own, other;  // own includes the pins
+    CurveEntries free, otherFree;  // against the chosen axes
+    std::string y, x;  // the chosen axes
     RunTime time;
 };
 
-/// Takes longer with every row of the history. Throws nothing: what is wrong is told by the entries.
+/// Takes longer with every row of the history. Does not throw: the entries hold the error message.
 CurveReading readCurves(const CurveOrder& order);
 
-/// What a run shows of itself.
+/// The charts of the run itself.
 CurveEntries curveEntries(const RunSource& run, CurveKind kind);
 
-/// A number of the run over another, by the names of `allSeries`; over time where `x` is empty.
+/// A quantity of the run against another, named as in `allSeries`; against time if `x` is empty.
 CurveEntries curveOver(const RunSource& run, const std::string& y, const std::string& x);
 
-/// What the chart is called that a pin's curve stands in, where it is among the first four.
+/// Name of the chart that holds a pin's curve, if it is among the first four.
 QString pinEntryName(const Pin& pin);
 
-/// Of pins, those of one quantity together.
+/// Charts of pins, one per quantity.
 std::vector<CurveEntry> pinEntries(const RunSource& run, const std::vector<std::shared_ptr<const PinTrack>>& tracks);
 
-/// Puts the curves of the same chart of another run beside those that are there, drawn broken, called `name`.
+/// Adds the curves of the same chart of another run, dashed and named `name`, to those that exist.
 void addOther(CurveEntry& shown, const CurveEntry& other, const QString& name);
 
 }  // namespace keyblock

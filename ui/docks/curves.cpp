@@ -25,8 +25,8 @@ namespace keyblock {
 namespace {
 
 constexpr int mostOfChoice = 320;  // [px]
-constexpr int shortestWait = 300, longestWait = 5000;  // [ms] between two readings of a run that grows
-constexpr int share = 12;  // of the time, one in so many, is spent on reading
+constexpr int shortestWait = 300, longestWait = 5000;  // [ms] between two readings of a run in progress
+constexpr int share = 12;  // one part in so many of the time is spent on reading
 
 /// Index of the point at `x`, or the last before it. \pre rising, not empty.
 std::size_t indexAt(const std::vector<double>& x, double at) {
@@ -40,7 +40,7 @@ double valueAt(const std::vector<double>& x, const std::vector<double>& y, doubl
     return y[i] + (y[i + 1] - y[i]) * std::clamp((at - x[i]) / (x[i + 1] - x[i]), 0.0, 1.0);
 }
 
-/// The last row or frame that is not later; nothing before the first.
+/// The last row or frame that is not later; none before the first.
 template <typename Rows>
 std::optional<std::size_t> placeOf(const Rows& rows, const FrameHead& head) {
     const auto places = std::views::iota(std::size_t{0}, rows.size());
@@ -69,7 +69,7 @@ Curves::Curves(const Themes& themes, const Display& display, TimeCursor& cursor,
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, [this] {
         if (isVisible()) read();
-        else stale_ = true;  // read when it is seen again
+        else stale_ = true;  // read when it is visible again
     });
     connect(&cursor, &TimeCursor::runChanged, this, &Curves::runChanged);
     connect(&cursor, &TimeCursor::runGrew, this, &Curves::grow);
@@ -135,7 +135,7 @@ void Curves::setOther(std::shared_ptr<const LiveRun> other, const QString& name)
     if (!other_) choose();
 }
 
-/// What was pinned last is what a person wants to see.
+/// Shows the newest pin.
 void Curves::showPinned() {
     const auto& tracks = pins_->tracks();
     const bool more = tracks.size() > std::exchange(pinCount_, tracks.size());
@@ -193,7 +193,7 @@ void Curves::captionChoice() {
                                                                   display_.numbers())));
 }
 
-/// The last of the choices.
+/// The last entry of the list of choices.
 bool Curves::choosesAxes() const {
     return axes_ && choice_->count() > 0 && choice_->currentIndex() + 1 == choice_->count();
 }
@@ -254,7 +254,7 @@ void Curves::showNow() {
                            {factorOf(entry->chart.panels.front().title, display_.numbers()) * entry->y[row]}});
 }
 
-/// To the moment of a place on the chart.
+/// Moves the time to the clicked position on the chart.
 void Curves::jump(double x) {
     const CurveEntry* entry = current();
     if (!entry || !cursor_.run() || entry->x.empty()) return;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Curves of the run's history, one chart at a time, with the moment that is shown on
-// it: load over displacement, monitors, debonded length, energies, pins, any number
-// over any other; beside them those of a run that is compared.
+// Curves of the run's history, one chart at a time, with the current time marked: load
+// over displacement, monitors, debonded length, energies, pins, any quantity against
+// any other; with the curves of a second run if one is compared.
 #pragma once
 
 #include "ui/docks/curve_entries.h"
@@ -32,7 +32,7 @@ public:
     Curves(const Themes& themes, const Display& display, TimeCursor& cursor, CurveKind kind, Pins* pins,
            QWidget* parent = nullptr);
 
-    /// Another run whose curves stand beside, drawn broken; null: none.
+    /// A second run whose curves are added, dashed; null: none.
     void setOther(std::shared_ptr<const LiveRun> other, const QString& name);
 
     QSize sizeHint() const override { return {445, 214}; }
@@ -65,11 +65,11 @@ private:
     ChartView* view_;
     QTimer timer_;
     bool stale_ = true, reads_ = false;
-    int asked_ = 0;  // readings, so that one that is overtaken is known
+    int asked_ = 0;  // number of readings started, to recognise one that is out of date
     std::shared_ptr<const CurveReading> read_;  // null before the first of a run
-    std::shared_ptr<const LiveRun> other_, offered_;  // beside; whose numbers can be chosen
+    std::shared_ptr<const LiveRun> other_, offered_;  // second run; run whose quantities can be chosen
     QString otherName_;
-    QString wanted_;  // the chart that a person chose, by name
+    QString wanted_;  // name of the chart that the user chose
     std::size_t pinCount_ = 0;
     Background reader_;
 };

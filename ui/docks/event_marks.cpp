@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-/// The words of `wordOf`, for translation.
+/// Names of the event groups in the window, in the order of `EventGroup`.
 constexpr std::array<const char*, eventGroups> groupNames{
     QT_TRANSLATE_NOOP("EventGroup", "slip"),       QT_TRANSLATE_NOOP("EventGroup", "debonding"),
     QT_TRANSLATE_NOOP("EventGroup", "re-stick"),   QT_TRANSLATE_NOOP("EventGroup", "yield"),

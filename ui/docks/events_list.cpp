@@ -124,7 +124,7 @@ QVariant EventsModel::text(const Event& event, std::size_t number, int column) c
         }
         case Force: {
             const bool shear = event.kind == EventKind::ShearRupture || event.kind == EventKind::JointSlip;
-            const double force = shear ? std::abs(event.shearForce) : event.axialForce;  // a shear force has no side here
+            const double force = shear ? std::abs(event.shearForce) : event.axialForce;  // a shear force is unsigned here
             const ShownUnit unit = display_.shown("N");
             return force == 0.0 ? QString() : Display::number(unit.factor * force, 4) + ' ' + unit.symbol;
         }
@@ -133,7 +133,7 @@ QVariant EventsModel::text(const Event& event, std::size_t number, int column) c
     }
 }
 
-/// From what the load brought about to this event, a line each.
+/// The chain of causes from the load to this event, one per line.
 QString EventsModel::chainOf(std::size_t number) const {
     const std::vector<Event>& events = cursor_.run()->eventList();
     QStringList lines;
@@ -198,7 +198,7 @@ EventsList::EventsList(const Themes& themes, const Display& display, TimeCursor&
 
 std::size_t EventsList::count() const { return cursor_.run() ? cursor_.run()->eventList().size() : 0; }
 
-/// Stays at the end where it was there.
+/// Stays at the end if it was there before.
 void EventsList::grow() {
     const QScrollBar* bar = view_->verticalScrollBar();
     const bool atEnd = bar->value() >= bar->maximum();
@@ -218,7 +218,7 @@ void EventsList::showMoment() {
     Q_EMIT countChanged();
 }
 
-/// The last event that the shown moment has is the current row, in sight.
+/// Makes the last event up to the time shown the current row, and scrolls to it.
 void EventsList::followMoment() {
     const int row = model_->lastRowUntil(cursor_.head().events);
     const QModelIndex index = model_->index(std::max(row, 0), 0);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What let go until the moment that is shown, a row each: when, what, where, at which
-// force and after which other event. A click goes there and selects it.
+// The events up to the time shown, one per row: time, kind, location, force and causing
+// event. A click moves the time to the event and selects its bolt or block.
 #pragma once
 
 #include "solver/results/results.h"
@@ -33,7 +33,7 @@ public:
     /// The event of a row, as its number in the run.
     std::size_t eventAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
 
-    /// The last row that is among the first `events` of the run; −1: none.
+    /// The last row within the first `events` of the run; −1: none.
     int lastRowUntil(long events) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;

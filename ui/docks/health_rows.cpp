@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the measures are at a moment, and when they are good.
+// Values of the solver measures at a time, and their limits.
 #include "ui/docks/health_strip.h"
 #include "ui/runs/live_run.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double penetrationLimit = 1e-3, balanceLimit = 5e-3;  // of the block's size; of the largest energy
 constexpr double cutsLimit = 20.0;  // in 100 steps
-constexpr double nearLimit = 0.67;  // share of it from which a measure is told of
+constexpr double nearLimit = 0.67;  // share of the limit from which a measure is shown as a warning
 
 HealthState judged(double value, double limit) {
     if (value > limit) return HealthState::Bad;
@@ -31,7 +31,7 @@ const StageRecord* recordOf(const LiveRun& run, int stage) {
     return nullptr;
 }
 
-/// Of the samples until the moment.
+/// Measures from the samples up to the time shown.
 void fromSamples(const LiveRun& run, std::size_t count, HealthRows& rows) {
     std::vector<double> passes, cuts, depths, residuals;
     const HealthSample* before = nullptr;
@@ -90,9 +90,9 @@ HealthRows healthAt(const LiveRun& run, int stage, double time) {
     setCourse(rows[3], std::move(balance));
     for (HealthRow& row : rows)
         if (row.value) row.state = judged(*row.value, row.limit);
-    // A step that is subdivided is slower, not wrong.
+    // Subdividing a step costs time but is not an error.
     if (rows[1].state == HealthState::Bad) rows[1].state = HealthState::Warning;
-    // What is accepted lies within the tolerance; near to it is as it should be.
+    // An accepted step is within the tolerance; a value close to it is normal.
     if (rows[4].value) rows[4].state = *rows[4].value > rows[4].limit ? HealthState::Warning : HealthState::Good;
     return rows;
 }

@@ -89,7 +89,7 @@ void HealthStrip::judge() {
     known_ = cursor_.hasMoment();
     if (known_) {
         const FrameHead head = cursor_.head();
-        // Samples come in later than their steps: of a run that goes on, the newest counts.
+        // Samples arrive later than their steps: during a run the newest one is used.
         rows_ = healthAt(*cursor_.run(), head.stage, cursor_.isLive() ? 1e300 : head.time);
     } else {
         rows_ = {};
@@ -97,7 +97,7 @@ void HealthStrip::judge() {
     update();
 }
 
-/// The first of the worst, where it is worth a word.
+/// The first of the worst rows, if it is at least a warning.
 const HealthRow* HealthStrip::worstRow() const {
     const auto worst = std::max_element(rows_.begin(), rows_.end(),
                                         [](const HealthRow& a, const HealthRow& b) { return a.state < b.state; });
@@ -184,7 +184,7 @@ void HealthStrip::paintRow(QPainter& painter, const HealthRow& row, double y) co
     painter.drawText(QRectF(limitAt, y, limitWidth, rowHeight), Qt::AlignVCenter | Qt::AlignRight, limitText(row));
 }
 
-/// The last values as a line under the dotted limit, with a dot at the newest.
+/// The last values as a line below the dotted limit, with a dot at the newest.
 void HealthStrip::paintCourse(QPainter& painter, const HealthRow& row, const QRectF& box) const {
     const Theme& theme = themes_.current();
     const std::size_t most = static_cast<std::size_t>(box.width());

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How well the numbers behave, measure by measure, with the block behind the worst
-// of them and what to do. Judged at the moment that is shown.
+// Solver diagnostics at the time shown, one row per measure, with the block that causes
+// the worst of them and advice.
 #pragma once
 
 #include "ui/runs/live_feed.h"
@@ -24,19 +24,19 @@ enum class HealthState { Unknown, Good, Warning, Bad };
 enum class HealthMeasure { Passes, StepCuts, Penetration, Balance, Residual };
 inline constexpr std::size_t healthMeasures = 5;
 
-/// One measure at a moment.
+/// One measure at a time.
 struct HealthRow {
     HealthMeasure measure = HealthMeasure::Passes;
     HealthState state = HealthState::Unknown;
-    std::optional<double> value;  // as it is counted: passes, cuts in 100 steps, shares
+    std::optional<double> value;  // unit as counted: iterations, reductions in 100 steps, shares
     double limit = 0.0;
-    int block = -1;  // behind it; −1: none in particular
-    std::vector<double> course;  // values until the moment, for the spark line
+    int block = -1;  // block that causes it; −1: no particular one
+    std::vector<double> course;  // values up to the time shown, for the spark line
 };
 
 using HealthRows = std::array<HealthRow, healthMeasures>;
 
-/// The measures of a run at a moment of a stage; of a run that was opened, those of its stages as a whole.
+/// The measures of a run at a time of a stage; for a run that was opened from a file, those of its stages as a whole.
 HealthRows healthAt(const LiveRun& run, int stage, double time);
 
 class HealthStrip : public QWidget {

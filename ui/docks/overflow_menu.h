@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Controls of a bar that have no room on it, as entries of a menu.
+// Controls that do not fit on a bar, as entries of a menu.
 #pragma once
 
 class QMenu;
@@ -9,8 +9,8 @@ class QWidget;
 
 namespace keyblock {
 
-/// Adds what the control offers: a list box becomes a submenu of its choices, a button an entry. Other widgets are
-/// left out. The menu must not outlive the control.
+/// Adds the control: a list box becomes a submenu of its choices, a button an entry. Other widgets are left out. The
+/// menu must not outlive the control.
 void addToMenu(QMenu& menu, QWidget& control);
 
 }  // namespace keyblock

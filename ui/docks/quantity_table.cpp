@@ -31,7 +31,7 @@ QString shareText(double value, bool isRelative) {
     return isRelative ? Display::number(100.0 * value, 2) + QStringLiteral(" %") : Display::number(value, 3);
 }
 
-/// No stage was cut short; only then can an expectation be judged.
+/// Whether no stage was interrupted; only then can expected values be checked.
 bool isWholeRun(const std::vector<StageRecord>& stages) {
     return std::ranges::all_of(stages, [](const StageRecord& stage) {
         return stage.ended && (endedAsPlanned(stage.result.outcome) || endedUnstable(stage.result.outcome));
@@ -83,7 +83,7 @@ void QuantityTable::showEvent(QShowEvent* event) {
     read();
 }
 
-/// Once a run is over: until then most quantities are not there yet.
+/// Reads only finished runs: before, most quantities are not available.
 void QuantityTable::read() {
     if (!isVisible()) return;
     const auto run = cursor_.run();

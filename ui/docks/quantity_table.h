@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The quantities that a scene asks for, as a run measured them, compared with the
-// values that the scene expects.
+// The quantities defined in a scene, as measured in a run, compared with the expected
+// values of the scene.
 #pragma once
 
 #include "solver/results/quantity.h"
@@ -43,8 +43,8 @@ private:
     const TimeCursor& cursor_;
     QLabel* hint_;
     QTreeWidget* list_;
-    std::shared_ptr<const LiveRun> run_;  // that was read last
-    std::size_t rows_ = 0;  // of its history then
+    std::shared_ptr<const LiveRun> run_;  // run that was read last
+    std::size_t rows_ = 0;  // number of history rows then
     Background reader_;
 };
 

@@ -96,7 +96,7 @@ void ResultCard::make() {
                                                             ? boltResults(*moment, *frame, bolt, events, numbers)
                                                             : blockResults(*moment, *frame, block, events, numbers));
         } catch (const std::exception&) {
-            return {};  // the run's store is gone, which its own messages report
+            return {};  // the run's store was deleted, which is reported elsewhere
         }
         return [this, made, bolt, block] {
             if (on_ && bolts_.bolt() == bolt && blocks_.block() == block) show(made);
@@ -141,7 +141,7 @@ void ResultCard::addRow(const ResultRow& row) {
     grid_->addWidget(detail, at + 1, row.use ? 1 : 0, 1, row.use ? 1 : 2);
 }
 
-/// A click on an event goes to its moment.
+/// A click on an event moves the time to it.
 void ResultCard::addEvents() {
     if (report_->events.empty()) return;
     int at = grid_->rowCount();

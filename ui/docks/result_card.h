@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The results of the bolt or block that is looked at, at the moment that is shown:
-// a group at the top of the property panel.
+// The results of the selected bolt or block at the time shown: a group at the top of
+// the property panel.
 #pragma once
 
 #include "ui/docks/result_rows.h"
@@ -33,11 +33,11 @@ public:
 
     /// Whether results are shown; a drawing has none.
     void setOn(bool on);
-    /// Of what is shown; null: nothing is.
+    /// The report shown; null: none.
     const std::shared_ptr<const ResultReport>& report() const { return report_; }
 
 Q_SIGNALS:
-    /// Another bolt or block is shown, or none: empty texts.
+    /// Another bolt or block is shown, or none: then the texts are empty.
     void subjectChanged(const QString& title, const QString& detail);
 
 private:

@@ -18,7 +18,7 @@ namespace keyblock {
 namespace {
 
 constexpr std::size_t mostEvents = 8;
-constexpr double nothing = 1e-9, leastUse = 1e-6;  // of the axial force, of a strength: less is round-off
+constexpr double nothing = 1e-9, leastUse = 1e-6;  // of the axial force; of a strength: less is round-off
 
 struct Texts {
     Q_DECLARE_TR_FUNCTIONS(ResultRows)
@@ -37,7 +37,7 @@ QString timeText(const Scene& scene, int stage, double time) {
     return moves ? Texts::tr("%1, %2 s").arg(name, Display::number(time, 4)) : name + ' ' + Display::number(time, 4);
 }
 
-/// Makes rows in units and signs as shown.
+/// Creates rows in the units and signs shown.
 struct RowMaker {
     const RunSource& run;
     const ShownNumbers& numbers;

@@ -102,7 +102,7 @@ void RunList::fill() {
     for (const int column : {0, 1, 3, 4}) list_->resizeColumnToContents(column);
 }
 
-/// Runs that can stand beside the one shown.
+/// Runs that can be compared with the one shown.
 void RunList::fillCompareMenu(QMenu& menu) {
     menu.clear();
     for (const RunEntry& entry : runs_.entries()) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The runs of the document: open, go on with, compare, remove.
+// The runs of the document: open, resume, compare, remove.
 #pragma once
 
 #include <QWidget>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What runs told, line by line with the time of day.
+// Messages of runs, one per line, with the time of day.
 #pragma once
 
 #include <QPlainTextEdit>

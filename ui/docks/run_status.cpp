@@ -18,7 +18,7 @@
 
 namespace keyblock {
 
-/// Two words left, share and time left right, a bar below; how it ended once it is over.
+/// Two texts at the left, fraction and remaining time at the right, a bar below; the outcome once the run is over.
 class RunStatus::Progress : public QWidget {
 public:
     Progress(const Themes& themes, const Runs& runs, QWidget* parent) : QWidget(parent), themes_(themes), runs_(runs) {
@@ -41,7 +41,7 @@ protected:
         const Theme& theme = themes_.current();
         QString right = QStringLiteral("%1 %").arg(static_cast<int>(std::floor(100.0 * session->fraction())));
         QString left;
-        const QString search = session->searchText();  // shown in place of stage and step: it changes while the bar rests
+        const QString search = session->searchText();  // shown in place of stage and step: it changes while the bar does not
         if (session->state() == RunSession::State::Paused) left = RunStatus::tr("paused");
         else if (session->state() == RunSession::State::Stopping) left = RunStatus::tr("stopping…");
         else if (const auto seconds = session->secondsLeft(); seconds && search.isEmpty()) left = leftText(*seconds);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A line above the results that says why the numbers of the stage shown are
-// doubtful; without such a reason it is hidden.
+// A line above the results that says why the results of the stage shown are unreliable;
+// hidden if they are not.
 #pragma once
 
 #include "ui/look/elided_label.h"
@@ -18,7 +18,7 @@ class RunWarning : public ElidedLabel {
 public:
     RunWarning(const Themes& themes, const TimeCursor& cursor, QWidget* parent = nullptr);
 
-    /// Hidden where the drawing is shown instead of results.
+    /// Hidden while the drawing is shown instead of results.
     void setOn(bool on);
 
 private:

@@ -28,7 +28,7 @@ constexpr int steps[]{0, 4, 5, 8, 10, 20};
 
 QString qt(const std::string& text) { return QString::fromStdString(text); }
 
-/// Factor from numbers as pictures are made to those that are shown.
+/// Factor from numbers in units of pictures to numbers as shown.
 double factorOf(const LegendBar& bar, const ShownNumbers& numbers) {
     const auto factor = [&](const QuantityDisplay& display) {
         return shownAs(display.unit, display.convention, numbers).factor;
@@ -128,7 +128,7 @@ void ScalePanel::openAt(const QPoint& corner) {
     (own_->isChecked() ? own_ : frame_->isChecked() ? frame_ : all_)->setFocus();
 }
 
-/// Shows the choice as it is.
+/// Shows the current choice.
 void ScalePanel::fill() {
     const ScaleChoice choice = scaleOf(settings_.choice().scales, bar_.quantity);
     all_->setChecked(choice.of == ScaleOf::AllFrames);
@@ -139,7 +139,7 @@ void ScalePanel::fill() {
     steps_->setCurrentIndex(std::max(0, steps_->findData(choice.intervals)));
 }
 
-/// The range that is typed, as pictures are made; fields that cannot be read are marked.
+/// The typed range, in units of pictures; marks fields that cannot be read.
 std::optional<ValueRange> ScalePanel::typed() {
     const std::string unit = bar_.unit.substr(0, bar_.unit.find(" per "));
     const TypedNumber from = typedNumber(from_->text().toStdString(), unit);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The choice of a scale for the colours of a quantity, opened from its bar in the
-// legend: which values the colours span, whether extreme ones are left out, and
-// steps of colour. Every change is shown at once.
+// The choice of a colour scale for a quantity, opened from its bar in the legend: the
+// range of values, whether extremes are excluded, and colour steps. Every change is
+// shown at once.
 #pragma once
 
 #include "ui/picture/legend.h"
@@ -24,10 +24,10 @@ class ScalePanel : public QFrame {
     Q_OBJECT
 
 public:
-    /// \param bar as it is shown. \param clips whether extreme values can be left out. Deletes itself when it closes.
+    /// \param bar as shown. \param clips whether extreme values can be excluded. Deletes itself when it closes.
     ScalePanel(const LegendBar& bar, const ShownNumbers& numbers, bool clips, ViewSettings& settings, QWidget* parent);
 
-    /// Opens with its right upper corner at a point of the screen, as far as the screen has room.
+    /// Opens with its upper right corner at a point of the screen, moved if the screen has no room there.
     void openAt(const QPoint& corner);
 
 private:
@@ -39,7 +39,7 @@ private:
     std::optional<ValueRange> typed();
 
     LegendBar bar_;
-    double factor_;  // shown = factor · as pictures are made
+    double factor_;  // shown = factor · value in units of pictures
     ViewSettings& settings_;
     QRadioButton *all_, *frame_, *own_;
     QLineEdit *from_, *to_;

@@ -26,7 +26,7 @@ namespace {
 enum BlockColumn { BlockName, How, Moved, Weight, StageOf };
 enum BoltColumn { BoltName, State, Governs, Holds, AxialPeak, ShearPeak, MomentPeak, SteelUse, ShearUse, BondUse, PlateUse, EnergyTaken };
 
-constexpr double nothing = 1e-9;  // of the axial force: round-off
+constexpr double nothing = 1e-9;  // of the axial force: less is round-off
 constexpr int mostNamed = 3;  // blocks in a cell
 
 QString text(std::string_view word) { return QString::fromUtf8(word.data(), static_cast<int>(word.size())); }
@@ -56,7 +56,7 @@ void fitColumns(QTreeWidget* tree) {
     for (int c = 0; c + 1 < tree->columnCount(); ++c) tree->resizeColumnToContents(c);
 }
 
-/// As high as its rows, up to a few, where another table needs room below.
+/// Limits the table to the height of its rows, up to a few, if another table needs room below.
 void fitRows(QTreeWidget* tree, bool leavesRoom) {
     const int rows = std::min(3, tree->topLevelItemCount());
     tree->setMaximumHeight(leavesRoom ? tree->header()->sizeHint().height() + 26 * rows + 4 : QWIDGETSIZE_MAX);
@@ -68,7 +68,7 @@ QString percent(const std::optional<double>& use) {
     return Display::number(shown, shown < 10.0 ? 2 : 3);
 }
 
-/// Of every bolt, at the last frame.
+/// State of every bolt at the last frame.
 std::vector<BoltEnd> endsOf(const RunSource& run) {
     std::vector<BoltEnd> ends;
     if (run.frames().empty()) return ends;
@@ -140,7 +140,7 @@ void StabilityPanel::takeRun() {
     fill();
 }
 
-/// Extremes come with every frame; reading one takes longer than the window may wait.
+/// Extremes are read on a thread: reading them takes longer than the window may wait.
 void StabilityPanel::readBolts() {
     if (!run_ || run_->frames().size() == read_ || run_->scene().bolts.empty()) return;
     read_ = run_->frames().size();
@@ -151,7 +151,7 @@ void StabilityPanel::readBolts() {
             uses = boltUses(*soFar);
             ends = endsOf(*soFar);
         } catch (const std::exception&) {
-            return {};  // the run's store is gone, which its own messages tell
+            return {};  // the run's store was deleted, which is reported elsewhere
         }
         std::stable_sort(uses.begin(), uses.end(),
                          [](const BoltUse& a, const BoltUse& b) { return a.highest() > b.highest(); });
@@ -230,7 +230,7 @@ void StabilityPanel::fillBolts() {
     fitColumns(bolts_);
 }
 
-/// "62.1 kN at 1.25 m", from the far end.
+/// "62.1 kN at 1.25 m", measured from the far end.
 QString StabilityPanel::peakText(const BoltPeak& peak, const char* unit, double axial) const {
     if (peak.stage < 0) return QStringLiteral("–");
     if (std::abs(peak.value) < nothing * std::abs(axial)) return QStringLiteral("0");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a designer asks of a run: whether it stands, which blocks do not, and how far
-// each bolt is used. A click on a block outlines it, one on a bolt chooses it.
+// Shows whether a run is stable, which blocks are not, and the utilisation of each
+// bolt. A click on a block outlines it, a click on a bolt selects it.
 #pragma once
 
 #include "solver/results/bolt_use.h"
@@ -25,7 +25,7 @@ class LiveRun;
 class Themes;
 class TimeCursor;
 
-/// A bolt at the last frame: its state, and the energy that it has taken [J].
+/// A bolt at the last frame: its state, and the energy that it has absorbed [J].
 struct BoltEnd {
     BoltCondition condition = BoltCondition::NotInstalled;
     double elastic = 0.0, plastic = 0.0, bond = 0.0;
@@ -66,9 +66,9 @@ private:
     QTreeWidget* bolts_;
     std::shared_ptr<const LiveRun> run_;  // null: none is shown
     std::size_t read_ = 0;  // frames of the run when its bolts were last read
-    std::vector<BoltUse> uses_;  // of the run so far, most used first
-    std::vector<BoltEnd> ends_;  // of the bolts, a row each
-    Background reader_;  // last: it ends before what its results go to
+    std::vector<BoltUse> uses_;  // of the run so far, highest utilisation first
+    std::vector<BoltEnd> ends_;  // one row per bolt
+    Background reader_;  // last member: destroyed before the data its results are written to
 };
 
 }  // namespace keyblock

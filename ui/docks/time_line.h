@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The band across the window that tells which moment is shown: transport, readout,
-// counts of events and the track below. Without a run it says how to get one.
+// The band across the window for the time shown: playback controls, readout, event
+// counts and the track below. Without a run it says how to get one.
 #pragma once
 
 #include "ui/docks/event_marks.h"
@@ -28,7 +28,7 @@ class TimeLine : public QWidget {
     Q_OBJECT
 
 public:
-    /// \pre the commands of runs and of time are there.
+    /// \pre the commands of runs and of time have been added.
     TimeLine(const Themes& themes, const Display& display, Commands& commands, TimeCursor& cursor,
              const BoltChoice& choice, QWidget* parent = nullptr);
 

@@ -39,7 +39,7 @@ int gravityOf(EventGroup group) {
     return 0;
 }
 
-/// Counts each event at the mark nearest to it. \param placed in order, one at least where there are events
+/// Counts each event at the mark nearest to it. \param placed in order, at least one if there are events
 void countEvents(const std::vector<PlacedEvent>& all, std::vector<PlacedEvent>& placed) {
     for (PlacedEvent& mark : placed) mark.count = 0;
     for (const PlacedEvent& event : all) {
@@ -149,7 +149,7 @@ bool TimeTrack::event(QEvent* event) {
     return true;
 }
 
-/// The event under the mouse, else the moment.
+/// The event at the cursor, else the time.
 QString TimeTrack::tipAt(const QPointF& at) const {
     if (axis_.isEmpty()) return {};
     const LiveRun& run = *cursor_.run();
@@ -204,7 +204,7 @@ void TimeTrack::mouseMoveEvent(QMouseEvent* event) {
         setWindow(dragLow_ + by, dragLow_ + by + (high_ - low_));
     }
     if (drag_ != Drag::CursorB || cursor_.run()->frames().empty()) return;
-    // The frame nearest to the mouse.
+    // The frame nearest to the cursor.
     const auto& frames = cursor_.run()->frames();
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < frames.size(); ++i)

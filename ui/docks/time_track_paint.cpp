@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How the time line looks: bands, ticks, marks and flags, in px.
+// Painting of the timeline: bands, ticks, marks and flags, in px.
 #include "solver/results/words.h"
 #include "ui/canvas/call_out.h"
 #include "ui/docks/time_track.h"
@@ -28,7 +28,7 @@ QColor clear(QColor colour, double opacity) {
     return colour;
 }
 
-/// What a stage is, beside its name.
+/// Kind of a stage, shown next to its name.
 QString natureOf(const Stage& stage) {
     if (stage.kind == StageKind::Dynamic)
         return TimeTrack::tr("dynamic · %1 s").arg(Display::number(stage.duration, 3));
@@ -50,7 +50,7 @@ const char* iconOf(const StageRecord* record, bool goesOn) {
     }
 }
 
-/// How far in its own time a stage came.
+/// How far a stage got in its own time.
 double reachedIn(const LiveRun& run, int stage, const StageRecord* record) {
     double reached = record && record->ended ? record->result.time : 0.0;
     for (const FrameHead& head : run.frames())
@@ -67,7 +67,7 @@ const StageRecord* recordOf(const LiveRun& run, int stage) {
     return found == records.end() ? nullptr : &*found;
 }
 
-/// Hatched: still to come, or never made.
+/// Hatched: not computed yet, or never.
 void paintUndone(QPainter& painter, const Theme& theme, double from, double to) {
     painter.save();
     painter.setClipRect(QRectF(from, bandTop, to - from, bandHeight), Qt::IntersectClip);
@@ -128,7 +128,7 @@ void TimeTrack::paintBand(QPainter& painter, const TimeAxis::Span& span) const {
                right - done > 1.0 ? std::max(done, from) : to);
 }
 
-/// Name and nature, and at the end what is not computed, from `done`, where there is room to say so.
+/// Name and kind of the stage, and at the end a note on the part that is not computed, from `done`, if it fits.
 void TimeTrack::paintStage(QPainter& painter, const Stage& stage, double from, double to, double done) const {
     const Theme& theme = themes_.current();
     const QFont small = screenFont(11);
@@ -191,7 +191,7 @@ void TimeTrack::paintMarks(QPainter& painter) const {
     const Theme& theme = themes_.current();
     const std::vector<PlacedEvent>& placed = marks();
     painter.setPen(QPen(theme.text3, 1.0));
-    if (columns_.size() > placed.size())  // events without room are told where they are
+    if (columns_.size() > placed.size())  // events without room are shown as ticks
         for (const int x : columns_) painter.drawLine(QPointF(x, axisAt - 3.0), QPointF(x, axisAt - 0.5));
     for (const PlacedEvent& mark : placed)
         if (mark.group == EventGroup::Rupture || mark.group == EventGroup::Plate) {
@@ -211,7 +211,7 @@ void TimeTrack::paintMarks(QPainter& painter) const {
     }
 }
 
-/// How many events a mark has, where there is room up to the next one.
+/// Number of events of a mark, if it fits before the next one.
 void TimeTrack::paintCounts(QPainter& painter, const std::vector<PlacedEvent>& placed) const {
     painter.setFont(screenFont(10));
     painter.setPen(themes_.current().text2);
@@ -245,7 +245,7 @@ void TimeTrack::paintCursors(QPainter& painter) const {
     paintFlag(painter, x, QStringLiteral("A"), true);
 }
 
-/// A shield with its letter that points down to the line.
+/// A flag with a letter that points down to the line.
 void TimeTrack::paintFlag(QPainter& painter, double x, const QString& letter, bool filled) const {
     const Theme& theme = themes_.current();
     const QVector<QPointF> corners{{x - 7.5, 0.5}, {x + 7.5, 0.5}, {x + 7.5, 8.5}, {x, 13.5}, {x - 7.5, 8.5}};

@@ -26,11 +26,11 @@ namespace keyblock {
 
 namespace {
 
-constexpr int mostOfBox = 150, spaceBeforeToggles = 6;  // [px]; longer choices are cut
+constexpr int mostOfBox = 150, spaceBeforeToggles = 6;  // [px]; longer choices are elided
 constexpr std::array kindsOfArrows{ArrowKind::Displacements, ArrowKind::Velocities, ArrowKind::StressCrosses};  // as offered
 constexpr double factors[]{1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
 
-/// A box that says before its choice what is chosen.
+/// A box that shows its title before the current choice.
 class TitledChoice : public QComboBox {
 public:
     TitledChoice(const QString& title, QWidget* parent) : QComboBox(parent), title_(title) {
@@ -69,7 +69,7 @@ private:
 
 QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<int>(words.size())); }
 
-/// "Block stress σ₁" is "σ₁" where blocks are spoken of.
+/// Shortens "Block stress σ₁" to "σ₁", as the title of the box says "Blocks".
 QString shortTitle(std::string_view title) {
     QString all = text(title);
     if (all.startsWith("Block stress ")) all = all.mid(13);
@@ -135,7 +135,7 @@ void ViewBar::fill() {
     for (const double factor : factors) factor_->addItem(QStringLiteral("×") + Display::number(factor, 4), factor);
 }
 
-/// Those of other rooms that belong here, as far as they are there.
+/// Commands of other folders shown here, as far as they exist.
 void ViewBar::addCommands() {
     for (const char* id : {"view.probe", "view.zoomBox", "view.fit", "export.figure"}) {
         if (!commands_.has(id)) continue;
@@ -151,7 +151,7 @@ void ViewBar::addCommands() {
     }
 }
 
-/// Other rooms may add theirs after this bar is made.
+/// Other folders may add commands after this bar is created.
 void ViewBar::showEvent(QShowEvent*) {
     if (!std::exchange(hasCommands_, true)) {
         addCommands();
@@ -201,7 +201,7 @@ void ViewBar::showIcons() {
     update();
 }
 
-/// The last of the bar: a menu of what has no room.
+/// The last item of the bar: a menu of controls that do not fit.
 void ViewBar::makeMore() {
     more_ = new QToolButton(this);
     more_->setObjectName("viewMore");
@@ -219,7 +219,7 @@ void ViewBar::makeMore() {
     row_->addWidget(more_);
 }
 
-/// What may go into the menu, the first to go first.
+/// Controls that may move into the menu, in that order.
 std::vector<QWidget*> ViewBar::dispensable() const {
     std::vector<QWidget*> found;
     for (const char* name : {"view.fitBar", "view.zoomBoxBar"})

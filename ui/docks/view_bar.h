@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bar above the canvas: what of the results is shown, and how.
+// The bar above the canvas: which results are shown, and how.
 #pragma once
 
 #include <QWidget>
@@ -51,8 +51,8 @@ private:
     QComboBox *blocks_, *bolts_, *ribbon_, *factor_, *arrows_;
     QToolButton *callOuts_, *contacts_;
     std::vector<QToolButton*> toggles_;
-    QToolButton* more_ = nullptr;  // for what has no room
-    std::vector<QWidget*> hidden_;  // that has none, from the left
+    QToolButton* more_ = nullptr;  // for controls that do not fit
+    std::vector<QWidget*> hidden_;  // controls that do not fit, from the left
     bool hasCommands_ = false;
 };
 

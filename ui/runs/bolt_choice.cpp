@@ -13,14 +13,14 @@ namespace keyblock {
 
 namespace {
 
-/// −1: none is called so.
+/// −1: no bolt has this name.
 template <typename Things>
 int rowOf(const Things& things, const std::string& name) {
     const auto found = std::ranges::find_if(things, [&](const auto& thing) { return thing.name == name; });
     return found == things.end() ? -1 : static_cast<int>(found - things.begin());
 }
 
-/// The pattern that a bolt is of, as PATTERN.3; empty: it stands there by itself.
+/// The pattern of a bolt named PATTERN.3; empty: a single bolt.
 std::string patternOf(const Scene& scene, const Bolt& bolt) {
     const std::size_t dot = bolt.name.rfind('.');
     if (dot == std::string::npos) return {};
@@ -46,7 +46,7 @@ BoltChoice::BoltChoice(const Document& document, Selection& selection, const Tim
     });
 }
 
-/// The first bolt that is selected.
+/// The first selected bolt.
 int BoltChoice::selectedRow() const {
     if (!cursor_.run()) return -1;
     const Scene& drawn = *document_.scene();
@@ -56,7 +56,7 @@ int BoltChoice::selectedRow() const {
     return -1;
 }
 
-/// To the bolt of the document, or its pattern; empty where the document has neither.
+/// Pointer to the bolt or its pattern in the document; empty if the document has neither.
 QString BoltChoice::pointerTo(int bolt) const {
     const Scene &ran = cursor_.run()->scene(), &drawn = *document_.scene();
     const Bolt& chosen = ran.bolts[static_cast<std::size_t>(bolt)];

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which bolt of the run is looked at. Results count every bolt, those of patterns too;
-// the document selects bolts that stand there one by one, and patterns as a whole. So
-// a bolt of a pattern is chosen here, and its pattern is what the document selects.
-// Between the two stand names, as the document may have been edited since the run.
+// The selected bolt of the run. Results have every bolt, including those of patterns;
+// the document selects single bolts, and patterns as a whole. So a bolt of a pattern is
+// chosen here, and the document selects its pattern. Bolts are matched by name, as the
+// document may have been edited since the run.
 #pragma once
 
 #include <QObject>
@@ -21,7 +21,7 @@ class BoltChoice : public QObject {
 public:
     BoltChoice(const Document& document, Selection& selection, const TimeCursor& cursor, QObject* parent = nullptr);
 
-    /// Row among the bolts of the run that is shown; −1: none in particular.
+    /// Row among the bolts of the run shown; −1: no particular one.
     int bolt() const { return bolt_; }
     void choose(int bolt);
 

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A second run, of this scene or of another, that is looked at beside the one that is
-// shown: its own cursor follows the first by time. Without a second run nothing of
-// it is there but this.
+// A second run, of this scene or another, for comparison with the one shown: its own
+// cursor follows the first by time. Without a second run only this object exists.
 #pragma once
 
 #include "ui/document/background.h"
@@ -25,7 +24,7 @@ public:
     explicit Comparison(TimeCursor& first, QObject* parent = nullptr);
     ~Comparison() override;
 
-    /// Reads the store in the background and puts its run beside the first.
+    /// Reads the store in the background and shows its run next to the first.
     void begin(const QString& store);
     void end();
     bool isOn() const;
@@ -45,7 +44,7 @@ private:
     TimeCursor& first_;
     TimeCursor* second_;
     Background opening_;
-    int asked_ = 0;  // so that what was ended meanwhile does not begin
+    int asked_ = 0;  // so that a comparison that was closed meanwhile does not start
 };
 
 /// "Run 2 · drift-bolted" for drift-bolted-2.kbrun.

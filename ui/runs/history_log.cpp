@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A few rows come at a time, thirty times a second; so the last chunk is made anew
-// with them until it is no longer small. Nothing that was handed out changes.
+// A few rows arrive at a time, thirty times a second; the last chunk is copied with
+// them until it is no longer small. Chunks that were handed out do not change.
 #include "ui/runs/history_log.h"
 
 #include <algorithm>

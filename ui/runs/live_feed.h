@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Between the thread that runs and the window: what came since the window last
-// asked. The solver puts values down under a lock that is held for as long as an
-// append takes, and never waits for a picture to be drawn.
+// Buffer between the run's thread and the window: everything since the window last read
+// it. The solver appends under a lock that is held only for the append, and never waits
+// for drawing.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -18,32 +18,32 @@
 
 namespace keyblock {
 
-/// How the steps went since the sample before: the worst of each.
+/// Worst values of the steps since the previous sample.
 struct HealthSample {
     int stage = 0;
-    double time = 0.0;  // within the stage, of the last of them
-    long steps = 0;  // in the run until then
-    long stepCuts = 0;  // in the stage until then
+    double time = 0.0;  // within the stage, of the last step
+    long steps = 0;  // in the run so far
+    long stepCuts = 0;  // in the stage so far
     StepHealth worst;
 };
 
-/// Joins two samples that follow one another.
+/// Joins two consecutive samples.
 HealthSample joined(const HealthSample& first, const HealthSample& second);
 
 /// A state between two steps.
 struct ShownFrame {
     std::shared_ptr<const Frame> frame;
-    std::optional<std::size_t> stored;  // its number among the stored ones, from 0; none: it lies between them
+    std::optional<std::size_t> stored;  // its number among stored frames, from 0; none: between two of them
 };
 
-/// How a run begins, or goes on.
+/// The start of a run, new or resumed.
 struct LiveStart {
-    std::shared_ptr<const Scene> scene;  // as it is solved: cut
+    std::shared_ptr<const Scene> scene;  // as solved: cut
     HistoryColumns columns;
 };
 
 struct LiveBatch {
-    std::optional<LiveStart> start;  // everything before it is forgotten
+    std::optional<LiveStart> start;  // all earlier data are dropped
     std::vector<int> stagesBegun;
     std::vector<StageResult> stagesEnded;
     std::vector<Event> events;
@@ -56,20 +56,20 @@ struct LiveBatch {
 
 class LiveFeed {
 public:
-    /// What came since the last call. From the window.
+    /// The data since the last call. Called by the window.
     LiveBatch take();
 
-    // From the thread that runs.
+    // Called by the run's thread.
     void start(std::shared_ptr<const Scene> solved, const HistoryColumns& columns);
     void stageBegins(int stage);
     void stageEnds(const StageResult& result);
     void event(const Event& event);
     void history(const HistoryRow& row);
-    /// Keeps a copy of the frame where the window has taken the one before.
+    /// Keeps a copy of the frame if the window has taken the previous one.
     void frame(const Frame& frame, std::size_t number);
     void look(const Frame& frame);
     void progress(const Progress& progress);
-    /// Results that a store held before the run went on; null: all of them. In place of what came before.
+    /// Results that a store held before the run was resumed; null: all of them. Replaces earlier data.
     void earlier(const RunSource& run, const Checkpoint* until = nullptr);
 
 private:
@@ -78,10 +78,10 @@ private:
     std::atomic<bool> frameWanted_{true};
 };
 
-/// Passes everything on to a store first, so that what the window hears of is safe.
+/// Passes everything to a store first, so that the window only sees data that are saved.
 class LiveSink : public Sink {
 public:
-    /// Both outlive this. \param solved the scene as it is solved.
+    /// Both must outlive this. \param solved the scene as solved.
     LiveSink(Sink& store, LiveFeed& feed, std::shared_ptr<const Scene> solved);
 
     void begin(const Scene& scene, const HistoryColumns& columns) override;

@@ -12,7 +12,7 @@ namespace keyblock {
 namespace {
 
 constexpr std::size_t mostLoaded = 6;  // frames
-constexpr std::size_t mostSamples = 400;  // of health: as many as a strip has pixels, twice
+constexpr std::size_t mostSamples = 400;  // of diagnostics: twice the number of pixels of a strip
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void LiveRun::append(LiveBatch batch) {
     if (batch.health) addHealth(*batch.health);
 }
 
-/// When there are too many, two become one, and from then on each takes twice as many.
+/// When there are too many samples, pairs are merged, and each new one covers twice as many steps.
 void LiveRun::addHealth(const HealthSample& sample) {
     if (!health_.empty() && pendingJoins_ > 0 && health_.back().stage == sample.stage) {
         health_.back() = joined(health_.back(), sample);

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run as the window sees it, while it goes on and afterwards alike: events,
-// history and what is known of the frames in memory, the frames themselves in the
-// store. The window's thread grows it and reads it; other threads get a `Moment`, or all
-// there is so far.
+// A run as the window sees it, in progress or finished: events, history and frame
+// headers in memory, the frames themselves in the store. The window's thread appends to
+// it and reads it; other threads get a `Moment`, or a `RunSoFar`.
 #pragma once
 
 #include "solver/files/stored_frames.h"
@@ -25,13 +24,13 @@ namespace keyblock {
 
 class LiveRun : public RunSource {
 public:
-    /// A run that begins into this store.
+    /// A new run that writes to this store.
     LiveRun(std::filesystem::path store, const LiveStart& start);
 
-    /// A run that a store holds. Reads all but its frames. \throws CannotRead
+    /// A run read from a store, except its frames. \throws CannotRead
     static std::shared_ptr<LiveRun> opened(const std::filesystem::path& store);
 
-    /// Takes what came; a batch with a start is for a new `LiveRun`.
+    /// Appends a batch; a batch with a start belongs to a new `LiveRun`.
     void append(LiveBatch batch);
 
     const Scene& scene() const override { return *scene_; }
@@ -47,13 +46,13 @@ public:
     const std::vector<StageRecord>& stageList() const { return stages_; }
     const std::vector<Event>& eventList() const { return events_; }
     const HistoryLog& historyRows() const { return history_; }
-    /// As they are now; they do not grow in the hands of who has them.
+    /// A snapshot; it does not grow.
     std::shared_ptr<const std::vector<Event>> sharedEvents() const;
 
-    /// The newest state, stored or not; null before the first, and of a run that was opened.
+    /// The newest state, stored or not; null before the first, and for a run opened from a file.
     const ShownFrame& newest() const { return newest_; }
 
-    /// How the steps went, in a few hundred samples at most; empty of a run that was opened.
+    /// Diagnostics of the steps, a few hundred samples at most; empty for a run opened from a file.
     const std::vector<HealthSample>& health() const { return health_; }
     const std::optional<Progress>& progress() const { return progress_; }
 
@@ -71,12 +70,12 @@ private:
     HistoryColumns columns_;
     std::vector<StageRecord> stages_;
     std::vector<Event> events_;
-    mutable std::shared_ptr<const std::vector<Event>> handedOut_;  // the events, until there are more
+    mutable std::shared_ptr<const std::vector<Event>> handedOut_;  // shared copy of the events, until there are more
     HistoryLog history_;
     std::vector<FrameHead> heads_;
     ShownFrame newest_;
     std::vector<HealthSample> health_;
-    int joinedSteps_ = 1, pendingJoins_ = 0;  // samples of the feed in one of ours; in the last one so far
+    int joinedSteps_ = 1, pendingJoins_ = 0;  // samples of the feed per sample here; in the last one so far
     std::optional<Progress> progress_;
 
     StoredFrames frames_;
@@ -84,12 +83,12 @@ private:
     mutable std::list<std::pair<std::size_t, std::shared_ptr<const Frame>>> loaded_;  // the newest first
 };
 
-/// One moment of a run, which does not grow: what a picture of it is made from, on any thread.
+/// One time of a run as a snapshot: pictures are made from it, on any thread.
 class Moment : public RunSource {
 public:
     /// A stored frame.
     Moment(std::shared_ptr<const LiveRun> run, std::size_t index);
-    /// The run's newest state. \pre there is one.
+    /// The run's newest state. \pre it exists.
     explicit Moment(std::shared_ptr<const LiveRun> run);
 
     const Scene& scene() const override { return run_->scene(); }
@@ -98,21 +97,21 @@ public:
     std::vector<StageRecord> stages() const override { return stages_; }
     std::vector<Event> events() const override { return *events_; }
     std::vector<HistoryRow> history() const override { return {}; }
-    const std::vector<FrameHead>& frames() const override { return heads_; }  // the one
+    const std::vector<FrameHead>& frames() const override { return heads_; }  // the snapshot's frame
     Frame frame(std::size_t) const override { return *sharedFrame(); }
 
     std::shared_ptr<const Frame> sharedFrame() const;
 
 private:
-    std::shared_ptr<const LiveRun> run_;  // for what does not grow, and for frames
+    std::shared_ptr<const LiveRun> run_;  // for unchanging data, and for frames
     std::vector<StageRecord> stages_;
     std::shared_ptr<const std::vector<Event>> events_;
     std::vector<FrameHead> heads_;
     std::size_t index_ = 0;
-    std::shared_ptr<const Frame> frame_;  // null: to be loaded
+    std::shared_ptr<const Frame> frame_;  // null: not loaded yet
 };
 
-/// All that a run has, which does not grow: what its curves are made from, on any thread.
+/// Everything of a run so far as a snapshot: curves are made from it, on any thread.
 class RunSoFar : public RunSource {
 public:
     explicit RunSoFar(std::shared_ptr<const LiveRun> run);
@@ -127,7 +126,7 @@ public:
     Frame frame(std::size_t index) const override { return *run_->sharedFrame(index); }
 
 private:
-    std::shared_ptr<const LiveRun> run_;  // for what does not grow, and for frames
+    std::shared_ptr<const LiveRun> run_;  // for unchanging data, and for frames
     std::vector<StageRecord> stages_;
     std::shared_ptr<const std::vector<Event>> events_;
     HistoryLog history_;

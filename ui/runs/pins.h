@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Places that a person pinned on the section, with their values over the run. They
+// Points that the user pinned on the section, with their values over the run. They
 // belong to the view, not to the scene. Frames are read in the background, each once;
 // without pins nothing is read.
 #pragma once
@@ -31,16 +31,16 @@ public:
     const std::vector<std::shared_ptr<const PinTrack>>& tracks() const { return tracks_; }
     std::vector<Pin> pins() const;
 
-    /// Pins it under the smallest number that is free, and returns that.
+    /// Adds a pin with the smallest free number, and returns the number.
     int add(Pin pin);
     void remove(int number);
     void clear();
-    /// All frames that the run has are in the curves.
+    /// Whether the curves include all frames of the run.
     bool isComplete() const;
 
 Q_SIGNALS:
-    void changed();  // other pins
-    void grew();  // more of their values
+    void changed();  // pins were added or removed
+    void grew();  // more values were read
     void failed(const QString& message);  // a frame could not be read
 
 private:

@@ -12,7 +12,7 @@ namespace keyblock {
 
 namespace {
 
-/// Commands are on where they do something.
+/// Commands are enabled only when they have an effect.
 void enableRunCommands(Commands& commands, const Runs& runs) {
     using State = RunSession::State;
     const State state = runs.isRunning() ? runs.session()->state() : State::Ended;

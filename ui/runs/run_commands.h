@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a person can do by name to runs and to the moment that is shown.
+// Commands for runs and for the time shown.
 #pragma once
 
 namespace keyblock {

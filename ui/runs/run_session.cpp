@@ -25,14 +25,15 @@ namespace keyblock {
 
 namespace {
 
-constexpr int interval = 33;  // [ms] between two looks at the run
-constexpr int niceness = 5;  // a third of the processor where the window wants it all
-constexpr double leastFraction = 0.005;  // below it the time left is a guess
+constexpr int interval = 33;  // [ms] between two reads of the feed
+constexpr int niceness = 5;  // a third of the processor if the window needs all of it
+constexpr double leastFraction = 0.005;  // below it the remaining time is a guess
 
-/// Lets the window answer at once beside a run that takes every processor; threads that this one starts do the same.
+/// Keeps the window responsive during a run that uses every processor; threads started from this one inherit the
+/// priority.
 void giveWayToTheWindow() { ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), niceness); }
 
-/// The scene, where it can be run. \throws std::runtime_error with the first thing that is wrong.
+/// Requires a scene that can be run. \throws std::runtime_error with the first error.
 void requireRunnable(const Scene& scene, std::optional<SceneCut>& cut) {
     if (scene.stages.empty())
         throw std::runtime_error("the scene has no stages, so there is nothing to run; add a stage");
@@ -72,7 +73,7 @@ void RunSession::start() {
     });
 }
 
-/// Everything that can be thrown becomes words; the thread ends in any case.
+/// Turns every exception into a message; the thread always ends.
 void RunSession::work(Ending& ending) {
     try {
         runIt(ending);
@@ -208,7 +209,7 @@ void RunSession::tellEnding() {
     }
 }
 
-/// A stage before the last may have failed to stand, or blocks may fall in one that came to the end of its time.
+/// A stage before the last may have been unstable, or blocks may fall in one that reached its duration.
 QString RunSession::finishedMessage() const {
     for (const StageResult& result : ending_.stages) {
         if (result.unstable.empty()) continue;

@@ -31,7 +31,7 @@ int numberOf(const QString& path, const QString& stem) {
     return isNumber ? number : 0;
 }
 
-/// Reads what is known of a store, unless an entry of the same time has it already.
+/// Reads the summary of a store, unless an entry of the same time has it already.
 RunEntry entryOf(const QString& path, const QString& stem, const std::vector<RunEntry>& before) {
     RunEntry entry;
     entry.path = path;
@@ -86,7 +86,7 @@ Runs::Runs(Document& document, TimeCursor& cursor, QObject* parent)
 
 Runs::~Runs() = default;
 
-/// What is over was of the document before; a run that goes on is still shown.
+/// Finished runs belong to the previous document; a run in progress stays.
 void Runs::leave() {
     ++documents_;
     opened_.clear();
@@ -98,7 +98,7 @@ void Runs::leave() {
     Q_EMIT shownChanged();
 }
 
-/// A run that is shown stays in the list when the scene gets another file.
+/// Keeps the run shown in the list when the scene gets another file.
 void Runs::keepShown() {
     const std::vector<QString> found = stores();
     if (cursor_.run() && std::find(found.begin(), found.end(), shown()) == found.end()) opened_ = shown();
@@ -114,7 +114,7 @@ QString Runs::stem() const {
     return document_.title().replace(QRegularExpression("[^\\w.-]+"), "-");
 }
 
-/// Beside a document that was saved: STEM.kbrun and STEM-1.kbrun, ….
+/// Next to a saved document: STEM.kbrun and STEM-1.kbrun, ….
 std::vector<QString> Runs::stores() const {
     std::vector<QString> found;
     const QDir all(folder());
@@ -203,7 +203,7 @@ void Runs::resume(const QString& store) {
 void Runs::begin(const QString& store, bool resume) {
     RunOrder order;
     order.scene = document_.committed();
-    // A check of the scene as it is saves another; its errors are told by the run, which checks for itself.
+    // Reuses the check of the scene; if the scene has errors, the run checks it itself and reports them.
     const Checked& checked = document_.checked();
     if (checked.scene == order.scene && !hasErrors(checked.problems)) order.cut = checked.cut;
     order.store = store.toStdString();
@@ -253,7 +253,7 @@ void Runs::stopForClosing() {
 }
 
 void Runs::openNewest() {
-    if (isRunning()) return;  // that is shown as soon as it has a frame
+    if (isRunning()) return;  // it is shown as soon as it has a frame
     const auto newest = std::ranges::find_if(entries_, [](const RunEntry& entry) { return entry.summary.has_value(); });
     if (newest != entries_.end()) open(QString(newest->path));
 }
@@ -266,7 +266,7 @@ void Runs::open(const QString& store) {
             auto run = LiveRun::opened(store.toStdString());
             const RunSummary summary = runSummary(store.toStdString());
             return [this, documents, run = std::move(run), hash = summary.sceneHash] {
-                if (documents != documents_) return;  // asked for beside another document
+                if (documents != documents_) return;  // the request was for another document
                 shownHash_ = QString::fromStdString(hash);
                 showRun(run, false);
                 keepShown();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The runs of the document: those that lie beside its file, the one that goes on, and
-// stores opened by themselves. Each run has a store of its own; none is overwritten.
+// The runs of the document: those next to its file, the one in progress, and stores
+// opened directly. Each run has its own store; none is overwritten.
 #pragma once
 
 #include "solver/files/run_summary.h"
@@ -27,7 +27,7 @@ struct RunEntry {
     QString path;
     int number = 0;  // as in NAME-3.kbrun; 0: the store has none
     QDateTime time;  // of the last change
-    std::optional<RunSummary> summary;  // none: it goes on, or cannot be read
+    std::optional<RunSummary> summary;  // none: it is in progress, or cannot be read
     QString problem;  // why it cannot be read
     bool goesOn = false;
     bool ofEarlierScene = false;
@@ -48,42 +48,42 @@ public:
     /// Looks for stores again.
     void refresh();
 
-    /// Threads of the runs that are started from now on; 0: as many as the machine has.
+    /// Number of threads for new runs; 0: as many as the machine has.
     void setThreads(int threads) { threads_ = threads; }
 
-    /// Why a run of the document as it is would do nothing; empty: there is something to run.
+    /// Why the document cannot be run; empty: it can.
     QString nothingToRun() const;
-    /// Starts a run of the document, unless one goes on.
+    /// Starts a run of the document, unless one is in progress.
     void start();
-    /// Goes on with a run that was cut short. \pre it is resumable.
+    /// Resumes an interrupted run. \pre it is resumable.
     void resume(const QString& store);
     void pauseOrGoOn();
     void step();
     void stop();
-    /// The run that goes on, or the last that did; null before the first.
+    /// The run in progress, or the last one; null before the first.
     RunSession* session() const { return session_.get(); }
     bool isRunning() const;
 
     /// Shows a stored run; reads it in the background.
     void open(const QString& store);
-    /// Shows the newest run of the document that can be read, where there is one and none goes on.
+    /// Shows the newest readable run of the document, if there is one and none is in progress.
     void openNewest();
-    /// Takes a store away for good. Tells where it cannot.
+    /// Deletes a store permanently. Reports an error if that fails.
     void remove(const QString& store);
-    /// Path of the store that is shown; empty: none.
+    /// Path of the store shown; empty: none.
     QString shown() const;
 
-    /// "Run 12 is of an earlier scene"; empty where the run shown is of the scene as it is.
+    /// "Run 12 used an earlier version of the scene"; empty if the run shown is of the current scene.
     QString staleness() const;
 
-    /// Stops a run that goes on and waits for it; what was done is kept.
+    /// Stops a run in progress and waits for it; results so far are kept.
     void stopForClosing();
 
 Q_SIGNALS:
     void listChanged();
-    void sessionChanged();  // another session, or its state
-    void advanced();  // of the session
-    void sceneChanged();  // of the document: there may be something to run now, or nothing more
+    void sessionChanged();  // another session, or a new state of it
+    void advanced();  // progress of the session
+    void sceneChanged();  // the document was edited: it may have become runnable, or not runnable
     void shownChanged();
     void stalenessChanged();
     void told(const QString& message, bool isError);
@@ -104,8 +104,8 @@ private:
     int threads_ = 0;
     std::unique_ptr<RunSession> session_;
     std::vector<RunEntry> entries_;
-    QString opened_;  // a store that is none of the document's
-    int documents_ = 0;  // so far
+    QString opened_;  // a store that does not belong to the document
+    int documents_ = 0;  // number so far
     QString documentHash_, shownHash_;
     Background listing_, opening_;
 };

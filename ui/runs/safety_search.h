@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The factor of safety of the document, searched for on a thread of its own while
-// the window stays usable.
+// Searches for the factor of safety of the document on its own thread while the window
+// stays usable.
 #pragma once
 
 #include "solver/run/safety.h"
@@ -31,15 +31,15 @@ public:
     /// Stops and waits.
     ~SafetySearch() override;
 
-    /// Searches for the factor of the document as it is now, unless a search is in progress.
+    /// Searches for the factor of the current document, unless a search is in progress.
     void start();
     void stop();
     bool isBusy() const { return busy_; }
 
-    // Of the newest search.
+    // Of the latest search.
     const std::vector<SafetyRun>& runs() const { return runs_; }
-    const std::optional<SafetyFactor>& found() const { return found_; }  // none: it has not ended
-    const QString& problem() const { return problem_; }  // why there is no factor; empty: none
+    const std::optional<SafetyFactor>& found() const { return found_; }  // none: it is not finished
+    const QString& problem() const { return problem_; }  // why there is no factor; empty: no error
     const std::vector<std::string>& blockNames() const { return names_; }
     const Scene& scene() const { return *scene_; }
     double factorNow() const { return factor_; }  // of the run in progress
@@ -61,7 +61,7 @@ private:
     QString problem_;
     std::atomic<double> factor_{1.0}, fraction_{0.0};
     Control control_;
-    std::mutex mutex_;  // of what the thread hands over
+    std::mutex mutex_;  // protects the data that the thread hands over
     std::vector<SafetyRun> newRuns_;
     std::optional<SafetyFactor> newFound_;
     std::string newProblem_;

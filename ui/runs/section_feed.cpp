@@ -17,25 +17,25 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostValues = 100000;  // kept for ranges
+constexpr std::size_t mostValues = 100000;  // frames kept for ranges
 constexpr std::size_t fewestFrames = 8, mostFrames = 64;  // whose values are kept
-constexpr std::size_t mostRead = 600;  // frames of a stored run, evenly over all
+constexpr std::size_t mostRead = 600;  // frames of a stored run, evenly spread
 
 }  // namespace
 
-/// Legends that grow. Used by one thread at a time.
+/// Legends of a run in progress. Used by one thread at a time.
 struct SectionFeed::Ranges {
     std::shared_ptr<const LiveRun> run;
     const FrameQuantity<BlockState>* blocks;
     const FrameQuantity<BoltNodeFrame>* bolts;
     bool contacts;
     SectionRanges ranges;
-    std::optional<std::pair<int, long>> newest;  // stage and step of the last frame that was added
+    std::optional<std::pair<int, long>> newest;  // stage and step of the last frame added
     std::optional<SectionLegends> legends;
     ScaleChoices scales;  // of these legends
     int held = -1;  // the most loaded bolt of the run so far
 
-    /// \param scene whose limits count
+    /// \param scene whose steel limits are used
     Ranges(std::shared_ptr<const LiveRun> of, const Scene& scene, const SectionRequest& request)
         : run(std::move(of)), blocks(request.blocks), bolts(request.bolts), contacts(request.contacts),
           ranges(scene, request) {}
@@ -60,7 +60,7 @@ struct SectionFeed::Ranges {
         legends.reset();
     }
 
-    /// All frames that a store holds, or some evenly over all, until the job is overtaken.
+    /// All frames of a store, or an evenly spread subset, until the job is superseded.
     void addStored(const LiveRun& of, std::size_t count, const Background& job) {
         const std::size_t read = std::min(count, mostRead);
         for (std::size_t i = 0; i < read && !job.isOvertaken(); ++i) {
@@ -102,7 +102,7 @@ void SectionFeed::showResults(bool results) {
 
 bool SectionFeed::showsResults() const { return results_ && cursor_.hasMoment(); }
 
-/// A run that is chosen is one that a person wants to see.
+/// A newly chosen run is shown.
 void SectionFeed::runChanged() {
     if (cursor_.run()) results_ = true;
     goesOn_ = cursor_.goesOn();
@@ -113,7 +113,7 @@ void SectionFeed::runChanged() {
     make();
 }
 
-/// Until then ranges were of the frames that were looked at.
+/// Before that, ranges covered only the frames shown.
 void SectionFeed::runEnded() {
     if (ranges_ && showsResults()) gatherRanges();
     else ranges_.reset();
@@ -130,7 +130,7 @@ SectionRequest SectionFeed::request() const {
     request.everyContact = true;
     request.factor = choice.factor;
     request.scales = choice.scales;
-    if (other_)  // of one frame each, the two would have scales of their own
+    if (other_)  // with single frames each, the two would have different scales
         for (auto& [quantity, scale] : request.scales)
             if (scale.of == ScaleOf::ThisFrame) scale.of = ScaleOf::AllFrames;
     if (!choice.callOuts) request.mostEvents = 0;
@@ -186,8 +186,8 @@ void SectionFeed::shareRanges(std::shared_ptr<const LiveRun> other, bool leads) 
     make();
 }
 
-/// Values of the frames that a store holds already, read beside the painting. Two runs that share their ranges are read
-/// in the same order, so that both find the same.
+/// Reads values of stored frames while painting continues. Two runs with shared ranges are read in the same order, so
+/// that both get the same ranges.
 void SectionFeed::gatherRanges() {
     const std::size_t count = cursor_.run()->frames().size(), others = other_ ? other_->frames().size() : 0;
     if (count + others < 2) return;
@@ -197,7 +197,7 @@ void SectionFeed::gatherRanges() {
             ranges->addStored(*ranges->run, count, gathering_);
             if (other && leads) ranges->addStored(*other, others, gathering_);
         } catch (const std::exception&) {
-            // Painting tells of a store that cannot be read; the ranges are of what could.
+            // A store that cannot be read is reported by painting; ranges use the readable frames.
         }
         return [this, ranges, other] {
             if (other == other_) takeRanges(ranges);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes pictures of results on a thread of its own: of the moment that the
-// time cursor shows, as the view settings ask for, with ranges over all frames of the
-// run. Of a run that goes on the ranges grow with the frames that are shown.
+// Creates pictures of results on its own thread: at the time of the time cursor, with
+// the view settings, with ranges over all frames of the run. During a run the ranges
+// grow with the frames shown.
 #pragma once
 
 #include "ui/document/background.h"
@@ -30,17 +30,17 @@ public:
                 QObject* parent = nullptr);
     ~SectionFeed() override;
 
-    /// Whether results are wanted, where there are any, or the scene as it is drawn.
+    /// Whether results are wanted, if there are any, or the scene as drawn.
     void showResults(bool results);
     bool showsResults() const;
 
-    /// Ranges over this run and another that stands beside it, alike in both; null: over this one alone. One of the two
-    /// leads: limits of the steel and round-off are those of its scene.
+    /// Common ranges for this run and a second one; null: for this one only. One of the two is the leader: steel
+    /// limits and round-off are those of its scene.
     void shareRanges(std::shared_ptr<const LiveRun> other, bool leads);
 
     /// The newest picture of results; null before the first.
     const std::shared_ptr<const SectionPicture>& picture() const { return picture_; }
-    /// The frame that it is of.
+    /// The frame of that picture.
     const std::shared_ptr<const Frame>& frame() const { return frame_; }
 
 Q_SIGNALS:
@@ -66,7 +66,7 @@ private:
     const Display& display_;
     bool results_ = true, showed_ = false, goesOn_ = false;
     std::shared_ptr<Ranges> ranges_;  // of the run and the quantities shown
-    std::shared_ptr<const LiveRun> other_;  // whose ranges are shared
+    std::shared_ptr<const LiveRun> other_;  // run that shares the ranges
     bool leads_ = true;
     std::shared_ptr<const SectionPicture> picture_;
     std::shared_ptr<const Frame> frame_;

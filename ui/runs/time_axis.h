@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One axis for all stages of a scene, done and to come: each stage has room by its
-// kind, and within it time runs evenly. Places are shares of the whole, 0 … 1.
+// One axis for all stages of a scene, computed or not: the width of each stage depends
+// on its kind, and time is linear within it. Positions are fractions of the whole, 0 …
+// 1.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -21,19 +22,19 @@ public:
     };
 
     TimeAxis() = default;
-    /// Dynamic stages have three times the room of static ones.
+    /// Dynamic stages are three times as wide as static ones.
     explicit TimeAxis(const Scene& scene);
 
     const std::vector<Span>& spans() const { return spans_; }
     bool isEmpty() const { return spans_.empty(); }
-    /// Place of a moment; that of the axis' end for a stage that is not there.
+    /// Position of a time; the end of the axis for a stage that does not exist.
     double at(int stage, double time) const;
 
     struct Moment {
         int stage = 0;
         double time = 0.0;
     };
-    /// The moment at a place; the nearest end outside 0 … 1. \pre there is a stage.
+    /// The time at a position; outside 0 … 1 the nearest end. \pre there is a stage.
     Moment momentAt(double place) const;
 
 private:

@@ -14,7 +14,7 @@ namespace keyblock {
 namespace {
 
 constexpr double framesPerSecond = 25.0;
-constexpr int shortestInterval = 33;  // [ms] faster ones leave frames out
+constexpr int shortestInterval = 33;  // [ms] faster playback skips frames
 
 StageTime timeOf(const FrameHead& head) { return {head.stage, head.time}; }
 StageTime timeOf(const Event& event) { return {event.stage, event.time}; }
@@ -46,7 +46,7 @@ void TimeCursor::grown() {
     const bool first = !live_ && run_->frames().size() == 1;
     if (live_ && !run_->frames().empty()) frame_ = run_->frames().size() - 1;
     Q_EMIT runGrew();
-    // Progress alone shows nothing new, nor does a paused run that is looked at again.
+    // Progress alone shows nothing new, nor does a paused run that is read again.
     const ShownFrame& newest = run_->newest();
     const Followed now{newest.frame ? newest.frame->stage : -1, newest.frame ? newest.frame->step : -1,
                        newest.frame ? newest.frame->time : 0.0, run_->frames().size()};
@@ -126,7 +126,7 @@ void TimeCursor::goLive() {
     Q_EMIT moved();
 }
 
-/// Where a step leads. Between stored frames one step back is the last of them.
+/// Target of a step. From between stored frames one step back leads to the last of them.
 long TimeCursor::stepFrom(int by) const {
     const bool between = live_ && !frame();
     return static_cast<long>(frame_) + by + (between && by < 0 ? 1 : 0);
@@ -183,7 +183,7 @@ std::optional<std::size_t> TimeCursor::frameAfter(long event) const {
     return static_cast<std::size_t>(after - frames.begin());
 }
 
-/// The frame of the state just before an event, where that state was kept.
+/// The frame of the state just before an event, if that state was kept.
 std::optional<std::size_t> TimeCursor::frameBefore(long event) const {
     const std::size_t end = frameAfter(event).value_or(run_->frames().size());
     if (end == 0 || timeOf(run_->frames()[end - 1]) != timeOf(run_->eventList()[static_cast<std::size_t>(event)]))
@@ -191,7 +191,7 @@ std::optional<std::size_t> TimeCursor::frameBefore(long event) const {
     return end - 1;
 }
 
-/// True where there is more to stop at than joints that slip, which they do by the thousand.
+/// Whether there are events other than joint slips, which occur by the thousand.
 bool TimeCursor::passesMinor() const {
     const auto& events = run_->eventList();
     return std::any_of(events.begin(), events.end(), [this](const Event& event) { return stopsAt(event, true); });
@@ -247,7 +247,7 @@ void TimeCursor::playOrPause() {
 }
 
 void TimeCursor::play() {
-    if (!run_ || run_->frames().size() < 2 || isPlaying() || live_) return;  // what is live plays itself
+    if (!run_ || run_->frames().size() < 2 || isPlaying() || live_) return;  // a live run advances by itself
     if (frame_ + 1 >= run_->frames().size()) show(0);
     timer_.start(std::max(shortestInterval, static_cast<int>(std::lround(1000.0 / (framesPerSecond * speed_)))));
     Q_EMIT changed();

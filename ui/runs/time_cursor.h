@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which moment of which run is shown: one for section, time line, strip and curves.
-// It plays, steps, jumps to events and follows a run that goes on.
+// The run and time shown, common to section, timeline, bolt diagram and curves. It
+// plays, steps, jumps to events and follows a run in progress.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -21,7 +21,7 @@ namespace keyblock {
 class LiveRun;
 class Moment;
 
-/// A moment within a stage.
+/// A time within a stage.
 struct StageTime {
     int stage = 0;
     double time = 0.0;  // [s], or pseudo-time 0 … 1
@@ -36,25 +36,25 @@ public:
     explicit TimeCursor(QObject* parent = nullptr);
     ~TimeCursor() override;
 
-    /// Shows another run, its newest moment; null: none. `goesOn`: it still grows, and is followed.
+    /// Shows another run at its newest time; null: none. `goesOn`: it is in progress, and is followed.
     void setRun(std::shared_ptr<LiveRun> run, bool goesOn);
-    /// The run grew. Moves on where it is followed.
+    /// The run grew. Moves to the end if it is followed.
     void grown();
-    /// The run ended; what is shown is its last frame where it was followed.
+    /// The run ended; its last frame is shown if it was followed.
     void ranOut();
 
     const std::shared_ptr<LiveRun>& run() const { return run_; }
     bool goesOn() const { return goesOn_; }
-    /// Follows the newest moment of a run that goes on.
+    /// Whether the newest time of a run in progress is followed.
     bool isLive() const { return live_; }
     bool hasMoment() const;
-    /// Stored frame that is shown; none: there is none yet, or it lies between the stored ones.
+    /// Stored frame shown; none: there is none yet, or the time is between stored frames.
     std::optional<std::size_t> frame() const;
-    /// The same, or the last one before; none: nothing is stored yet.
+    /// The same, or the last one before; none: no frame is stored yet.
     std::optional<std::size_t> storedFrame() const;
-    /// \pre there is a moment.
+    /// \pre `hasMoment()`.
     FrameHead head() const;
-    /// The moment for pictures, on any thread; null without one.
+    /// Snapshot for pictures, on any thread; null without one.
     std::shared_ptr<const Moment> moment() const;
 
     void goTo(std::size_t frame);
@@ -63,18 +63,18 @@ public:
     void goLive();
     void step(int by);
     void home();
-    void end();  // of a run that goes on: follows it
-    /// To the state just before the next event of the kinds that are shown, where it was kept, then to the first frame
-    /// that shows the event; false when there is none. Minor events are skipped where others are shown.
+    void end();  // of a run in progress: follows it
+    /// To the state just before the next event of the visible kinds, if it was kept, then to the first frame that
+    /// shows the event; false if there is none. Minor events are skipped if others are shown.
     bool nextEvent();
     bool previousEvent();  // to the last such frame before the one shown
     bool hasNextEvent() const { return nextEventFrame().has_value(); }
     bool hasPreviousEvent() const { return previousEventFrame().has_value(); }
-    bool canStep(int by) const;  // to a frame that is there
+    bool canStep(int by) const;  // to an existing frame
     bool canGoHome() const;
     bool canGoToEnd() const;
 
-    void playOrPause();  // of a run that is followed: stays at its last stored frame
+    void playOrPause();  // of a run that is followed: stops at its last stored frame
     void play();
     void pause();
     bool isPlaying() const { return timer_.isActive(); }
@@ -83,7 +83,7 @@ public:
     bool loops() const { return loops_; }
     void setLoops(bool loops);
 
-    /// The moment that others are compared with, a stored frame; none: not set. A is the moment itself.
+    /// The time that others are compared with, a stored frame; none: not set. A is the time shown.
     std::optional<std::size_t> cursorB() const { return b_; }
     void setCursorB(std::optional<std::size_t> frame);
 
@@ -91,18 +91,18 @@ public:
     void toggleBookmark();  // at the frame shown, or the last one before
     void toggleCursorB();
 
-    /// Kinds of events that are hidden on the time line and passed over.
+    /// Kinds of events that are hidden on the timeline and skipped.
     const std::set<EventKind>& hiddenKinds() const { return hidden_; }
     void setHidden(EventKind kind, bool hidden);
 
 Q_SIGNALS:
     void runChanged();
     void runGrew();
-    void moved();  // to another moment
+    void moved();  // to another time
     void changed();  // playing, speed, loop, cursor B, bookmarks, kinds
 
 private:
-    /// How far the run was when it grew last.
+    /// Size of the run when it last grew.
     struct Followed {
         int stage = -1;
         long step = -1;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a person wants to see of results: quantities of blocks and bolts, the ribbon,
-// how much displacements are enlarged, and what is drawn over it.
+// Display settings of results: quantities of blocks and bolts, the force diagram, the
+// scale factor of displacements, and overlays.
 #pragma once
 
 #include "solver/results/frame_quantities.h"
@@ -15,16 +15,16 @@
 
 namespace keyblock {
 
-enum class RibbonOf { Nothing, Selected, Largest };  // Selected: where none is, the largest
+enum class RibbonOf { Nothing, Selected, Largest };  // Selected: if none is, the largest
 
 struct ViewChoice {
     const FrameQuantity<BlockState>* blocks = nullptr;  // null: plain rock
     const FrameQuantity<BoltNodeFrame>* bolts = nullptr;  // null: plain
     RibbonOf ribbon = RibbonOf::Selected;
-    double factor = 1.0;  // on displacements
+    double factor = 1.0;  // scale factor of displacements
     std::optional<ArrowKind> arrows;
-    bool contacts = false;  // forces as lines
-    bool callOuts = true;  // at events
+    bool contacts = false;  // contact forces as lines
+    bool callOuts = true;  // labels at events
     ScaleChoices scales{};
 
     bool operator==(const ViewChoice&) const = default;
@@ -34,7 +34,7 @@ class ViewSettings : public QObject {
     Q_OBJECT
 
 public:
-    /// σ₁ and N, as it is.
+    /// The defaults: σ₁ and N.
     explicit ViewSettings(QObject* parent = nullptr);
 
     const ViewChoice& choice() const { return choice_; }
