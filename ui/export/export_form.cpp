@@ -25,7 +25,7 @@ namespace keyblock {
 namespace {
 
 constexpr int formWidth = 300;  // [px]
-constexpr double filmWidth = 160.0;  // [mm] of the paper that pictures of an animation are painted on
+constexpr double filmWidth = 160.0;  // [mm] width of the paper on which frames of an animation are painted
 constexpr const char* pictureFolder = "png";  // format of an animation
 
 QString textOf(std::string_view text) { return QString::fromUtf8(text.data(), int(text.size())); }
@@ -200,7 +200,7 @@ void ExportForm::allowArrows(bool allowed) {
     }
 }
 
-/// Shows the rows that apply to the chosen kind, and no others.
+/// Shows only the rows that apply to the chosen kind.
 void ExportForm::showFields() {
     const Kind what = kind();
     fillFormats();
@@ -246,7 +246,7 @@ void ExportForm::setSize(FigureRequest& request) const {
     if (kind() != Kind::Film) return;
     const double pixels = pixels_->currentData().toDouble();
     request.dpi = static_cast<int>(std::lround(25.4 * pixels / filmWidth));
-    request.width = 25.4 * pixels / request.dpi;  // so that it is exactly as many pixels
+    request.width = 25.4 * pixels / request.dpi;  // so that the width in pixels is exact
 }
 
 void ExportForm::setMoment(FigureRequest& request) const {

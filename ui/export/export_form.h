@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The choices of an export: what, of which quantities, in which format and size. It
-// shows the rows that apply to the chosen kind, and makes the order of them.
+// The choices of an export: content, quantities, format and size. It shows the rows
+// that apply to the chosen content, and creates the export order from them.
 #pragma once
 
 #include "ui/export/export_job.h"
@@ -27,16 +27,16 @@ public:
 
     explicit ExportForm(QWidget* parent);
 
-    /// Offers what this run has, and chooses what the screen shows.
+    /// Offers what this run has, and selects what the screen shows.
     void take(const Exportable& now);
     void choose(ExportWhat what);
 
     Kind kind() const;
-    /// Without a place to write to.
+    /// Without a path to write to.
     ExportOrder order() const;
-    /// Ending of the file to write; empty: a folder.
+    /// Extension of the file to write; empty: a folder.
     QString ending() const;
-    /// A path without ending to begin with.
+    /// Suggested path without extension.
     QString suggested() const;
 
 Q_SIGNALS:

@@ -15,7 +15,7 @@ namespace keyblock {
 
 namespace {
 
-/// A run whose next frame is refused once it shall stop, whoever asks for it.
+/// A run that throws at the next frame once the export is stopped.
 class StoppableRun : public RunSource {
 public:
     StoppableRun(const RunSource& run, const std::atomic<bool>& stop) : run_(run), stop_(stop) {}
@@ -58,7 +58,7 @@ bool isThere(const RunSource& run, FigureKind kind) {
 
 ExportJob::ExportJob(QObject* parent) : QObject(parent) {}
 
-/// The thread may be waiting for the window's thread, which is here.
+/// The thread may be waiting for the window's thread, which is this one.
 ExportJob::~ExportJob() {
     stop_ = true;
     while (!ended_) {
@@ -149,7 +149,7 @@ std::size_t ExportJob::exportFigures(const RunSource& run, const ExportOrder& or
         FigureRequest request = order.figure;
         request.kind = kind;
         if (kind != FigureKind::Section) request.quantity.reset();
-        if (kind == FigureKind::Curves) request.filter = {};  // they are of the whole run
+        if (kind == FigureKind::Curves) request.filter = {};  // curves are of the whole run
         request.filter.bolt = bolt;
         const std::string ending = endings[static_cast<std::size_t>(request.format)];
         written += paint(run, request, false, order.out / (request.runName + "-" + name + ending));
@@ -166,7 +166,7 @@ void ExportJob::tell(const QString& what, std::size_t done, std::size_t all) {
     QMetaObject::invokeMethod(this, [=, this] { Q_EMIT advanced(what, int(done), int(all)); }, Qt::QueuedConnection);
 }
 
-/// Errors of the task come out here.
+/// Exceptions of the task are rethrown here.
 void ExportJob::inWindow(const std::function<void()>& task) {
     std::exception_ptr thrown;
     QMetaObject::invokeMethod(qApp, [&] {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Exports on a thread of its own, from the run's store, so that neither the window
-// nor a run that goes on waits for it. Charts alone are made in the window's thread,
-// a fraction of a second each.
+// Exports on its own thread, from the run's store, so that neither the window nor a run
+// in progress waits for it. Only charts are drawn in the window's thread, a fraction of
+// a second each.
 #pragma once
 
 #include "ui/export/export_write.h"
@@ -22,9 +22,9 @@ enum class ExportWhat { Figure, Numbers, Film, Everything };
 struct ExportOrder {
     ExportWhat what = ExportWhat::Figure;
     std::filesystem::path store;
-    std::filesystem::path out;  // a file; of everything a folder
+    std::filesystem::path out;  // a file; for everything a folder
     FigureRequest figure;
-    bool withData = false;  // a figure's numbers too, as CSV files next to it
+    bool withData = false;  // also the data of a figure, as CSV files next to it
     TableKind table = TableKind::History;
     int perSecond = 12;
 };
@@ -37,7 +37,7 @@ public:
     /// Stops and waits.
     ~ExportJob() override;
 
-    /// \pre it does nothing.
+    /// \pre it is not busy.
     void start(ExportOrder order);
     void stop() { stop_ = true; }
     bool isBusy() const { return busy_; }
@@ -60,7 +60,7 @@ private:
     std::thread thread_;
 };
 
-/// A figure that cannot be drawn of this run is left out of everything; this one says whether the run has any.
+/// Whether the run has data for a figure; figures without data are omitted when everything is exported.
 bool isThere(const RunSource& run, FigureKind kind);
 
 }  // namespace keyblock

@@ -28,7 +28,7 @@ namespace {
 
 constexpr int previewWidth = 620, previewDpi = 110;  // [px], of a sheet of 160 mm about as wide
 
-/// The picture as it will be printed, smaller; errors come as words.
+/// The figure as it will be printed, smaller; errors become a message.
 struct Preview {
     QImage image;
     QString message;
@@ -45,7 +45,7 @@ Preview previewOf(const RunSource& run, FigureRequest request) {
     }
 }
 
-/// What goes to the clipboard.
+/// The content for the clipboard.
 struct Copied {
     QByteArray bytes;
     QString problem;  // empty: none
@@ -62,7 +62,7 @@ std::string bytesOf(const RunSource& run, const ExportOrder& order) {
     return paintFigure(run, figure).bytes;
 }
 
-/// \param run null: as the store has it, for other threads.
+/// \param run null: read the store, on another thread.
 Copied copyOf(const RunSource* run, const ExportOrder& order) {
     try {
         return {QByteArray::fromStdString(run ? bytesOf(*run, order) : bytesOf(RunStore(order.store), order)), {}};
@@ -198,7 +198,7 @@ void ExportWindow::showPreview(const QImage& image, const QString& message) {
     else picture_->setPixmap(QPixmap::fromImage(image.scaled(picture_->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
 }
 
-/// A figure as it would be printed at the chosen resolution; a table as text.
+/// Copies a figure as it would be printed at the chosen resolution; a table as text.
 void ExportWindow::copy() {
     if (!now_.run) return;
     const auto copied = [this, isText = form_->kind() == ExportForm::Kind::Numbers](const Copied& made) -> Background::Result {
@@ -214,13 +214,13 @@ void ExportWindow::copy() {
     copying_->ask([asked, copied] { return copied(copyOf(nullptr, asked)); });
 }
 
-/// Of a file, or the folder that pictures or all files are written into; empty: the user gave none.
+/// Path of the file, or of the folder for images or all files; empty: cancelled.
 QString ExportWindow::askPlace() {
     const QString start = form_->suggested(), ending = form_->ending();
     if (!ending.isEmpty()) return askSavePath(*this, tr("Export"), start + '.' + ending, "*." + ending, ending);
     const QFileInfo suggested(start);
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Export into a folder"), suggested.absolutePath());
-    // Pictures get a folder of their own, so that a later animation can replace them.
+    // Images get a folder of their own, so that a later animation can replace them.
     const bool isFilm = form_->kind() == ExportForm::Kind::Film;
     return folder.isEmpty() || !isFilm ? folder : folder + '/' + suggested.fileName();
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Figures, tables and animations of the run that is shown, with a preview as they
-// will be printed. A window of its own that may stay open while working.
+// Figures, tables and animations of the run shown, with a print preview. A window of
+// its own that may stay open while working.
 #pragma once
 
 #include "ui/export/export_job.h"
@@ -30,9 +30,9 @@ public:
     ExportWindow(std::function<Exportable()> shown, const Themes& themes, QWidget* parent);
     ~ExportWindow() override;
 
-    /// Takes what is on the screen now, and shows the window with a kind chosen.
+    /// Reads the current view, and shows the window with a kind chosen.
     void open(ExportWhat what);
-    /// The run has more frames than before: an open window previews it again.
+    /// The run has more frames than before: an open window updates its preview.
     void refresh();
 
 private:
@@ -47,7 +47,7 @@ private:
     std::function<Exportable()> shown_;
     const Themes& themes_;
     Exportable now_;
-    std::size_t frames_ = 0;  // of the run that is previewed
+    std::size_t frames_ = 0;  // frames of the previewed run
     ExportJob* job_;
     Background *painting_, *copying_;
     ExportForm* form_;

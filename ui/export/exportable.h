@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the screen shows of a run, so that an export begins with the same.
+// The current view of a run, the starting point of an export.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -16,14 +16,14 @@
 namespace keyblock {
 
 struct Exportable {
-    std::shared_ptr<const RunSource> run;  // null: there is none
+    std::shared_ptr<const RunSource> run;  // null: none
     std::filesystem::path store;
     std::optional<std::size_t> frame;  // null: the last
-    std::string quantity;  // of blocks or over them, as figures name it; empty: their own choice
-    int bolt = -1;  // row of the scene's bolts; −1: none in particular
-    double factor = 1.0;  // on displacements
+    std::string quantity;  // of blocks or over them, by its name in figures; empty: the default of the figure
+    int bolt = -1;  // row of the scene's bolts; −1: no particular one
+    double factor = 1.0;  // scale factor of displacements
     ScaleChoices scales{};  // of the colours
-    std::string boltQuantity{};  // as figures name it; empty: their own choice
+    std::string boltQuantity{};  // by its name in figures; empty: the default of the figure
     std::optional<Box> view{};  // of the section on the screen [m]
 };
 

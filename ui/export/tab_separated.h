@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A table on its way to the clipboard: spreadsheets put text with tabs into columns,
-// text with commas into one.
+// Converts a table for the clipboard: spreadsheets split text at tabs into columns, but
+// not at commas.
 #pragma once
 
 #include <string>

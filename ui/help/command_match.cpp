@@ -14,7 +14,7 @@ constexpr int wordBegins = 100, within = 60, scattered = 30;
 
 bool beginsWord(const QString& name, int place) { return place == 0 || !name[place - 1].isLetterOrNumber(); }
 
-/// Letters in their order, with others between; fewer jumps are better.
+/// Letters in order, possibly with others between; fewer gaps are better.
 int matchOfLetters(const QString& word, const QString& name) {
     int place = -1, jumps = 0;
     for (const QChar letter : word) {

@@ -125,7 +125,7 @@ CommandPalette::CommandPalette(const Commands& commands, const Themes& themes, Q
     column->addWidget(none_);
     typed_->installEventFilter(this);
     connect(typed_, &QLineEdit::textChanged, this, &CommandPalette::list);
-    // Later: a list that scrolls to what is chosen says so too, and must not choose something else in the midst of it.
+    // Deferred: scrolling to the current item emits the same signal and must not change the choice meanwhile.
     connect(found_, &QListWidget::itemEntered, this, [this] { QTimer::singleShot(0, this, &CommandPalette::chooseUnderMouse); });
     connect(found_, &QListWidget::itemClicked, this, &CommandPalette::run);
     hide();
@@ -164,7 +164,7 @@ void CommandPalette::place() {
     move((parentWidget()->width() - this->width()) / 2, top);
 }
 
-/// Only where the mouse was moved, not the list under it.
+/// Only after the mouse has moved, not when the list moves under it.
 void CommandPalette::chooseUnderMouse() {
     const QPoint mouse = QCursor::pos();
     if (mouse == mouse_) return;
@@ -172,7 +172,7 @@ void CommandPalette::chooseUnderMouse() {
     if (QListWidgetItem* item = found_->itemAt(found_->viewport()->mapFromGlobal(mouse))) found_->setCurrentItem(item);
 }
 
-/// The command runs once the palette is gone, so that it finds the focus where it was.
+/// The command runs after the palette has closed, so that the focus is restored first.
 void CommandPalette::run() {
     const QListWidgetItem* item = found_->currentItem();
     if (!item) return;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every command by its name: type a few letters, Enter runs it. It lies over the
-// window and goes with Esc, with a click elsewhere, or once a command is chosen.
+// All commands by name: type a few letters, Enter runs one. It opens over the window
+// and closes with Esc, with a click elsewhere, or when a command is chosen.
 #pragma once
 
 #include <QFrame>
@@ -40,12 +40,12 @@ private:
     const Themes& themes_;
     QLineEdit* typed_;
     QListWidget* found_;
-    QLabel* none_;  // what is said where nothing fits
-    QStringList recent_;  // ids, newest first, kept in the settings
-    QPoint mouse_;  // where it was when something was last chosen by it [px of the screen]
+    QLabel* none_;  // message if nothing matches
+    QStringList recent_;  // ids, newest first, saved in the settings
+    QPoint mouse_;  // cursor position when an item was last chosen with the mouse [px of the screen]
 };
 
-/// Commands that fit what is typed, best first; of equals those that can be used, and of those the last used.
+/// Commands that match the typed text, best first; among equals, enabled ones first, then the most recently used.
 QList<QAction*> commandsFor(const QString& typed, const Commands& commands, const QStringList& recent);
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The help pages that come within the program, and where a word stands in them.
+// The help pages built into the program, and a search for words in them.
 #pragma once
 
 #include <QString>
@@ -20,17 +20,17 @@ struct HelpPage {
 /// All pages: the one on the window first, then by name.
 const std::vector<HelpPage>& helpPages();
 
-/// The page of that name; null when there is none.
+/// The page of that name; null if there is none.
 const HelpPage* findHelpPage(const QString& name);
 
 struct HelpHit {
     const HelpPage* page = nullptr;
-    QString heading;  // that it stands below
-    QString line;  // without marks of Markdown
-    int occurrence = 0;  // of the words typed in the page, from 0
+    QString heading;  // heading above the line
+    QString line;  // without Markdown marks
+    int occurrence = 0;  // number of the hit in the page, from 0
 };
 
-/// Lines that hold what is typed, at most so many; those in headings first.
+/// Lines that contain the typed text, at most so many; those in headings first.
 std::vector<HelpHit> searchHelp(const QString& typed, std::size_t most = 60);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The help pages in the window, with a search over all of them. F1 opens it at the
-// field or tool under the mouse.
+// The help pages in the window, with a search over all of them. F1 opens them at the
+// field or tool under the cursor.
 #pragma once
 
 #include <QWidget>
@@ -23,9 +23,9 @@ class HelpView : public QWidget {
 public:
     explicit HelpView(const Themes& themes, QWidget* parent = nullptr);
 
-    /// Shows a page, at the first place of `words` (a heading or a field's name); without words at its beginning.
+    /// Shows a page, at the first occurrence of `words` (a heading or a field's name); without words at its beginning.
     void open(const QString& page, const QString& words = {}, int occurrence = 0);
-    /// Shows what is found for the words.
+    /// Shows search results for the words.
     void search(const QString& words);
 
 Q_SIGNALS:
@@ -45,7 +45,7 @@ private:
     QString shown_;
 };
 
-/// What F1 is to show of a widget: the nearest `helpTopic` property above it, `page` or `page#words`.
+/// The help topic of a widget: the nearest `helpTopic` property of it or its parents, `page` or `page#words`.
 QString helpTopicOf(const QWidget* widget);
 
 }  // namespace keyblock

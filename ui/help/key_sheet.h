@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All commands with their keys, by menu. Keys are changed here; a command that would
-// lose its keys to another is told before.
+// All commands with their keyboard shortcuts, by menu. Shortcuts are changed here; a
+// command that would lose its shortcut is named before.
 #pragma once
 
 #include <QKeySequence>
@@ -48,7 +48,7 @@ private:
     QPushButton *set_ = nullptr, *original_ = nullptr;
 };
 
-/// The command that has these keys, if it is not `but`; null: none.
+/// The command that has these keys, other than `but`; null: none.
 QAction* commandWithKeys(const Commands& commands, const QKeySequence& keys, const QAction* but);
 
 }  // namespace keyblock

@@ -15,7 +15,7 @@ class SearchBox : public QAbstractButton {
     Q_OBJECT
 
 public:
-    /// `command` opens the palette; its keys stand in the box.
+    /// `command` opens the palette; its keys are shown in the box.
     SearchBox(QAction& command, const Themes& themes, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {196, 24}; }

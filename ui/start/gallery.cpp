@@ -161,7 +161,7 @@ bool Gallery::eventFilter(QObject* watched, QEvent* event) {
     return true;
 }
 
-/// Moves the focus over the cards that are shown, as they stand.
+/// Moves the focus between visible cards by their positions.
 void Gallery::step(SampleCard* from, int columns, int key) {
     std::vector<SampleCard*> shown;
     std::ranges::copy_if(cards_, std::back_inserter(shown), [](SampleCard* card) { return !card->isHidden(); });

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The samples as cards in as many columns as there is room for, with buttons that
-// leave only one kind.
+// The samples as cards in as many columns as fit, with buttons that filter by kind.
 #pragma once
 
 #include "ui/start/samples.h"
@@ -50,7 +49,7 @@ private:
     QWidget* sheet_;
     QWidget *title_ = nullptr, *hint_ = nullptr;
     int columns_ = 1;
-    double asked_ = 0.0;  // pixel ratio of the pictures; 0: none were asked for
+    double asked_ = 0.0;  // pixel ratio of the pictures; 0: none requested yet
 };
 
 }  // namespace keyblock

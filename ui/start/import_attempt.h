@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A drawing read once with some settings, and what would come of it.
+// A drawing read once with some settings, and the resulting scene.
 #pragma once
 
 #include "solver/files/section_import.h"
@@ -15,11 +15,11 @@ namespace keyblock {
 
 struct ImportAttempt {
     Import import;
-    std::optional<SectionPicture> picture;  // of the scene that would be made
-    std::string unreadable;  // why nothing came of it; empty: something did
+    std::optional<SectionPicture> picture;  // of the resulting scene
+    std::string unreadable;  // why there is no scene; empty: there is one
 };
 
-/// Never throws: whatever goes wrong is in `unreadable`.
+/// Never throws: errors are in `unreadable`.
 std::shared_ptr<const ImportAttempt> attemptImport(const std::string& path, const ImportSettings& settings);
 
 }  // namespace keyblock

@@ -44,7 +44,7 @@ QTreeWidget* table(const QStringList& headers, const QString& name, const char* 
     return made;
 }
 
-/// What the command line says by options is chosen by hand here.
+/// Remedies that name options of the command line become instructions for this window.
 QString remedyHere(const Problem& problem) {
     const QString remedy = textOf(problem.remedy);
     if (remedy.contains("--units")) return ImportWindow::tr("Choose the unit above the layers.");
@@ -136,7 +136,7 @@ QWidget* ImportWindow::makeResult() {
     connect(cancel, &QPushButton::clicked, this, &QWidget::close);
     connect(import_, &QPushButton::clicked, this, [this] {
         if (!attempt_ || !attempt_->import.scene) return;
-        const auto kept = attempt_;  // the window may go meanwhile
+        const auto kept = attempt_;  // the window may be closed meanwhile
         Q_EMIT imported(*kept->import.scene, QFileInfo(path_).completeBaseName());
     });
     return side;
@@ -196,7 +196,7 @@ void ImportWindow::showLayers() {
         role->setObjectName("import.role." + textOf(layer.name));
         connect(role, qOverload<int>(&QComboBox::activated), this, [this, role, name = textOf(layer.name)] {
             const int chosen = role->currentData().toInt();
-            // Later: the answer makes the boxes anew.
+            // Deferred: the result recreates the boxes.
             if (chosen >= 0) QTimer::singleShot(0, this, [this, name, chosen] { setRole(name, LayerRole(chosen)); });
         });
         layers_->setItemWidget(item, 1, role);
@@ -205,7 +205,7 @@ void ImportWindow::showLayers() {
     layers_->header()->resizeSection(1, 110);
 }
 
-/// What was taken, counted; then what was not, one by one with its place and reason.
+/// Imported entities, counted; then each skipped one with its line and reason.
 void ImportWindow::showAccount() {
     account_->clear();
     for (const ImportRow& row : attempt_->import.rows) {

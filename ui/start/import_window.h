@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A drawing on its way to a scene: roles of layers, units, curves, what becomes of
-// every entity, and a picture of the scene that would be made. A window of its own
-// that may stay open.
+// Import of a drawing: roles of layers, units, arc tolerance, how every entity is
+// imported, and a preview of the scene. A window of its own that may stay open.
 #pragma once
 
 #include "solver/files/section_import.h"

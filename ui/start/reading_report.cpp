@@ -19,7 +19,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int mostText = 4 << 20;  // bytes that are shown
+constexpr int mostText = 4 << 20;  // bytes shown at most
 
 QString titleOf(const PartReading& reading) {
     const QString file = QFileInfo(reading.path).fileName();

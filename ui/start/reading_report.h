@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What could not be read of a scene file: each problem with its line, beside the
-// text as it stands in the file.
+// The parts of a scene file that could not be read: each problem with its line, next to
+// the text of the file.
 #pragma once
 
 #include <QWidget>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tells of a document that was not closed, and offers it back.
+// Reports a document that was not closed properly, and offers to recover it.
 #pragma once
 
 #include "ui/document/recovery.h"

@@ -48,7 +48,7 @@ bool hasDynamicStage(const JsonNode& root) {
     return list && std::ranges::any_of(*list, [](const JsonNode& stage) { return textAt(stage, "/kind") == "dynamic"; });
 }
 
-/// Expected values with close tolerances, none of them taken from the program itself.
+/// Whether expected values have close tolerances and none is taken from the program itself.
 bool isVerification(const JsonNode& root) {
     const JsonNode* expected = nodeAt(root, "/about/expected");
     const auto* list = expected ? std::get_if<JsonList>(&expected->value) : nullptr;
@@ -73,7 +73,7 @@ Sample sampleOf(const QString& path, const JsonNode& root, const JsonNode& measu
     return sample;
 }
 
-/// Those that show most stand first.
+/// The most instructive samples come first.
 std::pair<int, int> rankOf(const Sample& sample) {
     static const QStringList first{"drift-rebar-dbolt", "rebar-stated", "dbolt-text-steel", "drift-bolted",
                                    "drift-unbolted", "rebar-elastic-85", "split-set", "incline", "slope-shaken",

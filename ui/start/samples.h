@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The samples that come within the program: what each says of itself, and how long
-// it was measured to run (resources/gallery/measure.py).
+// The samples built into the program: their descriptions and measured run times
+// (resources/gallery/measure.py).
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -19,18 +19,18 @@ struct Sample {
     QString path;  // of the file within the program
     QString title, shows, category;
     bool isDynamic = false;
-    bool isVerification = false;  // all its expected values have a source other than this program, and are met closely
+    bool isVerification = false;  // all its expected values have a source other than this program, and close tolerances
     int blocks = 0, bolts = 0;
-    double seconds = 0.0;  // that it was measured to run; 0: not measured
+    double seconds = 0.0;  // measured run time; 0: not measured
 };
 
-/// All samples: a few that show most, then drifts, bolts and blocks, each by name.
+/// All samples: a few instructive ones, then drifts, bolts and blocks, each by name.
 std::vector<Sample> gallerySamples();
 
-/// Where the records that samples name lie as files; made on the first call.
+/// Folder of the records that samples refer to; created on the first call.
 QString sampleRecordFolder();
 
-/// The sample as a scene of its own, with its records inside; nothing where it cannot be read.
+/// The sample as a scene with its records included; none if it cannot be read.
 std::optional<Scene> sampleScene(const Sample& sample);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The two kinds of things on the first page that open a scene: a card of the
-// gallery and a row of the recent files. Both are buttons that paint themselves.
+// The two kinds of buttons on the start page that open a scene: a card of the samples
+// and a row of the recent files. Both paint themselves.
 #pragma once
 
 #include "ui/start/thumbnails.h"

@@ -174,7 +174,7 @@ QWidget* StartPage::makeCommandButton(const QString& id, bool primary) {
     return button;
 }
 
-/// Icons of commands follow the theme, buttons made of them do not.
+/// Icons of commands follow the theme, buttons copied from them do not.
 void StartPage::showIcons() {
     for (QPushButton* button : side_->findChildren<QPushButton*>()) {
         const QString id = button->property(commandKey).toString();
@@ -249,7 +249,7 @@ void StartPage::showRecovery() {
     const std::vector<Abandoned> found = lookForAbandoned();
     for (std::size_t i = 0; i < std::min(found.size(), mostBoxes); ++i) {
         auto* box = new RecoveryBox(found[i], rooms_.themes, this);
-        // Later, because the box goes when its wish is done.
+        // Deferred, because the box is deleted by its action.
         connect(box, &RecoveryBox::recoverWanted, this, [this](const Abandoned& abandoned, Recover what) {
             QTimer::singleShot(0, this, [=, this] { Q_EMIT recoverWanted(abandoned, what); });
         });
@@ -293,7 +293,7 @@ void StartPage::follow() {
     if (isVisible()) stackAboveDocks();
 }
 
-/// On a narrow screen the samples need what icons and keys take.
+/// On a narrow screen the samples need the space of icons and keys.
 void StartPage::fitSide(bool narrow) {
     side_->setFixedWidth(narrow ? narrowSide : sideWidth);
     for (QPushButton* button : side_->findChildren<QPushButton*>())
@@ -302,7 +302,7 @@ void StartPage::fitSide(bool narrow) {
         for (QLabel* keys : side_->findChildren<QLabel*>(name)) keys->setVisible(!narrow);
 }
 
-/// Only above docks: the palette and what else lies over the window stays in front.
+/// Above the docks only: the palette and other overlays stay in front.
 void StartPage::stackAboveDocks() {
     std::vector<QWidget*> above;
     bool isBehind = true;
@@ -316,7 +316,7 @@ void StartPage::stackAboveDocks() {
     for (QWidget* widget : above) widget->raise();
 }
 
-/// Docks and their tabs come to the front when they are shown; the page stays above them.
+/// Docks and their tabs are raised when they are shown; the page stays above them.
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
     const bool isSized = watched == parentWidget() && (type == QEvent::Resize || type == QEvent::LayoutRequest);

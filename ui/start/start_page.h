@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The first page: begin, recover, go on with what was open last, or look at a
-// sample. It lies over the window between menu and status bar, and goes as soon as
-// a document is there to work on; the command view.start brings it back.
+// The start page: create, recover or reopen a scene, or open a sample. It covers the
+// window between menu and status bar until a document is open; the command view.start
+// shows it again.
 #pragma once
 
 #include "ui/document/recovery.h"
@@ -27,7 +27,7 @@ class StartPage : public QWidget {
     Q_OBJECT
 
 public:
-    /// What the page works on; all must outlive it.
+    /// The objects that the page uses; all must outlive it.
     struct Rooms {
         Themes& themes;
         Commands& commands;
@@ -36,15 +36,15 @@ public:
         RecentFiles& recent;
     };
 
-    /// `covered` is the widget that the page lies over and follows in size.
+    /// `covered` is the widget that the page covers; it follows its size.
     StartPage(const Rooms& rooms, QWidget* covered);
 
     static bool isWantedAtStart();
 
-    /// Looks for what can be recovered and shows the page.
+    /// Looks for scenes to recover and shows the page.
     void open();
 
-    /// What can be recovered; tells of journals that cannot be read.
+    /// Scenes that can be recovered; reports journals that cannot be read.
     std::vector<Abandoned> lookForAbandoned();
 
 Q_SIGNALS:
@@ -75,12 +75,12 @@ private:
 
     Rooms rooms_;
     Thumbnails* thumbnails_;
-    QVBoxLayout* recovery_ = nullptr;  // made with the side
+    QVBoxLayout* recovery_ = nullptr;  // created with the side column
     QVBoxLayout* recent_ = nullptr;
     QWidget* side_;
 };
 
-/// Adds the command that brings the page back.
+/// Adds the command that shows the page again.
 void addStartCommands(Commands& commands, StartPage& page);
 
 }  // namespace keyblock

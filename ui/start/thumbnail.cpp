@@ -21,7 +21,7 @@ namespace {
 constexpr double large = 160.0;  // height from which marks are drawn [px]
 constexpr std::size_t manyBlocks = 12;
 constexpr double mostHeart = 0.7;  // of the rock's extent
-constexpr double widest = 1.8;  // share of the height that what matters may be wide; beyond it a card may cut off
+constexpr double widest = 1.8;  // share of the height that the relevant part may be wide; a card may clip more
 
 QColor colourOf(const Colour& colour) { return {colour.red, colour.green, colour.blue}; }
 
@@ -30,7 +30,7 @@ void widen(Box& box, const Point& p) {
     box.max = box.max.cwiseMax(p);
 }
 
-/// Tunnels and bolts of rock in many blocks with some rock around them; nothing where that is nearly all of it.
+/// Tunnels and bolts of rock in many blocks with some rock around them; none if that is nearly everything.
 std::optional<Box> heartOf(const SectionPicture& picture) {
     if (picture.blocks.size() <= manyBlocks || (picture.bolts.empty() && picture.walls.empty())) return {};
     const Point first = picture.walls.empty() ? picture.bolts.front().nodes.front() : picture.walls.front().from;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A scene as a small picture for lists and cards: rock and bolts without names,
-// numbers or legends. The tints of the blocks only tell one from the next.
+// A scene as a small picture for lists and cards: rock and bolts without names, numbers
+// or legends. The tints of blocks only distinguish neighbours.
 #pragma once
 
 #include <QImage>
@@ -13,9 +13,9 @@ namespace keyblock {
 struct SectionPicture;
 struct Theme;
 
-enum class ThumbnailView { Heart, Everything };  // what matters, cut off where it must be; or all of it
+enum class ThumbnailView { Heart, Everything };  // the relevant part, clipped if necessary; or everything
 
-/// The picture of a scene as drawn, `pixels` large; sizes of strokes are those of a screen whose pixels count `ratio`.
+/// The picture of a scene as drawn, `pixels` large; stroke widths are those of a screen with pixel ratio `ratio`.
 QImage paintThumbnail(const SectionPicture& picture, QSize pixels, double ratio, const Theme& theme,
                       ThumbnailView view = ThumbnailView::Heart);
 

@@ -22,8 +22,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr int painting = 2;  // rises when the same scene is painted otherwise
-constexpr qint64 largest = 64 << 20;  // bytes of a scene that is looked at
+constexpr int painting = 2;  // increment when the picture of a scene changes
+constexpr qint64 largest = 64 << 20;  // bytes of a scene file at most
 
 struct Painted {
     QImage image;
@@ -48,7 +48,7 @@ bool load(const QString& file, double ratio, Painted& painted) {
     return true;
 }
 
-/// A picture that cannot be kept is painted again another time.
+/// A picture that cannot be saved is painted again next time.
 void keep(const QString& file, Painted painted) {
     painted.image.setText("blocks", QString::number(painted.facts.blocks));
     painted.image.setText("bolts", QString::number(painted.facts.bolts));
@@ -64,7 +64,7 @@ int count(const std::vector<Problem>& problems, Severity severity) {
     return static_cast<int>(std::ranges::count(problems, severity, &Problem::severity));
 }
 
-/// Of reading and of checking; a value that neither takes counts once.
+/// Number of problems from reading and checking; a value that fails in both counts once.
 int errorsOf(const std::vector<Problem>& reading, const std::vector<Problem>& checking) {
     return count(checking, Severity::Error) +
            static_cast<int>(std::ranges::count_if(reading, [&](const Problem& problem) {
@@ -141,7 +141,7 @@ void Thumbnails::work() {
         try {
             painted = picture(wanted.path, wanted.size, wanted.ratio, *wanted.theme);
         } catch (const std::exception&) {
-            // Memory that ran out, say: the card stays without a picture.
+            // For example out of memory: the card stays without a picture.
         }
         QMetaObject::invokeMethod(
             this, [this, wanted, painted] { Q_EMIT ready(wanted.path, wanted.size, painted.image, painted.facts); },

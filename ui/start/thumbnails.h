@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures of scene files, painted on a thread of their own because a scene has to
-// be cut for it, and kept in the person's cache folder until the file changes.
+// Pictures of scene files, painted on their own thread because the scene has to be cut
+// first, and kept in the user's cache folder until the file changes.
 #pragma once
 
 #include <QImage>
@@ -19,11 +19,11 @@ namespace keyblock {
 
 struct Theme;
 
-/// What a card says of a scene.
+/// What a card shows of a scene.
 struct SceneFacts {
     int blocks = 0, bolts = 0;
     int errors = 0, warnings = 0;
-    bool isThere = false;  // the file is a scene that could be read, in part at least
+    bool isThere = false;  // the file is a scene that could be read, at least in part
 };
 
 class Thumbnails : public QObject {
@@ -33,7 +33,7 @@ public:
     explicit Thumbnails(QObject* parent = nullptr);
     ~Thumbnails() override;
 
-    /// Asks for the picture of a scene file, in pixels of the screen; `ready` tells it, from the cache or later.
+    /// Requests the picture of a scene file, in pixels of the screen; `ready` delivers it, from the cache or later.
     void ask(const QString& path, QSize size, double ratio, const Theme& theme);
 
 Q_SIGNALS:

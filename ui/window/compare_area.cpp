@@ -33,7 +33,7 @@ struct CompareArea::Second {
         canvas->setObjectName("secondCanvas");
         canvas->setAccessibleName(CompareArea::tr("Section of the second run"));
         canvas->setDrawing(false);
-        canvas->setLegend(false);  // that of the first is of both
+        canvas->setLegend(false);  // the first canvas's legend applies to both
     }
     ~Second() {
         delete firstCaption;
@@ -78,7 +78,7 @@ void CompareArea::place(QBoxLayout& besideCanvas, Curves& curves, Curves& energi
     energies_ = &energies;
 }
 
-/// The newest other run that can be read; where there is none, a person points at one.
+/// The newest other run that can be read; if there is none, the user chooses a file.
 void CompareArea::beginOrEnd() {
     needs_.commands.action("run.compare")->setChecked(needs_.comparison.isOn());
     if (needs_.comparison.isOn()) return needs_.comparison.end();
@@ -90,7 +90,7 @@ void CompareArea::beginOrEnd() {
     if (!path.isEmpty()) needs_.comparison.begin(path);
 }
 
-/// Results of both while both are there.
+/// Results of both, while both runs exist.
 void CompareArea::show() {
     const bool on = needs_.comparison.isOn() && needs_.feed.showsResults() && row_;
     if (!on) return end();
@@ -130,7 +130,7 @@ void CompareArea::showSecond() {
     select();
 }
 
-/// What both runs are about, as large as both canvases have room; once they have their places.
+/// Fits both canvases to the extent of both runs; called once they have their sizes.
 void CompareArea::fitBoth() {
     QTimer::singleShot(0, this, [this] {
         const auto &first = needs_.canvas.picture(), &second = second_ ? second_->canvas->picture() : first;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Two runs side by side: a second canvas with the same camera beside the first while a
-// comparison is on, captions that tell them apart, and the curves of both.
+// Two runs side by side: a second canvas with the same view next to the first during a
+// comparison, captions that name the runs, and the curves of both.
 #pragma once
 
 #include <QObject>
@@ -48,11 +48,11 @@ public:
     CompareArea(const CompareNeeds& needs, QObject* parent);
     ~CompareArea() override;
 
-    /// Where the canvas stands, and the curves that show both.
+    /// Position of the second canvas, and the curves that show both runs.
     void place(QBoxLayout& besideCanvas, Curves& curves, Curves& energies);
 
 private:
-    /// What is there only while two runs are shown.
+    /// Exists only while two runs are shown.
     struct Second;
 
     void beginOrEnd();

@@ -18,7 +18,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int headerHeight = 30, leastWidth = 180, leastHeight = 96;  // [px]; of a panel that says something
+constexpr int headerHeight = 30, leastWidth = 180, leastHeight = 96;  // [px] of a panel with content
 
 QToolButton* headerButton(QWidget* header, const Themes& themes, const char* icon, const QString& name) {
     auto* button = new QToolButton(header);
@@ -32,7 +32,7 @@ QToolButton* headerButton(QWidget* header, const Themes& themes, const char* ico
     return button;
 }
 
-/// Its size hint is what a dock leaves for it, shown or not.
+/// Reserves its size hint in the dock, visible or not.
 class DockHeader : public QWidget {
 public:
     using QWidget::QWidget;
@@ -62,7 +62,7 @@ QWidget* makeHeader(QDockWidget& dock, const Themes& themes) {
     return header;
 }
 
-/// Tabs tell the title already; the header comes back when the dock stands alone.
+/// Tabs show the title; the header returns when the dock is no longer in a tab group.
 void hideSecondHeader(QMainWindow& window, QDockWidget& dock, QWidget& header) {
     const QList<QDockWidget*> others = window.tabifiedDockWidgets(&dock);
     const auto isShown = [](const QDockWidget* other) { return !other->isHidden(); };
@@ -79,7 +79,7 @@ QDockWidget* makeDock(QMainWindow& window, const Themes& themes, const QString& 
                       QWidget* widget) {
     auto* dock = new QDockWidget(title, &window);
     dock->setObjectName(id);
-    widget->setMinimumSize(leastWidth, leastHeight);  // what finds no room is cut, not the screen
+    widget->setMinimumSize(leastWidth, leastHeight);  // content that does not fit is clipped, the window does not grow
     dock->setWidget(widget);
     QWidget* header = makeHeader(*dock, themes);
     dock->setTitleBarWidget(header);

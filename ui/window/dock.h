@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Docks with a header of 30 px. Where several share a place, their tabs are the
-// header and no second one stands below.
+// Docks with a header of 30 px. Docks in a tab group have their tabs as header, without
+// a second one below.
 #pragma once
 
 #include <QString>
@@ -15,13 +15,13 @@ namespace keyblock {
 
 class Themes;
 
-constexpr int treeWidth = 236, propertyWidth = 300;  // [px] of the docks at the sides, at first
+constexpr int treeWidth = 236, propertyWidth = 300;  // [px] initial width of the docks at the sides
 
-/// Makes a dock around the widget; `id` is kept in layouts. The header shows `title` and buttons to float and close.
+/// Makes a dock around the widget; `id` is saved in layouts. The header shows `title` and buttons to float and close.
 QDockWidget* makeDock(QMainWindow& window, const Themes& themes, const QString& id, const QString& title,
                       QWidget* widget);
 
-/// A dock without header that stays where it is.
+/// A dock without header that cannot be moved.
 QDockWidget* makeBand(QMainWindow& window, const QString& id, const QString& title, QWidget* widget);
 
 }  // namespace keyblock

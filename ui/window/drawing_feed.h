@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shows the scene as it is drawn on the canvas, while that is what is looked at.
+// Shows the scene as drawn on the canvas, while the drawing is shown.
 #pragma once
 
 #include <QObject>
@@ -19,7 +19,7 @@ public:
     DrawingFeed(Document& document, const Visibility& visibility, Canvas& canvas, QObject* parent = nullptr);
 
     bool isOn() const { return on_; }
-    /// On: the canvas shows the drawing, and follows it. Off: others show on the canvas what they have.
+    /// On: the canvas shows the drawing and is updated with it. Off: others use the canvas.
     void setOn(bool on);
 
 Q_SIGNALS:
@@ -33,7 +33,7 @@ private:
     const Visibility& visibility_;
     Canvas& canvas_;
     bool on_ = true;
-    bool isOther_ = false;  // another document, of which nothing was shown yet
+    bool isOther_ = false;  // another document, not shown yet
 };
 
 }  // namespace keyblock

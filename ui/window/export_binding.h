@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is on the screen, taken along as figures, tables and films.
+// Exports what is on the screen as figures, tables and animations.
 #pragma once
 
 class QMainWindow;

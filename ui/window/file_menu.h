@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the menus File and Help have besides commands: recent scenes, and a word on
-// the program itself.
+// Entries of the menus File and Help that are not commands: recent scenes, and
+// information about the program.
 #pragma once
 
 #include <functional>

@@ -27,12 +27,12 @@ void addReadingReport(QMainWindow& window, Document& document, const Themes& the
         report->show(reading);
         if (auto* problems = window.findChild<QDockWidget*>("problemsDock")) window.tabifyDockWidget(problems, dock);
         dock->show();
-        QTimer::singleShot(0, dock, &QWidget::raise);  // after those that come with the new document
+        QTimer::singleShot(0, dock, &QWidget::raise);  // after the updates for the new document
     });
     QObject::connect(&document, &Document::replaced, dock, &QDockWidget::hide);
 }
 
-/// Opening again drops edits, so with some the answer says so.
+/// Reloading discards edits, so the button says so if there are any.
 void tellChanged(NoticeBar& bar, Document& document, const QString& path) {
     const QString name = QFileInfo(path).fileName();
     const auto reload = [&document, path] {

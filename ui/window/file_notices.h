@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tells, without asking to be answered, of files that do not open cleanly and of
-// those that another program has written meanwhile.
+// Reports, without a dialog, files that do not open cleanly and files that another
+// program has changed.
 #pragma once
 
 class QMainWindow;

@@ -20,7 +20,7 @@ namespace keyblock {
 
 namespace {
 
-/// The field or tool under the mouse, else the one that has the focus.
+/// The field or tool under the cursor, else the one that has the focus.
 QString topicAtHand() {
     const QString pointed = helpTopicOf(QApplication::widgetAt(QCursor::pos()));
     return pointed.isEmpty() ? helpTopicOf(QApplication::focusWidget()) : pointed;
@@ -32,7 +32,7 @@ void showHelp(QDockWidget& dock, HelpView& view, const QString& topic) {
     view.open(topic.section('#', 0, 0), topic.section('#', 1));
 }
 
-/// A window of its own beside the main one: it is looked at while working.
+/// A window of its own, so that it can stay open during work.
 KeySheet* makeKeySheet(QMainWindow& window, Commands& commands, const Themes& themes) {
     auto* sheet = new KeySheet(commands, themes, &window);
     sheet->setWindowFlag(Qt::Window);

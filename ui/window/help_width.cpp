@@ -34,7 +34,7 @@ int HelpWidth::wideWidth() const {
     return std::max(base_, std::min(helpWidth, static_cast<int>(mostOfWindow * window_.width())));
 }
 
-/// Later: the docks get their places after the signal.
+/// Deferred: the docks get their positions after the signal.
 void HelpWidth::follow(bool inFront) {
     if (inFront && !wide_ && sharesPlace()) {
         wide_ = true;

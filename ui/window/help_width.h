@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Help shares its place with Properties, but its tables need more width. It takes
-// this width while it is in front, and gives it back afterwards.
+// Help is in a tab group with Properties, but its tables need more width. The group is
+// widened while help is in front, and narrowed again afterwards.
 #pragma once
 
 #include <QObject>

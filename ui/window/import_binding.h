@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Drawings into the window's document.
+// Import of drawings into the window's document.
 #pragma once
 
 class QMainWindow;
@@ -15,10 +15,10 @@ class Themes;
 
 void addImportCommands(QMainWindow& window, Commands& commands, Document& document, const Themes& themes);
 
-/// Whether the file is a drawing or a list, by its ending.
+/// Whether the file is a drawing or a list, by its extension.
 bool isDrawing(const QString& path);
 
-/// Shows what would become of a drawing; the document changes once a person says so.
+/// Previews the import of a drawing; the document changes once the user confirms.
 void openImport(QMainWindow& window, Document& document, const Themes& themes, const QString& path);
 
 }  // namespace keyblock

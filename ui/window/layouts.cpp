@@ -21,11 +21,11 @@ namespace keyblock {
 
 namespace {
 
-constexpr int version = 2;  // of the states kept; another one is not read
+constexpr int version = 2;  // of saved states; other versions are ignored
 constexpr char folder[] = "layouts";
 constexpr int bottomHeight = 240, leastBottom = 172, others = 640;  // [px]
 
-// Docks that share a place, side by side below the time line; the first of each is in front.
+// Tab groups of docks, side by side below the timeline; the first dock of each is in front.
 using Groups = std::vector<std::vector<const char*>>;
 
 const Groups& groupsOf(Arrangement arrangement) {
@@ -57,7 +57,7 @@ QList<QList<QDockWidget*>> allGroups(QMainWindow& window) {
     return groups;
 }
 
-/// Puts the docks of both arrangements side by side below the time line; which of them are seen is for another to say.
+/// Puts the docks of both arrangements side by side below the timeline; the caller decides which are visible.
 void placeAll(QMainWindow& window) {
     QDockWidget* last = dock(window, "timeDock");
     if (!last) return;
@@ -72,12 +72,12 @@ void placeAll(QMainWindow& window) {
         last = group.front();
         direction = Qt::Horizontal;
     }
-    // Only now: what is split off a dock with tabs becomes one of them.
+    // Only now: a dock split off a tab group joins that group.
     for (const auto& group : groups)
         for (int i = 1; i < group.size(); ++i) window.tabifyDockWidget(group[i - 1], group[i]);
 }
 
-/// The tree at the left; properties at the right, the help behind them and closed.
+/// Tree at the left; properties at the right, with help behind, closed.
 void placeSides(QMainWindow& window) {
     QDockWidget *tree = dock(window, "sceneDock"), *properties = dock(window, "propertyDock"),
                 *help = dock(window, "helpDock");
@@ -116,7 +116,7 @@ void size(QMainWindow& window, Arrangement arrangement) {
     }
     if (firsts.isEmpty()) return;
     window.resizeDocks(firsts, widths, Qt::Horizontal);
-    // The canvas comes first on a low screen.
+    // The canvas has priority on a low screen.
     const int bottom = std::clamp(window.height() - others, leastBottom, bottomHeight);
     window.resizeDocks({firsts.front()}, {bottom}, Qt::Vertical);
 }
@@ -126,7 +126,7 @@ QString keyOf(Arrangement arrangement) {
 }
 
 QString pathOf(const QString& name, Arrangement arrangement) {
-    // A name may hold what settings take for folders.
+    // A name may contain separators of settings keys.
     return QString(folder) + "/named/" + QString::fromLatin1(name.toUtf8().toHex()) + '/' + keyOf(arrangement);
 }
 
@@ -155,8 +155,8 @@ void Layouts::show(Arrangement arrangement) {
     apply();
 }
 
-/// As it was left, or as it is at first; sizes take once the window has laid itself out. Nothing is painted before: docks
-/// on their way would lie over each other.
+/// Restores the saved arrangement, or the default; sizes are set once the window is laid out. Painting waits until
+/// then, as docks would overlap before.
 void Layouts::apply() {
     window_.setAnimated(false);
     window_.setUpdatesEnabled(false);

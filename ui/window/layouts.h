@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where docks stand: one arrangement while a person draws, one while results are
-// looked at. Each remembers what was moved, closed or floated in it; both together
-// can be kept under a name, and the original ones always come back.
+// Dock layout: one arrangement for drawing, one for viewing results. Each remembers
+// which docks were moved, closed or floated; both together can be saved under a name,
+// and the defaults can always be restored.
 #pragma once
 
 #include <QByteArray>
@@ -29,19 +29,19 @@ public:
     /// Adds its commands, among them one for each dock. \pre the window has all of its docks.
     Layouts(QMainWindow& window, Commands& commands);
 
-    /// Puts the docks where they were when the window was last closed, or where they belong.
+    /// Restores the docks as they were when the window was last closed, or the defaults.
     void begin();
-    /// Shows the docks of an arrangement as they were left in it.
+    /// Shows the docks of an arrangement as they were last used in it.
     void show(Arrangement arrangement);
-    /// Keeps both arrangements for the next start.
+    /// Saves both arrangements for the next start.
     void keep();
     void reset();
 
     QStringList names() const;
-    void save(const QString& name);  // replaces one of that name
+    void save(const QString& name);  // replaces a layout of that name
     void load(const QString& name);
     void remove(const QString& name);
-    const QString& current() const { return current_; }  // empty: none of the named ones
+    const QString& current() const { return current_; }  // empty: none of the saved ones
 
     /// A button with the names of layouts, for the corner of the menu bar.
     QToolButton* makeButton(QWidget* parent);

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The window: it makes the rooms' widgets, places them and binds commands. What
-// they do is theirs.
+// The main window: it creates and places the widgets of all parts and binds commands.
 #pragma once
 
 #include <QMainWindow>
@@ -34,10 +33,10 @@ public:
     explicit MainWindow(Themes& themes);
     ~MainWindow() override;
 
-    /// Opens a scene, a run with its scene, or the import of a drawing; reports what keeps it from being opened.
+    /// Opens a scene, a run with its scene, or the import of a drawing; reports errors.
     void openPath(const QString& path);
 
-    /// What a program begins with that was given this to open; empty: nothing.
+    /// Opens `path` at start-up; shows the start page if empty.
     void begin(const QString& path);
 
 protected:

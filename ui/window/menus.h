@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Menus made from the registry of commands.
+// Menus from the list of commands.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@ namespace keyblock {
 
 class Commands;
 
-/// Fills the bar with File, Edit, View, Insert, Run, Results, Tools, Help; menus without commands are left out, and a
-/// line stands between groups of commands.
+/// Fills the bar with File, Edit, View, Insert, Run, Results, Tools, Help; menus without commands are omitted, and
+/// groups of commands are separated by lines.
 void fillMenus(QMenuBar& bar, const Commands& commands);
 
 /// Puts widgets at the right end of the bar.

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Panels know no runs and runs no panels: here the tree lists the runs of the
-// scene, the census waits during a run, and properties begin with results.
+// Connects panels and runs, which do not know each other: the tree lists the runs of
+// the scene, the model summary is not computed during a run, and properties begin with
+// results.
 #pragma once
 
 namespace keyblock {
@@ -13,7 +14,7 @@ struct Panels;
 
 void showRunsIn(const Panels& panels, Runs& runs);
 
-/// Puts the results of the chosen bolt or block above its properties.
+/// Puts the results of the selected bolt or block above its properties.
 void showResultsIn(const Panels& panels, ResultCard& results);
 
 }  // namespace keyblock

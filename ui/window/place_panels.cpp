@@ -30,7 +30,7 @@ namespace keyblock {
 
 namespace {
 
-/// A dock whose header is the panel's own.
+/// A dock with the panel's own header.
 QDockWidget* dockWithHeader(QMainWindow& window, const QString& id, const QString& title, QWidget* widget,
                             QWidget* header) {
     auto* dock = new QDockWidget(title, &window);
@@ -40,7 +40,7 @@ QDockWidget* dockWithHeader(QMainWindow& window, const QString& id, const QStrin
     return dock;
 }
 
-/// Round the shapes of objects; nothing for what has no place.
+/// Box around the shapes of objects; none for objects without a position.
 std::optional<Box> boxRound(const Scene& scene, const QStringList& pointers) {
     std::vector<Point> corners;
     for (const SceneObject& object : objectsOf(scene)) {
@@ -67,7 +67,7 @@ void placeBelow(QMainWindow& window, const PanelNeeds& needs, Panels& panels) {
     panels.libraryDock =
         makeDock(window, needs.themes, "libraryDock", QMainWindow::tr("Bolt library"), panels.library);
     for (QDockWidget* dock : {panels.problemsDock, panels.censusDock, panels.stagesDock, panels.libraryDock})
-        window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // where, is for the layouts to say
+        window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // the layouts decide where
     needs.commands.add({"panel.library", QMainWindow::tr("Open bolt library"), "Tools", "bolt",
                         QMainWindow::tr("Shows bolt types with their parameters and sources."), {}, false, "library"},
                        [dock = panels.libraryDock] {

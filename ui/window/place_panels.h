@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes the panels and puts them where a person expects them: the tree at the
-// left, properties at the right, problems, stages, bolt library and census below.
+// Creates and places the panels: the tree at the left, properties at the right,
+// problems, stages, bolt library and model summary below.
 #pragma once
 
 class QDockWidget;
@@ -33,10 +33,10 @@ struct PanelNeeds {
     Display& display;
     Commands& commands;
     Themes& themes;
-    Canvas& canvas;  // shows what they point at
+    Canvas& canvas;  // shows the locations they refer to
 };
 
-/// The panels, for those who connect them.
+/// The panels, for connections to other parts.
 struct Panels {
     SceneTree* tree = nullptr;
     PropertyPanel* properties = nullptr;
@@ -49,7 +49,7 @@ struct Panels {
 
 Panels placePanels(QMainWindow& window, const PanelNeeds& needs);
 
-/// A click on a step of the work brings the dock forward in which it is done.
+/// A click on a workflow step brings the dock for that step to the front.
 void raiseAskedPanels(WorkflowBar& bar, const Panels& panels);
 
 }  // namespace keyblock

@@ -38,7 +38,7 @@ CanvasPlaces placeTools(const ToolNeeds& needs) {
     needs.window.statusBar()->addWidget(new ModeLine(needs.commands, needs.themes, &needs.window));
     ToolDesk& desk = needs.desk;
     QObject::connect(&needs.drawing, &DrawingFeed::switched, &desk, &ToolDesk::setDrawing);
-    // Whoever takes a tool to draw while results are shown wants to see the drawing.
+    // Choosing a drawing tool while results are shown switches to the drawing.
     QObject::connect(&desk, &ToolDesk::drawingAsked, &needs.workflow,
                      [&workflow = needs.workflow] { workflow.choose(WorkStep::Geometry); });
     return {*column, *beside};

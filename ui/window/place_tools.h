@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Places what tools show: their palette at the left of the canvas, their bar above
-// it, their switches at the foot; and tells them when results are looked at.
+// Places the widgets of tools: their palette at the left of the canvas, their bar above
+// it, their switches below; and informs them when results are shown.
 #pragma once
 
 class QHBoxLayout;
@@ -28,13 +28,13 @@ struct ToolNeeds {
     const Themes& themes;
 };
 
-/// Where others stand round the canvas.
+/// Where others add widgets around the canvas.
 struct CanvasPlaces {
     QVBoxLayout& column;  // bars above it
-    QHBoxLayout& row;  // a second canvas beside it
+    QHBoxLayout& row;  // a second canvas next to it
 };
 
-/// Makes the canvas with palette and bar the middle of the window.
+/// Makes the canvas with palette and bar the centre of the window.
 CanvasPlaces placeTools(const ToolNeeds& needs);
 
 }  // namespace keyblock

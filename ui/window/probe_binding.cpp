@@ -24,7 +24,7 @@ namespace keyblock {
 
 namespace {
 
-/// What a pin watches of blocks and bolts: what is shown, else what is asked for most.
+/// Quantity of a new pin: the one shown, else the most common one.
 const FrameQuantity<BlockState>* ofBlocks(const ViewChoice& choice) {
     return choice.blocks ? choice.blocks : findQuantity(blockQuantities(), "displacement");
 }

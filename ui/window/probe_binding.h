@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Brings the probe of the canvas, the pins of the run and the scene together, under
-// the command that a person calls it by.
+// Connects the probe of the canvas, the pins of the run and the scene, and adds the
+// command of the probe.
 #pragma once
 
 #include "ui/picture/pick.h"
@@ -38,13 +38,13 @@ class ProbeBinding : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds its command. \param tell says a sentence to the person.
+    /// Adds its command. \param tell shows a message to the user.
     ProbeBinding(const ProbeNeeds& needs, std::function<void(const QString&)> tell, QObject* parent);
 
-    /// Puts the probe down: another tool is taken, or results are no longer shown.
+    /// Ends the probe: another tool is chosen, or results are no longer shown.
     void end();
 
-    /// Pins what lies at a place of the section, so that Curves shows its values over time.
+    /// Pins a point of the section, so that Curves shows its values over time.
     void pin(const Pick& pick, const Point& place);
 
 private:

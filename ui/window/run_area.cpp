@@ -153,7 +153,7 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
                                  new RunList(themes, parts_.commands, *runs_, *comparison_, &window));
     QDockWidget* log = makeDock(window, themes, "logDock", tr("Log"), log_);
     for (QDockWidget* dock : {time, strip, curves, verdict, health, eventsDock_, asked, safety, energy, list, log})
-        window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // where, is for the layouts to say
+        window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // the layouts decide where
     connect(health_, &HealthStrip::blockAsked, this, &RunArea::askBlock);
     const auto outline = [this](int block, const QString& what) {
         asked_ = -1;
@@ -164,7 +164,7 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
     connect(events_, &EventsList::countChanged, this, &RunArea::nameTabs);
 }
 
-/// How many events there are stands on their tab.
+/// The tab of events shows their number.
 void RunArea::nameTabs() {
     const std::size_t count = events_->count();
     const QString title = count > 0 ? tr("Events  %1").arg(count) : tr("Events");
@@ -193,7 +193,7 @@ void RunArea::showSelection() {
     parts_.canvas.setSelectedBolts(choice_->bolt() >= 0 ? std::vector<int>{choice_->bolt()} : std::vector<int>{});
 }
 
-/// The scale of a quantity, where its bar in the legend was clicked.
+/// Opens the scale of a quantity whose bar in the legend was clicked.
 void RunArea::openScale(LegendPart part, const QPoint& at) {
     if (!feed_->picture()) return;
     const bool ofBlocks = part == LegendPart::Blocks;
@@ -201,10 +201,10 @@ void RunArea::openScale(LegendPart part, const QPoint& at) {
     if (bar) (new ScalePanel(*bar, parts_.display.numbers(), ofBlocks, *settings_, &parts_.window))->openAt(at);
 }
 
-/// The steps of drawing show the drawing, the others what a run found.
+/// The drawing steps show the drawing, the others results.
 void RunArea::followTabs(WorkStep step) { feed_->showResults(step == WorkStep::Run || step == WorkStep::Results); }
 
-/// Outlines a block with a word on why; asked once more, or for none, it takes the outline away.
+/// Outlines a block with a note on the reason; for the same block again, or none, the outline is removed.
 void RunArea::askBlock(int block, const QString& why) {
     asked_ = block == asked_ ? -1 : block;
     if (asked_ < 0 || !cursor_->run()) return parts_.canvas.setCulprit(std::nullopt);

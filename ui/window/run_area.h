@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Everything of runs and results in the window: the time line and the docks below the
-// canvas, the bar above it, the run's progress beside the work's order, and who feeds
-// the canvas when.
+// Everything about runs and results in the window: the timeline and the docks below the
+// canvas, the bar above it, the run's progress next to the workflow, and which part
+// draws on the canvas when.
 #pragma once
 
 #include "ui/canvas/legend_panel.h"
@@ -45,7 +45,7 @@ class ViewBar;
 class ViewSettings;
 class WorkflowBar;
 
-/// What of the window it stands on.
+/// The parts of the window that it uses.
 struct RunAreaParts {
     QMainWindow& window;
     Themes& themes;
@@ -62,15 +62,15 @@ class RunArea : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds its commands. Docks and bars come with `place`.
+    /// Adds its commands. Docks and bars are added by `place`.
     explicit RunArea(const RunAreaParts& parts);
     ~RunArea() override;
 
-    /// Puts the docks at the foot of the window and the bar into the column that holds the canvas, above it.
-    /// A second canvas comes into the row, beside the first.
+    /// Puts the docks at the bottom of the window and the bar into the column that holds the canvas, above it. A
+    /// second canvas is added to the row, next to the first.
     void place(QVBoxLayout& aboveCanvas, QBoxLayout& besideCanvas);
 
-    /// States of the last two steps of the work.
+    /// States of the last two steps of the workflow.
     void addTo(WorkStates& states) const;
 
     Runs& runs() { return *runs_; }
@@ -78,7 +78,7 @@ public:
     const BoltChoice& choice() const { return *choice_; }
     ViewSettings& settings() { return *settings_; }
     ProbeBinding& probe() { return *probe_; }
-    /// Results of the chosen bolt or block, for the property panel.
+    /// Results of the selected bolt or block, for the property panel.
     ResultCard& results() { return *results_; }
 
 Q_SIGNALS:
@@ -110,7 +110,7 @@ private:
     Comparison* comparison_;
     SafetySearch* safety_;
     CompareArea* compare_;
-    int asked_ = -1;  // block that is outlined
+    int asked_ = -1;  // outlined block
     ViewBar* bar_ = nullptr;
     RunWarning* warning_ = nullptr;
     HealthStrip* health_ = nullptr;

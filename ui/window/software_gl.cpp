@@ -11,7 +11,7 @@ namespace keyblock {
 
 void leaveProcessorsToRuns() {
     if (qEnvironmentVariableIsSet("LP_NUM_THREADS")) return;
-    // The window's thread and the run's have one each; without a thread of its own Mesa draws on the window's.
+    // The window's thread and the run's keep one each; with no threads of its own Mesa draws on the window's thread.
     const int others = std::clamp(static_cast<int>(std::thread::hardware_concurrency()) - 2, 0, 8);
     qputenv("LP_NUM_THREADS", QByteArray::number(others));
 }

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a machine has no graphics card, OpenGL is worked out by the processors that
-// a run needs, too.
+// Without a graphics card, OpenGL is computed on the processors that a run needs too.
 #pragma once
 
 namespace keyblock {
 
-/// Keeps Mesa's drawing to the processors that a run does not need: with as many threads as processors it takes the run's
-/// from it a hundred times a second, and what that one had in its cache. Before the application is made; a choice of the
-/// user's own (LP_NUM_THREADS) stands.
+/// Restricts Mesa's drawing to processors that a run does not need: with as many threads as processors it interrupts
+/// the run's thread a hundred times a second and evicts its cache. Call before the application object exists; a value
+/// set by the user (LP_NUM_THREADS) is kept.
 void leaveProcessorsToRuns();
 
 }  // namespace keyblock

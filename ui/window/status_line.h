@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The line at the foot of the window: where the cursor is and on what, how large
-// the model is, what undo would take back, units and signs.
+// The status line: cursor position and object under it, model size, next undo step,
+// units and signs.
 #pragma once
 
 #include <QObject>

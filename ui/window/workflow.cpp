@@ -13,7 +13,7 @@ struct Row {
     WorkStep step;
 };
 
-// What is not listed here belongs to the geometry.
+// Pointers not listed here belong to the geometry.
 constexpr std::array rows{
     Row{"materials", WorkStep::Materials},     Row{"joint_materials", WorkStep::Materials},
     Row{"in_situ_stress", WorkStep::Materials}, Row{"bolts", WorkStep::Support},
@@ -43,7 +43,7 @@ WorkStates workStates(const Scene& scene, std::span<const Problem> problems) {
     at(states, WorkStep::Geometry) = doneIf(scene.domain || !scene.blocks.empty());
     at(states, WorkStep::Materials) = doneIf(!scene.materials.empty());
     const bool supported = !scene.bolts.empty() || !scene.boltPatterns.empty();
-    at(states, WorkStep::Support) = supported ? WorkState::Done : WorkState::Nothing;  // not every scene has bolts
+    at(states, WorkStep::Support) = supported ? WorkState::Done : WorkState::Nothing;  // bolts are optional
     at(states, WorkStep::Stages) = doneIf(!scene.stages.empty());
     for (const Problem& problem : problems) {
         WorkState& state = at(states, stepOf(problem.pointer));

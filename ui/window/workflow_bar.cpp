@@ -95,7 +95,7 @@ void WorkflowBar::addRight(QWidget* widget) {
 
 QSize WorkflowBar::minimumSizeHint() const { return {300, barHeight}; }
 
-/// Where all names have no room, steps are told by their states alone, but for the one that is at hand.
+/// If the names do not fit, steps show their states only, except for the current one.
 void WorkflowBar::fit() {
     int wanted = 2 * rim + (right_ && right_->isVisible() ? right_->minimumSizeHint().width() : 0);
     for (const QToolButton* tab : tabs_)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The work's order along the top: a tab for each step with a tick, a warning or a
-// cross. It shows what stands; it never forces the order.
+// The workflow along the top: a tab for each step with a tick, a warning or a cross. It
+// shows the state; it never enforces the order.
 #pragma once
 
 #include "ui/window/workflow.h"
@@ -28,14 +28,14 @@ public:
     void choose(WorkStep step);
     void setStates(const WorkStates& states);
 
-    /// Puts a widget at the right end, after those that are there.
+    /// Puts a widget at the right end, after existing ones.
     void addRight(QWidget* widget);
 
     QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
     void chosen(keyblock::WorkStep step);
-    void asked(keyblock::WorkStep step);  // a person clicked on it, be it chosen or not
+    void asked(keyblock::WorkStep step);  // the user clicked it, whether it is the current one or not
 
 protected:
     bool event(QEvent* event) override;
