@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Directions over a section: principal stresses as crosses in the blocks, arrows
-// of displacement and velocity. One length on paper stands for one value, and the
-// legend says for which.
+// Directions over a section: principal stresses as crosses in the blocks, arrows of
+// displacement and velocity. All have one scale, which the legend shows.
 #pragma once
 
 #include "solver/results/results.h"
@@ -18,7 +17,7 @@ namespace keyblock {
 
 enum class ArrowKind { StressCrosses, Displacements, Velocities };
 
-/// What a person asks for: stress-crosses, displacement-arrows, velocity-arrows; nothing for another.
+/// The kind named by the user: stress-crosses, displacement-arrows, velocity-arrows; none for other words.
 std::optional<ArrowKind> arrowKindOf(std::string_view word);
 
 /// Those words, in the order of `ArrowKind`.
@@ -26,7 +25,7 @@ std::span<const std::string_view> arrowWords();
 
 enum class ArrowShape { Arrow, Compression, Tension };
 
-/// One of them: from its place in the middle (a bar) or at its tail (an arrow).
+/// One of them: a bar centred at its position, or an arrow from its tail.
 struct ArrowMark {
     ArrowShape shape = ArrowShape::Arrow;
     Point place{0.0, 0.0};  // [m]
@@ -43,7 +42,7 @@ struct ArrowField {
 /// Length on paper of a unit of the field [mm].
 double arrowScale(const ArrowField& field);
 
-/// Of a frame; `places` are the blocks' centroids as drawn [m], a row per block.
+/// Of a frame; `places` are the blocks' centroids as drawn [m], one row per block.
 ArrowField arrowField(ArrowKind kind, const Frame& frame, const std::vector<Point>& places);
 
 }  // namespace keyblock

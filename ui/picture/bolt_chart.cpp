@@ -18,11 +18,11 @@ namespace keyblock {
 namespace {
 
 constexpr int envelopePlaces = 400;
-constexpr double nothing = 1e-3;  // of the largest: what is smaller is not shown
+constexpr double nothing = 1e-3;  // of the largest: smaller values are not shown
 
 using NodeQuantity = FrameQuantity<BoltNodeFrame>;
 
-/// Whether the value at a node holds for the element that starts there.
+/// Whether the value at a node applies to the element that starts there.
 bool isOfElement(const NodeQuantity& quantity) {
     return quantity.name == "axial_force" || quantity.name == "shear_force";
 }
@@ -39,7 +39,7 @@ ChartCurve curveOf(const BoltFrame& bolt, const NodeQuantity& quantity) {
     const bool stepped = isOfElement(quantity);
     for (std::size_t i = 0; i < bolt.nodes.size(); ++i) {
         const double value = quantity.value(bolt.nodes[i]) * quantity.display.factor;
-        if (stepped && i + 1 == bolt.nodes.size()) break;  // what stands there is the plate's
+        if (stepped && i + 1 == bolt.nodes.size()) break;  // the value there is the plate's
         curve.x.push_back(bolt.nodes[i].s);
         curve.y.push_back(value);
         if (stepped) {
@@ -50,7 +50,7 @@ ChartCurve curveOf(const BoltFrame& bolt, const NodeQuantity& quantity) {
     return curve;
 }
 
-/// Least and largest value at its real nodes, and zero.
+/// Minimum and maximum at its bonded nodes, including zero.
 ValueRange reachOf(const BoltFrame& bolt, const NodeQuantity& quantity) {
     ValueRange reach{0.0, 0.0};
     for (const BoltNodeFrame& node : bolt.nodes)
@@ -69,7 +69,7 @@ ChartCurve stemsOf(const BoltFrame& bolt, const NodeQuantity& quantity) {
     return curve;
 }
 
-/// The value at a place: of its element, or between its nodes.
+/// The value at a position: of its element, or interpolated between nodes.
 double valueAt(const BoltFrame& bolt, const NodeQuantity& quantity, double s) {
     const auto& nodes = bolt.nodes;
     std::size_t i = 0;
@@ -81,7 +81,7 @@ double valueAt(const BoltFrame& bolt, const NodeQuantity& quantity, double s) {
     return first + share * (quantity.value(nodes[i + 1]) - first);
 }
 
-/// A limit of the nodes' bonds on both sides of zero, as steps from half way to half way between nodes.
+/// A limit of the nodes' bonds on both sides of zero, as steps between midpoints of nodes.
 void addSteps(const BoltFrame& bolt, const std::vector<double>& values, const ChartLimit& limit, ChartPanel& panel) {
     const auto& nodes = bolt.nodes;
     for (std::size_t first = 0; first < nodes.size(); ++first) {
@@ -102,7 +102,7 @@ void addSteps(const BoltFrame& bolt, const std::vector<double>& values, const Ch
     }
 }
 
-/// What the bond of each node can bear as it is embedded now, and what it keeps where that is less.
+/// Bond strength of each node with its current embedment, and the residual where that is lower.
 void addBondLimits(const BoltFrame& bolt, double factor, ChartPanel& panel) {
     std::vector<double> peaks, residuals;
     for (const BoltNodeFrame& node : bolt.nodes) {
@@ -203,7 +203,7 @@ private:
                numberText(force > nothing * reach_.largestForce() ? force * 1e-3 : 0.0) + " kN" + usedText() + ".";
     }
 
-    /// Of the run so far.
+    /// Utilisation in the run so far.
     std::string usedText() const {
         const auto bolt = static_cast<std::size_t>(bolt_);
         if (bolt >= frame_.extremes.size()) return {};
@@ -211,7 +211,7 @@ private:
         return text.empty() ? "" : "; to date " + text;
     }
 
-    /// Bond forces; slip, too, where some nodes have no anchor that could tell it.
+    /// Quantities of bonded nodes only: bond force, and slip if some nodes have no bond.
     bool isOfRealNodes(const NodeQuantity& quantity) const {
         const bool all = std::all_of(now().nodes.begin(), now().nodes.end(),
                                      [](const BoltNodeFrame& node) { return node.real; });
@@ -225,7 +225,7 @@ private:
         chart_.band = marksOf(bolt, bolt_, now(), straight, events);
     }
 
-    /// Shear and moment where the bolt has seen any: a bar that was cut off bears none any more.
+    /// Shear and moment are shown if the bolt ever had any: a bar that was cut through carries none any more.
     bool isShown(const NodeQuantity& quantity) const {
         const bool beside = quantity.name == "shear_force" || quantity.name == "moment";
         return !beside || reach_.largest(quantity.column) > std::max(1.0, nothing * reach_.largestForce());
@@ -233,7 +233,7 @@ private:
 
     void gatherEnvelopes() {
         for (const NodeQuantity& quantity : boltQuantities()) {
-            if (isOfRealNodes(quantity)) continue;  // which stand where they stand
+            if (isOfRealNodes(quantity)) continue;  // their nodes are drawn as stems
             Envelope envelope{std::string(quantity.column), {}, {}, {}};
             for (int i = 0; i <= envelopePlaces; ++i) envelope.s.push_back(chart_.length * i / envelopePlaces);
             envelope.low.assign(envelope.s.size(), 0.0);
@@ -285,7 +285,7 @@ private:
         }
     }
 
-    /// The first capacity that was not reached is in view, however far it is.
+    /// The first capacity that was not reached is shown, however high it is.
     static void reachForCapacity(ChartPanel& panel) {
         if (!panel.title.starts_with("Axial")) return;
         const ChartLimit* next = nullptr;
@@ -308,7 +308,7 @@ private:
         }
     }
 
-    /// From half way to the neighbour before the first slipping node to half way to the one after the last.
+    /// From the midpoint before the first slipping node to the midpoint after the last.
     void addZones() {
         std::vector<const BoltNodeFrame*> real;
         for (const BoltNodeFrame& node : now().nodes)
@@ -323,7 +323,7 @@ private:
         }
     }
 
-    /// Where the bolt goes from one block to another; a gap counts once.
+    /// Where the bolt crosses from one block to another; a gap counts once.
     void addDividers() {
         int block = -1;
         double left = 0.0;
@@ -339,7 +339,7 @@ private:
     std::size_t index_;
     int bolt_;
     Frame frame_;
-    const BoltReach* known_;  // null: read from the frames until now
+    const BoltReach* known_;  // null: to be read from the frames so far
     BoltReach reach_;
     BoltChart chart_;
 };
@@ -356,7 +356,7 @@ BoltChart boltChart(const RunSource& run, std::size_t frame, const BoltReach& re
 
 namespace {
 
-/// Largest axial force of a bolt in the run until the frame; −1 of one that was never there.
+/// Largest axial force of a bolt in the run up to the frame; −1 if it was never installed.
 double loadOf(const Frame& frame, std::size_t bolt) {
     const double peak = bolt < frame.extremes.size() ? std::abs(frame.extremes[bolt].axialForce.value) : 0.0;
     const bool isThere = frame.bolts[bolt].nodes.size() > 1;
@@ -367,7 +367,7 @@ double loadOf(const Frame& frame, std::size_t bolt) {
 }  // namespace
 
 int mostLoadedBolt(const Frame& frame, int held) {
-    constexpr double more = 1.5;  // than the bolt that is held
+    constexpr double more = 1.5;  // than the current bolt
     int found = held >= 0 && static_cast<std::size_t>(held) < frame.bolts.size() ? held : -1;
     double most = found >= 0 ? more * loadOf(frame, static_cast<std::size_t>(found)) : -1.0;
     for (std::size_t b = 0; b < frame.bolts.size(); ++b)

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 9> words{"not installed", "intact",   "partly debonded", "debonded", "yielded",
                                                 "face plate lost", "ruptured", "pulled out",      "lost"};
 
-/// Length of the bar that belongs to a node: half of the way to either neighbour [m].
+/// Tributary length of a node: half of the distance to either neighbour [m].
 double lengthOf(const std::vector<BoltNodeFrame>& nodes, std::size_t node) {
     const double from = node > 0 ? nodes[node - 1].s : nodes[node].s;
     const double to = node + 1 < nodes.size() ? nodes[node + 1].s : nodes[node].s;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a designer asks of one bolt at a moment of a run: its state in one word, how
-// much of its bond is left, and its use of strengths so far.
+// State of one bolt at a time of a run: its condition in one word, how much of its bond
+// is left, and its utilisation so far.
 #pragma once
 
 #include "solver/results/bolt_use.h"
@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// In order of gravity.
+/// In order of severity.
 enum class BoltCondition {
     NotInstalled, Intact, PartlyDebonded, Debonded, Yielded, PlateLost, Ruptured, PulledOut, Lost
 };
@@ -25,13 +25,13 @@ struct BoltReport {
     int bonded = 0, slipping = 0, failed = 0;  // bonded nodes, by the state of their bond
     double debonded = 0.0;  // length of the bar whose bond slips or has failed [m]
     bool hasPlate = false, plateHolds = false;
-    double plateForce = 0.0;  // at this moment [N]
-    BoltUse use;  // over the run until this moment
+    double plateForce = 0.0;  // at this time [N]
+    BoltUse use;  // over the run up to this time
 
     bool isInstalled() const { return condition != BoltCondition::NotInstalled; }
 };
 
-/// \param events those of the run until the frame. \pre the bolt is a row of the scene and of the frame.
+/// \param events events of the run up to the frame. \pre the bolt is a row of the scene and of the frame.
 BoltReport boltReport(const Scene& scene, const Frame& frame, int bolt, std::span<const Event> events);
 
 }  // namespace keyblock

@@ -20,7 +20,7 @@ void join(std::string& text, const std::string& part, const char* between) {
     if (!part.empty()) text += (text.empty() ? "" : between) + part;
 }
 
-/// At most `most` letters, so that what follows a name is not pushed off the page.
+/// At most `most` letters, so that the text after a name stays on the page.
 std::string shortened(const std::string& text, std::size_t most) {
     std::size_t letters = 0, at = 0;
     const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };  // a letter in UTF-8

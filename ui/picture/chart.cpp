@@ -12,7 +12,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double negligible = 1e-3;  // of the larger side of zero: a range does not open for it
+constexpr double negligible = 1e-3;  // of the larger side of zero: smaller values do not extend a range
 
 /// Of the pieces of one limit on one side of zero, only the last is named.
 void nameOnce(std::vector<ChartLimit>& limits) {
@@ -27,8 +27,8 @@ constexpr int mostStageTicks = 8;
 
 using WidthOf = std::function<double(const std::string&)>;
 
-/// Ticks of one stage with at most `most` numbers, none beyond `end`, where the next stage has its first; none at all
-/// where they would touch.
+/// Ticks of one stage with at most `most` numbers, none beyond `end`, where the next stage has its first; none if they
+/// would overlap.
 std::vector<AxisTick> ticksWithin(const StageSpan& span, int most, double end, double perUnit, const WidthOf& widthOf) {
     const Ticks round = roundTicks({0.0, span.reached}, most);
     std::vector<AxisTick> ticks;

@@ -8,7 +8,7 @@ namespace keyblock {
 
 namespace {
 
-/// Keeps what lies on the side of `limit` on which sign · coordinate is less.
+/// Keeps the part on the side of `limit` where sign · coordinate is smaller.
 std::vector<Point> halved(const std::vector<Point>& polygon, int axis, double sign, double limit) {
     std::vector<Point> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shapes cut off at the frame of a picture. Not every kind of paper can clip, so
-// what lies outside is never drawn.
+// Shapes clipped at the frame of a picture. Not every kind of paper can clip, so parts
+// outside are never drawn.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -13,7 +13,7 @@
 
 namespace keyblock {
 
-/// The part of a polygon in the box; of one that is not convex, pieces may hang together along the box's sides.
+/// The part of a polygon in the box; pieces of a non-convex polygon may be connected along the box's sides.
 std::vector<Point> clippedToBox(std::vector<Point> polygon, const Box& box);
 
 /// The part of a segment in the box; nothing when it misses.

@@ -15,10 +15,10 @@ namespace keyblock {
 namespace {
 
 constexpr double shown = 1e-3;  // kN of a newton
-constexpr double shareOutside = 0.02;  // of the sum of all forces, borne by what is larger than the longest line
-constexpr double least = 0.01;  // of the longest line: what is smaller is not seen
-constexpr std::size_t manyLines = 2000;  // in sight: more than these are thinned out
-constexpr double squares = 1500.0;  // that the window is then parted into
+constexpr double shareOutside = 0.02;  // of the sum of all forces, carried by forces larger than the longest line
+constexpr double least = 0.01;  // of the longest line: smaller forces are invisible
+constexpr std::size_t manyLines = 2000;  // in view: more than these are thinned out
+constexpr double squares = 1500.0;  // into which the window is then divided
 
 constexpr double longestOfBlock = 1.2;  // length of the longest line over the size of blocks on paper
 constexpr double shortestScale = 2.6, longestScale = 8.0, thinnest = 0.12;  // [mm]
@@ -33,7 +33,7 @@ ContactKind kindOf(const ContactFrame& contact) {
     }
 }
 
-/// The largest line of each square, in the order of the squares.
+/// The largest force of each square, in the order of the squares.
 std::vector<ContactLine> largestOfEach(const std::vector<ContactLine>& lines, double side) {
     std::map<std::pair<long, long>, std::size_t> kept;
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -56,7 +56,7 @@ std::string lengthText(double metres) {
     return metres < 1.0 ? numberText(metres * 1e3) + " mm" : numberText(metres) + " m";
 }
 
-/// Thins the lines out where they are many, and says so.
+/// Thins out the lines if there are many, and adds a note.
 void thinOut(ContactField& field, const Box& window) {
     const std::size_t all = field.lines.size();
     const double smallest = least * field.scale.longest;

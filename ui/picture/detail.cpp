@@ -44,7 +44,7 @@ double middleSpacing(const SectionPicture& picture, std::size_t shape, double ap
     return nearest;
 }
 
-/// Crowded bolts, short ones and small scales leave room for what let go alone.
+/// Crowded bolts, short ones and small scales leave room for marks of failures only.
 std::vector<Mark> marksToDraw(const BoltShape& bolt, double spacing, double scale, const DetailSizes& sizes) {
     std::vector<Mark> marks = bolt.marks;
     const double length = (bolt.nodes.back() - bolt.nodes.front()).norm() * scale;

@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-/// From what a picture can do without to what it must tell.
+/// Severity, from events that a picture may omit to those that it must show.
 int gravity(EventKind kind) {
     switch (kind) {
         case EventKind::JointSlip:
@@ -74,7 +74,7 @@ EventEntry entryOf(const RunSource& run, const Event& event) {
     return entry;
 }
 
-/// One entry for each bolt and kind in a stage; blocks stand alone.
+/// One entry for each bolt and kind in a stage; one for each block.
 std::vector<EventEntry> grouped(const RunSource& run, std::span<const Event> events) {
     std::vector<EventEntry> entries;
     for (const Event& event : events) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An edge is parted where corners of its neighbours lie on it; a piece is a wall
-// when no block lies just beyond its middle.
+// An edge is divided at corners of its neighbours; a piece is a wall if no block lies
+// just beyond its middle.
 #include "ui/picture/faces.h"
 
 #include "geometry/grid.h"
@@ -62,7 +62,7 @@ private:
         return met;
     }
 
-    /// Shares of the edge where it is parted, 0 first and 1 last.
+    /// Fractions of the edge where it is divided, 0 first and 1 last.
     std::vector<double> partsOf(const Point& a, const Point& b, const std::vector<int>& neighbours) const {
         std::vector<double> places{0.0, 1.0};
         const double length = (b - a).norm();
@@ -89,7 +89,7 @@ private:
         return liesOnBorder(own, middle) ? FaceKind::Border : FaceKind::Wall;
     }
 
-    /// Whether the scene's block, which this is or is cut from, has a face on the side of the domain there.
+    /// Whether the block of the scene (this block or the one it is cut from) has a face on that side of the domain.
     bool liesOnBorder(const SolvedBlock& own, const Point& place) const {
         if (own.plateOf >= 0) return false;
         const Block& block = scene_.blocks[static_cast<std::size_t>(own.block)];

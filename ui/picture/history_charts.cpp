@@ -17,8 +17,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr double negligible = 1e-3;  // energies below it, of the largest, are not shown
-constexpr double nothing = 1e-5;  // of the largest of its kind: nobody could draw or measure it
+constexpr double negligible = 1e-3;  // energies below this share of the largest are not shown
+constexpr double nothing = 1e-5;  // of the largest of its kind: too small to draw or measure
 
 class HistoryChartBuilder {
 public:
@@ -77,7 +77,7 @@ private:
         return std::move(result_);
     }
 
-    /// A monitor, else what else the run has of that name.
+    /// A monitor of that name, else another series of the run.
     std::vector<Series> named(const std::string& name) const {
         std::vector<Series> found;
         for (const Series& series : series_)
@@ -112,7 +112,7 @@ private:
         return atFrames ? valuesOf(series, history_, run_.frames()) : valuesOf(series, history_);
     }
 
-    /// Row of the history, or frame, that an event comes after; −1: before all.
+    /// Row of the history, or frame, before an event; −1: none.
     long placeOf(const Event& event, bool atFrames) const {
         if (!atFrames) return event.historyRow;
         const auto& frames = run_.frames();
@@ -122,7 +122,7 @@ private:
         return after - frames.begin() - 1;
     }
 
-    /// Several over one, with the events where they happened. What only the frames have is drawn at the frames.
+    /// Several series against one, with the events. Series known only at frames are drawn at the frames.
     void addOver(const std::vector<Series>& of, const Series& over) {
         const bool atFrames = over.energy || isOfFrames(of);
         const std::vector<double> x = valuesAt(over, atFrames);
@@ -145,7 +145,7 @@ private:
         addPanels(chart, of, isOfFrames(of) ? frameTimes_ : times_, isOfFrames(of));
     }
 
-    /// A panel for each title, in the order in which they come first.
+    /// A panel for each title, in order of first occurrence.
     void addPanels(Chart& chart, const std::vector<Series>& of, const std::vector<double>& x, bool atFrames = false) {
         std::vector<std::string> titles;
         for (const Series& series : of)
@@ -169,7 +169,7 @@ private:
         curves = 0;
     }
 
-    /// The bolts that debonded furthest.
+    /// The bolts with the longest debonded lengths.
     void addDebonded(Chart& chart) {
         std::vector<std::pair<double, Series>> bolts;
         for (std::size_t b = 0; b < run_.scene().bolts.size(); ++b) {
@@ -222,8 +222,8 @@ private:
         return largest;
     }
 
-    /// Panels of nothing but round-off, to what others of their unit show, stand as words. Moments are judged by the
-    /// forces too, at an arm of 1 m.
+    /// Panels that contain only round-off, relative to others of their unit, are replaced by a note. Moments are also
+    /// compared with the forces, at an arm of 1 m.
     void leaveOutNothing(Chart& chart) {
         std::map<std::string, double> largest;
         for (const ChartPanel& panel : chart.panels) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What of a run is a number over time, as people see it: monitors, what each bolt
-// bears at most, energies. Any of them can stand on either axis of a chart.
+// Quantities of a run over time: monitors, largest forces of each bolt, energies. Any
+// of them can be on either axis of a chart.
 #pragma once
 
 #include "solver/results/frame_quantities.h"
@@ -14,15 +14,15 @@
 namespace keyblock {
 
 struct Series {
-    std::string name;  // as it is asked for
+    std::string name;  // name used in requests
     std::string title;  // of its panel, with the unit
     std::size_t column = 0;  // of the history
     double factor = 1.0;  // to the unit shown
     bool isForce = false, isOpening = false;
-    const FrameQuantity<Energy>* energy = nullptr;  // of the frames, in place of a column
+    const FrameQuantity<Energy>* energy = nullptr;  // of the frames, instead of a column
 };
 
-/// Of the scene's monitors: NAME, of a point NAME.ux and NAME.uy.
+/// Series of the scene's monitors: NAME, for a point NAME.ux and NAME.uy.
 std::vector<Series> monitorSeries(const Scene& scene);
 
 /// Those, then BOLT.QUANTITY of every bolt, then energy.NAME.
@@ -36,7 +36,7 @@ std::vector<double> valuesOf(const Series& series, const std::vector<HistoryRow>
 /// NAME (unit), for an axis.
 std::string withUnit(const Series& series);
 
-/// Whether energies below a kilojoule are all that the frames have, so that they are told in joules.
+/// Whether all energies of the frames are below a kilojoule, so that they are shown in joules.
 bool hasSmallEnergies(const std::vector<FrameHead>& frames);
 
 }  // namespace keyblock

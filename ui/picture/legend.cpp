@@ -9,7 +9,7 @@ namespace keyblock {
 
 namespace {
 
-/// Where the colour of a step is taken from the map: the first and the last step have the end colours.
+/// Position in the colour map of a colour step: the first and the last step have the end colours.
 double shareOfStep(int step, int steps) { return steps > 1 ? static_cast<double>(step) / (steps - 1) : 0.5; }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a coloured quantity means: title, unit, range, ticks, sign convention. Unless
-// the user wants another, the range holds all values of all frames, so that pictures
-// can be compared. Values outside the range take the end colours, and the bar says so.
+// The legend of a coloured quantity: title, unit, range, ticks, sign convention. By
+// default the range spans all values of all frames, so that pictures can be compared.
+// Values outside the range get the end colours, and the bar says so.
 #pragma once
 
 #include "ui/picture/colour.h"
@@ -24,30 +24,30 @@ struct LegendBar {
     const ColourMap* map = nullptr;
     ValueRange range;  // in the unit shown
     ValueRange reach;  // of all values in all frames, in the unit shown
-    ScaleChoice scale;  // that led to the range
+    ScaleChoice scale;  // choice that gave the range
     Ticks ticks;
-    bool goesBelow = false, goesAbove = false;  // values outside the range take the end colours
+    bool goesBelow = false, goesAbove = false;  // values outside the range have the end colours
     std::vector<std::string> notes;
-    std::string convention;  // what a positive value means; empty: nothing to tell
-    std::string dashed;  // what dashes on the bars mean: compression, or another negative value; empty: there are none
+    std::string convention;  // meaning of a positive value; empty: none
+    std::string dashed;  // meaning of dashes on the bars: compression, or another negative value; empty: there are none
     std::optional<ValueRange> now;  // of the frame, in the unit shown
     std::vector<std::pair<double, std::string>> limits;  // capacities within the range, named
 
-    /// Of a value, on the light or the dark ground.
+    /// Colour of a value, on a light or a dark background.
     Colour colourOf(double shown, bool dark = false) const;
-    /// Colours along the bar, each with its share of the range; steps are pairs at one share.
+    /// Colours along the bar, each with its fraction of the range; a step is two colours at one fraction.
     std::vector<std::pair<double, Colour>> stops(bool dark) const;
-    /// True of a value that is drawn with dashes.
+    /// Whether a value is drawn with dashes.
     bool isDashed(double shown) const;
-    /// True where extreme values are left out of the range, as the user wants it.
+    /// Whether the user's choice excludes extreme values from the range.
     bool clips() const { return scale.clips && scale.of != ScaleOf::Own && (goesBelow || goesAbove); }
-    /// The colours on the ground of the picture.
+    /// The colours for the background of the picture.
     const ColourMap& mapOn(bool dark) const { return dark ? darkOf(*map) : *map; }
-    /// Where a value lies between the ends of the range: 0 … 1 within it.
+    /// Position of a value between the ends of the range: 0 … 1 within it.
     double shareOf(double shown) const { return (shown - range.low) / (range.high - range.low); }
 };
 
-/// Of the blocks and the bolts of a section; none of a quantity that no frame has a value of.
+/// Legends of the blocks and the bolts of a section; none for a quantity without values in any frame.
 struct SectionLegends {
     std::optional<LegendBar> blocks, bolts;
     std::optional<ContactScale> contacts;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What stands on a bolt besides its shank: anchored points by kind and state,
-// steel that yielded or broke, the plate. The state of a node decides, not the
-// list of events, where both tell: a bond that stuck again is no longer slipping.
+// The marks on a bolt: anchored points by kind and state, yielded or ruptured steel,
+// the face plate. If events and node state differ, the state counts: a bond that has
+// re-stuck is no longer slipping.
 #pragma once
 
 #include "solver/results/results.h"
@@ -23,12 +23,12 @@ struct Mark {
     Point along{1.0, 0.0};  // unit vector of the bolt there, towards the head
 };
 
-/// All marks of a bolt, unsorted. `nodes` [m] as drawn, `events` those of the run until the frame.
+/// All marks of a bolt, unsorted. `nodes` [m] as drawn, `events` events of the run up to the frame.
 std::vector<Mark> marksOf(const Bolt& bolt, int index, const BoltFrame& frame, const std::vector<Point>& nodes,
                           std::span<const Event> events);
 
-/// The marks that keep `least` [m] between them: bonded and artificial points give way first. What let go keeps 0.6 of
-/// it from its like, and gives way to nothing else.
+/// The marks, at least `least` [m] apart: bonded and intermediate points are dropped first. Marks of failures keep 0.6
+/// of that from their own kind, and are dropped for no other.
 std::vector<Mark> thinned(std::vector<Mark> marks, double least);
 
 }  // namespace keyblock

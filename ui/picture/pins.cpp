@@ -12,14 +12,14 @@ namespace keyblock {
 
 namespace {
 
-constexpr double sameCentre = 1e-7;  // [m] below it the reference of displacements is the one of before
+constexpr double sameCentre = 1e-7;  // [m] smaller changes keep the reference of displacements
 constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
 
 double twiceArea(const Point& a, const Point& b, const Point& c) {
     return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-/// Shares of three corners far apart; a block moves and strains evenly, so they stay.
+/// Barycentric coordinates for three corners far apart; a block moves and strains uniformly, so they stay.
 std::array<std::pair<std::size_t, double>, 3> sharesOf(const std::vector<Point>& corners, const Point& place) {
     std::size_t second = 1, third = 2;
     const auto away = [&](std::size_t i) { return (corners[i] - corners[0]).norm(); };
@@ -45,7 +45,7 @@ std::optional<Point> placeWithin(const Pin& pin, const std::vector<Point>& corne
     return place;
 }
 
-/// Forces along the steel belong to the element, what the bond does to the node.
+/// Forces along the steel belong to the element, bond values to the node.
 std::size_t rowOf(const Pin& pin) {
     const bool ofElement = pin.ofBolt->name == "axial_force" || pin.ofBolt->name == "shear_force";
     return static_cast<std::size_t>(ofElement || pin.node < 0 ? pin.element : pin.node);
@@ -104,7 +104,7 @@ double PinTrack::valueOf(const Frame& frame) {
     return ofPoint(frame.blocks[block]) * pin_.ofBlock->display.factor;
 }
 
-/// Where displacements begin anew, the point's do so from where it was.
+/// If displacements restart from zero, so do the point's, from its position then.
 double PinTrack::ofPoint(const BlockState& block) {
     const std::optional<Point> place = placeWithin(pin_, block.points);
     if (!place) return noNumber;

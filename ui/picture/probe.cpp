@@ -16,9 +16,9 @@ namespace {
 constexpr std::array<std::string_view, 4> ofBlocks{"sigma1", "sigma3", "displacement", "velocity"};
 constexpr std::array<std::string_view, 5> ofBolts{"axial_force", "shear_force", "moment", "anchor_force", "slip"};
 
-constexpr double beyond = 0.01;  // a peak is worth a number where the present value is farther from it, of its size
+constexpr double beyond = 0.01;  // relative difference from which a peak is shown next to the current value
 
-/// Makes rows in the units and signs of a picture.
+/// Creates rows in the units and signs of a picture.
 struct RowMaker {
     const ShownNumbers& numbers;
     ProbeReading& reading;
@@ -73,7 +73,7 @@ ProbeReading probed(const SectionPicture& picture, const Frame& frame, const Pic
     reading.head = shape.name + " at " + numberText(at < shape.s.size() ? shape.s[at] : 0.0, 2) + " m";
     if (bolt >= frame.bolts.size() || at >= frame.bolts[bolt].nodes.size()) return reading;
     BoltNodeFrame node = frame.bolts[bolt].nodes[at];
-    // Steel is told of the element; at the head the last row's forces are the plate's.
+    // Steel values belong to the element; at the head the last row's forces are the plate's.
     const BoltNodeFrame& element = frame.bolts[bolt].nodes[static_cast<std::size_t>(std::max(pick.element, 0))];
     node.axialForce = element.axialForce;
     node.shearForce = element.shearForce;

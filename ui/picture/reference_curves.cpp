@@ -72,7 +72,7 @@ void ReferencePlacer::place(Chart& chart) {
     }
 }
 
-/// The column of the chart's axis, by its name, else as the only one of its measure; as shown on the axis.
+/// The column of the chart's axis, by its name, else the only one of its measure; in the unit of the axis.
 std::vector<double> ReferencePlacer::abscissas(std::size_t t, const Chart& chart, int& found) {
     const ReferenceTable& table = tables_[t];
     const Title axis = partedTitle(chart.xTitle);
@@ -139,7 +139,7 @@ void ReferencePlacer::placeColumn(std::size_t t, std::size_t c, const std::vecto
     }
     if (curve.x.empty()) return;
     used_[t][c] = true;
-    for (ChartCurve& other : panel->curves)  // two of one file are told apart by their columns
+    for (ChartCurve& other : panel->curves)  // two curves of one file are named by their columns
         if (isReference(other.style) && other.table == static_cast<int>(t)) {
             other.name = table.name + ": " + other.column;
             curve.name = table.name + ": " + column.name;

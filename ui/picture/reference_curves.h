@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which panel a measured or published curve belongs to. Names decide first, then
-// the kind of measure where one panel alone shows it; what fits nowhere, or fits in
-// two places, is told and never guessed at.
+// Assigns measured or published curves to panels. Names decide first, then the measure
+// if only one panel shows it; columns that match no panel, or two, are reported, not
+// guessed.
 #pragma once
 
 #include "solver/results/reference_table.h"
@@ -18,13 +18,13 @@ namespace keyblock {
 
 class ReferencePlacer {
 public:
-    /// All are held by reference. `stages` are the run's, by name.
+    /// All are kept by reference. `stages` are the run's, by name.
     ReferencePlacer(const std::vector<ReferenceTable>& tables, const RunTime& time, std::vector<std::string> stages);
 
-    /// Adds the curves of which the chart shows both measures, and widens its range of abscissas for them.
+    /// Adds the curves of which the chart shows both measures, and extends its range of abscissas for them.
     void place(Chart& chart);
 
-    /// Warnings on columns that no chart took; errors on tables of which none was taken.
+    /// Warnings on columns that no chart matched; errors on tables without any match.
     std::vector<Problem> problems() const;
 
 private:
@@ -37,8 +37,8 @@ private:
     std::vector<std::string> stages_;
     std::vector<std::vector<bool>> used_;  // by table and column
     std::vector<bool> hasAxis_;  // by table: of some chart
-    std::vector<std::string> faults_;  // by table: why it stands on no axis
-    std::vector<std::string> seen_;  // panels over their axes, for people
+    std::vector<std::string> faults_;  // by table: why it has no axis
+    std::vector<std::string> seen_;  // panels and their axes, for messages
 };
 
 }  // namespace keyblock

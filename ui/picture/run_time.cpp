@@ -12,7 +12,7 @@ namespace {
 
 constexpr double roomOfDynamic = 3.0;  // pseudo-time 1 of a static stage has 1
 
-/// The latest time that anything of each stage bears; −1 for one that was not begun.
+/// The latest time in each stage's data; −1 for one that was not started.
 std::vector<double> reached(const RunSource& run) {
     std::vector<double> times(run.scene().stages.size(), -1.0);
     const auto see = [&](int stage, double time) {

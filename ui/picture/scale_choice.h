@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How a user wants the colours of a quantity to span its values. Every quantity has
-// a choice of its own, so that a range in MPa is never applied to millimetres.
+// The user's choice of colour range for a quantity. Every quantity has its own choice,
+// so that a range in MPa is never applied to millimetres.
 #pragma once
 
 #include "ui/picture/ticks.h"
@@ -18,8 +18,8 @@ enum class ScaleOf { AllFrames, ThisFrame, Own };
 
 struct ScaleChoice {
     ScaleOf of = ScaleOf::AllFrames;
-    ValueRange own{};  // of `Own`, as pictures are made [MPa, kN, mm]; low < high
-    bool clips = false;  // leaves out the extreme values of blocks, 2 % of the area at either end
+    ValueRange own{};  // of `Own`, in units of pictures [MPa, kN, mm]; low < high
+    bool clips = false;  // excludes the extreme values of blocks, 2 % of the area at either end
     int intervals = 0;  // equal steps of colour; 0: without steps
 
     bool operator==(const ScaleChoice&) const = default;
@@ -28,7 +28,7 @@ struct ScaleChoice {
 /// By the name of the quantity.
 using ScaleChoices = std::map<std::string, ScaleChoice, std::less<>>;
 
-/// That of the quantity; the default where the user has made none.
+/// The choice for the quantity; the default if the user has made none.
 inline ScaleChoice scaleOf(const ScaleChoices& choices, std::string_view quantity) {
     const auto found = choices.find(quantity);
     return found == choices.end() ? ScaleChoice{} : found->second;

@@ -150,8 +150,8 @@ private:
         shape.marks = marksOf(bolt, shape.bolt, frame, shape.nodes, events_);
     }
 
-    /// Beside the bolt that was asked for, else beside the one with the largest value, unless all are nothing to what
-    /// the run has seen.
+    /// At the requested bolt, else at the one with the largest value, unless all are negligible compared with the run
+    /// so far.
     void chooseRibbon() {
         if (!picture_.boltLegend) return;
         double largest = nothing * picture_.boltLegend->range.high;
@@ -170,7 +170,7 @@ private:
         picture_.ribbon->scale = std::max(largest, picture_.ribbon->limit.value_or(0.0));
     }
 
-    /// The first that the values have not passed, however far it is.
+    /// The first limit that the values have not passed, however high it is.
     void addLimit(Ribbon& ribbon, double largest) const {
         const BoltShape& shape = picture_.bolts[ribbon.shape];
         const auto bolt = static_cast<std::size_t>(shape.bolt);
@@ -190,7 +190,7 @@ private:
         take("peak", peaks);
     }
 
-    /// Events stand where their node or block is drawn now.
+    /// Events are placed where their node or block is drawn now.
     void placeEvents() {
         for (EventEntry& entry : picture_.events.entries) {
             for (const BlockShape& shape : picture_.blocks)
@@ -216,7 +216,7 @@ private:
         const bool anyLeft = std::any_of(picture_.blocks.begin(), picture_.blocks.end(), [&](const BlockShape& shape) {
             return areTouching(boxOf(shape.outline), model);
         });
-        // What was flung far away does not shrink the rest, where there is one.
+        // Blocks that were thrown far away do not shrink the rest, if there is any.
         const bool flung = anyLeft && areaOf(drawn) > 6.0 * areaOf(model);
         picture_.model = flung ? model : drawn;
         picture_.window = request_.whole ? withRim(picture_.model) : around(picture_.model);
@@ -235,7 +235,7 @@ private:
         return empty || areaOf(shown) > nearlyAll * areaOf(model) ? withRim(model) : shown;
     }
 
-    /// Room for names and plates at the ends of bolts.
+    /// Margin for names and plates at the ends of bolts.
     static Box withRim(const Box& model) { return grown(model, rim * (model.max - model.min).maxCoeff()); }
 
     const RunSource& run_;

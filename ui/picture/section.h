@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a section of the rock looks like at one moment, decided once for paper and
-// screen: plain shapes in metres with the values that colour them. Nothing here
-// knows a pixel, a font or a library of windows.
+// A section of the rock at one time, prepared once for paper and screen: plain shapes
+// in metres with the values that colour them. This code is independent of pixels, fonts
+// and GUI libraries.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -22,20 +22,20 @@
 namespace keyblock {
 
 struct SectionRequest {
-    std::optional<std::size_t> frame;  // null: the scene before anything happened, without results
+    std::optional<std::size_t> frame;  // null: the scene before the run, without results
     const FrameQuantity<BlockState>* blocks = nullptr;  // null: not coloured
     const FrameQuantity<BoltNodeFrame>* bolts = nullptr;  // null: not coloured
     std::optional<ArrowKind> arrows;  // drawn over blocks that are not coloured
     bool contacts = false;  // their forces are drawn over blocks that are not coloured
-    bool everyContact = false;  // those outside the window too, for a camera that moves
-    std::optional<int> ribbon;  // bolt beside which its values stand; null: the one with the largest
-    double factor = 1.0;  // displacements are drawn enlarged by it
-    bool whole = false;  // show the whole model, not what surrounds tunnels and bolts
-    std::optional<Box> window;  // shown in any case [m]
+    bool everyContact = false;  // also those outside the window, for a view that moves
+    std::optional<int> ribbon;  // bolt with the force diagram; null: the one with the largest
+    double factor = 1.0;  // scale factor of displacements
+    bool whole = false;  // show the whole model, not the surroundings of tunnels and bolts
+    std::optional<Box> window;  // always shown [m]
     std::size_t mostEvents = 12;
-    const SectionLegends* legends = nullptr;  // of the run, where they are known; null: its frames are read for them
+    const SectionLegends* legends = nullptr;  // of the run, if known; null: its frames are read for them
     ScaleChoices scales{};  // of the quantities
-    double ribbonScale = 0.0;  // the ribbon is drawn as for a value of at least this size, in the unit shown
+    double ribbonScale = 0.0;  // the force diagram is scaled for at least this value, in the unit shown
 };
 
 struct LineShape {
@@ -48,8 +48,8 @@ struct BlockShape {
     std::vector<Point> outline;  // [m], as drawn
     std::vector<Point> before;  // where it was [m]
     std::optional<double> value;  // in the unit shown
-    double displaced = 0.0;  // largest way of a corner, as drawn [m]
-    std::vector<char> edgesHidden{};  // an edge each: not drawn as a joint; empty: all are
+    double displaced = 0.0;  // largest displacement of a corner, as drawn [m]
+    std::vector<char> edgesHidden{};  // one per edge: not drawn as a joint; empty: all are
 };
 
 struct BoltShape {
@@ -57,34 +57,34 @@ struct BoltShape {
     std::string name;
     std::vector<Point> nodes;  // from the far end [m], as drawn
     std::vector<double> s;  // of each node [m]
-    std::vector<double> values;  // an element each, in the unit shown, with its sign; empty without results
-    std::vector<char> broken;  // an element each
+    std::vector<double> values;  // one per element, in the unit shown, with its sign; empty without results
+    std::vector<char> broken;  // one per element
     std::vector<Mark> marks;  // all, not thinned
 };
 
-/// The values of one bolt to be drawn beside it.
+/// The force diagram of one bolt.
 struct Ribbon {
     std::size_t shape = 0;  // index into the bolts drawn
     std::size_t peak = 0;  // element of the largest size
-    double scale = 0.0;  // size that takes all of the ribbon's room, in the unit shown
-    std::optional<double> limit;  // that the quantity meets, its largest along the bolt, in the unit shown
-    std::vector<double> limits;  // the same of each element, 0 where there is none; empty without a limit
+    double scale = 0.0;  // value that fills the diagram's width, in the unit shown
+    std::optional<double> limit;  // of the quantity, its largest along the bolt, in the unit shown
+    std::vector<double> limits;  // the same for each element, 0 if there is none; empty without a limit
     std::string limitName;
 };
 
 struct SectionPicture {
     Box model, window;  // [m]: all of it, and what is shown
-    std::vector<BlockShape> blocks;  // those that are there
+    std::vector<BlockShape> blocks;  // those that exist at this time
     std::vector<LineShape> walls, borders, seams;  // as drawn
-    std::vector<std::vector<Point>> openings;  // profiles of the tunnels [m]; rock that is still there lies over them
-    std::vector<BoltShape> bolts;  // those that are there
+    std::vector<std::vector<Point>> openings;  // profiles of the tunnels [m]; rock not yet excavated covers them
+    std::vector<BoltShape> bolts;  // those that exist at this time
     std::optional<LegendBar> blockLegend, boltLegend;
     std::optional<ArrowField> arrows;
     std::optional<ContactField> contacts;
     std::optional<Ribbon> ribbon;
     EventList events;
-    double factor = 1.0;  // on displacements
-    ShownNumbers numbers;  // that its values are in
+    double factor = 1.0;  // scale factor of displacements
+    ShownNumbers numbers;  // of its values
     std::string title, subtitle;
 };
 

@@ -38,7 +38,7 @@ SectionPicture SectionFilm::pictureOf(std::size_t frame, const std::optional<int
     return sectionPicture(run_, request);
 }
 
-/// Widens what the pictures share to what this one needs.
+/// Extends the shared ranges to those of this picture.
 void SectionFilm::settle(const SectionPicture& picture) {
     if (!window_) window_ = picture.window;
     window_ = Box{window_->min.cwiseMin(picture.window.min), window_->max.cwiseMax(picture.window.max)};
@@ -50,7 +50,7 @@ void SectionFilm::settle(const SectionPicture& picture) {
     ribbon_ = bolt.bolt;
 }
 
-/// Events keep the number that they have at the end; what that list leaves out is left out here too.
+/// Events keep their final numbers; events omitted from the final list are omitted here too.
 void SectionFilm::keepNumbered(EventList& events) const {
     std::vector<EventEntry> kept;
     for (EventEntry& entry : events.entries)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures of a run that follow one another. What would jump from one to the next
-// is settled for all of them first: the window, the ranges, the bolt that its
-// forces stand beside and their scale, which events have which number.
+// Consecutive pictures of a run. Settings that would jump from one to the next are
+// fixed for all of them first: the window, the ranges, the bolt of the force diagram
+// and its scale, and the numbers of events.
 #pragma once
 
 #include "ui/picture/section.h"
@@ -15,7 +15,7 @@ namespace keyblock {
 
 class SectionFilm {
 public:
-    /// Of these frames of the run, in this order; at least one. Reads every frame of the run twice.
+    /// Pictures of these frames of the run, in this order; at least one. Reads every frame of the run twice.
     SectionFilm(const RunSource& run, const SectionRequest& request, std::vector<std::size_t> frames);
 
     std::size_t size() const { return frames_.size(); }
@@ -36,7 +36,7 @@ private:
     std::optional<Box> window_;
     std::optional<int> ribbon_;  // bolt with the largest value of all frames
     double largest_ = 0.0;  // that value
-    EventList numbered_;  // at the end of the film
+    EventList numbered_;  // at the end of the animation
 };
 
 }  // namespace keyblock

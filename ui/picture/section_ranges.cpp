@@ -14,9 +14,9 @@ namespace keyblock {
 namespace {
 
 constexpr int mostTicks = 5;
-constexpr double negligible = 1e-3;  // of the largest value: no sign is shown of less
+constexpr double negligible = 1e-3;  // of the largest value: the sign of smaller values is not shown
 constexpr double shareOutside = 0.02;  // of the rock's area, at either end
-constexpr double leastStrain = 1e-9, leastStress = 100.0;  // [Pa] nothing measures less: what is below both is nothing
+constexpr double leastStrain = 1e-9, leastStress = 100.0;  // [Pa] smaller than measurable: values below both are zero
 
 void gather(const SectionRequest& request, const Frame& frame, std::vector<Weighed>& blocks,
             std::vector<Weighed>& bolts) {
@@ -45,7 +45,7 @@ void reach(const std::vector<Weighed>& values, std::optional<ValueRange>& reache
     reached = reached ? ValueRange{std::min(reached->low, range.low), std::max(reached->high, range.high)} : range;
 }
 
-/// Notes the values of this frame, as fine as a tenth of the bar's ticks.
+/// Adds a note on the values of this frame, with one more digit than the bar's ticks.
 void noteNow(const std::vector<Weighed>& values, const QuantityDisplay& display, LegendBar& bar) {
     if (values.empty()) return;
     const ValueRange now = extent(values);
@@ -56,7 +56,7 @@ void noteNow(const std::vector<Weighed>& values, const QuantityDisplay& display,
                         std::string(display.unit));
 }
 
-/// Rounds the ends of a range, and says what lies beyond them.
+/// Rounds the ends of a range, and marks ends that values exceed.
 void takeRange(const ValueRange& range, bool rounded, LegendBar& bar) {
     const bool isSymmetric = bar.map == &tide;
     bar.range = !rounded ? range : isSymmetric ? roundedSymmetric(range, mostTicks) : roundedRange(range, mostTicks);
@@ -65,7 +65,7 @@ void takeRange(const ValueRange& range, bool rounded, LegendBar& bar) {
     bar.goesAbove = bar.reach.high > bar.range.high;
 }
 
-/// The range of one frame, or the one that the user has typed.
+/// The range of one frame, or the one typed by the user.
 void takeScale(const ScaleChoice& choice, const std::vector<Weighed>& values, LegendBar& bar) {
     bar.scale = choice;
     if (choice.of == ScaleOf::Own && choice.own.low < choice.own.high) takeRange(choice.own, false, bar);
@@ -76,7 +76,7 @@ void takeScale(const ScaleChoice& choice, const std::vector<Weighed>& values, Le
     if (choice.of == ScaleOf::Own) bar.notes.emplace_back("range set manually");
 }
 
-/// Limits that the range holds.
+/// Keeps the limits within the range.
 void keepLimitsWithin(LegendBar& bar) {
     std::erase_if(bar.limits,
                   [&](const auto& limit) { return limit.first > bar.range.high || limit.first < bar.range.low; });
@@ -92,7 +92,7 @@ LegendBar barOf(std::string_view quantity, const QuantityDisplay& display) {
     return bar;
 }
 
-/// What is round-off of a quantity of blocks, as shown.
+/// Round-off level of a quantity of blocks, in the unit shown.
 double roundOff(const QuantityDisplay& display, const Scene& scene) {
     double stiffest = 0.0;
     for (const auto& [name, rock] : scene.materials) stiffest = std::max(stiffest, rock.youngsModulus);
@@ -100,7 +100,7 @@ double roundOff(const QuantityDisplay& display, const Scene& scene) {
     return display.unit == "MPa" ? stress * std::abs(display.factor) : 0.0;
 }
 
-/// `whole` is what the quantity was seen to reach.
+/// `whole` is the full range of the quantity's values.
 std::optional<LegendBar> blockLegend(const FrameQuantity<BlockState>& quantity, std::vector<Weighed> all,
                                      ValueRange whole, double nothing, bool clips) {
     if (all.empty()) return std::nullopt;
@@ -117,7 +117,7 @@ std::optional<LegendBar> blockLegend(const FrameQuantity<BlockState>& quantity, 
     return bar;
 }
 
-/// Bolts are coloured by size: Ember has one end that is far from the background.
+/// Bolts are coloured by magnitude: only one end of Ember contrasts with the background.
 std::optional<LegendBar> boltLegend(const FrameQuantity<BoltNodeFrame>& quantity, const std::vector<Weighed>& all,
                                     const ValueRange& whole,
                                     const std::vector<std::pair<double, std::string>>& limits) {
@@ -141,7 +141,7 @@ std::optional<LegendBar> boltLegend(const FrameQuantity<BoltNodeFrame>& quantity
     return bar;
 }
 
-/// Limits of all types that bolts of the scene are of, each once.
+/// Limits of all bolt types used in the scene, each once.
 std::vector<std::pair<double, std::string>> limitsOfAll(const Scene& scene, const SectionRequest& request) {
     std::vector<std::pair<double, std::string>> all;
     if (!request.bolts) return all;
@@ -151,7 +151,7 @@ std::vector<std::pair<double, std::string>> limitsOfAll(const Scene& scene, cons
     return all;
 }
 
-/// Side of a square as large as a solved block is on average [m].
+/// Side of a square as large as an average solved block [m].
 double spacingOf(const Scene& scene) {
     const auto corners = cornersBefore(solvedBlocks(scene));
     double area = 0.0;
@@ -194,7 +194,7 @@ void SectionRanges::add(const Frame& frame) {
     frames_.push_back(std::move(values));
 }
 
-/// What bolts reached until this frame, also between frames.
+/// Extremes of bolts up to this frame, also between frames.
 std::vector<Weighed> SectionRanges::peaks(const Frame& frame) const {
     std::vector<Weighed> found;
     if (!boltQuantity_) return found;
@@ -204,7 +204,7 @@ std::vector<Weighed> SectionRanges::peaks(const Frame& frame) const {
     return found;
 }
 
-/// What blocks reached until this frame, also between frames.
+/// Extremes of blocks up to this frame, also between frames.
 std::vector<Weighed> SectionRanges::blockPeaks(const Frame& frame) const {
     std::vector<Weighed> found;
     if (!blockQuantity_) return found;

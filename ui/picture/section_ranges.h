@@ -8,19 +8,19 @@
 
 namespace keyblock {
 
-/// Legends that grow frame by frame, for a run that goes on.
+/// Legends that grow frame by frame, for a run in progress.
 class SectionRanges {
 public:
-    /// For what the request asks for. \param scene as it is solved.
+    /// For the quantities of the request. \param scene as solved.
     SectionRanges(const Scene& scene, const SectionRequest& request);
 
     void add(const Frame& frame);
-    /// Frames whose values are kept.
+    /// Number of frames whose values are kept.
     std::size_t frames() const { return frames_.size(); }
-    /// Lets go of the values of every second one: what is left stands for all, but for the largest and smallest.
+    /// Discards the values of every second frame; the others represent all, except for the largest and smallest.
     void dropEverySecond();
 
-    /// \param scales of the quantities, but for what one frame alone says
+    /// \param scales of the quantities, except for ranges of a single frame
     SectionLegends legends(const ScaleChoices& scales = {}) const;
 
 private:
@@ -38,17 +38,17 @@ private:
     ContactScale scale_;
     double roundOff_ = 0.0;  // of the quantity of blocks
     std::vector<std::pair<double, std::string>> limits_;  // of the bolts
-    std::optional<ValueRange> blockReach_, boltReach_;  // of all frames that were added
+    std::optional<ValueRange> blockReach_, boltReach_;  // of all frames added
     std::vector<Values> frames_;
 };
 
-/// Legends of what the request asks for, of all frames of the run.
+/// Legends for the request, over all frames of the run.
 SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request);
 
-/// The same with a note on the values of one frame, if it has any, and with the ranges that the request wants of it.
+/// The same with a note on the values of one frame, if it has any, and with the ranges chosen in the request.
 SectionLegends withNow(SectionLegends legends, const SectionRequest& request, const Frame& frame);
 
-/// Size of a limit of the bolt's steel that the quantity meets [unit shown]; none for other quantities than N.
+/// Limits of the bolt's steel for the quantity [unit shown]; none for quantities other than N.
 std::vector<std::pair<double, std::string>> limitsOf(const Scene& scene, const Bolt& bolt,
                                                      const FrameQuantity<BoltNodeFrame>& quantity);
 

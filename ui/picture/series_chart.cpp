@@ -12,7 +12,7 @@ namespace {
 
 constexpr double leastBetweenEvents = 0.005;  // of the chart's width
 
-/// Events nearer to each other than a line is wide stand as one.
+/// Events closer together than a line width are drawn as one.
 void thinEvents(Chart& chart) {
     const double least = leastBetweenEvents * (chart.x.high - chart.x.low);
     std::vector<double> kept;

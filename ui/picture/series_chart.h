@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parts that charts of numbers over time, or over one another, are made of.
+// Common parts of charts of quantities over time, or against each other.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -18,17 +18,17 @@ inline constexpr std::size_t mostCurves = 4;  // of a panel
 inline constexpr std::array<CurveStyle, mostCurves> curveStyles{CurveStyle::Main, CurveStyle::Second,
                                                                 CurveStyle::Third, CurveStyle::Fourth};
 
-/// Whether an event is one of bolts, and so has a mark on charts.
+/// Whether an event belongs to a bolt, and so is marked on charts.
 bool isOfBolts(const Event& event);
 
 /// Without panels yet: the run's time, its stages and the events of bolts.
 Chart chartOverTime(const RunTime& time, const std::vector<Event>& events);
 
-/// Adds a curve, broken where there is no number; its last piece bears the name.
+/// Adds a curve, split where values are missing; its last piece has the name.
 void addCurve(ChartPanel& panel, CurveStyle style, const std::string& name, const std::vector<double>& x,
               const std::vector<double>& y);
 
-/// Ranges, and events as far apart as they can be told; false where nothing is left to draw.
+/// Sets ranges, and merges events that are too close together; false if there is nothing to draw.
 bool finishChart(Chart& chart);
 
 }  // namespace keyblock

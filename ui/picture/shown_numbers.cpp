@@ -21,7 +21,7 @@ struct UnitRow {
 constexpr std::array units{UnitRow{"MPa", "Pa", 1e6}, UnitRow{"kN", "N", 1e3},      UnitRow{"kN m", "N m", 1e3},
                            UnitRow{"mm", "m", 1e-3},  UnitRow{"kJ", "J", 1e3},      UnitRow{"mrad", "rad", 1e-3}};
 
-/// Less is not measured by anything, and not resolved by double precision of a section of rock.
+/// Smaller values are not measurable, and below double precision for a section of rock.
 constexpr double leastForce = 1e-6, leastOther = 1e-9;  // [MPa, kN, kN m], and of other units
 
 constexpr std::string_view compression = "compression +", per = " per ";
@@ -32,14 +32,14 @@ void scale(std::vector<double>& values, double factor) {
 
 void scale(ValueRange& range, double factor) { range = {range.low * factor, range.high * factor}; }
 
-/// Ticks of a range that may fall; of its end values alone if they are as round.
+/// Ticks of a range that may fall; its end values are ticks only if they are round.
 Ticks ticksOf(const ValueRange& range, int most) {
     Ticks ticks = roundTicks({std::min(range.low, range.high), std::max(range.low, range.high)}, most);
     if (range.high < range.low) std::reverse(ticks.values.begin(), ticks.values.end());
     return ticks;
 }
 
-/// With the sign turned the range falls from left to right: each value keeps its colour.
+/// With the opposite sign the range falls from left to right: each value keeps its colour.
 double turn(LegendBar& bar, const ShownNumbers& numbers) {
     const ShownAs shown = shownAs(bar.unit, bar.convention, numbers);
     bar.unit = shown.unit;
@@ -76,7 +76,7 @@ void turn(ContactField& field, const ShownNumbers& numbers) {
     for (ContactLine& line : field.lines) line.force *= shown.factor;
 }
 
-/// `Axial force (kN)` is `Axial force (N)`, and 1000 of them.
+/// Converts `Axial force (kN)` to `Axial force (N)`, with the factor 1000.
 double turnTitle(std::string& title, const ShownNumbers& numbers) {
     const std::size_t open = title.rfind(" (");
     if (open == std::string::npos || !title.ends_with(')')) return 1.0;

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How a person wants numbers. Pictures and charts are made in the units of daily
-// work (mm, kN, MPa) with compression positive; what is made is turned here to
-// plain SI, or to tension positive. Colours stay: they tell of the rock, not of
-// how its numbers are written.
+// The user's choice of units and signs. Pictures and charts are made in the usual units
+// (mm, kN, MPa) with compression positive; here they are converted to SI base units, or
+// to tension positive. Colours stay: they belong to the values, not to their notation.
 #pragma once
 
 #include <string>
@@ -22,19 +21,19 @@ struct ShownNumbers {
     bool operator==(const ShownNumbers&) const = default;
 };
 
-/// How a quantity is shown: shown = factor · as pictures are made.
+/// How a quantity is shown: shown = factor · value in units of pictures.
 struct ShownAs {
     std::string unit, convention;
     double factor = 1.0;
 };
 
-/// Of a quantity with that unit (`MPa`, `kN per bolt`) and sign convention, as pictures are made.
+/// For a quantity with that unit (`MPa`, `kN per bolt`) and sign convention, as in pictures.
 ShownAs shownAs(std::string_view unit, std::string_view convention, const ShownNumbers& numbers);
 
-/// A number in its unit, as pictures are made or plain SI; 0 where it is no more than round-off can leave of that unit.
+/// A number in its unit, as in pictures or SI base units; 0 if it is no more than round-off in that unit.
 double withoutRoundOff(double value, std::string_view unit);
 
-/// Of a title that ends with its unit: `Axial force (kN)`.
+/// For a title that ends with its unit: `Axial force (kN)`.
 double factorOf(std::string title, const ShownNumbers& numbers);
 
 /// A title with its units as shown: `Axial force (kN) over joint opening (mm)` becomes `… (N) over … (m)`.
@@ -43,7 +42,7 @@ std::string shownTitle(const std::string& title, const ShownNumbers& numbers);
 std::string forceText(double force, const ShownNumbers& numbers);  // of [N], with its unit: `119 kN`
 std::string lengthText(double length, const ShownNumbers& numbers);  // of [m], with its unit: `31 mm`
 
-/// Turns what was made with the usual numbers; once.
+/// Converts data in the units of pictures; call once.
 void showAs(SectionPicture& picture, const ShownNumbers& numbers);
 void showAs(Chart& chart, const ShownNumbers& numbers);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Loads at which the steel of a bolt yields and breaks, for capacity lines.
+// Loads at which the steel of a bolt yields and ruptures, for capacity lines.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -15,10 +15,10 @@ struct SteelLimits {
     std::optional<double> ultimate;  // at its largest stress [N]
 };
 
-/// Nothing of steel that is linear and unbreakable.
+/// None for steel that is linear and unbreakable.
 SteelLimits steelLimits(const BoltType& type);
 
-/// The bolt's type; null when the scene does not hold it.
+/// The bolt's type; null if the scene does not have it.
 const BoltType* typeOf(const Scene& scene, const Bolt& bolt);
 
 }  // namespace keyblock

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which ticks of a legend's bar have room for their numbers, on paper and on the
-// screen.
+// Chooses the ticks of a legend's bar whose numbers fit, on paper and on the screen.
 #pragma once
 
 #include "ui/picture/legend.h"
@@ -25,7 +24,7 @@ struct TickRoom {
     std::function<double(const std::string&)> widthOf;
 };
 
-/// All ticks where their labels have room, else every second one, and so on; zero stays.
+/// All ticks if their labels fit, else every second one, and so on; zero stays.
 std::vector<TickLabel> tickLabels(const LegendBar& bar, const TickRoom& room);
 
 }  // namespace keyblock

@@ -27,32 +27,32 @@ double roundHalvable(double least);
 /// Round values at equal steps within [low, high].
 struct Ticks {
     std::vector<double> values;
-    int decimals = 0;  // that all of them need
+    int decimals = 0;  // needed by all of them
 };
 
-/// At most `most` of them, at least one where the range holds a round number. \pre low < high, most ≥ 2
+/// At most `most` of them, at least one if the range contains a round number. \pre low < high, most ≥ 2
 Ticks roundTicks(const ValueRange& range, int most);
 
-/// The range widened to round numbers at both ends, which then lie `most` ticks apart or fewer. A range of nothing but
-/// zeros becomes 0 … 1; another of one value reaches from zero.
+/// The range extended to round numbers at both ends, which are then at most `most` ticks apart. A range with only
+/// zeros becomes 0 … 1; another of one value starts at zero.
 ValueRange roundedRange(const ValueRange& range, int most);
 
 /// The same with 0 in the middle.
 ValueRange roundedSymmetric(const ValueRange& range, int most);
 
-/// A number with its size, e.g. the area that a value stands for.
+/// A number with its weight, e.g. the area of its block.
 struct Weighed {
     double value = 0.0;
     double weight = 1.0;
 };
 
-/// The range that leaves out, at either end, values that stand for `share` of all weight. Zeros without any values.
+/// The range that excludes, at either end, values with `share` of the total weight. Zeros without any values.
 ValueRange rangeWithout(std::vector<Weighed> values, double share);
 
 /// `value` with that many decimals.
 std::string numberText(double value, int decimals);
 
-/// `value` with about three digits that count.
+/// `value` with about three significant digits.
 std::string numberText(double value);
 
 }  // namespace keyblock
