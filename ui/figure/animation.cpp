@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Three passes over the frames: ranges, then what the pictures share and how much
-// room they need, then the pictures, one at a time. Only one frame is in memory.
+// Three passes over the frames: ranges, then common settings and the space they need,
+// then the pictures, one at a time. Only one frame is in memory.
 #include "ui/figure/animation.h"
 
 #include "solver/results/csv.h"
@@ -44,7 +44,7 @@ std::vector<std::size_t> framesOf(const RunSource& run, const TableFilter& filte
 SectionRequest colouredRequestOf(const RunSource& run, const FigureRequest& request) {
     SectionRequest section = sectionRequestOf(run, request);
     for (auto& [quantity, scale] : section.scales)
-        if (scale.of == ScaleOf::ThisFrame) scale.of = ScaleOf::AllFrames;  // pictures of a film are compared
+        if (scale.of == ScaleOf::ThisFrame) scale.of = ScaleOf::AllFrames;  // frames of an animation must be comparable
     if (section.arrows)
         throw CannotDraw("an animation shows colours, not '" + *request.quantity + "'; choose another quantity");
     return section;
@@ -65,7 +65,7 @@ public:
 
     const std::vector<std::size_t>& frames() const { return frames_; }
 
-    /// A picture on a sheet of its own, not finished.
+    /// A picture on its own sheet, not finished.
     std::unique_ptr<Paper> painted(std::size_t index) const {
         const SectionPicture picture = film_.picture(index);
         auto paper = emptyPaper();
@@ -87,7 +87,7 @@ private:
         return {request_.width, title, picture.subtitle, warningsOf(run_, frame)};
     }
 
-    /// Room for the longest title, all kinds of marks and the last list of events, which is the longest.
+    /// Space for the longest title, all kinds of marks and the last list of events, which is the longest.
     SectionLayout sharedLayout() const {
         const auto layoutFrom = [&](double top, const std::optional<std::vector<MarkKind>>& kinds) {
             return SectionLayout(last_, run_.scene(), request_.width, top, sheetOf(last_, frames_.back()).inner(), kinds);

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run as pictures that follow one another: sections painted as on paper, all of
-// one size, with one set of ranges and a line that tells stages and events. What
-// becomes of the pictures, files or a film, is for others to say. Nothing of Qt
-// shows here.
+// A run as a sequence of pictures: sections painted as on paper, all of one size, with
+// common ranges and a line with stages and events. Callers write them to files or an
+// animation. This header does not need Qt.
 #pragma once
 
 #include "ui/figure/figure.h"
@@ -18,21 +17,20 @@ namespace keyblock {
 
 class Animation {
 public:
-    /// The frames of the stage that the request's filter names, or of the whole run. Format and moment of the request
-    /// mean nothing here; the run must outlive this.
-    /// \throws CannotDraw where there are no frames, or no such quantity.
+    /// The frames of the stage in the request's filter, or of the whole run. Format and time of the request are
+    /// ignored; the run must outlive this. \throws CannotDraw if there are no frames, or no such quantity.
     Animation(const RunSource& run, const FigureRequest& request);
     ~Animation();
     Animation(const Animation&) = delete;
     Animation& operator=(const Animation&) = delete;
 
-    std::size_t size() const;  // pictures
+    std::size_t size() const;  // number of pictures
     int columns() const;  // of a picture [px]
     int rows() const;
-    /// Index of the run's frame that a picture shows.
+    /// Index of the run's frame of a picture.
     std::size_t frame(std::size_t picture) const;
 
-    /// A picture as rows of pixels from the top, four bytes each: blue, green, red, and one that means nothing.
+    /// A picture as rows of pixels from the top, four bytes each: blue, green, red, and an unused one.
     std::string pixels(std::size_t picture) const;
     /// A picture as a PNG file. The same run and request give the same bytes.
     std::string png(std::size_t picture) const;
@@ -45,7 +43,7 @@ private:
 /// `frame-0001.png` for the first: the picture's file in a folder of pictures.
 std::string pictureName(std::size_t picture);
 
-/// Whether a folder of pictures may hold a file of this name: a picture, or the list `frames.csv`.
+/// Whether a file of this name may be in a folder of pictures: a picture, or the list `frames.csv`.
 bool isOfPictures(const std::string& name);
 
 /// The list as CSV: file, stage, time and step of each picture.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Qt asks for runtime folders and displays that a server does not have and says so;
-// none of that concerns a figure, so only what ends the program is passed on.
+// Qt warns about runtime folders and displays that a server does not have; figures do
+// not need them, so only fatal messages are passed on.
 #include "ui/figure/application.h"
 
 #include <QApplication>
@@ -23,12 +23,12 @@ void onlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message
 void needApplication() {
     if (QCoreApplication::instance()) return;
     qInstallMessageHandler(onlyFatal);
-    qSetGlobalQHashSeed(0);  // fonts stand in a PDF in the order of a hash
+    qSetGlobalQHashSeed(0);  // otherwise fonts are written to a PDF in random hash order
     qputenv("QT_QPA_PLATFORM", "offscreen");
     static int argc = 1;
     static char name[] = "keyblock";
     static char* argv[] = {name, nullptr};
-    new QApplication(argc, argv);  // lives until the process ends: Qt's own statics outlive ours
+    new QApplication(argc, argv);  // never deleted: Qt's own statics are destroyed later
 }
 
 }  // namespace keyblock

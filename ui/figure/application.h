@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The one Qt application object, on the platform that needs no display.
+// The single Qt application object, on the platform that needs no display.
 #pragma once
 
 namespace keyblock {
 
-/// Makes it at the first call. Fonts and hash order are then the same in every process.
+/// Creates it on the first call. Fonts and hash order are then the same in every process.
 void needApplication();
 
 }  // namespace keyblock

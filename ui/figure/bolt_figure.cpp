@@ -49,7 +49,7 @@ std::vector<MarkKind> kindsOf(const std::vector<Mark>& marks) {
     return kinds;
 }
 
-/// The bolt itself, straightened over the curves: shank, marks, and the far end and the head by name.
+/// The bolt itself, straightened above the curves: shank, marks, and the labels of far end and head.
 void drawBand(Ink& ink, const BoltChart& bolt, const std::vector<Mark>& marks, const ChartPlace& place, double y) {
     const auto at = [&](double s) { return Point(place.left + (place.right - place.left) * s / bolt.length, y); };
     ink.line(at(0.0), at(bolt.length), {0.7, rgb(0xA9AFB6)});
@@ -88,7 +88,7 @@ private:
     struct Item {
         std::optional<MarkKind> kind;  // null: the line of envelopes
         std::string name;
-        double x, sample;  // from the margin; of the name, from there [mm]
+        double x, sample;  // from the margin; offset of the name from there [mm]
         int row;
     };
 
@@ -136,7 +136,7 @@ Figure paintBolt(const RunSource& run, const FigureRequest& request) {
     if (!request.title.empty()) bolt.title = request.title;
     const Sheet sheet(request.width, bolt.title, bolt.subtitle, warningsOf(run, frame));
     const double chartHeight = panelHeight * static_cast<double>(bolt.chart.panels.size()) + axisRoom;
-    // Which marks have room is known once the chart is drawn; until then there is room for the key of all.
+    // Which marks fit is known once the chart is drawn; until then space for all kinds is reserved.
     const BoltKey most(kindsOf(bolt.band), !bolt.envelopes.empty(), sheet.inner());
     const double height = std::ceil(sheet.heightAround(bandHeight + chartHeight + most.height() + 0.6));
     Paper paper(request.format, request.width, height, request.dpi, bolt.title);

@@ -18,9 +18,9 @@ namespace keyblock {
 namespace {
 
 constexpr double keySample = 6.0, keyGap = 3.0, keyRow = 2.8;  // [mm]
-constexpr double numbersFrom = 2.3, mostOfTitle = 14.0;  // [mm] numbers and their ticks from a panel and from a title
+constexpr double numbersFrom = 2.3, mostOfTitle = 14.0;  // [mm] distance of numbers and their ticks from a panel and from a title
 constexpr double leastTickRow = 1.9, titleRim = 0.8;  // [mm]
-constexpr std::size_t mostMarks = 60;  // of a reference: more points are a line alone
+constexpr std::size_t mostMarks = 60;  // of a reference: more points are drawn as a line only
 
 /// SVG cannot clip, and all formats are to be alike; a dot on the axis stays whole.
 template <class Plottable>
@@ -69,7 +69,7 @@ public:
     }
 
 private:
-    /// Titles beside the panels stand left of the widest number of all.
+    /// Titles next to the panels are placed left of the widest number of all.
     void makeRoomForTitles() {
         for (const ChartPanel& panel : chart_.panels) {
             const Ticks ticks = roundTicks(panel.range, layout_.mostTicks);
@@ -81,7 +81,7 @@ private:
         }
     }
 
-    /// Numbers of a low panel must not touch; how low it is, is known once all is laid out.
+    /// Numbers of a low panel must not overlap; its height is known once the layout is done.
     void keepNumbersApart() {
         using Element = QCPLayoutElement;
         for (const auto phase : {Element::upPreparation, Element::upMargins, Element::upLayout})
@@ -257,7 +257,7 @@ private:
         ink.text(at + Point(0.0, 2.6), parted.unit, inked(text_style::note, theme_.softText), Align::Right);
     }
 
-    /// The panel's title, and names at the right ends of limits and curves, pushed apart where they meet.
+    /// The panel's title, and names at the right ends of limits and curves, moved apart where they overlap.
     void nameEnds(Ink& ink, std::size_t index) const {
         const ChartPanel& panel = chart_.panels[index];
         QCPAxisRect* rect = rects_[index];
@@ -310,7 +310,7 @@ private:
     const ChartLayout& layout_;
     Point size_;  // [mm]
     double keyRoom_;  // [mm]
-    double titlesFrom_ = 6.5, titlesWidth_ = 0.0;  // of titles beside: their right ends from the panels, and how wide [mm]
+    double titlesFrom_ = 6.5, titlesWidth_ = 0.0;  // of titles at the left: their right ends from the panels, and width [mm]
     QCustomPlot plot_;
     std::vector<QCPAxisRect*> rects_;
     std::vector<QSharedPointer<RoundTicker>> tickers_;  // of the ordinates

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Charts by QCustomPlot, which lays out axes and draws curves; names at the ends of
-// curves and limits are put there by us, where they cover nothing. Paper and screen
-// draw the same charts in the colours of a theme.
+// Charts by QCustomPlot, which lays out axes and draws curves; the names at the ends of
+// curves and limits are placed here so that they overlap nothing. Paper and screen draw
+// the same charts in the colours of a theme.
 #pragma once
 
 #include "ui/figure/ink.h"
@@ -16,27 +16,27 @@ class QCPPainter;
 
 namespace keyblock {
 
-/// What a chart is drawn in. The ground is whoever's who paints it.
+/// Colours of a chart. The caller paints the background.
 struct ChartTheme {
     Colour ground, text, softText, axis, grid;
     Colour main, second, third, fourth, envelope;
     std::array<Colour, 4> references;
-    Colour limit;  // ultimate ones
+    Colour limit;  // ultimate limits
     Colour event;  // faint lines
     Colour zone;  // tint
 };
 
-/// Room round the panels [mm].
+/// Margins around the panels [mm].
 struct ChartLayout {
     double leftRoom = 9.0, rightRoom = 17.0, panelGap = 3.2;
     bool titlesBeside = false;  // titles left of the panels, units below them; else above
     int mostTicks = mostPanelTicks;  // of a panel
 };
 
-/// White, black ink.
+/// White background, black ink.
 const ChartTheme& paperChartTheme();
 
-/// Where the curves are: the abscissas' range from left to right, and the panels from top to bottom [mm].
+/// Position of the curves: the abscissas' range from left to right, and the panels from top to bottom [mm].
 struct ChartPlace {
     struct Panel {
         double top = 0.0, bottom = 0.0;

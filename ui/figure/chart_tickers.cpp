@@ -14,7 +14,7 @@ constexpr int mostTried = 9;
 
 }  // namespace
 
-/// A number alone tells no scale: the farthest from zero does, beside zero where both have room.
+/// A single number shows no scale: the one farthest from zero does, together with zero if both fit.
 Ticks RoundTicker::ticksIn(const ValueRange& range) const {
     const double least = least_ * (range.high - range.low);
     const auto touch = [&](const Ticks& t) { return t.values.size() > 1 && t.values[1] - t.values[0] < least; };

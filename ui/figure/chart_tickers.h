@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the numbers of a chart's axes stand: our round ones in place of QCustomPlot's.
+// The numbers on a chart's axes: our round ones instead of QCustomPlot's.
 #pragma once
 
 #include "ui/figure/ink.h"
@@ -13,11 +13,11 @@
 
 namespace keyblock {
 
-/// Round numbers, with a true minus.
+/// Round numbers, with a true minus sign.
 class RoundTicker : public QCPAxisTicker {
 public:
     explicit RoundTicker(int most) : most_(most) {}
-    /// Keeps them at least this share of the axis apart.
+    /// Keeps them at least this fraction of the axis apart.
     void setLeast(double share) { least_ = share; }
     void generate(const QCPRange& range, const QLocale& locale, QChar format, int precision, QVector<double>& ticks,
                   QVector<double>* subTicks, QVector<QString>* labels) override;

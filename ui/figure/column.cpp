@@ -24,7 +24,7 @@ constexpr double row = 3.3, noteRow = 2.9, barHeight = 2.3, tip = 1.5;  // [mm]
 
 QColor qt(const Colour& colour) { return {colour.red, colour.green, colour.blue}; }
 
-/// The bar's outline, with a triangle at ends beyond which there are values.
+/// The bar's outline, with a triangle at ends that values exceed.
 std::vector<Point> outlineOf(const LegendBar& bar, const Point& at, double from, double to) {
     std::vector<Point> points{at + Point(from, 0.0), at + Point(to, 0.0)};
     if (bar.goesAbove) points.push_back(at + Point(to + tip, 0.5 * barHeight));
@@ -48,7 +48,7 @@ void fillBar(Ink& ink, const LegendBar& bar, const Point& at, double from, doubl
     ink.polygon(outlineOf(bar, at, from, to), {}, Stroke{0.13, black});
 }
 
-/// Names above the bar; one that would touch the name before it is left to its tick.
+/// Names above the bar; one that would overlap the name before it is omitted, its tick stays.
 void drawLimits(Ink& ink, const LegendBar& bar, const Point& at, const std::function<double(double)>& placeOf,
                 double width) {
     double free = 0.0;
@@ -81,7 +81,7 @@ void drawBar(Ink& ink, const LegendBar& bar, const Point& corner, double width,
     for (const std::string& note : notes) ink.text({corner.x(), y += noteRow}, note, text_style::note);
 }
 
-/// What goes into a list: a heading of a stage, or an entry.
+/// Row of the list: a heading of a stage, or an entry.
 struct EventRow {
     const EventEntry* entry = nullptr;
     std::string heading;
@@ -99,7 +99,7 @@ std::vector<EventRow> rowsOf(const Scene& scene, const EventList& events) {
     return rows;
 }
 
-/// So wide that what let go begins at one place in all rows [mm].
+/// Wide enough for all times, so that the texts of all rows are aligned [mm].
 double timeRoom(const Scene& scene, const EventList& events) {
     double room = 6.5;
     for (const EventEntry& entry : events.entries)

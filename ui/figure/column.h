@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What stands beside a section: bars of colours, the key of marks, the list of
-// events. Each item knows its height before it is drawn, so that the figure can
-// be made as high as its content.
+// The column next to a section: colour bars, the key of marks, the list of events. Each
+// item knows its height before it is drawn, so that the figure can be made as high as
+// its content.
 #pragma once
 
 #include "ui/figure/ink.h"
@@ -25,10 +25,10 @@ struct ColumnItem {
 
 inline constexpr double itemGap = 4.2;  // between two items [mm]
 
-/// An arrow, or a bar about its place, of `length` on paper [mm, y downwards].
+/// An arrow, or a bar centred at its position, of `length` on paper [mm, y downwards].
 void drawArrow(Ink& ink, ArrowShape shape, const Point& at, const Point& length);
 
-// Each for a column of `width` [mm]. What they show must outlive them.
+// Items for a column of `width` [mm]. Their data must outlive them.
 ColumnItem barItem(const LegendBar& bar, double width);
 ColumnItem arrowItem(const ArrowField& field, double scale, double width);
 ColumnItem keyItem(std::vector<MarkKind> kinds, double width);

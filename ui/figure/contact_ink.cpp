@@ -47,7 +47,7 @@ void ContactInk::draw(Ink& ink, ContactKind kind, const Point& at, const Point& 
         case ContactKind::Bonded:  // with the disc of a bonded anchor
             drawPart(ink, at - half, at + half, {width, locked}, frame);
             return ink.circle(at, 0.5 * width + 0.18, locked, {});
-        case ContactKind::Pulled:  // two halves that part
+        case ContactKind::Pulled:  // two separated halves
             drawPart(ink, at - half, at - 0.3 * half, {width, error}, frame);
             return drawPart(ink, at + 0.3 * half, at + half, {width, error}, frame);
     }

@@ -8,7 +8,7 @@
 
 namespace keyblock {
 
-/// \throws CannotDraw for a run without a history, and for a monitor that there is not.
+/// \throws CannotDraw for a run without a history, and for an unknown monitor.
 Figure paintCurves(const RunSource& run, const FigureRequest& request);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A row for each kind of event that happened, on the time of the whole run with its
-// stages above; below, what let go on bolts and which blocks fell, alike ones as
-// one entry.
+// A row for each kind of event that occurred, on the time axis of the whole run with
+// its stages above; below, the failures of bolts and the blocks that fell, several of a
+// kind as one entry.
 #include "ui/figure/events_figure.h"
 
 #include "solver/results/tables.h"
@@ -29,7 +29,7 @@ namespace {
 using namespace paper_theme;
 
 constexpr double kindRow = 4.6, listRow = 3.6, bandHeight = 4.4, axisRoom = 9.0;  // [mm]
-constexpr double names = 27.0, counts = 12.0;  // columns left and right of the time line [mm]
+constexpr double names = 27.0, counts = 12.0;  // columns left and right of the timeline [mm]
 constexpr double markDistance = 1.2;  // [mm]
 constexpr std::size_t mostListed = 40;
 
@@ -49,7 +49,7 @@ std::vector<KindRow> kindRows(const std::vector<Event>& events, const RunTime& t
     return rows;
 }
 
-/// The mark of a kind; ticks for joints, which let go by the hundred.
+/// The mark of a kind; ticks for joint events, which occur by the hundred.
 void drawEvent(Ink& ink, EventKind kind, const Point& at) {
     switch (kind) {
         case EventKind::Debonding: return drawMark(ink, MarkKind::Slipping, at, {1.0, 0.0}, true);
@@ -135,7 +135,7 @@ private:
     double left_, right_;
 };
 
-/// Number, stage (of several), time, who and what, force: a column each.
+/// Number, stage (if several), time, object and event, force: a column each.
 class EventTable {
 public:
     EventTable(const Scene& scene, const EventList& list, double left, double width)
@@ -198,7 +198,7 @@ private:
     const Scene& scene_;
     const EventList& list_;
     double left_, width_;
-    double stageWidth_ = 0.0;  // 0: the scene has one stage alone
+    double stageWidth_ = 0.0;  // 0: the scene has a single stage
     double timeWidth_ = 6.0;
 };
 

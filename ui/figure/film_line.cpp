@@ -40,7 +40,8 @@ double FilmLine::placeOf(std::size_t picture, double width) const {
     return width * static_cast<double>(picture) / static_cast<double>(count_);
 }
 
-/// Numbers over the band once they have happened; one that would touch the one before it is left to its tick.
+/// Numbers over the band once the events have occurred; one that would overlap the one before it is omitted, its tick
+/// stays.
 void FilmLine::drawMarks(Ink& ink, const Point& at, double width, std::size_t now) const {
     double free = -radius;
     for (const Mark& mark : marks_) {

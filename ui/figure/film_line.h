@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The line below each picture of an animation: its stages one after another, the
-// numbered events where they happen, and how far the film is. Each picture takes
+// numbered events at their times, and the progress of the animation. Each picture takes
 // the same length, as it takes the same time on the screen.
 #pragma once
 
@@ -22,13 +22,13 @@ public:
     /// Of these frames of the run, in order, with the events that are numbered in the last one.
     FilmLine(const RunSource& run, const std::vector<std::size_t>& frames, const EventList& events);
 
-    /// From the upper left corner `at` over `width` [mm], for one of the pictures.
+    /// Drawn from the upper left corner `at` over `width` [mm], for one of the pictures.
     void draw(Ink& ink, const Point& at, double width, std::size_t picture) const;
 
 private:
     struct Part {
         std::string name;  // of the stage
-        std::size_t first = 0, end = 0;  // pictures
+        std::size_t first = 0, end = 0;  // number of pictures
     };
     struct Mark {
         int number = 0;

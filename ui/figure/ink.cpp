@@ -43,7 +43,7 @@ QPolygonF polygonOf(const std::vector<Point>& points) {
     return polygon;
 }
 
-/// The family that figures are set in: the first of these that is installed.
+/// The font family of figures: the first of these that is installed.
 const QString& family() {
     static const QString found = [] {
         const QStringList installed = QFontDatabase().families();
@@ -56,8 +56,8 @@ const QString& family() {
 
 QString qt(const std::string& text) { return QString::fromStdString(text); }
 
-/// Whether shaping puts glyphs in place that stand for no character by themselves, as Inter does with a colon after a
-/// capital letter: a PDF could not be searched for them.
+/// Whether shaping inserts glyphs that stand for no character of their own, as Inter does with a colon after a capital
+/// letter: such a PDF could not be searched.
 bool swapsGlyphs(const QFont& font, const QString& text) {
     QTextLayout layout(text, font);
     layout.beginLayout();
@@ -147,7 +147,7 @@ void Ink::casedText(const Point& at, const std::string& text, const TextStyle& s
     painter_.setBrush(Qt::NoBrush);
     painter_.setPen(penOf({0.95, paper_theme::white}));
     painter_.drawPath(rim);
-    const QRectF whole = rim.boundingRect();  // no holes between letters
+    const QRectF whole = rim.boundingRect();  // no gaps between letters
     painter_.fillRect(QRectF(whole.left(), units(at).y() - 0.6 * style.size * unitsPerMm, whole.width(),
                              0.75 * style.size * unitsPerMm), Qt::white);
     this->text(at, text, style, align);

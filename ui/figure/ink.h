@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Strokes, fills and texts in millimetres, y downwards. Whoever draws a figure
-// draws with this and never sees the device.
+// Strokes, fills and texts in millimetres, y downwards. All drawing of figures uses
+// this, independent of the device.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -59,9 +59,9 @@ public:
     void circle(const Point& centre, double radius, const std::optional<Colour>& fill,
                 const std::optional<Stroke>& stroke);
 
-    /// `at` is on the line that the letters stand on.
+    /// `at` is on the baseline.
     void text(const Point& at, const std::string& text, const TextStyle& style, Align align = Align::Left);
-    /// The same over a white rim, so that it can be read on lines.
+    /// The same with a white rim, so that it can be read over lines.
     void casedText(const Point& at, const std::string& text, const TextStyle& style, Align align = Align::Left);
 
     QPainter& painter() { return painter_; }
@@ -73,7 +73,7 @@ private:
 /// Width of a text [mm].
 double textWidth(const std::string& text, const TextStyle& style);
 
-/// The text with an ellipsis where it is too long for `width` [mm]; in the middle, as names differ at their ends.
+/// The text, elided if it is too long for `width` [mm]; in the middle, as names differ at their ends.
 std::string elided(const std::string& text, const TextStyle& style, double width, bool middle = false);
 
 /// Lines of at most `width` [mm], at most `most` of them; the last one elided.

@@ -22,7 +22,7 @@ constexpr double shank = 0.7, casing = 1.15;  // [mm]
 constexpr double dashShare = 0.4;  // of the width of a bar in compression
 constexpr DetailSizes onThePaper{.shank = shank, .betweenMarks = 1.45, .moved = 1.0, .scaleForArtificial = 3.0,
                                  .spacingForMarks = 1.7, .spacingForPlates = 2.6, .boltForMarks = 5.0};  // [mm]
-constexpr double leastSpacingForNames = 3.0;  // below it a name stands beyond the far end or nowhere [mm]
+constexpr double leastSpacingForNames = 3.0;  // below it a name is placed beyond the far end or omitted [mm]
 constexpr std::size_t manyAnchors = 12;
 
 Point flipped(const Point& direction) { return {direction.x(), -direction.y()}; }
@@ -199,7 +199,7 @@ void MapInk::drawNames(Ink& ink) {
     }
 }
 
-/// A place in a block for the foot of a leader: its centroid, or half way to a corner where a bolt lies there.
+/// A point in a block for the start of a leader: its centroid, or halfway to a corner if a bolt is at the centroid.
 Point MapInk::footWithin(const std::vector<Point>& outline) const {
     const Point centroid = moments(outline).centroid;
     if (placement_.isFree(boxAbout(centroid, {1.5, 1.5}))) return centroid;
@@ -208,7 +208,7 @@ Point MapInk::footWithin(const std::vector<Point>& outline) const {
     return centroid;
 }
 
-/// How far the blocks went that are shown where they were.
+/// Displacements of the blocks whose initial outlines are drawn.
 void MapInk::drawMoved(Ink& ink) {
     for (const BlockShape* block : movedBlocks(picture_, scale_, onThePaper)) {
         const std::vector<Point> shown = clippedToBox(block->outline, window_);

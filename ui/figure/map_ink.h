@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The section itself on paper: rock, walls, bolts, ribbon, names, numbers and the
-// scale bar, in a frame.
+// The section itself on paper: rock, walls, bolts, force diagram, names, numbers and
+// the scale bar, in a frame.
 #pragma once
 
 #include "ui/figure/ink.h"
@@ -16,13 +16,13 @@ namespace keyblock {
 
 class MapInk {
 public:
-    /// The picture in `frame` [mm]; the window is widened to the frame's shape.
+    /// The picture in `frame` [mm]; the window is extended to the frame's shape.
     MapInk(const SectionPicture& picture, const Box& frame);
 
     /// Kinds of marks that will be drawn, each once, in the order of the key.
     std::vector<MarkKind> kinds() const { return kindsOf(marks_); }
 
-    /// Length on paper of the longest line of a contact [mm]; 0 where none are shown.
+    /// Length on paper of the longest line of a contact [mm]; 0 if none are shown.
     double longestContact() const;
 
     void draw(Ink& ink);
@@ -38,7 +38,7 @@ private:
     void drawArrows(Ink& ink) const;
     void drawContacts(Ink& ink) const;
     void drawRibbon(Ink& ink);
-    /// Along the level of the limit, on its outer side.
+    /// Writes the name along the level of the limit, on its outer side.
     void drawLimitName(Ink& ink, const Ribbon& ribbon, const Point& from, const Point& to, const Point& across);
     void drawScaleBar(Ink& ink);
     void drawNumbers(Ink& ink);

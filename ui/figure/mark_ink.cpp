@@ -51,7 +51,7 @@ public:
         cased(rectangle(at_, {1.0, 0.0}, sizes_.square, sizes_.square), colours_.yielded);
     }
 
-    /// Two chevrons that point apart along the bolt.
+    /// Two chevrons pointing apart along the bolt.
     void chevrons(const Point& along) {
         const Point across = sizes_.chevronAcross * turnLeft(along);
         ink_.circle(at_, sizes_.chevronTo + sizes_.casing, colours_.casing, {});

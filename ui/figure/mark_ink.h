@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The marks of bolts on paper and on the screen. Shape and colour both tell the kind: bonded dark,
-// slipping mid, gone pale also read in grey.
+// The marks of bolts on paper and on the screen. Shape and colour both show the kind:
+// bonded dark, slipping medium, failed pale can also be distinguished in grey.
 #pragma once
 
 #include "ui/figure/ink.h"
@@ -15,7 +15,7 @@ namespace keyblock {
 void drawMark(Ink& ink, MarkKind kind, const Point& at, const Point& along, bool small = false,
               const MarkTheme& theme = paperMarks);
 
-/// What the key of a picture calls it.
+/// Its name in the key of a picture.
 std::string nameOf(MarkKind kind);
 
 /// An event's number in a circle of `radius` [mm].

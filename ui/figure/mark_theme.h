@@ -13,11 +13,11 @@ struct MarkColours {
     Colour ink = paper_theme::black, casing = paper_theme::white;
     Colour hollow = paper_theme::white;  // within rings and open rectangles
     Colour soft = paper_theme::softText, slipping = paper_theme::slipping;
-    Colour rim = paper_theme::black;  // round what slips
+    Colour rim = paper_theme::black;  // around slipping nodes
     Colour error = paper_theme::error, yielded = paper_theme::yielded;
 };
 
-/// In units of the ink. Where there are two, the second is of bolts with many marks.
+/// In units of the ink. Of two values, the second is for bolts with many marks.
 struct MarkSizes {
     struct Pair {
         double usual, small;
@@ -25,7 +25,7 @@ struct MarkSizes {
     };
     double casing = 0.12;  // round each mark
     double line = 0.17;  // of rings and rims
-    double stroke = 0.28;  // of crosses, chevrons and what is struck through
+    double stroke = 0.28;  // of crosses, chevrons and struck-through marks
     Pair disc{0.75, 0.5}, ring{0.5, 0.38}, diamond{1.0, 0.75}, cross{0.65, 0.5};
     double dash = 0.35, gap = 0.25;
     double square = 0.47;  // half of its side

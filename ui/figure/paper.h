@@ -21,21 +21,19 @@ inline constexpr double unitsPerMm = 20.0;
 
 class Paper {
 public:
-    /// Size in mm; `dpi` of PNG.
-    /// \throws CannotDraw where a PNG is too large for the memory
+    /// Size in mm; `dpi` of PNG. \throws CannotDraw if a PNG does not fit in memory
     Paper(PaperFormat format, double width, double height, int dpi, const std::string& title);
     ~Paper();
     Paper(const Paper&) = delete;
     Paper& operator=(const Paper&) = delete;
 
     QCPPainter& painter() { return *painter_; }
-    /// What a PNG is made of; empty of the other formats.
+    /// The image of a PNG; empty for the other formats.
     const QImage& image() const { return image_; }
     double width() const { return width_; }
     double height() const { return height_; }
 
-    /// The bytes of the file, with nothing in them that changes from run to run. Once only, at the end.
-    /// \throws CannotDraw
+    /// The bytes of the file, the same for every run of the program. Call once, at the end. \throws CannotDraw
     std::string finish();
 
 private:

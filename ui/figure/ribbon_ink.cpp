@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The ribbon of a section: the values of one bolt drawn beside it, with the limit
-// that they meet.
+// The force diagram of a section: the values of one bolt drawn next to it, with their
+// limit.
 #include "ui/figure/map_ink.h"
 #include "ui/picture/ribbon_shape.h"
 
@@ -41,7 +41,7 @@ void MapInk::drawRibbon(Ink& ink) {
     if (ribbon.limit) drawLimitName(ink, ribbon, shape.limitFrom, shape.limitTo, shape.across);
 }
 
-/// At an end of the limit or beyond it, where there is room; else nowhere.
+/// At an end of the limit or beyond it, if it fits; else omitted.
 void MapInk::drawLimitName(Ink& ink, const Ribbon& ribbon, const Point& from, const Point& to, const Point& across) {
     TextStyle style = text_style::tick;
     style.colour = error;

@@ -9,10 +9,10 @@
 
 namespace keyblock {
 
-/// What a request for a figure asks of a section. \throws CannotDraw for a quantity that there is not.
+/// The section for a figure request. \throws CannotDraw for an unknown quantity.
 SectionRequest sectionRequestOf(const RunSource& run, const FigureRequest& request);
 
-/// \throws CannotDraw for a quantity that there is not.
+/// \throws CannotDraw for an unknown quantity.
 Figure paintSection(const RunSource& run, const FigureRequest& request);
 
 }  // namespace keyblock

@@ -39,7 +39,7 @@ SectionLayout::SectionLayout(const SectionPicture& picture, const Scene& scene, 
 SectionLayout::Items SectionLayout::itemsOf(const SectionPicture& picture, const Scene& scene) const {
     Items items;
     if (picture.blockLegend) items[0] = barItem(*picture.blockLegend, columnWidth_);
-    if (picture.arrows && picture.arrows->largest > 0.0)  // in place of colours
+    if (picture.arrows && picture.arrows->largest > 0.0)  // instead of colours
         items[0] = arrowItem(*picture.arrows, arrowScale(*picture.arrows), columnWidth_);
     if (picture.contacts)
         items[0] = contactItem(*picture.contacts, MapInk(picture, map_).longestContact(), columnWidth_);

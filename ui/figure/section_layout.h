@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the section and what explains it stand on a sheet: bars, key and events in
-// a column beside it, or in two below it on a narrow sheet.
+// Layout of the section and its legends on a sheet: bars, key and events in a column
+// next to it, or in two below it on a narrow sheet.
 #pragma once
 
 #include "ui/figure/column.h"
@@ -16,16 +16,16 @@ namespace keyblock {
 
 class SectionLayout {
 public:
-    /// Room for this picture on a sheet of `width`, of which `inner` [mm] are within its margins, from `top` down.
-    /// `kinds`: marks that the key tells; null: those that are drawn.
+    /// Layout of this picture on a sheet of `width`, of which `inner` [mm] are within its margins, from `top` down.
+    /// `kinds`: marks in the key; null: those that are drawn.
     SectionLayout(const SectionPicture& picture, const Scene& scene, double width, double top, double inner,
                   std::optional<std::vector<MarkKind>> kinds = {});
 
     const Box& map() const { return map_; }  // of the section [mm]
-    double height() const { return height_; }  // of everything [mm]
+    double height() const { return height_; }  // total [mm]
     const std::vector<MarkKind>& kinds() const { return kinds_; }
 
-    /// Draws section and column of this picture or of one that has no more in its column.
+    /// Draws section and column of this picture or of one with no more in its column.
     void draw(Ink& ink, const SectionPicture& picture, const Scene& scene) const;
 
 private:

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What every figure has round its content: a title of up to two lines, a line on
-// what is shown, warnings where its numbers are doubtful, and a foot that says
-// where it came from.
+// Common parts of every figure around its content: a title of up to two lines, a
+// subtitle, warnings if its values are unreliable, and a footer with the source.
 #pragma once
 
 #include "ui/figure/figure.h"
@@ -16,12 +15,12 @@ namespace keyblock {
 
 class Sheet {
 public:
-    /// A sheet of `width` [mm]; long texts are broken and then cut off. \param warnings as of `warningsOf`.
+    /// A sheet of `width` [mm]; long texts are wrapped and then elided. \param warnings as of `warningsOf`.
     Sheet(double width, const std::string& title, const std::string& subtitle, const std::vector<std::string>& warnings);
 
     double width() const { return width_; }
     double inner() const { return width_ - 2.0 * paper_theme::margin; }
-    double top() const;  // where the content begins [mm]
+    double top() const;  // top of the content [mm]
     double heightAround(double content) const;  // of the sheet [mm]
 
     void draw(Ink& ink, double height, const std::string& foot) const;
@@ -31,7 +30,7 @@ private:
     std::vector<std::string> title_, subtitle_, warnings_;
 };
 
-/// The warnings of the stage of a frame (`stageWarnings`), or of all stages where a figure shows the whole run.
+/// The warnings of the stage of a frame (`stageWarnings`), or of all stages if a figure shows the whole run.
 std::vector<std::string> warningsOf(const RunSource& run, std::optional<std::size_t> frame);
 
 /// "Keyblock · RUN, frame 12 of 67 · plane strain · 160 × 107 mm"
