@@ -18,7 +18,7 @@ namespace keyblock {
 namespace {
 
 constexpr double keySample = 6.0, keyGap = 3.0, keyRow = 2.8;  // [mm]
-constexpr double numbersFrom = 2.3, mostOfTitle = 14.0;  // [mm] distance of numbers and their ticks from a panel and from a title
+constexpr double numbersFrom = 2.3, mostOfTitle = 14.0;  // [mm] distance of numbers and ticks from a panel and a title
 constexpr double leastTickRow = 1.9, titleRim = 0.8;  // [mm]
 constexpr std::size_t mostMarks = 60;  // of a reference: more points are drawn as a line only
 

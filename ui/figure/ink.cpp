@@ -56,8 +56,8 @@ const QString& family() {
 
 QString qt(const std::string& text) { return QString::fromStdString(text); }
 
-/// Whether shaping inserts glyphs that stand for no character of their own, as Inter does with a colon after a capital
-/// letter: such a PDF could not be searched.
+/// Whether shaping inserts glyphs that correspond to no character, as Inter does with a colon after a capital letter:
+/// such a PDF could not be searched.
 bool swapsGlyphs(const QFont& font, const QString& text) {
     QTextLayout layout(text, font);
     layout.beginLayout();

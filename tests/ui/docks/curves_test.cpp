@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The dock of curves: what was pinned is shown and goes by its cross, any number
-// stands over any other, and a second run's curves stand beside, drawn broken. The bar
-// of the view shows one kind of arrows at a time.
+// The dock of curves: a pin is plotted until its cross is clicked, any quantity is
+// plotted against any other, and the curves of a second run are added, dashed. The view
+// bar shows one kind of arrows at a time.
 #include "ui/docks/curve_entries.h"
 #include "ui/docks/curves.h"
 
@@ -159,9 +159,9 @@ TEST(CurveEntries, ASecondRunIsPlottedAtTheSameStageTimes) {
     CurveEntry shown = entryOf(own, {0.5, 2.5});
     addOther(shown, entryOf({{0, "settle", 0.0, 1.0, 1.0}, {1, "burst", 1.0, 4.0, 0.004}}, {0.5, 2.5, 4.0}), "Run 2");
     EXPECT_EQ(shown.chart.panels[0].curves[0].x, (std::vector<double>{0.5, 2.5}));
-    EXPECT_EQ(shown.chart.panels[0].curves[1].x, (std::vector<double>{0.5, 1.75, 2.5}));  // it came half as far
+    EXPECT_EQ(shown.chart.panels[0].curves[1].x, (std::vector<double>{0.5, 1.75, 2.5}));  // that run got half as far
     EXPECT_EQ(shown.chart.x.high, 4.0);
-    shown = entryOf(own, {0.5, 2.5});  // one that went on
+    shown = entryOf(own, {0.5, 2.5});  // one that continued
     addOther(shown, entryOf({{0, "settle", 0.0, 1.0, 1.0}, {1, "burst", 1.0, 4.0, 0.016}, {2, "rest", 4.0, 5.0, 1.0}},
                             {4.0, 4.5}),
              "Run 2");

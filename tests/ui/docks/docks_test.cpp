@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the docks make of a run, and that a person's clicks lead where they say.
+// What the docks show of a run, and where clicks on them lead.
 #include "tests/ui/bricks.h"
 #include "tests/ui/screen/screen.h"
 #include "ui/docks/events_list.h"
@@ -100,7 +100,7 @@ TEST(TimeAxis, GivesDynamicStagesMoreRoomAndInvertsExactly) {
 
 TEST(HealthRows, ShowTheWorstStepAndItsBlock) {
     const auto run = elevenFrames();
-    EXPECT_EQ(healthAt(*run, 0, 1.0)[0].state, HealthState::Unknown);  // nobody watched the steps
+    EXPECT_EQ(healthAt(*run, 0, 1.0)[0].state, HealthState::Unknown);  // the steps were not sampled
     const auto add = [&](double time, int passes, double depth, int block) {
         LiveBatch batch;
         HealthSample sample;
@@ -235,7 +235,7 @@ TEST_F(DocksTest, TheTimelineScrubsZoomsAndCounts) {
     TimeLine line(themes, display, commands, cursor, choice);
     line.resize(1200, 104);
     line.show();
-    EXPECT_EQ(line.height(), 30);  // nothing to tell yet
+    EXPECT_EQ(line.height(), 30);  // no run yet
     const auto* hint = line.findChild<QLabel*>("timeLineHint");
     EXPECT_TRUE(hint->text().contains("Press F5")) << hint->text().toStdString();
     commands.setKeys("run.start", {QKeySequence("F4")});

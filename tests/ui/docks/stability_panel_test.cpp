@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The panel that says whether a run stands: its answer, its tables, and where a click
-// on them leads.
+// The stability panel: its verdict, its tables, and where a click on them leads.
 #include "ui/docks/stability_panel.h"
 
 #include "tests/scratch_folder.h"

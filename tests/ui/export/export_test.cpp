@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Figures, tables and films of a run end up in files, from a thread; what cannot be
-// written or drawn is told, and Stop leaves nothing unfinished.
+// Figures, tables and animations of a run are written to files, on a thread; errors of
+// writing and drawing are reported, and Stop leaves no unfinished files.
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 
@@ -49,7 +49,7 @@ protected:
         order_.figure.runName = "rebar";
     }
 
-    /// What it said at the end; empty after success is no answer.
+    /// The final message, and whether it reports an error.
     std::pair<QString, bool> run(const ExportOrder& order) {
         ExportJob job;
         std::optional<std::pair<QString, bool>> said;
@@ -77,7 +77,7 @@ TEST_F(Exports, FiguresOfAllKindsAndFormats) {
 TEST_F(Exports, AllFiguresAndTablesIntoAFolder) {
     order_.what = ExportWhat::Everything;
     order_.out = scratch_.path() / "all";
-    order_.figure.filter.stage = 0;  // as the window asks for the moment that it shows
+    order_.figure.filter.stage = 0;  // as the window requests the time that it shows
     order_.figure.filter.when = When::At;
     order_.figure.filter.time = 0.5;
     const auto [said, bad] = run(order_);
@@ -181,7 +181,7 @@ TEST_F(Exports, TheWindowPreviewsAndCopies) {
     EXPECT_TRUE(waitFor([&] { return picture->pixmap(Qt::ReturnByValue).width() > 100; }));
     auto* kinds = window.findChild<QComboBox*>("export.kind");
     auto* copy = window.findChild<QPushButton*>("export.Copy");
-    for (const int kind : {0, 1, 2, 3}) {  // section, bolt, curves, events, at a moment
+    for (const int kind : {0, 1, 2, 3}) {  // section, bolt, curves, events, at a time
         QApplication::clipboard()->clear();
         kinds->setCurrentIndex(kind);
         copy->click();

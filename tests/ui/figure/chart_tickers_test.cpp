@@ -25,7 +25,7 @@ TEST(ChartTickers, NumbersOfALowPanelDoNotOverlapAndShowTheScale) {
     EXPECT_EQ(labelsOf(ticker, -0.0003, 0.0), (QVector<QString>{QString::fromUtf8("−0.0003"), "0.0000"}));
     RoundTicker low(2);
     low.setLeast(0.3);
-    EXPECT_EQ(labelsOf(low, -0.03, 0.04), (QVector<QString>{"0.000", "0.025"}));  // not zero alone
+    EXPECT_EQ(labelsOf(low, -0.03, 0.04), (QVector<QString>{"0.000", "0.025"}));  // not zero only
     low.setLeast(0.5);
     EXPECT_EQ(labelsOf(low, -0.03, 0.04), QVector<QString>{"0.025"});
 }

@@ -92,7 +92,7 @@ TEST_F(OtherFigures, WriteTheirDataNextToThem) {
     EXPECT_EQ(painted(FigureKind::Events).data.size(), 1u);
 }
 
-/// Every word lies on the sheet, as a reader of PDF finds them.
+/// Every word lies on the sheet, as found by a PDF reader.
 TEST_F(OtherFigures, KeepNamesAndLegendsOnTheNarrowestPaper) {
     const std::string name = "a monitor of the northern ventilation drift at chainage four hundred and twelve";
     Monitor gap;

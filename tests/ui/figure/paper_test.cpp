@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A sheet that no memory holds is refused in words, not written as an empty file.
+// A sheet too large for the memory is refused with a message, not written as an empty
+// file.
 #include "ui/figure/paper.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Other people's readers of our figures, where they are installed.
+// Independent readers of the figures, if they are installed.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace keyblock::test {
 
-/// What `program` prints for a file of these bytes; nothing when it is not installed or fails. A `%` in the arguments
-/// stands for the file.
+/// Output of `program` for a file of these bytes; none if it is not installed or fails. A `%` in the arguments is
+/// replaced by the file.
 std::optional<std::string> readBy(const std::string& program, const std::string& arguments, const std::string& bytes,
                                   const std::string& ending);
 

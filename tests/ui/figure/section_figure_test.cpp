@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Figures as files: exact sizes, the same bytes each time, text that is text, and
-// nothing that a second reader stumbles over.
+// Figures as files: exact sizes, the same bytes each time, text as text, and valid for
+// a second reader.
 #include "tests/ui/bricks.h"
 #include "tests/ui/figure/reader.h"
 #include "ui/figure/figure.h"
@@ -100,7 +100,7 @@ TEST_F(SectionFigure, DataAreWrittenNextToIt) {
     EXPECT_EQ(figure.data[0].suffix, "-blocks");
     EXPECT_NE(blocks.str().find("sigma1_compressive_Pa"), std::string::npos);
     const std::string table = blocks.str();
-    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);  // of that frame alone
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);  // of that frame only
 }
 
 TEST_F(SectionFigure, AnUnknownQuantityIsReportedWithTheKnownOnes) {
@@ -135,7 +135,7 @@ TEST_F(SectionFigure, ARunWithoutFramesShowsItsScene) {
     EXPECT_EQ(svg.find("MPa)"), std::string::npos);  // no legend
 }
 
-/// Bolts of several cases in one scene may lie on one another; no smaller stroke would part them.
+/// Bolts of several cases in one scene may coincide; no thinner line would separate them.
 TEST_F(SectionFigure, CoincidentBoltsAreDrawn) {
     const std::string shank = "stroke-width=\"14\"";  // 0.7 mm
     ASSERT_NE(painted(PaperFormat::Svg).find(shank), std::string::npos);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Commands are found by what people type, keys can be changed and conflicts are
-// told, and help is found and opened at its place.
+// Commands are found by typed text, shortcuts can be changed and conflicts are
+// reported, and help opens at the right place.
 #include "tests/ui/screen/screen.h"
 
 #include "solver/scene/field.h"
@@ -116,7 +116,7 @@ TEST(KeySheets, ANewShortcutIsTakenFromTheOtherCommand) {
     list->setCurrentItem(list->findItems("Run", Qt::MatchExactly | Qt::MatchRecursive).last());  // not the menu
     sheet.findChild<QPushButton*>("keySheet.Restore defaults")->click();
     EXPECT_EQ(room.commands.action("run.start")->shortcut(), QKeySequence("F5"));
-    EXPECT_TRUE(room.commands.action("view.fit")->shortcut().isEmpty());  // two commands of one key would do nothing
+    EXPECT_TRUE(room.commands.action("view.fit")->shortcut().isEmpty());  // a key of two commands would do nothing
     room.commands.setKeys("view.fit", {});
 }
 

@@ -48,7 +48,7 @@ TEST(BoltReports, CountsNodesAndTheLengthWithoutBond) {
     EXPECT_EQ(report.bonded, 3);
     EXPECT_EQ(report.slipping, 1);
     EXPECT_EQ(report.failed, 1);
-    EXPECT_DOUBLE_EQ(report.debonded, 0.75);  // half of an interval belongs to the end
+    EXPECT_DOUBLE_EQ(report.debonded, 0.75);  // half of an interval belongs to the end node
     EXPECT_EQ(report.use.governs, BoltStrength::Steel);
 }
 

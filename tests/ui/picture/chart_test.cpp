@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Charts of a bolt and of a history, number by number.
+// Charts of a bolt and of a history, checked number by number.
 #include "ui/picture/bolt_chart.h"
 #include "ui/picture/history_charts.h"
 #include "ui/picture/run_time.h"
@@ -26,7 +26,7 @@ TEST(Chart, RangesIncludeCurvesAndNearbyLimits) {
     panel.limits = {{"yield", 120.0, false}, {"ultimate", 200.0, true}};
     fitRange(panel);
     ASSERT_EQ(panel.limits.size(), 1u);  // 200 is beyond 1.5 · 90
-    EXPECT_EQ(panel.range, (ValueRange{0.0, 150.0}));  // and −0.0001 opens no side
+    EXPECT_EQ(panel.range, (ValueRange{0.0, 150.0}));  // −0.0001 does not extend the range
 }
 
 TEST(BoltChart, ShowsForcesOfElementsAsSteps) {
@@ -39,7 +39,7 @@ TEST(BoltChart, ShowsForcesOfElementsAsSteps) {
     const ChartCurve& curve = axial.curves.back();
     EXPECT_EQ(curve.x, (std::vector<double>{0.0, 0.5, 0.5, 1.0, 1.0, 1.5}));
     EXPECT_EQ(curve.y, (std::vector<double>{25.0, 25.0, 100.0, 100.0, 25.0, 25.0}));
-    ASSERT_FALSE(axial.limits.empty());  // in view, however far
+    ASSERT_FALSE(axial.limits.empty());  // shown, however high
     EXPECT_EQ(axial.limits[0].name, "yield");
 }
 
@@ -53,11 +53,11 @@ TEST(BoltChart, EnvelopesIncludeAllFramesToDate) {
     EXPECT_EQ(envelope.quantity, "axial_force_N");
     EXPECT_DOUBLE_EQ(*std::max_element(envelope.high.begin(), envelope.high.end()), 100e3);
     EXPECT_DOUBLE_EQ(envelope.high[0], 25e3);
-    EXPECT_DOUBLE_EQ(envelope.high[200], 100e3);  // half way
+    EXPECT_DOUBLE_EQ(envelope.high[200], 100e3);  // halfway
     EXPECT_DOUBLE_EQ(*std::max_element(envelope.low.begin(), envelope.low.end()), 0.0);
 }
 
-/// Round-off of a bolt that lets go is no force: the range is that of what it bore.
+/// Round-off of a bolt after failure is not a force: the range is that of its earlier forces.
 TEST(BoltChart, RangesIncludeTheForcesOfBondedNodesToDate) {
     BricksRun bricks;
     for (std::size_t f : {0u, 1u})
@@ -73,7 +73,7 @@ TEST(BoltChart, RangesIncludeTheForcesOfBondedNodesToDate) {
     EXPECT_NE(chart.subtitle.find("in this frame 0 kN"), std::string::npos) << chart.subtitle;
 }
 
-/// What sheared a bar off is shown, though nothing is left of it now.
+/// The shear force that broke a bar is shown, though none is left now.
 TEST(BoltChart, PastShearForcesHaveAPanel) {
     BricksRun bricks;
     bricks.results.frames[0].bolts[0].nodes[1].shearForce = 119e3;
@@ -88,7 +88,7 @@ TEST(BoltChart, PastShearForcesHaveAPanel) {
     EXPECT_EQ(*std::max_element(shear.curves[1].y.begin(), shear.curves[1].y.end()), 0.0);
 }
 
-/// As each node is embedded, on the side of zero where the forces are; a bond that falls has its residual, too.
+/// With each node's current embedment, on the side of zero of the forces; a bond that softens has its residual, too.
 TEST(BoltChart, BondLimitsAreDrawnNodeByNode) {
     BricksRun bricks;
     auto& nodes = bricks.results.frames[1].bolts[0].nodes;
@@ -220,10 +220,10 @@ TEST(HistoryCharts, LoadOverDisplacementComesFirst) {
     EXPECT_EQ(load.xTitle, "gap (mm)");
     ASSERT_EQ(load.panels.size(), 1u);
     ASSERT_EQ(load.panels[0].curves.size(), 1u);
-    EXPECT_EQ(load.panels[0].curves[0].x, (std::vector<double>{1.0, 2.0, 3.0}));  // not where there is no number
+    EXPECT_EQ(load.panels[0].curves[0].x, (std::vector<double>{1.0, 2.0, 3.0}));  // rows without a number are skipped
     EXPECT_EQ(load.panels[0].curves[0].y, (std::vector<double>{1.0, 2.0, 3.0}));
     EXPECT_EQ(load.panels[0].curves[0].name, "pull");
-    EXPECT_EQ(load.events, (std::vector<double>{2.0}));  // yields and rupture at one place; joints are not told
+    EXPECT_EQ(load.events, (std::vector<double>{2.0}));  // yields and rupture at one abscissa; joint events are not marked
 }
 
 TEST(HistoryCharts, PanelsAreGroupedByQuantity) {
@@ -258,7 +258,7 @@ TEST(HistoryCharts, AnyQuantityIsPlottedAgainstAnother) {
     EXPECT_EQ(bolt.charts[0].xTitle, "crown.uy (mm)");
     EXPECT_EQ(bolt.charts[0].panels[0].title, "Axial force (kN)");
     EXPECT_EQ(bolt.charts[0].panels[0].curves[0].y, (std::vector<double>{0.0, 5.0, 10.0, 15.0}));
-    // Energies are known at the frames alone (0 and 0.1 s of the second stage): there the history's last row counts.
+    // Energies are known at frames only (0 and 0.1 s of the second stage): there the history's last row is used.
     run.results.frames[1].energy.kinetic = 7.0;
     const HistoryCharts energy = run.charts("energy.kinetic over B.axial_force");
     ASSERT_EQ(energy.charts.size(), 1u) << energy.problem;
@@ -362,14 +362,14 @@ TEST(References, TwoCurvesOfAFileAreNamedByTheirColumns) {
     EXPECT_NE(curves[2].style, curves[3].style);
 }
 
-/// 4e-7 mm beside 3 mm is round-off of the equations, not a movement.
+/// 4e-7 mm compared with 3 mm is round-off of the equations, not a movement.
 TEST(HistoryCharts, RoundOffHasNoPanel) {
     HistoryRun run;
     for (HistoryRow& row : run.results.history) row.values[2] = 1e-10 * row.time, row.values[3] = -1e-3 * row.time;
     const HistoryCharts charts = run.charts();
     for (const ChartPanel& panel : charts.charts[1].panels) EXPECT_NE(panel.title, "Displacement along x (mm)");
     EXPECT_EQ(charts.nothing, (std::vector<std::string>{"crown.ux"}));
-    EXPECT_EQ(run.charts("crown.ux").charts[0].panels.size(), 1U);  // whoever asks for it sees it
+    EXPECT_EQ(run.charts("crown.ux").charts[0].panels.size(), 1U);  // shown on request
 }
 
 TEST(HistoryCharts, ARunWithoutHistoryIsReported) {

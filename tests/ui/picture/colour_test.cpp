@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Colour maps: stops, the way between them, and lightness that tells low from high.
+// Colour maps: stops, interpolation between them, and lightness that separates low from
+// high.
 #include "ui/picture/colour.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Forces of contacts as lines: their direction, their scale, and which are left
-// out where there are many.
+// Contact forces as lines: their direction, their scale, and which are omitted if there
+// are many.
 #include "ui/picture/contact_lines.h"
 
 #include "tests/ui/bricks.h"
@@ -52,7 +52,7 @@ TEST(ContactLines, TheLongestLineCoversAllButTheLargestForces) {
     EXPECT_EQ(longestOf({}), 0.0);
     EXPECT_EQ(longestOf({3.0}), 5.0);  // a round number
     std::vector<double> sizes(1000, 4.0);
-    sizes.push_back(40.0);  // bears 1 % of all that is borne
+    sizes.push_back(40.0);  // carries 1 % of the sum
     EXPECT_EQ(longestOf(sizes), 5.0);
     EXPECT_EQ(longestOf({4.0, 4.0, 40.0}), 50.0);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What must not jump from one picture of an animation to the next.
+// Settings that must not jump from one picture of an animation to the next.
 #include "tests/ui/bricks.h"
 #include "ui/picture/section_film.h"
 

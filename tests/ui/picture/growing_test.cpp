@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What grows with a run shows what it would show if all frames were read at once.
+// Ranges that grow during a run equal those from reading all frames at once.
 #include "tests/ui/bricks.h"
 #include "ui/picture/bolt_chart.h"
 #include "ui/picture/section_ranges.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What lies under a place of a section.
+// The object at a point of a section.
 #include "tests/ui/bricks.h"
 #include "ui/picture/pick.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is pinned moves with its block or bolt, and its values are those of the frames.
+// A pin moves with its block or bolt, and its values are those of the frames.
 #include "ui/picture/pins.h"
 
 #include "solver/scene/solved_blocks.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the colours of a quantity span: all values by default, and what the user chooses.
+// The colour range of a quantity: all values by default, and the user's choices.
 #include "tests/ui/bricks.h"
 #include "ui/picture/section_ranges.h"
 

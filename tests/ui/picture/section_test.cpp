@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A section of two bricks on a slab and a bolt through them, with numbers that a
-// hand can check.
+// A section of two bricks on a slab and a bolt through them, with numbers that can be
+// checked by hand.
 #include "ui/picture/section.h"
 
 #include "solver/scene/solved_blocks.h"
@@ -27,7 +27,7 @@ double lengthOf(const std::vector<LineShape>& lines) {
 }
 
 TEST(Section, FacesWithoutANeighbourAreWalls) {
-    // Round the outside: 4 + 1 + (the slab's top from x = 3 on) 1 + 1 + 3 + 2; joints are no walls.
+    // Around the outside: 4 + 1 + (the slab's top from x = 3 on) 1 + 1 + 3 + 2; joints are not walls.
     EXPECT_NEAR(lengthOf(BricksRun().picture(0).walls), 4 + 1 + 1 + 1 + 3 + 2, 1e-9);
 }
 
@@ -80,7 +80,7 @@ TEST(Section, RangesAreThoseOfAllFrames) {
     EXPECT_EQ(run.picture(0).boltLegend->notes.back(), "this frame: 0.2 to 1.0 kN");
 }
 
-/// 1 mPa in rock of 50 GPa is round-off, and no range opens for it; 1 kPa is a stress.
+/// 1 mPa in rock of 50 GPa is round-off and does not extend the range; 1 kPa is a stress.
 TEST(Section, RoundOffIsNotShownAsStress) {
     for (const double size : {1e-3, 1e3}) {
         BricksRun run;
@@ -92,7 +92,7 @@ TEST(Section, RoundOffIsNotShownAsStress) {
     }
 }
 
-/// Whoever looks for blocks that have all fallen finds them.
+/// Blocks that have all fallen remain in the picture.
 TEST(Section, TheExtentFollowsBlocksThatAllFell) {
     BricksRun run;
     for (BlockState& block : run.results.frames[1].blocks)
@@ -129,7 +129,7 @@ TEST(Section, AForceDiagramOfBondForcesHasTheLimitOfEachNode) {
     EXPECT_NEAR(*ribbon->limit, 12.0, 1e-12);
     EXPECT_EQ(ribbon->limits, (std::vector<double>{5.0, 12.0, 0.0}));
     EXPECT_EQ(ribbon->scale, *ribbon->limit);
-    nodes[1].bondStrength = 120e3;  // in view, however far
+    nodes[1].bondStrength = 120e3;  // shown, however high
     EXPECT_NEAR(*sectionPicture(run, request).ribbon->limit, 120.0, 1e-12);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Places: clipping at the frame, room for labels, marks that keep their distance.
+// Positions: clipping at the frame, room for labels, marks at minimum distances.
 #include "ui/picture/clip_to_box.h"
 #include "ui/picture/marks.h"
 #include "ui/picture/placement.h"
@@ -38,7 +38,7 @@ TEST(Placement, LabelsDoNotOverlap) {
     std::vector<Box> placed;
     for (int i = 0; i < 200; ++i)
         if (const auto box = placement.placeRound({4, 3}, {25, 20}, {0, -1})) placed.push_back(*box);
-    EXPECT_GE(placed.size(), 5u);  // those before stand in the way of leaders
+    EXPECT_GE(placed.size(), 5u);  // earlier labels block leaders
     for (std::size_t i = 0; i < placed.size(); ++i) {
         EXPECT_GE(placed[i].min.x(), 0.0);
         EXPECT_LE(placed[i].max.y(), 24.0);  // leaders cross no line either
@@ -80,7 +80,7 @@ TEST(Marks, FailedMarksAreNeverDropped) {
     EXPECT_EQ(countOf(kept, MarkKind::Gone), 1u);
     EXPECT_EQ(countOf(kept, MarkKind::Yielded), 1u);
     EXPECT_EQ(countOf(kept, MarkKind::Ruptured), 1u);
-    EXPECT_EQ(countOf(kept, MarkKind::Bonded), 8u);  // those at 0.3 and 0.4 give way
+    EXPECT_EQ(countOf(kept, MarkKind::Bonded), 8u);  // those at 0.3 and 0.4 are dropped
 }
 
 TEST(Marks, AnIntermediatePointIsNeverFailed) {

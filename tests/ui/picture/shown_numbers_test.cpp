@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The same picture in other units and with the other sign: values turn, colours stay.
+// The same picture in other units and with the opposite sign: values change, colours
+// stay.
 #include "ui/picture/shown_numbers.h"
 
 #include "tests/ui/bricks.h"
@@ -23,7 +24,7 @@ TEST(ShownNumbers, GiveTheUnitAndTheSign) {
     EXPECT_EQ(force.unit, "N per bolt");
     EXPECT_EQ(force.convention, "tension +");
     EXPECT_EQ(force.factor, 1e3);
-    EXPECT_EQ(shownAs("kN", "compression +", {false, true}).factor, 1.0);  // of a contact: a force is no stress
+    EXPECT_EQ(shownAs("kN", "compression +", {false, true}).factor, 1.0);  // a contact force is not a stress
     EXPECT_EQ(shownAs("kN m", "", {true, false}).unit, "N m");
     EXPECT_EQ(shownAs("kN m", "", {true, false}).factor, 1e3);
     EXPECT_EQ(withoutRoundOff(-2.9e-16, "MPa"), 0.0);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pins read the frames of their run once, in the background, and tell what a monitor
-// at the same place does.
+// Pins read the frames of their run once, in the background, and give the values of a
+// monitor at the same point.
 #include "ui/look/display.h"
 #include "ui/runs/pins.h"
 
@@ -28,7 +28,7 @@ protected:
     test::ScratchFolder folder_;
 };
 
-/// At the monitor of the sample, on the block that slides.
+/// At the monitor of the sample, on the sliding block.
 Pin pinOf(const LiveRun& run, std::string_view quantity) {
     SectionRequest request;
     request.frame = 0;
@@ -44,7 +44,7 @@ TEST_F(PinsTest, APinGivesTheValuesOfAMonitorAtTheSamePoint) {
     Pins pins(cursor);
     const auto run = test::slidingRun(path("a.kbrun"), 0.5);
     cursor.setRun(run, false);
-    EXPECT_TRUE(pins.isComplete());  // nothing is read for nothing
+    EXPECT_TRUE(pins.isComplete());  // without pins nothing is read
     EXPECT_EQ(pins.add(pinOf(*run, "ux")), 1);
     EXPECT_EQ(pins.add(pinOf(*run, "uy")), 2);
     ASSERT_TRUE(waitFor([&] { return pins.isComplete(); }));
@@ -139,7 +139,7 @@ TEST_F(PinsTest, TwoRunsHaveOneRangeOfColours) {
     const auto rangeOf = [](const SectionFeed& feed) {
         return feed.picture() && feed.picture()->blockLegend ? feed.picture()->blockLegend->range : ValueRange{0.0, 0.0};
     };
-    // Ranges of a first moment are mended once all frames were read: only what comes to stay is waited for.
+    // Ranges of a first frame are corrected once all frames are read: wait for the final ones.
     ASSERT_TRUE(waitFor([&] { return rangeOf(a).high > 0.0 && rangeOf(b).high > rangeOf(a).high; }));
     a.shareRanges(fast, true);
     b.shareRanges(slow, false);

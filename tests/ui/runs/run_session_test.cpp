@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run of the window gives what a run of the command line gives, can be paused,
-// stopped and gone on with, and ends with words whatever goes wrong.
+// A run in the window gives the results of a run from the command line, can be paused,
+// stopped and resumed, and ends with a message after any error.
 #include "ui/runs/run_session.h"
 
 #include "solver/files/run_store.h"
@@ -33,7 +33,7 @@ RunOrder orderOf(const SceneReading& reading, const fs::path& store) {
     return order;
 }
 
-/// What a run without a window leaves.
+/// The store of a run without a window.
 Results plainRun(const Scene& scene, const fs::path& store) {
     RunStoreWriter writer(store, false);
     Control control;
@@ -140,7 +140,7 @@ TEST_F(RunSessionTest, SingleStepWhilePausedRunsOneStep) {
         wait(600);
         return session.run()->newest().frame ? session.run()->newest().frame->step : -1;
     };
-    session.step();  // ends the step that was under way
+    session.step();  // ends the step in progress
     const long from = now();
     ASSERT_GE(from, 0);
     session.step();

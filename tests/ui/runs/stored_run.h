@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A sample that was run into a store, for what reads its frames.
+// A sample that was run into a store, for tests that read its frames.
 #pragma once
 
 #include "solver/files/run_store_writer.h"
@@ -27,7 +27,7 @@ inline std::shared_ptr<LiveRun> storedRun(const Scene& scene, const std::filesys
     return LiveRun::opened(store);
 }
 
-/// The sample slides for so long [s], with a frame every tenth of it.
+/// The sample slides for this time [s], with a frame every tenth of it.
 inline std::shared_ptr<LiveRun> slidingRun(const std::filesystem::path& store, double duration) {
     Scene scene = sample("incline.json");
     scene.stages.front().duration = duration;

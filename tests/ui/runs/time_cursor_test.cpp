@@ -65,7 +65,7 @@ TEST_F(TimeCursorTest, JumpsFromEventToEvent) {
     EXPECT_EQ(ahead(), (std::vector<std::size_t>{2, 9}));
     cursor.setHidden(EventKind::Debonding, true);
     cursor.setHidden(EventKind::PlateLoss, true);
-    EXPECT_EQ(ahead(), (std::vector<std::size_t>{2, 8}));  // nothing but slips is shown
+    EXPECT_EQ(ahead(), (std::vector<std::size_t>{2, 8}));  // only slips are shown
     cursor.setHidden(EventKind::JointSlip, true);
     EXPECT_FALSE(cursor.hasNextEvent());
 }
@@ -105,7 +105,7 @@ TEST_F(TimeCursorTest, KnowsWhetherItCanStepForwardsAndBackwards) {
     cursor.home();
     EXPECT_TRUE(cursor.canStep(1) && cursor.canGoToEnd() && cursor.hasNextEvent());
     EXPECT_FALSE(cursor.canStep(-1) || cursor.canGoHome() || cursor.hasPreviousEvent());
-    cursor.setRun(run, true);  // followed: the end is here until somebody looks back
+    cursor.setRun(run, true);  // followed: the end is here until the user steps back
     EXPECT_FALSE(cursor.canStep(1) || cursor.canGoToEnd());
     EXPECT_TRUE(cursor.canStep(-1) && cursor.canGoHome());
     cursor.step(-1);
@@ -143,7 +143,7 @@ TEST_F(TimeCursorTest, PlaysToTheEndAndLoops) {
     TimeCursor cursor;
     cursor.setRun(tenFrames(), false);
     cursor.setSpeed(4.0);
-    cursor.play();  // from the start, as it stands at the end
+    cursor.play();  // from the start, as it is at the end
     EXPECT_TRUE(waitFor([&] { return !cursor.isPlaying(); }));
     EXPECT_EQ(cursor.frame(), 9u);
     cursor.setLoops(true);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A drawing becomes a scene by roles that a person gives; everything in it is
+// A drawing becomes a scene by roles that the user chooses; everything in it is
 // accounted for.
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"

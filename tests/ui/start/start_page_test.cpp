@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The first page: every sample opens from within the program, cards get their
-// pictures, recent files and what can be recovered stand there.
+// The start page: every sample opens from within the program, cards get their pictures,
+// recent files and recoverable scenes are listed.
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The window while documents come and go: what is shown and said is of the one that
-// is open, and no file is written over unasked.
+// The window when documents are replaced: everything shown belongs to the open one, and
+// no file is overwritten without asking.
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 
@@ -48,7 +48,7 @@ protected:
         canvas_ = window_->findChild<Canvas*>();
     }
 
-    /// Opens a copy, so that runs of it lie beside the copy.
+    /// Opens a copy, so that its runs are stored next to the copy.
     void open(const std::string& sample) {
         const fs::path copy = folder_.path() / (sample + ".json");
         fs::copy_file(fs::path(KEYBLOCK_SAMPLES_DIR) / (sample + ".json"), copy, fs::copy_options::overwrite_existing);
@@ -132,7 +132,7 @@ TEST_F(Documents, ValuesAtTheCursorAreShownOverTheSectionOnly) {
     EXPECT_TRUE(under->text().isEmpty()) << under->text().toStdString();
 }
 
-/// Answers the dialog of files with a name, and a question after it with no.
+/// Answers the file dialog with a name, and a question after it with no.
 void answerWith(const QString& name, int& asked) {
     QTimer::singleShot(0, [=, &asked] {
         auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
@@ -152,7 +152,7 @@ TEST_F(Documents, ABoltLinksToItsTypeInTheSceneOrInTheLibrary) {
     auto* selection = window_->findChild<Selection*>();
     const auto follow = [&] {
         selection->set({"/bolts/0"});
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // rows of what was shown before
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // rows of the previous selection
         auto* row = window_->findChild<FormRowWidget*>("row:type");
         auto* arrow = row ? row->findChild<QToolButton*>("target") : nullptr;
         ASSERT_TRUE(arrow && arrow->isEnabled());
@@ -168,7 +168,7 @@ TEST_F(Documents, ABoltLinksToItsTypeInTheSceneOrInTheLibrary) {
     EXPECT_TRUE(window_->findChild<LibraryPanel*>()->isVisible());
 }
 
-/// Presses a button of the question that comes, and says what else is open then.
+/// Presses a button of the question that appears, and returns its title.
 void pressWhenAsked(QMessageBox::StandardButton button, QString& title) {
     QTimer::singleShot(0, [=, &title] {
         auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
@@ -205,7 +205,7 @@ TEST_F(Documents, OpenAsksAboutUnsavedEditsBeforeAFileIsChosen) {
     document_->apply("Set title", edited);
     QString title;
     pressWhenAsked(QMessageBox::Cancel, title);
-    window_->findChild<Commands*>()->action("file.open")->trigger();  // waits for no file
+    window_->findChild<Commands*>()->action("file.open")->trigger();  // does not wait for a file
     EXPECT_EQ(title, "Unsaved edits");
     EXPECT_EQ(document_->scene()->title, "Edited");
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files that come from elsewhere: dropped on the window, gone from the disk, wrong
-// in themselves. Each is opened as what it is, or told.
+// Files dropped on the window, deleted from the disk, or with wrong content: each is
+// opened by its type, or reported.
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 
@@ -28,7 +28,7 @@ struct Window {
     Window() : window(themes) { window.show(); }
     Document& document() { return *window.findChild<Document*>(); }
 
-    /// Lets go of files over a widget; false where the window takes none of them.
+    /// Drops files on a widget; false if the window accepts none of them.
     bool drop(const QStringList& paths) {
         QMimeData data;
         QList<QUrl> urls;
@@ -39,7 +39,7 @@ struct Window {
         if (!enter.isAccepted()) return false;
         QDropEvent event({400, 300}, Qt::CopyAction | Qt::MoveAction, &data, Qt::LeftButton, {});
         QApplication::sendEvent(&window, &event);
-        return event.isAccepted() && event.dropAction() == Qt::CopyAction;  // never moved away
+        return event.isAccepted() && event.dropAction() == Qt::CopyAction;  // never moves the file
     }
 
     Themes themes;

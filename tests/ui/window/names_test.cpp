@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whoever cannot see the window hears it: everything that takes a click or a key has
-// a name for screen readers.
+// Screen readers: every widget that takes a click or a key has an accessible name.
 #include "tests/ui/screen/screen.h"
 
 #include "ui/look/theme.h"
@@ -37,7 +36,7 @@ bool takesInput(const QWidget* widget) {
                    QAbstractItemView, QAbstractSlider>(widget);
 }
 
-/// Parts that Qt makes within a widget that has the name: the line of a spin box, the list of a combo box.
+/// Parts that Qt creates within a widget that has the name: the line of a spin box, the list of a combo box.
 bool isPartOfAnother(const QWidget* widget) {
     if (widget->objectName().startsWith("qt_")) return true;
     const QWidget* parent = widget->parentWidget();
@@ -54,7 +53,7 @@ QString placeOf(const QWidget* widget) {
     return place.join(" > ");
 }
 
-/// What screen readers say. Not asked of QAccessible, which does not outlive an application that ends with the program.
+/// The accessible name. Not from QAccessible, which does not outlive an application that ends with the program.
 QString spokenName(const QWidget* widget) {
     if (!widget->accessibleName().isEmpty()) return widget->accessibleName();
     if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) return button->text();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is opened is ready to work with: a run comes with its scene, an imported
-// drawing can be run, undone and recovered.
+// An opened file is ready to work with: a run opens with its scene, an imported drawing
+// can be run, undone and recovered.
 #include "tests/scratch_folder.h"
 #include "tests/ui/runs/stored_run.h"
 #include "tests/ui/screen/screen.h"

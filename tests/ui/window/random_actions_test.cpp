@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Somebody does at random what there is to do. Nothing may crash or hang, and undo
-// must lead back to the first scene to the byte. `KEYBLOCK_ACTIONS=10000` does more
-// of it, `KEYBLOCK_SEED` something else, `KEYBLOCK_TELL` says what was done.
+// Random-input ("monkey") test of the whole window. Nothing may crash or hang, and undo
+// must restore the first scene byte by byte. `KEYBLOCK_ACTIONS=10000` does more
+// actions, `KEYBLOCK_SEED` other ones, `KEYBLOCK_TELL` prints them.
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
-#include "tests/ui/window/somebody.h"
+#include "tests/ui/window/random_user.h"
 
 #include "solver/files/scene_file.h"
 #include "ui/document/document.h"
@@ -34,7 +34,7 @@ int numberFrom(const char* name, int otherwise) {
     return text ? std::atoi(text) : otherwise;
 }
 
-/// Copies, since somebody saves; a run of another scene, and drawings, to be dropped.
+/// Copies, since the random user saves; a run of another scene, and drawings, to be dropped.
 QStringList filesIn(const std::filesystem::path& folder) {
     const std::string samples = KEYBLOCK_SAMPLES_DIR, data = KEYBLOCK_TEST_DATA_DIR;
     QStringList files;
@@ -48,8 +48,8 @@ QStringList filesIn(const std::filesystem::path& folder) {
     return files << QString::fromStdString((folder / "no-run.kbrun").string());
 }
 
-void tellCounts(const Somebody& somebody) {
-    for (const auto& [what, times] : somebody.counts()) std::cerr << times << "  " << what << "\n";
+void tellCounts(const RandomUser& user) {
+    for (const auto& [what, times] : user.counts()) std::cerr << times << "  " << what << "\n";
 }
 
 TEST(RandomActions, DoNotCrashOrHangAndUndoRestoresTheScene) {
@@ -64,31 +64,31 @@ TEST(RandomActions, DoNotCrashOrHangAndUndoRestoresTheScene) {
     auto& document = *window.findChild<Document*>();
     ASSERT_FALSE(document.scene()->title.empty());
     std::string before = wholeSceneText(*document.scene());
-    // Somebody may open another scene; undo leads back to that one then.
+    // The random user may open another scene; undo then leads back to that one.
     QObject::connect(&document, &Document::replaced, [&] { before = wholeSceneText(*document.scene()); });
     int runs = 0;
     QObject::connect(window.findChild<Runs*>(), &Runs::sessionChanged,
                      [&] { runs += window.findChild<Runs*>()->isRunning() ? 1 : 0; });
     const int actions = numberFrom("KEYBLOCK_ACTIONS", 500);
     {
-        Somebody somebody(window, static_cast<unsigned>(numberFrom("KEYBLOCK_SEED", 1)), files);
-        // By chance, and by what fits on the screen, some kinds come late: then there are more actions.
+        RandomUser user(window, static_cast<unsigned>(numberFrom("KEYBLOCK_SEED", 1)), files);
+        // Depending on chance and on the screen, some kinds of actions come late: then more actions are done.
         const auto missing = [&]() -> std::string {
             if (runs == 0) return "run";
             for (const char* what : {"tool ", "dock ", "edit.undo", "drop", "menu action", "dialog ", "draw", "popup"})
-                if (somebody.countOf(what) == 0) return what;
+                if (user.countOf(what) == 0) return what;
             return {};
         };
         const bool reachesAll = actions >= 500;
         for (int i = 0; i < actions || (reachesAll && i < mostTimes * actions && !missing().empty()); ++i) {
             QElapsedTimer timer;
             timer.start();
-            somebody.act();
+            user.act();
             QApplication::processEvents();
-            EXPECT_LT(timer.elapsed(), 60000) << "hung at action " << i << ": " << somebody.last();
-            EXPECT_TRUE(window.isVisible()) << "gone at action " << i << ": " << somebody.last();
+            EXPECT_LT(timer.elapsed(), 60000) << "hung at action " << i << ": " << user.last();
+            EXPECT_TRUE(window.isVisible()) << "gone at action " << i << ": " << user.last();
         }
-        if (std::getenv("KEYBLOCK_TELL")) tellCounts(somebody);
+        if (std::getenv("KEYBLOCK_TELL")) tellCounts(user);
         if (reachesAll) {
             EXPECT_EQ(missing(), "");
         }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Clicks on the section among results: blocks and bolts are chosen, Properties show
-// their results, and the right button opens a menu.
+// Clicks on the section while results are shown: blocks and bolts are selected,
+// Properties shows their results, and the right button opens a menu.
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The window on the small screens of laptops: every panel has room for what it is
-// for, and what has none is behind a menu. Help and layouts leave widths alone.
+// The window on small laptop screens: every panel has room for its main content, and
+// controls without room are in a menu. Help and layouts keep widths.
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 
@@ -68,7 +68,7 @@ protected:
     std::unique_ptr<MainWindow> window_;
 };
 
-/// The part of a widget that can be seen is all of it.
+/// Whether the whole widget is visible.
 bool isWhole(const QWidget& widget) {
     return widget.isVisible() && widget.visibleRegion().boundingRect() == widget.rect();
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whoever translates the window gets a list of its texts from Qt's lupdate. Nothing
-// that is shown through a translation may be missing from that list, and no command
-// may go without one.
+// Translators get a list of the window's texts from Qt's lupdate. Every text shown
+// through a translation must be on that list, and every command must have a translated
+// text.
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 
@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 
 using Texts = std::set<std::pair<QString, QString>>;  // context and text
 
-/// A language in which everything stands between these signs; knows what it was asked for.
+/// A translation that puts every text between these signs, and records the requests.
 class SignedLanguage : public QTranslator {
 public:
     SignedLanguage() { QCoreApplication::installTranslator(this); }
@@ -53,7 +53,7 @@ public:
     const Texts& asked() const { return asked_; }
 
 private:
-    /// Its own words for keys, buttons and dialogs; functions without a class speak as one of these three.
+    /// Texts of Qt's own keys, buttons and dialogs; functions without a class use one of these three contexts.
     static bool isOfQt(const QString& context) {
         return context.startsWith('Q') && context != "QWidget" && context != "QMainWindow" && context != "QObject";
     }
@@ -61,7 +61,7 @@ private:
     mutable Texts asked_;
 };
 
-/// Every source of the window's rooms.
+/// All sources of the window.
 std::vector<fs::path> sources() {
     std::vector<fs::path> found;
     for (const char* folder : {"ui", "app/studio"})
@@ -70,7 +70,7 @@ std::vector<fs::path> sources() {
     return found;
 }
 
-/// What lupdate finds there.
+/// The texts that lupdate finds there.
 Texts foundTexts(const fs::path& list) {
     QProcess lupdate;
     lupdate.setWorkingDirectory(KEYBLOCK_SOURCE_DIR);
@@ -91,7 +91,7 @@ Texts foundTexts(const fs::path& list) {
     return texts;
 }
 
-/// A text that is not written where it is translated is hidden from lupdate, unless a mark shows it.
+/// A text that is not a literal inside tr() is hidden from lupdate, unless a macro marks it.
 TEST(Texts, NoTranslatedTextIsHiddenFromLupdate) {
     const QRegularExpression hidden(R"((translate\(\s*"[^"]*"\s*,|\btr\()\s*[^"\s\)])");
     for (const fs::path& path : sources()) {

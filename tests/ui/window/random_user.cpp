@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/ui/window/somebody.h"
+#include "tests/ui/window/random_user.h"
 
 #include "ui/look/commands.h"
 #include "ui/window/main_window.h"
@@ -35,7 +35,7 @@ bool isTold() {
     return told;
 }
 
-/// A widget that a mouse can reach: nothing modal keeps it away.
+/// Whether the mouse can reach the widget: no modal dialog blocks it.
 bool isInReach(const QWidget& widget) {
     return widget.isVisible() && widget.isEnabled() && widget.width() > 2 && widget.height() > 2 &&
            !widget.windowFlags().testFlag(Qt::ToolTip);
@@ -43,15 +43,15 @@ bool isInReach(const QWidget& widget) {
 
 }  // namespace
 
-Somebody::Somebody(MainWindow& window, unsigned seed, QStringList files)
+RandomUser::RandomUser(MainWindow& window, unsigned seed, QStringList files)
     : window_(window), commands_(*window.findChild<Commands*>()), files_(std::move(files)), random_(seed) {
-    // Questions and menus wait for an answer within the action that made them.
+    // Dialogs and menus wait for an answer within the action that opened them.
     answering_.setInterval(30);
     QObject::connect(&answering_, &QTimer::timeout, [this] { answer(); });
     answering_.start();
 }
 
-void Somebody::act() {
+void RandomUser::act() {
     closeWindows();
     switch (below(18)) {
         case 0:
@@ -72,19 +72,19 @@ void Somebody::act() {
     noteWhere();
 }
 
-int Somebody::countOf(const std::string& beginning) const {
+int RandomUser::countOf(const std::string& beginning) const {
     int count = 0;
     for (const auto& [what, times] : counts_)
         if (what.starts_with(beginning)) count += times;
     return count;
 }
 
-/// In the main window or one beside it, import and export say.
-QWidget* Somebody::anyWidget() {
+/// In the main window, or in the import or export window.
+QWidget* RandomUser::anyWidget() {
     QList<QWidget*> widgets;
     for (QWidget* widget : QApplication::allWidgets())
         if (isInReach(*widget)) widgets << widget;
-    // The list of all widgets is that of a hash: the same seed should do the same.
+    // The order of all widgets is that of a hash: sort them, so that a seed is reproducible.
     std::sort(widgets.begin(), widgets.end(), [](QWidget* a, QWidget* b) {
         const QPoint pa = a->mapToGlobal({}), pb = b->mapToGlobal({});
         return std::tuple(pa.y(), pa.x(), a->width(), a->height(), a->objectName()) <
@@ -93,21 +93,21 @@ QWidget* Somebody::anyWidget() {
     return widgets.isEmpty() ? &window_ : widgets[below(widgets.size())];
 }
 
-QPoint Somebody::anyPlace(const QWidget& widget) { return {below(widget.width()), below(widget.height())}; }
+QPoint RandomUser::anyPlace(const QWidget& widget) { return {below(widget.width()), below(widget.height())}; }
 
-QWidget* Somebody::focused() {
+QWidget* RandomUser::focused() {
     QWidget* widget = QApplication::focusWidget();
     return widget ? widget : &window_;
 }
 
-void Somebody::tell(const std::string& what, const QObject& object) {
+void RandomUser::tell(const std::string& what, const QObject& object) {
     last_ = what + " " + object.metaObject()->className() + " '" + object.objectName().toStdString() + "'";
     ++counts_[what];
     if (isTold()) std::cerr << last_ << std::endl;
 }
 
-/// Which tool is at work, which docks and windows show.
-void Somebody::noteWhere() {
+/// Notes the current tool, and the visible docks and windows.
+void RandomUser::noteWhere() {
     for (const QAction* action : commands_.all())
         if (action->objectName().startsWith("tool.") && action->isChecked())
             ++counts_["tool " + action->objectName().toStdString()];
@@ -118,7 +118,7 @@ void Somebody::noteWhere() {
             ++counts_[std::string("window ") + window->metaObject()->className()];
 }
 
-void Somebody::click() {
+void RandomUser::click() {
     QPointer<QWidget> widget = anyWidget();
     tell("click", *widget);
     static constexpr Qt::MouseButton buttons[]{Qt::LeftButton, Qt::LeftButton, Qt::LeftButton, Qt::RightButton,
@@ -135,7 +135,7 @@ void Somebody::click() {
         QTest::mouseClick(widget, button, modifiers[below(4)], place);
 }
 
-void Somebody::drag() {
+void RandomUser::drag() {
     QPointer<QWidget> widget = anyWidget();
     tell("drag", *widget);
     const Qt::MouseButton button = below(3) == 0 ? Qt::MiddleButton : Qt::LeftButton;
@@ -146,8 +146,8 @@ void Somebody::drag() {
     if (widget) QTest::mouseRelease(widget, button, {}, to);
 }
 
-/// Some places on the canvas with some tool, then the key that ends a thing that is drawn.
-void Somebody::draw() {
+/// Some points on the canvas with some tool, then the key that ends the object.
+void RandomUser::draw() {
     QPointer<QWidget> canvas = window_.findChild<QWidget*>("canvas");
     if (!canvas || !canvas->isVisible()) return click();
     tell("draw", *canvas);
@@ -165,7 +165,7 @@ void Somebody::draw() {
     if (canvas) QTest::keyClick(canvas, ends[below(3)]);
 }
 
-void Somebody::wheel() {
+void RandomUser::wheel() {
     QWidget* widget = anyWidget();
     tell("wheel", *widget);
     const QPoint place = anyPlace(*widget);
@@ -174,7 +174,7 @@ void Somebody::wheel() {
     QApplication::sendEvent(widget, &event);
 }
 
-void Somebody::key() {
+void RandomUser::key() {
     static constexpr int keys[]{Qt::Key_Escape, Qt::Key_Return, Qt::Key_Tab,  Qt::Key_Delete, Qt::Key_Left,
                                 Qt::Key_Right,  Qt::Key_Up,     Qt::Key_Down, Qt::Key_Space,  Qt::Key_Home,
                                 Qt::Key_End,    Qt::Key_F3,     Qt::Key_F8,   Qt::Key_F9,     Qt::Key_B,
@@ -184,24 +184,24 @@ void Somebody::key() {
     QTest::keyClick(focused(), static_cast<Qt::Key>(keys[below(std::size(keys))]));
 }
 
-void Somebody::type() {
+void RandomUser::type() {
     static const char* const texts[]{"12.5,3", "@2,0", "@3<45", "5", "-1e400", "300mm", "=5/2+0.1", "=1/0", "nan", "inf",
                                      "", "0", "1e-300", "a rather long name that goes on and on", "ä ö 漢", "3 < 4", "@",
                                      "12,5", "../../x", "%1 %2"};
     tell("type", *focused());
     for (const QChar c : QString::fromUtf8(texts[below(std::size(texts))])) {
-        QKeyEvent press(QEvent::KeyPress, 0, Qt::NoModifier, c);  // QTest's own knows no other letters than ASCII
+        QKeyEvent press(QEvent::KeyPress, 0, Qt::NoModifier, c);  // QTest's own supports ASCII letters only
         QApplication::sendEvent(focused(), &press);
     }
     if (below(2)) QTest::keyClick(focused(), Qt::Key_Return);
 }
 
-/// Not what ends the program.
-bool Somebody::mayDo(const QAction& action) const {
+/// Excludes commands that end the program.
+bool RandomUser::mayDo(const QAction& action) const {
     return action.isEnabled() && !action.isSeparator() && action.objectName() != "file.quit";
 }
 
-void Somebody::command() {
+void RandomUser::command() {
     const auto& all = commands_.all();
     QAction* action = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
     if (!mayDo(*action)) return;
@@ -210,15 +210,15 @@ void Somebody::command() {
     action->trigger();
 }
 
-void Somebody::undoOrRedo() {
+void RandomUser::undoOrRedo() {
     QAction* action = commands_.action(below(3) == 0 ? "edit.redo" : "edit.undo");
     if (!action->isEnabled()) return;
     tell(action->objectName().toStdString(), *action);
     action->trigger();
 }
 
-/// Starts a run, or does something to the one that goes on or is there to look at.
-void Somebody::run() {
+/// Starts a run, or operates the one in progress or shown.
+void RandomUser::run() {
     static const char* const ids[]{"run.start", "run.start", "run.start", "run.pause", "run.step", "run.stop",
                                    "time.play", "time.end", "time.nextEvent", "time.compare"};
     QAction* action = commands_.action(ids[below(std::size(ids))]);
@@ -227,7 +227,7 @@ void Somebody::run() {
     action->trigger();
 }
 
-void Somebody::askMenu() {
+void RandomUser::askMenu() {
     QPointer<QWidget> widget = below(2) ? window_.findChild<QWidget*>("canvas") : anyWidget();
     if (!widget || !widget->isVisible()) return;
     tell("menu wanted", *widget);
@@ -238,15 +238,15 @@ void Somebody::askMenu() {
     QApplication::sendEvent(widget, &event);
 }
 
-/// Few windows beside the main one, or hardly anything would be done to that.
-void Somebody::closeWindows() {
+/// Keeps few windows open besides the main one, which would otherwise get hardly any actions.
+void RandomUser::closeWindows() {
     QWidgetList others;
     for (QWidget* window : QApplication::topLevelWidgets())
         if (window->isVisible() && window != &window_ && window->windowType() == Qt::Window) others << window;
     if (others.size() > 1) others[below(others.size())]->close();
 }
 
-void Somebody::drop() {
+void RandomUser::drop() {
     if (files_.isEmpty()) return;
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(files_[below(files_.size())])});
@@ -258,7 +258,7 @@ void Somebody::drop() {
     if (enter.isAccepted()) QApplication::sendEvent(&window_, &drop);
 }
 
-void Somebody::answer() {
+void RandomUser::answer() {
     if (QWidget* popup = QApplication::activePopupWidget()) {
         if (auto* menu = qobject_cast<QMenu*>(popup)) return answer(*menu);
         ++counts_["popup"];
@@ -269,7 +269,7 @@ void Somebody::answer() {
     }
 }
 
-void Somebody::answer(QMenu& menu) {
+void RandomUser::answer(QMenu& menu) {
     ++counts_["menu"];
     QList<QAction*> able;
     for (QAction* action : menu.actions())
@@ -278,11 +278,11 @@ void Somebody::answer(QMenu& menu) {
     menu.close();
     if (!chosen) return;
     ++counts_["menu action"];
-    QTimer::singleShot(0, chosen, &QAction::trigger);  // what it asks must be answered by the timer that this is in
+    QTimer::singleShot(0, chosen, &QAction::trigger);  // its dialog must be answered by the current timer
 }
 
-/// Mostly one of its buttons, now and then it is only closed.
-void Somebody::answer(QWidget& dialog) {
+/// Mostly presses one of its buttons, sometimes only closes it.
+void RandomUser::answer(QWidget& dialog) {
     ++counts_[std::string("dialog ") + dialog.metaObject()->className()];
     QList<QAbstractButton*> able;
     for (auto* button : dialog.findChildren<QAbstractButton*>())

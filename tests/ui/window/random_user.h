@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Somebody who clicks, drags, draws, types, drops files and calls commands at
-// random, wherever there is something to click, and answers what is asked, now so
-// and now so. Counts what was reached, so that a test can see that nothing was
-// only knocked at.
+// A user who clicks, drags, draws, types, drops files and calls commands at random,
+// wherever possible, and answers dialogs at random. Counts what was reached, so that a
+// test can check that all parts were used.
 #pragma once
 
 #include <QPoint>
@@ -25,17 +24,17 @@ namespace keyblock {
 class Commands;
 class MainWindow;
 
-class Somebody {
+class RandomUser {
 public:
     /// `files` are dropped on the window.
-    Somebody(MainWindow& window, unsigned seed, QStringList files);
+    RandomUser(MainWindow& window, unsigned seed, QStringList files);
 
     void act();
 
     const std::string& last() const { return last_; }
-    /// How often what was done or reached, as `tool tool.bolt`, `dialog QFileDialog`, `undo`.
+    /// Number of times each thing was done or reached, as `tool tool.bolt`, `dialog QFileDialog`, `undo`.
     const std::map<std::string, int>& counts() const { return counts_; }
-    int countOf(const std::string& beginning) const;  // of all that begin so
+    int countOf(const std::string& beginning) const;  // sum over all names that begin so
 
 private:
     int below(int count) { return std::uniform_int_distribution(0, count - 1)(random_); }
