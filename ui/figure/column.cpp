@@ -158,9 +158,11 @@ void drawArrow(Ink& ink, ArrowShape shape, const Point& at, const Point& length)
 
 ColumnItem arrowItem(const ArrowField& field, double scale, double width) {
     std::vector<std::string> notes;
-    for (const std::string& note : field.notes)
+    const auto add = [&](const std::string& note) {
         for (const std::string& line : wrapped(note, text_style::note, width, 2)) notes.push_back(line);
-    notes.push_back("largest in this frame " + numberText(field.largest) + " " + field.unit);
+    };
+    for (const std::string& note : field.notes) add(note);
+    add("largest in this frame " + numberText(field.largest) + " " + field.unit);
     return {6.0 + noteRow * static_cast<double>(notes.size()), [&field, scale, notes](Ink& ink, const Point& at) {
                 ink.text(at + Point(0.0, 2.0), field.title, text_style::heading);
                 double shown = roundHalvable(0.45 * field.largest);
