@@ -128,8 +128,8 @@ void Canvas::setHint(const QString& title, const QString& text, bool aside) {
 
 QRectF Canvas::room() const {
     const bool explains = picture_ && hasLegend_ && !style_.drawing && (picture_->blockLegend || picture_->boltLegend);
-    const double legend = explains ? legendWidth(size()) : 0.0;
-    return QRectF(rect()).adjusted(rimOfRoom, rimOfRoom, -rimOfRoom - legend, -rimOfRoom);
+    const QMarginsF legend = explains ? legendRoom(themes_.current(), {*picture_, nullptr, {}}, size()) : QMarginsF();
+    return QRectF(rect()).marginsRemoved(legend).adjusted(rimOfRoom, rimOfRoom, -rimOfRoom, -rimOfRoom);
 }
 
 void Canvas::fit() {

@@ -66,7 +66,7 @@ void Canvas::mousePressEvent(QMouseEvent* event) {
     } else if (boxWanted_) {
         if (event->button() == Qt::LeftButton) boxFrom_ = boxTo_ = event->localPos();
     } else if (const auto part = sheet_->legendPartAt(event->localPos()); part && event->button() == Qt::LeftButton) {
-        const int left = width() - static_cast<int>(legendWidth(size())) - 6;  // next to the legend, not over it
+        const int left = width() - static_cast<int>(legendExtent) - 6;  // next to the legend, not over it
         Q_EMIT legendClicked(*part, mapToGlobal({left, event->pos().y() - 20}));
     } else if (tool_ && !panFrom_) {
         held_ |= event->button();

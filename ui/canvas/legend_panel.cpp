@@ -12,6 +12,7 @@
 #include <QCoreApplication>
 #include <QPainter>
 
+#include <cmath>
 #include <functional>
 
 namespace keyblock {
@@ -22,8 +23,10 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(Legend)
 };
 
-constexpr double width = 230.0, inset = 10.0, padding = 13.0;  // [px]
+constexpr double inset = 10.0, padding = 13.0, width = legendExtent - inset;  // [px]
 constexpr double leastCanvas = 480.0;  // below it the legend would hide the section [px]
+constexpr double leastNarrow = 400.0;  // down to here the bars of colours have room next to the scale bar [px]
+constexpr double shareOfNarrow = 0.4;  // of the height, at most
 
 struct Item {
     double height = 0.0;  // [px]
@@ -84,22 +87,32 @@ double heightOf(const std::vector<Item>& items) {
     return height;
 }
 
-/// Those that have room, from above.
+bool isNarrow(const QSizeF& canvas) { return canvas.width() < leastCanvas; }
+
+/// Those that have room, from above; on a narrow canvas only the bars of colours.
 std::vector<Item> itemsWithin(const Theme& theme, const LegendContent& content, const QSizeF& canvas) {
-    if (legendWidth(canvas) == 0.0) return {};
+    if (canvas.width() < leastNarrow) return {};
     std::vector<Item> items = itemsOf(theme, content);
-    while (!items.empty() && heightOf(items) > canvas.height() - 2.0 * inset) items.pop_back();
+    if (isNarrow(canvas)) std::erase_if(items, [](const Item& item) { return !item.part; });
+    const double most = isNarrow(canvas) ? shareOfNarrow * canvas.height() : canvas.height() - 2.0 * inset;
+    while (!items.empty() && heightOf(items) > most) items.pop_back();
     return items;
 }
 
 QRectF rectOf(const std::vector<Item>& items, const QSizeF& canvas) {
     if (items.empty()) return {};
-    return {canvas.width() - inset - width, inset, width, heightOf(items)};
+    const double height = heightOf(items);
+    const double top = isNarrow(canvas) ? std::round(canvas.height() - inset - height) : inset;
+    return {canvas.width() - inset - width, top, width, height};
 }
 
 }  // namespace
 
-double legendWidth(const QSizeF& canvas) { return canvas.width() < leastCanvas ? 0.0 : width + inset; }
+QMarginsF legendRoom(const Theme& theme, const LegendContent& content, const QSizeF& canvas) {
+    const QRectF rect = legendRect(theme, content, canvas);
+    if (isNarrow(canvas)) return {0.0, 0.0, 0.0, rect.isEmpty() ? 0.0 : rect.height() + inset};
+    return {0.0, 0.0, legendExtent, 0.0};
+}
 
 QRectF legendRect(const Theme& theme, const LegendContent& content, const QSizeF& canvas) {
     return rectOf(itemsWithin(theme, content, canvas), canvas);

@@ -3,11 +3,13 @@
 //
 // The legend at the right of the canvas: bars of the quantities, the key of marks,
 // how displacements are drawn. As high as its content; what finds no room on a
-// small canvas is left out from below.
+// small canvas is left out from below. On a narrow canvas, such as half of a
+// comparison on a small screen, the bars alone are at the bottom right.
 #pragma once
 
 #include "ui/picture/section.h"
 
+#include <QMarginsF>
 #include <QRectF>
 #include <QSizeF>
 
@@ -37,7 +39,10 @@ void paintLegend(QPainter& painter, const Theme& theme, const LegendContent& con
 /// The bar of a quantity, as far as it is shown [px]; empty where it is not.
 QRectF legendPartRect(const Theme& theme, const LegendContent& content, const QSizeF& canvas, LegendPart part);
 
-/// What a legend takes of a canvas at its right [px]; 0 where it has no room.
-double legendWidth(const QSizeF& canvas);
+inline constexpr double legendExtent = 240.0;  // of the panel, from the right side of the canvas [px]
+
+/// What the legend takes of the right or the bottom of a canvas [px]; 0 where it has no room. Only the bars of the content
+/// count on a narrow canvas, and nothing of it on others, so that the section keeps its place as marks come and go.
+QMarginsF legendRoom(const Theme& theme, const LegendContent& content, const QSizeF& canvas);
 
 }  // namespace keyblock

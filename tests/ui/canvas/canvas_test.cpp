@@ -6,6 +6,8 @@
 #include "tests/ui/bricks.h"
 #include "tests/ui/screen/screen.h"
 #include "ui/canvas/canvas.h"
+#include "ui/canvas/legend_panel.h"
+#include "ui/canvas/scale_bar.h"
 #include "ui/canvas/view_theme.h"
 #include "ui/look/theme.h"
 
@@ -104,16 +106,32 @@ TEST_F(OnCanvas, FitsNextToALegendThatAppears) {
     const auto results = pictureOf(bricks, 1);
     canvas->show(results);
     const double right = canvas->map().toPixel(results->window.max).x();
-    EXPECT_LE(right, canvas->width() - legendWidth(canvas->size()));
+    EXPECT_LE(right, canvas->width() - legendExtent);
     auto flown = std::make_shared<SectionPicture>(*results);
     flown->window.max.x() += 5.0;
     canvas->show(flown);
-    EXPECT_LE(canvas->map().toPixel(flown->window.max).x(), canvas->width() - legendWidth(canvas->size()));
+    EXPECT_LE(canvas->map().toPixel(flown->window.max).x(), canvas->width() - legendExtent);
     const double scale = canvas->map().pixelsPerMetre();
     canvas->zoomBy(3.0, {100.0, 100.0});
     canvas->show(pictureOf(bricks, {}));
     canvas->show(results);
     EXPECT_NEAR(canvas->map().pixelsPerMetre(), 3.0 * scale, 1e-6 * scale);  // where the user left it
+}
+
+TEST_F(OnCanvas, ANarrowCanvasHasTheBarsOfTheLegendBelowTheSection) {
+    NEED_SCREEN();
+    open();
+    canvas->resize(440, 500);
+    const auto results = pictureOf(bricks, 1);
+    canvas->show(results);
+    canvas->fit();
+    painted();
+    const LegendContent content{*results, nullptr, {}};
+    const QRectF legend = legendRect(themes->current(), content, canvas->size());
+    ASSERT_FALSE(legend.isEmpty());
+    EXPECT_GE(legend.top(), canvas->map().toPixel(results->window.min).y());
+    EXPECT_FALSE(legend.intersects(scaleBarRect(canvas->map())));
+    EXPECT_FALSE(legendPartRect(themes->current(), content, canvas->size(), LegendPart::Blocks).isEmpty());
 }
 
 TEST_F(OnCanvas, AClickOnTheLegendAsksForItsScale) {
@@ -125,7 +143,7 @@ TEST_F(OnCanvas, AClickOnTheLegendAsksForItsScale) {
     painted();
     std::vector<LegendPart> asked;
     QObject::connect(canvas.get(), &Canvas::legendClicked, canvas.get(), [&](LegendPart part) { asked.push_back(part); });
-    const int middle = canvas->width() - static_cast<int>(0.5 * legendWidth(canvas->size()));
+    const int middle = canvas->width() - static_cast<int>(0.5 * legendExtent);
     QTest::mouseClick(canvas.get(), Qt::LeftButton, {}, {middle, 40});
     QTest::mouseClick(canvas.get(), Qt::LeftButton, {}, {middle, 160});
     EXPECT_EQ(asked, (std::vector<LegendPart>{LegendPart::Blocks, LegendPart::Bolts}));
