@@ -4,7 +4,7 @@
 // In-situ stress: rock that is stressed before anything is done to it. Blocks have
 // the stress at their centroids; contacts, glue and point supports start with what it
 // gives to their faces, so that where it is in equilibrium nothing moves
-// (theory, "Stress in situ").
+// (theory, "In-situ stress").
 #pragma once
 
 #include "solver/engine/model/state.h"
