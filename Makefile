@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# The commands a person types. Each does its own set-up: missing Debian packages
-# are installed first, and what is built already is not built again.
+# Commands for users and developers. Each does its own set-up: missing Debian packages
+# are installed first, and only what has changed is built.
 .DEFAULT_GOAL := help
 .PHONY: help run show pictures test person drifts safety-series kills asan tsan bench fuzz clean packages
 
@@ -10,18 +10,18 @@ SAMPLE := drift-rebar-dbolt
 SHOWN := build/release/$(SAMPLE)
 
 help:
-	@echo "make run    build Keyblock and open its window on a drift with rebars and D-bolts, ready for F5; without a display: make show"
-	@echo "make show   excavate, bolt and load the drift on the command line, draw and animate it, compare with the paper"
-	@echo "make pictures  regenerate the pictures of the README"
+	@echo "make run    build Keyblock and open its window with a drift with rebars and D-bolts, ready for F5; without a display: make show"
+	@echo "make show   run the drift on the command line, write figures and an animation, and compare bolts with the paper"
+	@echo "make pictures  regenerate the images of the README"
 	@echo "make test   build and run all tests"
-	@echo "make person draw, bolt, run and export a drift in the window with real clicks and keys, on a screen of its own"
-	@echo "make drifts run random drifts and prove from their tables what the program says of them, SEED=7 or SEED=1-200"
+	@echo "make person test the window with real mouse and keyboard input on a virtual display: draw, bolt, run and export a drift"
+	@echo "make drifts run random drifts and check the verdicts against the tables of results, SEED=7 or SEED=1-200"
 	@echo "make safety-series  check factors of safety against closed forms: forty scenes, and thirty factors in each"
-	@echo "make kills  a hundred runs killed at random moments and fifty stopped; resumed, they end with the same bytes; and thirty windows killed while editing, thirty of the program while it edits and runs, with real keys"
-	@echo "make asan   the tests under the address and undefined-behaviour sanitizers"
-	@echo "make tsan   the tests with several threads under the thread sanitizer"
-	@echo "make bench  time and memory of typical work"
-	@echo "make fuzz   look for bytes that break the scene reader, or TARGET=cut|drawing the cut or the import, MINUTES=60"
+	@echo "make kills  kill a hundred runs at random moments and stop fifty, resume them and compare the bytes; kill the editor thirty times, and the window thirty times while it edits and runs, and recover the edits"
+	@echo "make asan   run the tests with the address and undefined-behaviour sanitizers"
+	@echo "make tsan   run the tests that use several threads with the thread sanitizer"
+	@echo "make bench  measure time and memory of typical work"
+	@echo "make fuzz   fuzz the scene reader, or with TARGET=cut|drawing the cut or the import, MINUTES=60"
 	@echo "make clean  remove everything that was built"
 
 packages:
@@ -40,7 +40,7 @@ run: packages
 	    exec build/release/keyblock-studio samples/$(SAMPLE).json; \
 	else $(MAKE) --no-print-directory show; fi
 
-# What `make run` does where no window can be shown.
+# `make run` without a display.
 show: packages
 	$(call build,release)
 	build/release/keyblock run samples/$(SAMPLE).json --overwrite --out $(SHOWN).kbrun
@@ -52,9 +52,9 @@ show: packages
 	@if command -v ffmpeg >/dev/null; then \
 	    echo build/release/keyblock export $(SHOWN).kbrun --animation $(SHOWN).mp4; \
 	    build/release/keyblock export $(SHOWN).kbrun --animation $(SHOWN).mp4; \
-	else echo "ffmpeg is not installed: no animation of the drift is made"; fi
+	else echo "ffmpeg is not installed; skipping the animation of the drift"; fi
 	build/release/keyblock verify --paper
-	@echo "The drift as figures for a report, and as an animation where ffmpeg is installed:"
+	@echo "Figures of the drift, and an animation if ffmpeg is installed:"
 	@ls $(SHOWN)*.pdf $(SHOWN)*.png $(SHOWN)*.mp4 2>/dev/null || true
 
 pictures: packages

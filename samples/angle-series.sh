@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Runs the samples angle-*.json and prints the table of resources/help/angle-series.md:
-# largest force through the joint, where it was reached, and how the bolt broke.
+# the largest force through the joint, the displacement at which it was reached, and
+# how the bolt broke.
 # usage: sh samples/angle-series.sh [PROGRAM] [--set PATH=VALUE …]
 set -eu
 program=build/release/keyblock

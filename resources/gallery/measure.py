@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures how long each sample runs, for the gallery of the first page.
+"""Measures how long each sample runs, for the samples on the start page.
 
-Usage: measure.py PROGRAM. Writes samples.json beside this script. Of time on the
-clock and time of the processor the smaller one counts: other programs lengthen
-the first, threads the second.
+Usage: measure.py PROGRAM. Writes samples.json next to this script. The smaller of
+wall-clock time and processor time counts: other programs lengthen the first,
+threads the second.
 """
 import json
 import pathlib

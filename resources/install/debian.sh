@@ -2,11 +2,11 @@
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what Keyblock is built with on Debian 12. It asks the package database
-# first, says what is missing, and needs root only then; with everything there it
-# is over in a blink. Safe to run again. Arguments are further packages; `readers`
-# stands for the programs by which tests read exported files again and use the
-# window on a screen of their own, without which those tests are left out.
+# Installs the packages that Keyblock is built with on Debian 12. It lists missing
+# packages and needs root only if there are any; otherwise it finishes at once. It
+# is safe to run again. Arguments are further packages; `readers` means the programs
+# with which tests read exported files and use the window on a virtual display;
+# without them those tests are left out.
 set -eu
 export LC_ALL=C
 
@@ -25,7 +25,7 @@ packages="g++ cmake ninja-build ccache pkg-config
           libgtest-dev libbenchmark-dev$further"
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
-    echo "This is no Debian: the build goes on and will say what it lacks. On Debian 12 it takes:" $packages >&2
+    echo "This is not Debian: the build continues and will report missing packages. On Debian 12 it needs:" $packages >&2
     exit 0
 fi
 
@@ -40,11 +40,11 @@ for package in $packages; do
 done
 [ -n "$missing" ] || exit 0
 
-echo "Keyblock is built with these Debian packages, which are missing here:$missing" >&2
+echo "Keyblock needs these Debian packages, which are not installed:$missing" >&2
 root=""
 if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null 2>&1; then
-        echo "Installing them needs root. As root, run: apt-get update && apt-get install --no-install-recommends$missing" >&2
+        echo "Installation needs root. As root, run: apt-get update && apt-get install --no-install-recommends$missing" >&2
         exit 1
     fi
     root="sudo"
@@ -55,13 +55,13 @@ install() {
     $root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing
 }
 
-# Lists that know every package are tried as they are; empty or stale ones are fetched anew.
+# Package lists are used as they are if they contain every package; empty or outdated ones are updated.
 # shellcheck disable=SC2086
 if apt-cache show $missing >/dev/null 2>&1 && install; then
     exit 0
 fi
 if ! { $root apt-get update -qq && install; }; then
-    echo "The packages could not be installed: see the messages above, mend what they name (network, sources.list," \
-         "full disk), and run the same command again." >&2
+    echo "The packages could not be installed. Fix the errors above (network, sources.list, full disk) and run the" \
+         "same command again." >&2
     exit 1
 fi

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Regenerates the pictures of the README: runs the samples that they show and writes
-# their figures, and an animation (needs ffmpeg), next to this script.
+# Regenerates the images of the README: runs the samples that they show and writes
+# figures and an animation (needs ffmpeg) next to this script.
 # Usage: make.sh PROGRAM, from any folder.
 set -eu
 program=$(realpath "${1:?usage: make.sh PROGRAM}")
@@ -12,7 +12,7 @@ samples=$here/../../samples
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# picture(sample, figure, name, further words of export)
+# picture(sample, figure, name, further options of export)
 picture() {
     sample=$1 figure=$2 name=$3
     shift 3
@@ -22,8 +22,8 @@ picture() {
     echo "$here/$name.png"
 }
 
-# The frames of the stages in motion, at a fixed number a second: at events frames are
-# dense in time, so that the animation slows down there.
+# The frames of the dynamic stages at a fixed frame rate: frames are dense in time
+# around events, so that the animation slows down there.
 animation() {
     "$program" export "$work/$1.kbrun" --animation "$work/$1-frames" --dpi 100 --width 150 >"$work/told"
     first=$(awk -F, -v stage="$2" 'index($0, stage) { print NR - 1; exit }' "$work/$1-frames/frames.csv")

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Regenerates the README's picture of Studio, on a virtual display. Needs what
-# `sh resources/install/debian.sh readers` installs. Usage: studio.sh PROGRAM.
+# Regenerates the README's image of Studio, on a virtual display. Needs the packages
+# of `sh resources/install/debian.sh readers`. Usage: studio.sh PROGRAM.
 set -eu
 program=$(realpath "${1:?usage: studio.sh PROGRAM}")
 here=$(cd "$(dirname "$0")" && pwd)
@@ -20,7 +20,7 @@ read -r number <"$work/display"
 export DISPLAY=":$number"
 cp "$here/../../samples/drift-rebar-dbolt.json" "$work"
 
-# Without a window manager the window stands where it says, and nothing else is in the picture.
+# Without a window manager the window stays where it is placed, and nothing else is in the image.
 "$program" "$work/drift-rebar-dbolt.json" >"$work/log" 2>&1 &
 studio=$!
 processes="$processes $studio"
@@ -33,7 +33,7 @@ xdotool windowmove "$window" 0 0 windowsize "$window" 1600 1000 windowfocus "$wi
 sleep 1
 xdotool key f
 sleep 1
-# Closer to the drift.
+# Zoom in on the drift.
 xdotool mousemove 835 398 click --repeat 5 --delay 200 4
 sleep 1
 xdotool key F5

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random drifts in jointed rock, one scene a seed: what the static verdict is held to.
+"""Random drifts in jointed rock, one scene for each seed, against which the static verdict is checked.
 
 Two or three joint sets, depths of 30 to 300 m and every tenth at 1,000 m, stress ratios of 0.4 to 1.2, friction of 22 to
-42 degrees. Of every five seeds three have no bolts; two install a pattern of at most 20 after a part of the walls' forces
-is released. A seed gives the same scene wherever it is asked for.
+42 degrees. Of every five seeds three have no bolts; two install a pattern of at most 20 bolts after a part of the walls'
+forces is released. A seed gives the same scene on every machine.
 
     drifts.py SEED [SEED ...] --out DIR        writes DIR/SEED.json; SEED may be a range, 1-200
 """
@@ -34,7 +34,7 @@ def joint_sets(draw):
 
 
 def pattern(draw, width, height):
-    """From springline to springline over the roof; the spacing keeps it to 20 bolts."""
+    """From springline to springline over the roof; the spacing limits it to 20 bolts."""
     arc = math.pi * width / 2 + 2 * 0.1 * height
     return {
         "name": "roof",

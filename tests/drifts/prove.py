@@ -1,17 +1,17 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Proves the verdicts of static runs from their tables, without a line of the program's own.
+"""Proves the verdicts of static runs from their tables, without any code of the program.
 
-    prove.py PROGRAM DIR SEED [SEED ...]             the scenes DIR/SEED.json are run, and what comes to rest is proved
-    prove.py PROGRAM DIR --motion SEED [SEED ...]    the same scenes go on in motion, and the verdicts are compared
+    prove.py PROGRAM DIR SEED [SEED ...]             runs the scenes DIR/SEED.json and proves every equilibrium
+    prove.py PROGRAM DIR --motion SEED [SEED ...]    continues the same scenes in motion and compares the verdicts
 
 A stage that ends in equilibrium, or displaced, is proved at its last frame: force and moment on every free block within
-2 % of its weight (from area, density and gravity), every contact pressed and within its friction (but for intact rock),
-every bolt within its strength. The energy balance of every run closes to 1 %. In motion, what was at rest goes on for 1 s under the same loads and no block may move
-more than 5 mm; where a collapse was found, the last equilibrium is made again, the rest of the load put on over 0.3 s and
-followed for 1.5 s: every block that was named has to move more than 5 % of its size, and every block that does so before
-the first of them has moved by its own size has to be named.
+2 % of its weight (from area, density and gravity), every contact in compression and within its friction (except in
+intact rock), every bolt within its strength. The energy balance of every run closes to 1 %. In motion, an equilibrium
+continues for 1 s under the same loads and no block may move more than 5 mm; for a collapse, the last equilibrium is
+computed again, the rest of the load is applied over 0.3 s and followed for 1.5 s: every block that was named has to move
+more than 5 % of its size, and every block that does so before the first of them has moved by its own size has to be named.
 """
 import argparse
 import copy
@@ -25,7 +25,7 @@ import sys
 
 from drifts import seeds_of
 
-SMALLEST = 0.01  # m2, blocks under it do not decide
+SMALLEST = 0.01  # m2; smaller blocks do not affect the verdict
 REST = 0.005  # m in 1 s
 BALANCE = 0.01  # energy balance error, at the end of any run
 
@@ -60,7 +60,7 @@ def size(row):
 
 
 class Proof:
-    """What is wrong with the last frame of a stage, as lines of text."""
+    """Errors in the last frame of a stage, as lines of text."""
 
     def __init__(self, program, run, scene, stage):
         self.scene, self.faults = scene, []
@@ -75,7 +75,7 @@ class Proof:
         return float(row["area_m2"]) * material["density"] * math.hypot(*self.scene["analysis"]["gravity"])
 
     def balance(self):
-        """Own weight from the area, everything else from the table of forces, moments about the centroid made anew."""
+        """Weight from the area, all other forces from the table of forces, moments about the centroid recomputed."""
         worst = (0.0, "")
         for name, row in self.blocks.items():
             if float(row["area_m2"]) < SMALLEST:
@@ -101,15 +101,15 @@ class Proof:
     def friction(self):
         largest = max((abs(float(c["normal_force_N"])) for c in self.contacts), default=0.0)
         for c in self.contacts:
-            if c["joint_material"] == "intact":  # the outline of what is not yet excavated parts it, with no joint there
+            if c["joint_material"] == "intact":  # divided only by the outline of rock that is not yet excavated, without a joint
                 continue
             normal, shear = float(c["normal_force_N"]), abs(float(c["shear_force_N"]))
             tangent = math.tan(math.radians(self.scene["joint_materials"]["joint"]["friction_angle"]))
             where = f"contact of {c['block_a']} and {c['block_b']}"
             if normal < -1e-6 * largest:
-                self.faults.append(f"{where} pulls with {-normal:.3g} N")
+                self.faults.append(f"{where} is in tension with {-normal:.3g} N")
             if shear > normal * tangent * (1 + 1e-6) + 1e-9 * largest:
-                self.faults.append(f"{where} carries {shear:.6g} N across, its friction {normal * tangent:.6g} N")
+                self.faults.append(f"{where} carries {shear:.6g} N in shear, its friction limit is {normal * tangent:.6g} N")
 
     def strength(self):
         for bolt in self.bolts:
@@ -124,7 +124,7 @@ class Proof:
         return worst
 
 
-# Area times the largest stress of the steel [N], from the library's numbers.
+# Area times the largest stress of the steel [N], from the library.
 STEEL = {"d-bolt-20": 197920.4, "expansion-shell-17": 148050.0, "cone-bolt-17": 185881.6, "rebar-20": 197920.4, "split-set-47": 169860.0}
 
 
@@ -151,7 +151,7 @@ def motion(name, duration, **more):
 
 
 def moves(program, run, start):
-    """Of every block, a row per frame since the stage `start` began: time, and how far its middle has gone."""
+    """For every block, a row per frame since the start of stage `start`: time, and movement of its centroid."""
     order, began = [stage["name"] for stage in info(program, run)["stages"]], {}
     tracks, clock, before = {}, 0.0, None
     for row in table(program, run, "blocks", "--at", "all"):
@@ -199,7 +199,7 @@ def follow(program, folder, seed):
     moving["stages"] += [motion("load", 0.3, relaxation=1), motion("motion", 1.5)]
     again = run_scene(program, moving, run)
     if again["stages"][index]["outcome"] != "equilibrium":
-        print(f"{seed:>4} collapse     the last equilibrium, at {share:.3g} of {last['name']}, is {again['stages'][index]['outcome']} when made again", flush=True)
+        print(f"{seed:>4} collapse     the last equilibrium, at {share:.3g} of {last['name']}, is {again['stages'][index]['outcome']} when computed again", flush=True)
         return False
     tracks = moves(program, run, "load")
     named = {block["block"] for block in told["verdict"]["blocks"]}
@@ -207,7 +207,7 @@ def follow(program, folder, seed):
     first = min(reached(tracks[name], tracks[name]["size"]) for name in named)
     unnamed = [name for name, t in tracks.items() if t["area"] >= SMALLEST and name not in named and reached(t, 0.05 * t["size"]) < first]
     agrees = not still and not unnamed
-    print(f"{seed:>4} collapse     named {len(named)}, first gone after {first:.2f} s; still {still}, not named {unnamed}: {'agrees' if agrees else 'DIFFERS'}", flush=True)
+    print(f"{seed:>4} collapse     named {len(named)}, first moved by its size after {first:.2f} s; at rest {still}, not named {unnamed}: {'agrees' if agrees else 'DIFFERS'}", flush=True)
     return agrees
 
 

@@ -4,9 +4,9 @@
 """Factors of safety checked against closed forms: forty scenes, each with its expected factor.
 
     series.py PROGRAM --out DIR [--only TEXT]              'keyblock safety' on every scene, one row each
-    series.py PROGRAM --out DIR [--only TEXT] --monotone   30 factors a scene, each an ordinary run, must fail once for all
+    series.py PROGRAM --out DIR [--only TEXT] --monotone   30 factors per scene, each an ordinary run; after the first failure all must fail
 
-Roof prisms held by horizontal stress (10): joints of given stiffness, so a prism that sinks loses normal force. At the
+Roof prisms supported by horizontal stress (10): joints of given stiffness, so a sinking prism loses normal force. At the
 critical friction angle f, with H = stress x height (Crawford and Bray 1983; Brady and Brown 2004),
     W = 2 H (ks cos2 a + kn sin2 a) sin(f - a) / (ks cos a cos f + kn sin a sin f),   F = tan phi / tan f.
 The same prisms without stress (10): both faces overhang, so they fall at every factor and have no number.
@@ -74,7 +74,7 @@ SLOPES = [
 class Scene:
     name: str
     document: dict
-    expected: float | None  # None: falls whatever the strength
+    expected: float | None  # None: falls with any strength
     tolerance: float  # relative
 
 
@@ -175,7 +175,7 @@ def scenes():
 
 
 class Timed:
-    """One call of the program: exit code, output and CPU seconds."""
+    """One run of the program: exit code, output and CPU seconds."""
 
     def __init__(self, *words):
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -190,7 +190,7 @@ def number(value):
 
 
 def miss_of(scene, answer):
-    """What is wrong with an answer; empty if nothing is. The expected factor must be within tolerance of both ends."""
+    """The error in an answer; empty if there is none. The expected factor must be within tolerance of both ends."""
     lower, upper = answer["factor"]["lower"], answer["factor"]["upper"]
     if scene.expected is None:
         return "" if answer["answer"] == "falls_always" and lower is None else "should fall at every factor"
@@ -223,7 +223,7 @@ def check_factor(program, folder, scene):
 
 
 def factors(scene):
-    """Thirty from a quarter to four times the expected factor, closer near it; for loose prisms over all that is searched."""
+    """Thirty from a quarter to four times the expected factor, closer near it; for loose prisms over the whole search range."""
     spread = [2 * i / 29 - 1 for i in range(30)]
     if scene.expected is None:
         return [1000**x for x in spread]
@@ -252,7 +252,7 @@ def check_monotone(program, folder, scene):
     decided = text.replace("?", "")
     good = "fS" not in decided and text.count("?") == 0
     verdict = "" if good else "  MISS: not monotone" if "fS" in decided else "  MISS: undecided"
-    note = "" if text == expected or not good else "  changes beside the closed form"
+    note = "" if text == expected or not good else "  changes, but not at the closed form"
     print(f"{scene.name:12} {text}  {sum(seconds for _, seconds in found):7.1f}{verdict}{note}")
     return good
 
@@ -267,7 +267,7 @@ def main():
     asked.out.mkdir(parents=True, exist_ok=True)
     chosen = [scene for scene in scenes() if asked.only in scene.name]
     if asked.monotone:
-        print(f"{'scene':12} {'S stands, f fails, ? undecided':30}  {'CPU s':>7}")
+        print(f"{'scene':12} {'S stable, f fails, ? undecided':30}  {'CPU s':>7}")
     else:
         print(f"{'scene':12} {'expected':>8} {'bracket':>16} {'error':>8} {'runs':>4} {'CPU s':>7}  answer")
     check = check_monotone if asked.monotone else check_factor
