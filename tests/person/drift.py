@@ -1,11 +1,10 @@
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Somebody who has never seen the program draws a drift in two joint sets, bolts it,
-# loads its key block, runs, watches bonds let go, and takes a figure and a chart
-# along: with real clicks and keys, and at most sixty clicks. What every step should
-# bring about is looked for on the screen and in the files; pictures of the screen
-# after each are left in a folder.
+# End-to-end test of the window with real mouse and keyboard input: it draws a drift in
+# two joint sets, bolts it, loads its key block, runs, waits for bonds to fail, and exports
+# a figure and a chart, with at most sixty clicks. The result of every step is checked on
+# the screen and in the files; screenshots after each step are kept in a folder.
 #     drift.py STUDIO FOLDER
 import json
 import os
@@ -17,11 +16,11 @@ import time
 from screen import Gone, Screen, in_own_session, needs, wait
 
 MOST_CLICKS = 60
-LONGEST_RUN = 420  # [s], on a machine that is busy with other things
+LONGEST_RUN = 420  # [s], on a busy machine
 
 
 class Missed(Exception):
-    """A step did not bring about what it should."""
+    """A step did not have the expected result."""
 
 
 class Drift:
@@ -32,18 +31,18 @@ class Drift:
         self.screen = Screen(studio, [], folder)
         self.bolts, self.seconds = 0, 0.0
 
-    # looking
+    # checks
 
     def expect(self, condition, text, seconds=20):
         if not wait(condition, seconds, 0.3):
             raise Missed(text)
 
     def says(self, pattern, role=None):
-        """Something on the screen whose name fits."""
+        """Whether a widget on the screen has a matching name."""
         return any(re.search(pattern, name) and role in (None, found) for found, name in self.screen.names())
 
     def expect_said(self, pattern, role=None, seconds=20):
-        self.expect(lambda: self.says(pattern, role), f"nothing on the screen says '{pattern}'", seconds)
+        self.expect(lambda: self.says(pattern, role), f"no widget on the screen matches '{pattern}'", seconds)
 
     def info(self):
         told = subprocess.run([self.keyblock, "info", self.store, "--json"], capture_output=True, text=True)
@@ -53,7 +52,7 @@ class Drift:
         with open(self.scene_file, encoding="utf-8") as file:
             return json.load(file)
 
-    # doing
+    # actions
 
     def enter(self, text):
         self.screen.type(text)
@@ -61,24 +60,24 @@ class Drift:
         self.screen.pause(0.3)
 
     def fill(self, name, text):
-        """A number into a field."""
+        """Types a number into a field."""
         self.screen.click(name, "text")
         self.screen.keys("ctrl+a")
         self.enter(text)
 
     def choose(self, shown, *keys):
-        """Another choice in the box that shows `shown`, by keys in its list."""
+        """Selects another entry in the box that shows `shown`, by keys in its list."""
         self.screen.click(shown, "combo box")
         self.screen.keys(*keys, "Return")
 
     def click_on(self, pattern, kind):
-        """What has a number in its name: the button of a tool tells how much it would place."""
+        """Clicks a widget with a number in its name: the button of a tool shows how many objects it would place."""
         node = wait(lambda: next((node for node in self.screen.showing()
                                   if node.getRoleName() == kind and re.fullmatch(pattern, node.name)), None))
         if not node:
-            raise Missed(f"no {kind} says '{pattern}'")
+            raise Missed(f"no {kind} matches '{pattern}'")
         said = node.name
-        x, y, width, height = self.screen.box(node)  # at once: the number may be another the next moment
+        x, y, width, height = self.screen.box(node)  # at once: the number may change
         self.screen.press_at(x + width / 2, y + height / 2)
         return said
 
@@ -89,10 +88,10 @@ class Drift:
         return self.screen.box(self.screen.find("Section", "filler"))
 
     def pixel(self, x, y):
-        """Where a place of the section is on the screen: two places are read off the box at the mouse."""
+        """Screen position of a point of the section: two points are read from the coordinate box at the mouse."""
         read = []
         left, top, width, height = self.canvas()
-        self.screen.keys("F3")  # places as they are, without what is near
+        self.screen.keys("F3")  # without snapping
         for share in (0.3, 0.6):
             at = left + share * width, top + share * height
             self.screen.move(at[0] - 3, at[1])
@@ -105,7 +104,7 @@ class Drift:
         return tuple(p[i] + (value - a[i]) * (q[i] - p[i]) / (b[i] - a[i]) for i, value in enumerate((x, y)))
 
     def zoom_in(self, x, y):
-        """By the wheel, at a place."""
+        """Zooms with the wheel at a point."""
         self.screen.move(*self.pixel(x, y))
         for _ in range(6):
             self.screen._run("xdotool", "click", "4")
@@ -114,7 +113,7 @@ class Drift:
     def press_on(self, x, y):
         self.screen.press_at(*self.pixel(x, y))
 
-    # the work
+    # steps
 
     def begin(self):
         self.screen.click("New scene")
@@ -176,8 +175,8 @@ class Drift:
         self.expect(lambda: os.path.exists(self.scene_file), "the scene is not saved")
         scene = self.scene()
         if len(scene["joint_sets"]) != 2 or len(scene["stages"]) != 4 or not scene["stages"][3]["loads"]:
-            raise Missed("the file does not hold what was drawn")
-        self.expect_said("^Problems$", "page tab")  # none is counted on it
+            raise Missed("the file does not contain the drawing")
+        self.expect_said("^Problems$", "page tab")  # without a count: there are none
 
     def run(self):
         self.screen.keys("F5")
@@ -185,12 +184,12 @@ class Drift:
         self.expect_said("^Pause", seconds=30)
 
     def watch(self):
-        """Bonds let go while the run goes on."""
+        """Waits for bonds to fail during the run."""
         began = time.time()
-        self.expect(lambda: self.info()["events"].get("debonding", 0) > 0, "no bond let go", LONGEST_RUN)
+        self.expect(lambda: self.info()["events"].get("debonding", 0) > 0, "no bond failed", LONGEST_RUN)
         self.seconds = time.time() - began
         if self.info()["stages"][-1]["outcome"] is not None:
-            raise Missed("the run was over before a bond was seen to let go")
+            raise Missed("the run ended before a failed bond was seen")
         self.click_on("Events  .*", "page tab")
         self.expect_said("debond", seconds=30)
 
@@ -242,14 +241,14 @@ class Drift:
             if failed or not self.screen.alive():
                 return 1
         events = self.info()["events"]
-        print(f"first bond let go {self.seconds:.0f} s after F5; {events}")
+        print(f"first bond failed {self.seconds:.0f} s after F5; {events}")
         print(f"{self.screen.clicks} clicks of {MOST_CLICKS}")
         return int(self.screen.clicks > MOST_CLICKS)
 
 
 def main():
     if missing := needs():
-        sys.exit(f"not here: {', '.join(missing)}")
+        sys.exit(f"missing: {', '.join(missing)}")
     if len(sys.argv) != 3:
         sys.exit("usage: drift.py STUDIO FOLDER")
     in_own_session()

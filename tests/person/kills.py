@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Somebody edits while a run goes on, with real keys, and the program is killed at a
-# random moment. Afterwards: no edit older than two seconds is lost; the next start
-# offers the scene with and without the last command, and both are what they say;
-# the run's store opens, and holds every frame that was seen in it before. (That a
-# run goes on to the same bytes is tested by the command line's kills.)
+# Edits a scene during a run, with real keys, and kills the program at a random moment.
+# Then checks: no edit older than two seconds is lost; the next start offers the scene
+# with and without the last command, and both are correct; the run's store opens, and
+# contains every frame that was seen in it before. (The kills test of the command line
+# checks that a resumed run has the same bytes.)
 #     kills.py STUDIO KEYBLOCK SAMPLES [KILLS]
-# Every start of the program is that of a person of its own: who looks at the bus of
-# screen readers before the program, never sees it.
+# Every start of the program runs in a process of its own: a process that reads the
+# accessibility bus before the program starts never sees the program.
 import json
 import os
 import random
@@ -29,11 +29,11 @@ PICTURES = os.path.join(tempfile.gettempdir(), "keyblock-kills-pictures")
 
 
 class Stack:
-    """What undo and redo make of moves to the right: a model of its own, beside the program's."""
+    """A model of undo and redo for moves to the right, independent of the program."""
 
     def __init__(self):
         self.states, self.at = [0], 0
-        self.history = [0]  # moves that stand, after each change
+        self.history = [0]  # number of moves in effect after each change
 
     def move(self):
         self.states = self.states[:self.at + 1] + [self.states[self.at] + 1]
@@ -41,7 +41,7 @@ class Stack:
         self.history.append(self.states[self.at])
 
     def go(self, way):
-        """Never back to the start: who has undone everything has nothing to recover."""
+        """Never back to the start: after undoing everything there is nothing to recover."""
         if not 1 <= self.at + way < len(self.states):
             return False
         self.at += way
@@ -50,16 +50,16 @@ class Stack:
 
 
 def place_in(scene):
-    """A coordinate that a move of everything shifts."""
+    """A coordinate that changes when everything is moved."""
     for key, member in (("bolts", "head"), ("tunnels", "center"), ("blocks", "points")):
         if scene.get(key):
             value = scene[key][0][member]
             return value[0] if isinstance(value[0], (int, float)) else value[0][0]
-    raise ValueError("nothing has a place")
+    raise ValueError("the scene has no coordinates")
 
 
 class FrameCount(threading.Thread):
-    """Looks at the store while it is written, as any other program may."""
+    """Reads the store while it is written, as another program may."""
 
     def __init__(self, store):
         super().__init__(daemon=True)
@@ -72,18 +72,18 @@ class FrameCount(threading.Thread):
                     with sqlite3.connect(f"file:{self.store}?mode=ro", uri=True, timeout=1) as base:
                         self.seen = max(self.seen, base.execute("SELECT count(*) FROM frames").fetchone()[0])
                 except sqlite3.Error:
-                    pass  # not there yet
+                    pass  # does not exist yet
             time.sleep(0.1)
 
 
 def edit_and_run(studio, scene_file, seed, home):
-    """Starts a run and edits until a random moment, which ends the program; says what was done when."""
+    """Starts a run and edits until the program is killed at a random moment; returns the edits with their times."""
     chance = random.Random(int(seed))
     screen = Screen(studio, [scene_file], PICTURES)
     screen.press_at(800, 420)
     screen.keys("F5")
     screen.pause(chance.uniform(0.3, 1.5))
-    screen.keys("j", "Escape", "Escape", "s")  # back to the drawing, which goes on beside the run
+    screen.keys("j", "Escape", "Escape", "s")  # back to drawing, during the run
     screen.press_at(800, 420)
     screen.keys("ctrl+a")
     stack, times = Stack(), []
@@ -108,7 +108,7 @@ def edit_and_run(studio, scene_file, seed, home):
 
 
 def recover(studio, scene_file, button, with_file, home):
-    """Starts anew, recovers, saves, and reads the file."""
+    """Starts the program again, recovers, saves, and reads the file."""
     Screen.copy_home(home, os.environ["KEYBLOCK_PERSON"])
     screen = Screen(studio, [scene_file] if with_file == "file" else [], PICTURES)
     try:
@@ -144,7 +144,7 @@ class Kills:
         return bool(condition)
 
     def person(self, *words):
-        """What one does who comes, does this and leaves."""
+        """Runs one action in a process of its own and returns its result."""
         ended = subprocess.run(["/usr/bin/python3", os.path.abspath(__file__), *map(str, words)],
                                capture_output=True, text=True, timeout=600)
         last = (ended.stdout.strip().splitlines() or [""])[-1]
@@ -154,7 +154,7 @@ class Kills:
         return subprocess.run([self.keyblock, *words], capture_output=True, text=True, timeout=900)
 
     def read_tables(self, store):
-        """Every table of it; one that cannot be read is no file."""
+        """Exports every table; one that cannot be read gives no file."""
         out = os.path.join(self.folder, "table.csv")
         for name in TABLES:
             self.command_line("export", store, "--table", name, "--out", out, "--at", "all")
@@ -165,7 +165,7 @@ class Kills:
 
     @staticmethod
     def changes_in(home):
-        """Changes in the journal that was left, counted without the program."""
+        """Number of changes in the remaining journal, counted without the program."""
         folder = os.path.join(home, ".local/share/keyblock/keyblock-studio/journals")
         found = [name for name in (os.listdir(folder) if os.path.isdir(folder) else []) if name.endswith(".journal")]
         if len(found) != 1:
@@ -179,7 +179,7 @@ class Kills:
             first = place_in(json.load(file))
         for button, changes in (("Recover", count), ("Without the last command", count - 1)):
             shutil.copy(self.sample(name), scene_file)
-            # Every other time the next start opens a file, as from a folder.
+            # Every second time the next start opens a file, as from a file manager.
             found = self.person("recover", self.studio, scene_file, button, "file" if kill % 2 else "page", home)
             if not self.expect("place" in found, f"{label}: {button}: {found.get('problem')}"):
                 continue
@@ -198,7 +198,7 @@ class Kills:
             return
         with sqlite3.connect(store) as base:
             frames = base.execute("SELECT count(*) FROM frames").fetchone()[0]
-        self.kept += self.expect(frames >= seen, f"{label}: {frames} frames are left of {seen}")
+        self.kept += self.expect(frames >= seen, f"{label}: {frames} of {seen} frames remain")
         try:
             self.read_tables(store)
         except OSError as error:
@@ -240,7 +240,7 @@ class Kills:
 
 def main():
     if missing := needs():
-        sys.exit(f"not here: {', '.join(missing)}")
+        sys.exit(f"missing: {', '.join(missing)}")
     persons = {"edit": edit_and_run, "recover": recover}
     if sys.argv[1] in persons:
         in_own_session()

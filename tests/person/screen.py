@@ -1,9 +1,8 @@
 # SPDX-FileCopyrightText: The Keyblock contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# A person at a screen of her own: a server without a display shows the program
-# under a window manager, widgets are found by the names that screen readers say,
-# and mouse and keys are real events. Debian: xvfb openbox xdotool at-spi2-core
+# Drives the program with real mouse and keyboard events on a virtual display under a
+# window manager; widgets are found by their accessible names. Debian: xvfb openbox xdotool at-spi2-core
 # python3-pyatspi imagemagick dbus wmctrl x11-utils; the Python is Debian's, /usr/bin/python3.
 import os
 import shutil
@@ -13,11 +12,11 @@ import tempfile
 import time
 
 
-MOST_CHILDREN = 250  # of a widget; nobody reads on in a list of a thousand events
+MOST_CHILDREN = 250  # of a widget that are searched; lists may have thousands of events
 
 
 class Gone(Exception):
-    """What was looked for is not on the screen."""
+    """The widget is not on the screen."""
 
 
 def wait(condition, seconds=20, step=0.05):
@@ -32,7 +31,7 @@ def wait(condition, seconds=20, step=0.05):
 
 
 def in_own_session():
-    """First line of a script: goes on in a session bus and a home folder of its own, shared with nobody."""
+    """First line of a script: restarts it with a session bus and a home folder of its own."""
     if os.environ.get("KEYBLOCK_PERSON"):
         return
     home = tempfile.mkdtemp(prefix="keyblock-person-")
@@ -61,7 +60,7 @@ class Screen:
         self._tell_bus()
         self.program = subprocess.Popen([program, *arguments], stdout=self.log, stderr=self.log)
         self.window = wait(self._window, 30) or self._fail("the window is not on the screen")
-        wait(self._is_told, 20, 0.2) or self._fail("the program tells no names")
+        wait(self._is_told, 20, 0.2) or self._fail("the program publishes no accessible names")
         import pyatspi
         self.spi = pyatspi
         self.root = wait(self._application) or self._fail("the program is not on the screen")
@@ -70,34 +69,34 @@ class Screen:
         self.raise_window()
 
     def _manage(self):
-        """Starts the window manager, again where it found no screen yet."""
+        """Starts the window manager, again if the display was not ready yet."""
         for _ in range(5):
             self.manager = subprocess.Popen(["openbox"], stderr=subprocess.DEVNULL)
             if wait(lambda: self._run("wmctrl", "-m") or self.manager.poll() is not None) and self.manager.poll() is None:
                 return
-        self._fail("no window manager comes up")
+        self._fail("the window manager does not start")
 
     def _tell_bus(self):
         """
-        Writes the address of the bus of screen readers where a desktop writes it: on the root window. Qt 5.15 that is
-        told by its environment to speak to screen readers asks for the address in passing and does not wait for the
-        answer, but reads the root window first.
+        Writes the address of the accessibility bus to the root window, as a desktop does. If accessibility is enabled
+        by its environment, Qt 5.15 requests the address without waiting for the answer, but reads the root window
+        first.
         """
         answer = self._run("dbus-send", "--session", "--print-reply", "--dest=org.a11y.Bus", "/org/a11y/bus",
                            "org.a11y.Bus.GetAddress")
-        address = answer.split('"')[1] if '"' in answer else self._fail("there is no bus of screen readers")
+        address = answer.split('"')[1] if '"' in answer else self._fail("there is no accessibility bus")
         self._run("xprop", "-root", "-f", "AT_SPI_BUS", "8s", "-set", "AT_SPI_BUS", address)
 
     @staticmethod
     def copy_home(source, target):
-        """Settings and data of the program, as they stand."""
+        """Copies the settings and data of the program."""
         for folder in (".local", ".config"):
             shutil.rmtree(os.path.join(target, folder), ignore_errors=True)
             if os.path.isdir(os.path.join(source, folder)):
                 shutil.copytree(os.path.join(source, folder), os.path.join(target, folder))
 
     def kill(self):
-        """Ends the program as nobody asked it to."""
+        """Kills the program."""
         self.program.kill()
         self.program.wait()
 
@@ -106,7 +105,7 @@ class Screen:
         raise Gone(text)
 
     def _is_told(self):
-        """Whether the program has told its names: asked by somebody else, as who looks too early never sees it."""
+        """Whether the program has published its names: asked in another process, as one that asks too early never sees it."""
         count = "import pyatspi; print(pyatspi.Registry.getDesktop(0).childCount)"
         return self._run("/usr/bin/python3", "-c", count) not in ("", "0")
 
@@ -138,7 +137,7 @@ class Screen:
     def pause(self, seconds):
         time.sleep(seconds)
 
-    # finding
+    # search
 
     def _walk(self, node, depth=0):
         yield node
@@ -147,7 +146,7 @@ class Screen:
         for i in range(min(node.childCount, MOST_CHILDREN)):
             try:
                 child = node.getChildAtIndex(i)
-            except Exception:  # it went away meanwhile
+            except Exception:  # it has disappeared
                 continue
             if child is not None:
                 yield from self._walk(child, depth + 1)
@@ -165,7 +164,7 @@ class Screen:
             return False
 
     def find(self, name, role=None, seconds=10):
-        """The widget of that accessible name that shows on the screen."""
+        """The widget with that accessible name that is visible on the screen."""
         def look():
             for node in self._walk(self.root):
                 if self._matches(node, name, role):
@@ -187,7 +186,7 @@ class Screen:
                 yield node
 
     def names(self):
-        """Every accessible name on the screen with its role, for whoever writes a script."""
+        """Every accessible name on the screen with its role, for writing scripts."""
         for node in self.showing():
             yield node.getRoleName(), node.name
 
@@ -195,7 +194,7 @@ class Screen:
         box = node.queryComponent().getExtents(self.spi.DESKTOP_COORDS)
         return box.x, box.y, box.width, box.height
 
-    # doing
+    # actions
 
     def move(self, x, y):
         self._run("xdotool", "mousemove", "--sync", str(int(x)), str(int(y)))
@@ -238,7 +237,7 @@ class Screen:
         self.pause(0.2)
 
     def shoot(self, name):
-        """Takes a picture of the screen, numbered in the order of the steps."""
+        """Takes a screenshot, numbered in the order of the steps."""
         self.shots += 1
         path = os.path.join(self.pictures, f"{self.shots:02d}-{name}.png")
         self._run("import", "-window", "root", path)
@@ -262,4 +261,4 @@ def needs():
 
 
 if __name__ == "__main__":
-    sys.exit(f"this is used by the scripts beside it; missing here: {', '.join(needs()) or 'nothing'}")
+    sys.exit(f"this is used by the other scripts in this folder; missing programs: {', '.join(needs()) or 'none'}")
