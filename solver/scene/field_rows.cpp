@@ -16,13 +16,14 @@ Field fixedRow(std::string_view key, std::string_view help, std::vector<FieldVal
 const Structure& sceneStructure() {
     static const Structure structure{
         "scene",
-        "One scene per file. Lengths are in metres, forces in newtons; angles that a person types in degrees.",
+        "One scene per file. Lengths are in metres, forces in newtons and, unless another unit is given, angles in "
+        "degrees.",
         defaultsOf<Scene>(),
         {
-            fixedRow("format", "Says what kind of file this is.", {std::string("keyblock-scene")}, true),
+            fixedRow("format", "File type.", {std::string("keyblock-scene")}, true),
             fixedRow("version", "Version of the format.", {1.0}, true),
-            row<&Scene::title>("title", "What the scene is called."),
-            row<&Scene::about>("about", "What the scene shows, where it comes from and which numbers are expected."),
+            row<&Scene::title>("title", "Title of the scene."),
+            row<&Scene::about>("about", "Description, source and expected results of the scene."),
             row<&Scene::analysis>("analysis", "Settings of the whole analysis."),
             row<&Scene::materials>("materials", "Rock, by name."),
             row<&Scene::jointMaterials>("joint_materials",
@@ -35,24 +36,26 @@ const Structure& sceneStructure() {
             row<&Scene::voronoi>("voronoi", "Voronoi cells; null: none."),
             row<&Scene::regions>("regions", "Parts of the section that joint sets and Voronoi cells refer to."),
             row<&Scene::tunnels>("tunnels", "Openings in the domain."),
-            row<&Scene::blocks>("blocks", "Blocks given by their corners. They may touch each other and the domain, and stand "
-                                          "in its tunnels that no stage excavates, but not overlap. The blocks of the "
-                                          "domain follow them: the first without a name "
-                                          "is `b` and its place among all."),
-            row<&Scene::supports>("supports", "What is held."),
-            row<&Scene::inSituStress>("in_situ_stress", "Stress before anything is excavated; null: none."),
-            row<&Scene::boltTypes>("bolt_types", "Bolt types of this scene, by name, beside the built-in ones."),
-            row<&Scene::bolts>("bolts", "The bolts."),
+            row<&Scene::blocks>("blocks", "Blocks given by their corners. They may touch each other and the domain and "
+                                          "may lie in tunnels that no stage excavates, but must not overlap. The "
+                                          "blocks of the domain are numbered after them: a block without a name is "
+                                          "called `b` followed by its number among all blocks."),
+            row<&Scene::supports>("supports", "Fixed blocks, points and sides of the domain."),
+            row<&Scene::inSituStress>("in_situ_stress", "Stress before excavation; null: none."),
+            row<&Scene::boltTypes>("bolt_types", "Bolt types of this scene, by name, in addition to the built-in "
+                                                 "types."),
+            row<&Scene::bolts>("bolts", "Single bolts."),
             row<&Scene::boltPatterns>("bolt_patterns", "Bolts round tunnels."),
-            row<&Scene::stages>("stages", "What happens, one after another; a scene without is checked, not run."),
-            row<&Scene::monitors>("monitors", "Places and bolts whose values the history keeps."),
+            row<&Scene::stages>("stages", "Stages of the run, in order; a scene without stages can be checked but not "
+                                          "run."),
+            row<&Scene::monitors>("monitors", "Points and bolts whose values are recorded in the history."),
             row<&Scene::quantities>("quantities",
                                     "Numbers of interest: `max|min|last MONITOR[.ux|.uy]`, `max|min|last "
                                     "BOLT.QUANTITY`, `first KIND MONITOR[.ux|.uy]` (just before the first such "
                                     "event)."),
-            row<&Scene::safety>("safety", "How the factor of safety is looked for."),
-            row<&Scene::output>("output", "What a run keeps."),
-            row<&Scene::limits>("limits", "Where a run ends even if its stages do not."),
+            row<&Scene::safety>("safety", "Settings of the search for the factor of safety."),
+            row<&Scene::output>("output", "Results that a run saves."),
+            row<&Scene::limits>("limits", "Limits at which a run ends even if its stages are not finished."),
         }};
     return structure;
 }

@@ -10,7 +10,7 @@ namespace keyblock {
 namespace {
 
 constexpr std::string_view boltPaper = "unified rock bolt model in DDA";
-constexpr std::string_view usualSteel = "usual for steel";
+constexpr std::string_view usualSteel = "typical of steel";
 
 }  // namespace
 
@@ -20,26 +20,27 @@ const Structure& structureOf(const Anchor*) {
     static const Only curved{.key = "law", .words = {"curve"}};
     static const Structure structure{
         "anchor",
-        "Makes nodes of a bolt real anchors: the node nearest to `at`, or those from `from` to `to`. Later entries "
-        "override earlier ones; nodes in no entry are artificial, held across the bolt and free along it.",
+        "Bonds nodes of a bolt to the rock (real anchors): the node nearest to `at`, or the nodes from `from` to `to`. "
+        "Later entries override earlier ones; nodes in no entry are intermediate nodes (artificial anchors), supported "
+        "across the bolt and free along it.",
         defaultsOf<Anchor>(),
         {
-            row<&Anchor::at>("at", "Place along the bolt from its far end; `head`: its head.",
+            row<&Anchor::at>("at", "Position along the bolt from its far end; `head`: at its head.",
                              {.unit = "m", .range = atLeast(0)}),
             row<&Anchor::from>("from", "Start of the range, from the far end.", {.unit = "m", .range = atLeast(0)}),
             row<&Anchor::to>("to", "End of the range, from the far end.", {.unit = "m", .range = atLeast(0)}),
             row<&Anchor::per>("per",
-                              "Whether numbers hold for each node or for each metre of embedded bolt; those of an "
-                              "`at` entry hold for its node."),
+                              "Whether values apply to each node or to each metre of embedded bolt; those of an `at` "
+                              "entry apply to its node."),
             row<&Anchor::law>("law",
                               "Elastic without limit; peak, then residual; friction at constant strength; or a "
                               "force–slip curve.",
                               {.required = true}),
             row<&Anchor::stiffness>("stiffness", "Tangential stiffness.",
                                     {.unit = "N/m, or N/m per m", .range = atLeast(0), .only = noCurve}),
-            row<&Anchor::strength>("strength", "Force at which the anchor lets go.",
+            row<&Anchor::strength>("strength", "Force at which the anchor fails.",
                                    {.unit = "N, or N/m", .range = above(0), .only = limited}),
-            row<&Anchor::residual>("residual", "Friction that is left after letting go.",
+            row<&Anchor::residual>("residual", "Friction that remains after failure.",
                                    {.unit = "N, or N/m", .range = atLeast(0),
                                     .only = {.key = "law", .words = {"peak-residual"}}}),
             row<&Anchor::softeningSlip>("softening_slip",
@@ -48,18 +49,19 @@ const Structure& structureOf(const Anchor*) {
                                         {.unit = "m", .range = atLeast(0),
                                          .only = {.key = "law", .words = {"peak-residual"}}}),
             row<&Anchor::restick>("restick",
-                                  "Whether the anchor sticks again when its sliding stops; else it keeps the force "
-                                  "it had after letting go.",
+                                  "Whether the anchor re-sticks when its sliding stops; otherwise it keeps the force "
+                                  "it had after failure.",
                                   {.only = limited}),
             row<&Anchor::frictionAngle>("friction_angle",
-                                        "Strength and what is left after it grow by tan of this angle times the "
+                                        "Peak and residual strength increase by the tangent of this angle times the "
                                         "force of the node's normal spring.",
                                         {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true},
                                          .only = limited}),
-            row<&Anchor::curve>("points", "Slip and force from the origin on; unloading follows the first slope.",
+            row<&Anchor::curve>("points", "Slip and force, starting at the origin; unloading follows the first slope.",
                                 {.unit = "m, N or N/m", .only = curved}),
-            row<&Anchor::after>("after", "Past the curve's last point: its last force, or none.", {.only = curved}),
-            row<&Anchor::onFailure>("on_failure", "Whether the bolt is lost with this anchor.",
+            row<&Anchor::after>("after", "Force beyond the last point of the curve: the "
+                                         "last force, or none.", {.only = curved}),
+            row<&Anchor::onFailure>("on_failure", "Whether the bolt is lost when this anchor fails.",
                                     {.only = {.key = "law", .words = {"peak-residual", "frictional", "curve"}}}),
         }};
     return structure;
@@ -68,7 +70,7 @@ const Structure& structureOf(const Anchor*) {
 const Structure& structureOf(const Plate*) {
     static const Structure structure{
         "plate",
-        "Ties the head of a bolt to the rock; it is lost when a force exceeds its strength.",
+        "Face plate that ties the head of a bolt to the rock; it is lost when a force exceeds its strength.",
         defaultsOf<Plate>(),
         {
             row<&Plate::normalStiffness>("normal_stiffness", "Stiffness along the bolt.",
@@ -94,17 +96,17 @@ const Structure& structureOf(const Plate*) {
 const Structure& structureOf(const BoltType*) {
     static const Structure structure{
         "bolt type",
-        "What bolts of one kind have in common.",
+        "Properties shared by bolts of one kind.",
         defaultsOf<BoltType>(),
         {
-            row<&BoltType::like>("like", "The type that gives every key left out here; null: none.",
+            row<&BoltType::like>("like", "Type that supplies all values that are not given here; null: none.",
                                  {.emptyIsNull = true}),
             row<&BoltType::boltClass>("class",
-                                      "Continuously or discretely (C, D) mechanically or frictionally (M, F) "
-                                      "coupled."),
-            row<&BoltType::source>("source", "Where the numbers come from."),
+                                      "Coupling: continuous or discrete (C, D), mechanical or frictional (M, F)."),
+            row<&BoltType::source>("source", "Source of the numbers."),
             row<&BoltType::diameter>("diameter", "Diameter of the bar or tube.", {.unit = "m", .range = above(0)}),
-            row<&BoltType::area>("area", "Area of steel; null: the full circle.", {.unit = "m²", .range = above(0)}),
+            row<&BoltType::area>("area", "Area of steel; null: the full circle "
+                                         "of the diameter.", {.unit = "m²", .range = above(0)}),
             row<&BoltType::secondMoment>("second_moment", "Second moment of area; null: from diameter and area.",
                                          {.unit = "m⁴", .range = above(0)}),
             row<&BoltType::plasticModulus>("plastic_modulus", "Plastic section modulus; null: from diameter and area.",
@@ -113,15 +115,16 @@ const Structure& structureOf(const BoltType*) {
                                     {.unit = "kg/m³", .range = densities, .source = usualSteel}),
             row<&BoltType::shearModulus>("shear_modulus", "Shear modulus.",
                                          {.unit = "Pa", .range = above(0), .source = usualSteel}),
-            row<&BoltType::shearCoefficient>("shear_coefficient", "Of elements that cross a joint.",
+            row<&BoltType::shearCoefficient>("shear_coefficient", "Shear coefficient of elements that cross a joint.",
                                              {.range = above(0), .source = boltPaper}),
             row<&BoltType::youngsModulus>("youngs_modulus",
                                           "Young's modulus; null: from the first piece of `steel`.",
                                           {.unit = "Pa", .range = moduli}),
             row<&BoltType::steel>("steel",
-                                  "Strain and stress from the origin to rupture; null: linear and unbreakable.",
+                                  "Strain and stress from the origin to rupture; null: linear, without rupture.",
                                   {.unit = "–, Pa", .emptyIsNull = true}),
-            row<&BoltType::tensileStrength>("tensile_strength", "Null: the largest stress of `steel`.",
+            row<&BoltType::tensileStrength>("tensile_strength", "Tensile strength; null: the largest stress of "
+                                                                "`steel`.",
                                             {.unit = "Pa", .range = above(0)}),
             row<&BoltType::shearStrengthRatio>("shear_strength_ratio", "Shear strength over tensile strength.",
                                                {.range = above(0), .source = boltPaper}),
@@ -134,11 +137,12 @@ const Structure& structureOf(const BoltType*) {
                                     "A bar without bending, an elastic beam, or a beam whose moment is limited by "
                                     "a plastic hinge where `steel` is given."),
             row<&BoltType::normalStiffness>("normal_stiffness",
-                                            "Spring across the bolt; null: chosen by the program, per metre.",
+                                            "Stiffness of the springs across the bolt; null: chosen by the program, "
+                                            "per metre.",
                                             {.unit = "N/m, or N/m per m", .range = above(0)}),
-            row<&BoltType::normalPer>("normal_per", "Whether that holds for each node or for each metre."),
-            row<&BoltType::anchors>("anchors", "Which nodes are real anchors."),
-            row<&BoltType::plate>("plate", "The plate at the head."),
+            row<&BoltType::normalPer>("normal_per", "Whether that stiffness applies to each node or to each metre."),
+            row<&BoltType::anchors>("anchors", "Nodes that are bonded to the rock (real anchors)."),
+            row<&BoltType::plate>("plate", "Face plate at the head."),
             row<&BoltType::dynamicFactor>("dynamic_factor",
                                           "Dynamic over static strength of the anchors, in dynamic stages.",
                                           {.range = above(0)}),
@@ -146,7 +150,7 @@ const Structure& structureOf(const BoltType*) {
                                                "Dynamic over static strength of the steel, in tension, shear and bending.",
                                                {.range = above(0)}),
             row<&BoltType::plateDynamicFactor>("plate_dynamic_factor", "Dynamic over static strength of the plate.", {.range = above(0)}),
-            row<&BoltType::sources>("sources", "Where single numbers come from, by key."),
+            row<&BoltType::sources>("sources", "Sources of single numbers, by key."),
         }};
     return structure;
 }
@@ -154,33 +158,35 @@ const Structure& structureOf(const BoltType*) {
 const Structure& structureOf(const Bolt*) {
     static const Structure structure{
         "bolt",
-        "A bolt from its far end in the rock to its head.",
+        "A bolt from its far end (toe) in the rock to its head (collar).",
         defaultsOf<Bolt>(),
         {
-            row<&Bolt::name>("name", "Names the bolt in tables and monitors.", {.required = true}),
+            row<&Bolt::name>("name", "Name of the bolt in tables and monitors.", {.required = true}),
             row<&Bolt::type>("type", "A type of `bolt_types`, or a built-in one.", {.required = true}),
             row<&Bolt::farEnd>("far_end", "End in the rock.", {.unit = "m", .required = true}),
             row<&Bolt::head>("head", "End at the wall.", {.unit = "m", .required = true}),
             row<&Bolt::divisions>("divisions", "Elements along the bolt; null: chosen by the program.",
                                   {.range = within(1, 100000)}),
             row<&Bolt::plate>("plate",
-                              "How the head is held: not at all, by springs to the rock, or by a plate that is a block "
-                              "of its own against the face."),
+                              "Support of the head: none, springs to the rock, or a plate modelled as a block of its "
+                              "own against the face."),
             row<&Bolt::spacingOutOfPlane>("spacing_out_of_plane",
                                           "Distance to the next bolt out of the plane; null: the thickness.",
                                           {.unit = "m", .range = above(0)}),
             row<&Bolt::pretension>("pretension",
-                                   "Force to which the plate pulls the head when the bolt is installed; then it "
-                                   "locks off. Needs a plate.",
+                                   "Force to which the head is tensioned against the plate when the bolt is installed; "
+                                   "it is then locked off. Needs a plate.",
                                    {.unit = "N", .range = atLeast(0)}),
             row<&Bolt::anchors>("anchors", "Anchors of this bolt; null: those of its type."),
             row<&Bolt::dynamicFactor>("dynamic_factor",
-                                      "Dynamic over static strength of its anchors, in dynamic stages; null: as its "
-                                      "type.",
+                                      "Dynamic over static strength of its anchors, in dynamic stages; null: that of "
+                                      "its type.",
                                       {.range = above(0)}),
-            row<&Bolt::steelDynamicFactor>("steel_dynamic_factor", "Dynamic over static strength of its steel; null: as its type.",
+            row<&Bolt::steelDynamicFactor>("steel_dynamic_factor", "Dynamic over static strength of its steel; null: "
+                                                                   "that of its type.",
                                            {.range = above(0)}),
-            row<&Bolt::plateDynamicFactor>("plate_dynamic_factor", "Dynamic over static strength of its plate; null: as its type.",
+            row<&Bolt::plateDynamicFactor>("plate_dynamic_factor", "Dynamic over static strength of its plate; null: "
+                                                                   "that of its type.",
                                            {.range = above(0)}),
         }};
     return structure;
@@ -189,35 +195,40 @@ const Structure& structureOf(const Bolt*) {
 const Structure& structureOf(const ScenePattern*) {
     static const Structure structure{
         "bolt pattern",
-        "Bolts at equal lengths along the wall of a tunnel, named after the pattern: `P1.1`, `P1.2`, … in the order of "
-        "`way`.",
+        "Bolts at equal spacing along the wall of a tunnel, named after the pattern: `P1.1`, `P1.2`, … in the "
+        "direction of `way`.",
         defaultsOf<ScenePattern>(),
         {
-            row<&ScenePattern::name>("name", "Names the pattern and its bolts.", {.required = true}),
+            row<&ScenePattern::name>("name", "Name of the pattern, from which its "
+                                             "bolts are named.", {.required = true}),
             row<&ScenePattern::type>("type", "A type of `bolt_types`, or a built-in one.", {.required = true}),
             row<&ScenePattern::tunnel>("tunnel", "Name of the tunnel.", {.required = true}),
-            row<&ScenePattern::from>("from", "The pattern begins at the place of the wall nearest to this.",
+            row<&ScenePattern::from>("from", "The pattern starts at the point of the wall nearest to this point.",
                                      {.unit = "m", .required = true}),
-            row<&ScenePattern::to>("to", "It ends at the place nearest to this; where both are one, it goes all round.",
+            row<&ScenePattern::to>("to", "The pattern ends at the point of the wall nearest to this point; if it is "
+                                         "also the start, the pattern runs all round the tunnel.",
                                    {.unit = "m", .required = true}),
-            row<&ScenePattern::way>("way", "Which way round the wall, as the section is drawn."),
-            row<&ScenePattern::spacing>("spacing", "Between heads, along the wall.",
+            row<&ScenePattern::way>("way", "Direction along the wall in the drawn section: counter-clockwise or "
+                                           "clockwise."),
+            row<&ScenePattern::spacing>("spacing", "Distance between heads along the wall.",
                                         {.unit = "m", .range = above(0), .required = true}),
-            row<&ScenePattern::offset>("offset", "Of the first head from the beginning, along the wall.",
+            row<&ScenePattern::offset>("offset", "Distance of the first head from the start along the wall.",
                                        {.unit = "m", .range = atLeast(0)}),
             row<&ScenePattern::length>("length", "Length of a bolt.",
                                        {.unit = "m", .range = above(0), .required = true}),
             row<&ScenePattern::angleFromWall>("angle_from_wall",
-                                              "Between the bolt and the wall's tangent in the direction of `way`.",
+                                              "Angle between the bolt and the wall's tangent in the direction of "
+                                              "`way`.",
                                               {.unit = "°",
                                                .range = within(leastAngleFromWall, greatestAngleFromWall)}),
             row<&ScenePattern::divisions>("divisions", "Elements along each bolt; null: chosen by the program.",
                                           {.range = within(1, 100000)}),
-            row<&ScenePattern::plate>("plate", "How the heads are held, as of a bolt."),
+            row<&ScenePattern::plate>("plate", "Support of the heads, as for a bolt."),
             row<&ScenePattern::spacingOutOfPlane>("spacing_out_of_plane",
                                                   "Distance to the next row out of the plane; null: the thickness.",
                                                   {.unit = "m", .range = above(0)}),
-            row<&ScenePattern::pretension>("pretension", "Force to which each plate pulls its head, as of a bolt.",
+            row<&ScenePattern::pretension>("pretension", "Force to which each head is tensioned against its plate, as "
+                                                         "for a bolt.",
                                            {.unit = "N", .range = atLeast(0)}),
         }};
     return structure;

@@ -40,7 +40,7 @@ const Structure& structureOf(const JointMaterial*) {
                                                  {.unit = "Pa", .range = atLeast(0)}),
             row<&JointMaterial::residualFrictionAngle>(
                 "residual_friction_angle",
-                "Friction angle of a contact after its first slip; null: as before. At most `friction_angle`.",
+                "Friction angle of a contact after its first slip; null: unchanged. At most `friction_angle`.",
                 {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}}),
             row<&JointMaterial::normalStiffness>(
                 "normal_stiffness", "Stiffness of the joint itself where faces meet; null: from `penalty_ratio`.",
@@ -49,8 +49,8 @@ const Structure& structureOf(const JointMaterial*) {
                 "shear_stiffness", "The same in shear; null: `shear_ratio` times the normal stiffness.",
                 {.unit = "Pa/m", .range = above(0)}),
             row<&JointMaterial::crushingStrength>("crushing_strength",
-                                                  "Pressure on the diameter of a bolt at which rock or grout crushes "
-                                                  "under it, in the blocks of this material; null: no limit.",
+                                                  "Bearing pressure on the diameter of a bolt at which rock or grout "
+                                                  "crushes under it, in the blocks of this material; null: no limit.",
                                                   {.unit = "Pa", .range = above(0)}),
         }};
     return structure;
@@ -59,11 +59,12 @@ const Structure& structureOf(const JointMaterial*) {
 const Structure& structureOf(const CellSettings*) {
     static const Structure structure{
         "sub-blocks",
-        "Cuts a block into cells of about one size along its longest edge, joined by an elastic bond that never fails. "
-        "Each cell has its own stress and is named after the block: `beam:1`, `beam:2`, … column by column.",
+        "Cuts a block into cells of about equal size along its longest edge, joined by an elastic bond that never "
+        "fails. Each cell has its own stress and is named after the block: `beam:1`, `beam:2`, … column by column.",
         defaultsOf<CellSettings>(),
         {
-            row<&CellSettings::size>("size", "Size of a cell, about: the block's box is divided into whole cells.",
+            row<&CellSettings::size>("size", "Approximate size of a cell: the block's bounding box is divided into "
+                                             "whole cells.",
                                      {.unit = "m", .range = above(0), .required = true}),
         }};
     return structure;
@@ -72,18 +73,19 @@ const Structure& structureOf(const CellSettings*) {
 const Structure& structureOf(const Block*) {
     static const Structure structure{
         "block",
-        "A block of rock with constant stress, or cut into cells that each have their own.",
+        "A block of rock with constant stress, or cut into cells that each have a stress of their own.",
         defaultsOf<Block>(),
         {
-            row<&Block::name>("name", "Its name; `b1`, `b2`, … by order when it has none."),
-            row<&Block::points>("points", "Corners, either way round, the first not repeated.",
+            row<&Block::name>("name", "Name of the block; without one it is called `b1`, `b2`, … by its number."),
+            row<&Block::points>("points", "Corners, clockwise or counter-clockwise, the first not repeated.",
                                 {.unit = "m", .required = true}),
             row<&Block::material>("material", "Name of its material.", {.required = true}),
             row<&Block::jointMaterial>("joint_material",
                                        "Name of the joint material of its faces; null: the first of "
                                        "`joint_materials`."),
             row<&Block::initialStress>("initial_stress",
-                                       "Stress at the start, sxx, syy, sxy; in a file tension is positive.", {.unit = "Pa", .isStress = true}),
+                                       "Initial stress sxx, syy, sxy; tension is positive in a file.",
+                                       {.unit = "Pa", .isStress = true}),
             row<&Block::subBlocks>("sub_blocks", "Cells to cut the block into; null: none."),
         }};
     return structure;
@@ -92,14 +94,14 @@ const Structure& structureOf(const Block*) {
 const Structure& structureOf(const StressGradient*) {
     static const Structure structure{
         "stress gradient",
-        "How the stress changes per metre upwards.",
+        "Change of the stress per metre of elevation.",
         defaultsOf<StressGradient>(),
         {
-            row<&StressGradient::sxx>("sxx", "Of the horizontal stress.", {.unit = "Pa/m", .isStress = true}),
-            row<&StressGradient::syy>("syy", "Of the vertical stress: density times gravity (tension positive) where it "
-                                             "bears the rock above.",
+            row<&StressGradient::sxx>("sxx", "Gradient of the horizontal stress.", {.unit = "Pa/m", .isStress = true}),
+            row<&StressGradient::syy>("syy", "Gradient of the vertical stress: density times gravity (tension "
+                                             "positive) where it carries the rock above.",
                                       {.unit = "Pa/m", .isStress = true}),
-            row<&StressGradient::sxy>("sxy", "Of the shear stress.", {.unit = "Pa/m", .isStress = true}),
+            row<&StressGradient::sxy>("sxy", "Gradient of the shear stress.", {.unit = "Pa/m", .isStress = true}),
         }};
     return structure;
 }
@@ -107,16 +109,16 @@ const Structure& structureOf(const StressGradient*) {
 const Structure& structureOf(const InSituStress*) {
     static const Structure structure{
         "in-situ stress",
-        "Stress under which the rock stands before anything is excavated; in a file tension is positive. Blocks, "
-        "contacts, cells and held points start with it, beside `initial_stress`; what it does not hold in equilibrium "
-        "moves in the first stage.",
+        "Stress in the rock before excavation; tension is positive in a file. Blocks, contacts, cells and point "
+        "supports start with it, in addition to `initial_stress`; blocks that are not in equilibrium under it move in "
+        "the first stage.",
         defaultsOf<InSituStress>(),
         {
             row<&InSituStress::sxx>("sxx", "Horizontal stress at `reference_y`.", {.unit = "Pa", .isStress = true}),
             row<&InSituStress::syy>("syy", "Vertical stress at `reference_y`.", {.unit = "Pa", .isStress = true}),
             row<&InSituStress::sxy>("sxy", "Shear stress at `reference_y`.", {.unit = "Pa", .isStress = true}),
-            row<&InSituStress::gradientY>("gradient_y", "Change of the stress per metre upwards."),
-            row<&InSituStress::referenceY>("reference_y", "Height at which the stress is the given one.",
+            row<&InSituStress::gradientY>("gradient_y", "Gradient of the stress with elevation."),
+            row<&InSituStress::referenceY>("reference_y", "Elevation at which the stress has the given values.",
                                            {.unit = "m", .range = coordinates}),
         }};
     return structure;
@@ -125,18 +127,18 @@ const Structure& structureOf(const InSituStress*) {
 const Structure& structureOf(const Support*) {
     static const Structure structure{
         "support",
-        "Holds a whole block (`block_at`, fix `all`), a point of a block (`point`, fix `x`, `y` or `xy`), or a side of "
-        "the domain (`boundary`): with fix `all` every block that has a face there, else the corners of those faces. "
-        "Whole blocks do not move at all; points and corners are held by springs of `penalty_ratio` × E × thickness and "
-        "give way by the force over that.",
+        "Fixes a whole block (`block_at`, fix `all`), a point of a block (`point`, fix `x`, `y` or `xy`), or a side of "
+        "the domain (`boundary`): with fix `all` every block that has a face there, otherwise the corners of those "
+        "faces. Whole blocks do not move at all; points and corners are supported by springs of stiffness "
+        "`penalty_ratio` × E × thickness and move by the force divided by that stiffness.",
         defaultsOf<Support>(),
         {
-            row<&Support::blockAt>("block_at", "A point inside the block that is held.", {.unit = "m"}),
-            row<&Support::point>("point", "The point that is held, in a block or on its boundary.", {.unit = "m"}),
+            row<&Support::blockAt>("block_at", "A point inside the block that is fixed.", {.unit = "m"}),
+            row<&Support::point>("point", "The point that is fixed, in a block or on its boundary.", {.unit = "m"}),
             row<&Support::boundary>("boundary",
-                                    "The side of the domain that is held. An edge of the boundary belongs to the side "
+                                    "The side of the domain that is fixed. An edge of the boundary belongs to the side "
                                     "that its outward normal points to, at 45° to bottom or top."),
-            row<&Support::fix>("fix", "What is held."),
+            row<&Support::fix>("fix", "Displacements that are fixed; `all`: those of a whole block."),
         }};
     return structure;
 }

@@ -19,7 +19,7 @@ const Structure& structureOf(const SceneDomain*) {
         "A region that is cut into blocks. Without joints it is one block.",
         defaultsOf<SceneDomain>(),
         {
-            row<&SceneDomain::boundary>("boundary", "Corners, either way round, the first not repeated.",
+            row<&SceneDomain::boundary>("boundary", "Corners, clockwise or counter-clockwise, the first not repeated.",
                                         {.unit = "m", .required = true}),
             row<&SceneDomain::material>("material", "Name of its material.", {.required = true}),
             row<&SceneDomain::jointMaterial>("joint_material",
@@ -32,18 +32,20 @@ const Structure& structureOf(const SceneDomain*) {
 const Structure& structureOf(const Cutting*) {
     static const Structure structure{
         "cutting",
-        "Limits of the cut. `keyblock check` tells which were used, and what was merged, trimmed and dropped.",
+        "Limits of the cut. `keyblock check` lists the limits used and everything that was merged, trimmed or dropped.",
         defaultsOf<Cutting>(),
         {
             row<&Cutting::tolerance>("tolerance",
-                                     "What is closer than this meets; null: 1e-6 of the longer side of the domain.",
+                                     "Points and lines closer than this are joined; null: 1e-6 of the longer side of "
+                                     "the domain.",
                                      {.unit = "m", .range = above(0)}),
             row<&Cutting::minArea>("min_area",
-                                   "Smaller blocks join a neighbour; null: 1e-3 of the mean of all; 0: none.",
+                                   "Smaller blocks are merged with a neighbour; null: 1e-3 of the mean area of all "
+                                   "blocks; 0: none are merged.",
                                    {.unit = "m²", .range = atLeast(0)}),
             row<&Cutting::minWidth>("min_width",
-                                    "Narrower blocks (2·area / perimeter) join a neighbour; null: 1e-2 of the side of the "
-                                    "mean of all, at least ten tolerances; 0: none.",
+                                    "Narrower blocks (2·area / perimeter) are merged with a neighbour; null: 1e-2 of "
+                                    "the square root of the mean area, at least ten tolerances; 0: none are merged.",
                                     {.unit = "m", .range = atLeast(0)}),
         }};
     return structure;
@@ -55,8 +57,8 @@ const Structure& structureOf(const SceneJoint*) {
         "One joint along a line of points.",
         defaultsOf<SceneJoint>(),
         {
-            row<&SceneJoint::name>("name", "Names the joint.", {.required = true}),
-            row<&SceneJoint::points>("points", "The line, two points or more.", {.unit = "m", .required = true}),
+            row<&SceneJoint::name>("name", "Name of the joint.", {.required = true}),
+            row<&SceneJoint::points>("points", "Points of the line, two or more.", {.unit = "m", .required = true}),
             row<&SceneJoint::jointMaterial>("joint_material",
                                             "Name of the joint material of its faces; null: the domain's."),
         }};
@@ -67,33 +69,33 @@ const Structure& structureOf(const SceneJointSet*) {
     static const Only withLength{.key = "trace_length"};
     static const Structure structure{
         "joint set",
-        "Parallel lines that carry traces with bridges of rock between them; spacings, lengths and bridges are "
-        "log-normal, the dip normal.",
+        "Parallel lines of traces with rock bridges between them; spacings, trace lengths and bridges are log-normally "
+        "distributed, the dip normally.",
         defaultsOf<SceneJointSet>(),
         {
-            row<&SceneJointSet::name>("name", "Names the set.", {.required = true}),
+            row<&SceneJointSet::name>("name", "Name of the joint set.", {.required = true}),
             row<&SceneJointSet::dip>("dip", "Apparent dip in the section, counter-clockwise from +x.",
                                      {.unit = "°", .range = within(-360, 360), .required = true}),
-            row<&SceneJointSet::dipDeviation>("dip_deviation", "Standard deviation of the dip, trace by trace.",
+            row<&SceneJointSet::dipDeviation>("dip_deviation", "Standard deviation of the dip from trace to trace.",
                                               {.unit = "°", .range = within(0, largestDipDeviation)}),
             row<&SceneJointSet::spacing>("spacing", "Mean distance between lines, normal to them.",
                                          {.unit = "m", .range = above(0), .required = true}),
-            row<&SceneJointSet::spacingDeviation>("spacing_deviation", "Its standard deviation.",
+            row<&SceneJointSet::spacingDeviation>("spacing_deviation", "Standard deviation of the spacing.",
                                                   {.unit = "m", .range = atLeast(0)}),
-            row<&SceneJointSet::traceLength>("trace_length", "Mean length of a trace; null: right through.",
+            row<&SceneJointSet::traceLength>("trace_length", "Mean length of a trace; null: through-going.",
                                              {.unit = "m", .range = above(0)}),
-            row<&SceneJointSet::traceLengthDeviation>("trace_length_deviation", "Its standard deviation.",
+            row<&SceneJointSet::traceLengthDeviation>("trace_length_deviation", "Standard deviation of the trace length.",
                                                       {.unit = "m", .range = atLeast(0), .only = withLength}),
-            row<&SceneJointSet::bridge>("bridge", "Mean length of rock between two traces of a line.",
+            row<&SceneJointSet::bridge>("bridge", "Mean length of the rock bridge between two traces of a line.",
                                         {.unit = "m", .range = atLeast(0), .only = withLength}),
-            row<&SceneJointSet::bridgeDeviation>("bridge_deviation", "Its standard deviation.",
+            row<&SceneJointSet::bridgeDeviation>("bridge_deviation", "Standard deviation of the bridge.",
                                                  {.unit = "m", .range = atLeast(0), .only = withLength}),
             row<&SceneJointSet::stagger>("stagger",
-                                         "By which share of length and bridge each line is set on against the last; "
-                                         "null: at random.",
+                                         "Offset of each line from the previous one, as a share of trace length plus "
+                                         "bridge; null: random.",
                                          {.only = withLength}),
-            row<&SceneJointSet::origin>("origin", "The middle of the first trace lies here.", {.unit = "m"}),
-            row<&SceneJointSet::seed>("seed", "Names one draw of all that scatters.",
+            row<&SceneJointSet::origin>("origin", "Centre of the first trace.", {.unit = "m"}),
+            row<&SceneJointSet::seed>("seed", "Random seed.",
                                       {.range = within(0, largestSeed)}),
             row<&SceneJointSet::jointMaterial>("joint_material",
                                                "Name of the joint material of its faces; null: the domain's."),
@@ -105,11 +107,11 @@ const Structure& structureOf(const SceneJointSet*) {
 const Structure& structureOf(const SceneRegion*) {
     static const Structure structure{
         "region",
-        "A part of the section. It cuts nothing by itself.",
+        "A part of the section. It does not cut the rock by itself.",
         defaultsOf<SceneRegion>(),
         {
-            row<&SceneRegion::name>("name", "Names the region.", {.required = true}),
-            row<&SceneRegion::points>("points", "Corners, either way round, the first not repeated.",
+            row<&SceneRegion::name>("name", "Name of the region.", {.required = true}),
+            row<&SceneRegion::points>("points", "Corners, clockwise or counter-clockwise, the first not repeated.",
                                       {.unit = "m", .required = true}),
         }};
     return structure;
@@ -118,12 +120,13 @@ const Structure& structureOf(const SceneRegion*) {
 const Structure& structureOf(const SceneVoronoi*) {
     static const Structure structure{
         "voronoi",
-        "Convex cells of about one size without direction. The outline of their region is a joint too.",
+        "Convex cells of about equal size without a preferred direction. The outline of their region is a joint as "
+        "well.",
         defaultsOf<SceneVoronoi>(),
         {
-            row<&SceneVoronoi::size>("size", "Their mean area is about the square of this.",
+            row<&SceneVoronoi::size>("size", "Size of a cell: the mean area is about the square of it.",
                                      {.unit = "m", .range = above(0), .required = true}),
-            row<&SceneVoronoi::seed>("seed", "Names one draw of their places.", {.range = within(0, largestSeed)}),
+            row<&SceneVoronoi::seed>("seed", "Random seed of the cell positions.", {.range = within(0, largestSeed)}),
             row<&SceneVoronoi::region>("region", "Name of the region that they fill; null: the whole domain."),
             row<&SceneVoronoi::jointMaterial>("joint_material",
                                               "Name of the joint material of their faces; null: the domain's."),
@@ -140,25 +143,26 @@ const Structure& structureOf(const SceneTunnel*) {
     static const Only centred{.key = "profile", .words = {"circle", "d-shape", "horseshoe", "arched"}};
     static const Structure structure{
         "tunnel",
-        "An opening in the domain. Where its outline alone parts rock, the two sides are held together as intact rock; "
-        "one that no stage excavates is open from the start.",
+        "An opening in the domain. Where only its outline separates rock, the two sides are bonded as intact rock; a "
+        "tunnel that no stage excavates is open from the start.",
         defaultsOf<SceneTunnel>(),
         {
-            row<&SceneTunnel::name>("name", "Names the tunnel.", {.required = true}),
+            row<&SceneTunnel::name>("name", "Name of the tunnel.", {.required = true}),
             row<&SceneTunnel::profile>("profile",
                                        "A circle; a semicircle on straight walls; three arcs on a flat floor; a segment "
                                        "of a circle on straight walls; or a polygon.",
                                        {.required = true}),
-            row<&SceneTunnel::center>("center", "Middle of the bounding box.", {.unit = "m", .only = centred}),
+            row<&SceneTunnel::center>("center", "Centre of the bounding box.", {.unit = "m", .only = centred}),
             row<&SceneTunnel::diameter>("diameter", "Diameter.", {.unit = "m", .range = atLeast(0), .only = round}),
             row<&SceneTunnel::width>("width", "Width.", {.unit = "m", .range = atLeast(0), .only = wide}),
             row<&SceneTunnel::height>("height", "Height, floor to crown.",
                                       {.unit = "m", .range = atLeast(0), .only = high}),
             row<&SceneTunnel::wallHeight>("wall_height", "Height of the straight walls.",
                                           {.unit = "m", .range = atLeast(0), .only = arched}),
-            row<&SceneTunnel::rise>("rise", "Height of the arch over its chord.",
+            row<&SceneTunnel::rise>("rise", "Rise of the arch above its chord.",
                                     {.unit = "m", .range = atLeast(0), .only = arched}),
-            row<&SceneTunnel::points>("points", "Corners, either way round.", {.unit = "m", .only = drawn}),
+            row<&SceneTunnel::points>("points", "Corners, clockwise or "
+                                                "counter-clockwise.", {.unit = "m", .only = drawn}),
         }};
     return structure;
 }

@@ -10,13 +10,14 @@ namespace keyblock {
 const Structure& structureOf(const Expected*) {
     static const Structure structure{
         "expected",
-        "A number that a run of the scene should give.",
+        "An expected result of a run of the scene.",
         defaultsOf<Expected>(),
         {
-            row<&Expected::quantity>("quantity", "Which number, written as in `quantities`.", {.required = true}),
-            row<&Expected::value>("value", "The number, in SI units.", {.required = true}),
-            row<&Expected::tolerance>("tolerance", "Relative; absolute where the value is 0.", {.range = atLeast(0)}),
-            row<&Expected::source>("source", "Where the number comes from."),
+            row<&Expected::quantity>("quantity", "Quantity, written as in `quantities`.", {.required = true}),
+            row<&Expected::value>("value", "Expected value in SI units.", {.required = true}),
+            row<&Expected::tolerance>("tolerance", "Relative tolerance; absolute if the value "
+                                                   "is 0.", {.range = atLeast(0)}),
+            row<&Expected::source>("source", "Source of the number."),
         }};
     return structure;
 }
@@ -24,13 +25,13 @@ const Structure& structureOf(const Expected*) {
 const Structure& structureOf(const About*) {
     static const Structure structure{
         "about",
-        "For people: it changes no result.",
+        "Description of the scene; it does not affect results.",
         defaultsOf<About>(),
         {
             row<&About::shows>("shows", "What the scene shows."),
-            row<&About::source>("source", "Where the scene comes from."),
-            row<&About::category>("category", "Under which heading it is listed."),
-            row<&About::expected>("expected", "Numbers that a run should give."),
+            row<&About::source>("source", "Source of the scene."),
+            row<&About::category>("category", "Heading under which the scene is listed."),
+            row<&About::expected>("expected", "Expected results of a run."),
         }};
     return structure;
 }
@@ -38,14 +39,14 @@ const Structure& structureOf(const About*) {
 const Structure& structureOf(const Damping*) {
     static const Structure structure{
         "damping",
-        "Rayleigh damping of dynamic stages. A free vibration of frequency ω loses the share mass/2ω + stiffness·ω/2 "
-        "of critical damping.",
+        "Rayleigh damping of dynamic stages. A free vibration of angular frequency ω has a damping ratio of mass/2ω + "
+        "stiffness·ω/2.",
         defaultsOf<Damping>(),
         {
-            row<&Damping::mass>("mass", "Force on every body over its mass and velocity.",
+            row<&Damping::mass>("mass", "Damping force on every body divided by its mass and velocity.",
                                 {.unit = "1/s", .range = atLeast(0)}),
             row<&Damping::stiffness>("stiffness",
-                                     "Stress over elastic stiffness and rate of strain, in blocks and in bolts' "
+                                     "Damping stress divided by elastic stiffness and strain rate, in blocks and bolt "
                                      "shanks; contacts, supports and anchors have none.",
                                      {.unit = "s", .range = atLeast(0)}),
         }};
@@ -63,28 +64,31 @@ const Structure& structureOf(const Analysis*) {
                                       {.unit = "m", .range = within(1e-6, 1e6)}),
             row<&Analysis::gravity>("gravity", "Acceleration that acts on every block and bolt; [] is zero.",
                                     {.unit = "m/s²", .range = within(-1e6, 1e6), .emptyIsZero = true}),
-            row<&Analysis::integration>("integration", "Time integration of dynamic stages that name none."),
+            row<&Analysis::integration>("integration", "Time integration of dynamic stages that give none."),
             row<&Analysis::rhoInf>("rho_inf",
-                                   "Share of very stiff motion that a step of `generalized-alpha` keeps, in stages "
-                                   "that give none: 1 loses nothing, 0 all of it.",
+                                   "Spectral radius of `generalized-alpha` at infinite frequency: the share of very "
+                                   "stiff motion that a step keeps, in stages that give none. 1: nothing is damped, 0: "
+                                   "all of it.",
                                    {.range = within(0, 1)}),
             row<&Analysis::damping>("damping", "Rayleigh damping of dynamic stages."),
             row<&Analysis::penaltyRatio>("penalty_ratio",
-                                         "Stiffness of a contact spring over Young's modulus × thickness.",
+                                         "Stiffness of a contact spring divided by Young's modulus × thickness.",
                                          {.range = above(0)}),
             row<&Analysis::shearRatio>("shear_ratio", "Shear over normal stiffness of contacts.",
                                        {.range = above(0)}),
-            row<&Analysis::tolerance>("tolerance", "Unbalanced force over the forces at play at which a pass is accepted.",
+            row<&Analysis::tolerance>("tolerance", "Unbalanced force divided by the acting forces at which an "
+                                                   "iteration is accepted.",
                                       {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
-            row<&Analysis::maxPasses>("max_passes", "Passes of one step before it is cut.",
+            row<&Analysis::maxPasses>("max_passes", "Maximum number of iterations of a step before the time step or "
+                                                    "increment is reduced.",
                                       {.range = within(1, 100000)}),
             row<&Analysis::iteration>("iteration",
                                       "How the states of contacts are found: by minimising the step's convex energy, or "
                                       "by the classical open–close iteration, for small reference scenes."),
             row<&Analysis::contact>("contact",
-                                    "How contacts are kept closed: by penalty springs, or by forces sought in each "
-                                    "step until nothing penetrates."),
-            fixedRow("model_everything", "Whether parts that change nothing are modelled too.", {false}),
+                                    "How contacts are kept closed: by penalty springs, or by forces that are iterated "
+                                    "in each step until nothing penetrates."),
+            fixedRow("model_everything", "Whether parts that do not affect the results are modelled as well.", {false}),
         }};
     return structure;
 }
@@ -93,26 +97,26 @@ const Structure& structureOf(const Monitor*) {
     static const Only withBolt{.key = "bolt"};
     static const Structure structure{
         "monitor",
-        "Watches a point (two values: its displacement), an opening between two points, or a bolt: exactly one of "
-        "`point`, `between` and `bolt` is given.",
+        "Records a point (two values: its displacement), an opening between two points, or a bolt. Give exactly one of "
+        "`point`, `between` and `bolt`.",
         defaultsOf<Monitor>(),
         {
-            row<&Monitor::name>("name", "Names the monitor in tables and quantities.", {.required = true}),
-            row<&Monitor::point>("point", "Follows this point of the block that holds it.", {.unit = "m"}),
+            row<&Monitor::name>("name", "Name of the monitor in tables and quantities.", {.required = true}),
+            row<&Monitor::point>("point", "Point that is followed, in the block that contains it.", {.unit = "m"}),
             row<&Monitor::between>("between", "Displacement of the second point minus that of the first, on `axis`.",
                                    {.unit = "m"}),
             row<&Monitor::axis>("axis", "Direction of the opening.",
                                 {.isAxis = true, .only = {.key = "between"}}),
             row<&Monitor::bolt>("bolt", "Name of the bolt."),
             row<&Monitor::quantity>("quantity",
-                                    "What is watched of the bolt; `utilisation` is (N/N_p)² + (Q/Q_p)², "
+                                    "Recorded quantity of the bolt; `utilisation` is (N/N_p)² + (Q/Q_p)², "
                                     "`utilisation_with_moment` adds |M|/M_p.",
                                     {.only = withBolt}),
-            row<&Monitor::at>("at", "Place along the bolt from its far end.",
+            row<&Monitor::at>("at", "Position along the bolt from its far end.",
                               {.unit = "m", .range = atLeast(0), .only = withBolt}),
-            row<&Monitor::atFromHead>("at_from_head", "Place along the bolt from its head.",
+            row<&Monitor::atFromHead>("at_from_head", "Position along the bolt from its head.",
                                       {.unit = "m", .range = atLeast(0), .only = withBolt}),
-            row<&Monitor::atFraction>("at_fraction", "Place along the bolt, 0 at its far end, 1 at its head.",
+            row<&Monitor::atFraction>("at_fraction", "Position along the bolt, 0 at its far end, 1 at its head.",
                                       {.range = within(0, 1), .only = withBolt}),
         }};
     return structure;
@@ -121,20 +125,22 @@ const Structure& structureOf(const Monitor*) {
 const Structure& structureOf(const Safety*) {
     static const Structure structure{
         "safety",
-        "How `keyblock safety` looks for the factor of safety: the factor by which strengths are divided when the static "
-        "stages no longer find equilibrium. `keyblock run` does not read it.",
+        "How `keyblock safety` finds the factor of safety: the factor by which strengths are divided when the static "
+        "stages no longer reach equilibrium. `keyblock run` ignores it.",
         defaultsOf<Safety>(),
         {
             row<&Safety::reduce>("reduce",
-                                 "What is divided: `joints` (tan of the friction angles, cohesion, tensile strength), "
-                                 "`bonds` (strength of the anchors of bolts) or `both`. Rock that only an outline "
-                                 "parts, steel and face plates keep theirs."),
-            row<&Safety::tolerance>("tolerance", "Between the factor that stands and the one that does not.",
+                                 "Strengths that are divided: `joints` (tangent of the friction angles, cohesion, "
+                                 "tensile strength), `bonds` (strength of the anchors of bolts) or `both`. Intact rock "
+                                 "across an outline, steel and face plates keep their strength."),
+            row<&Safety::tolerance>("tolerance", "Largest difference between the stable and the failing factor at the "
+                                                 "end of the search.",
                                     {.range = within(1e-6, 1)}),
             row<&Safety::boltForces>("bolt_forces",
-                                     "What bolts do at other factors than 1. `mobilised`: they are modelled as in a run, "
-                                     "so their forces rise as the rock moves. `frozen`: the forces that they put on the "
-                                     "blocks at the end of each stage at a factor of 1 act as dead loads in their place."),
+                                     "Forces of bolts at factors other than 1. `mobilised`: bolts are modelled as in a "
+                                     "run, so their forces rise as the rock moves. `frozen`: the forces that bolts "
+                                     "exert on the blocks at the end of each stage at a factor of 1 act as dead loads "
+                                     "instead."),
         }};
     return structure;
 }
@@ -142,17 +148,18 @@ const Structure& structureOf(const Safety*) {
 const Structure& structureOf(const Output*) {
     static const Structure structure{
         "output",
-        "What a run keeps.",
+        "Results that a run saves.",
         defaultsOf<Output>(),
         {
             row<&Output::frames>("frames",
-                                 "Frames kept over the whole run, as many in each stage. Null: 200 at most; a static "
-                                 "stage whose 'increments' are null has one at the end of each increment. At most as "
-                                 "many again are kept just before and just after failures of bolts.",
+                                 "Frames saved over the whole run, the same number in each stage. Null: at most 200; a "
+                                 "static stage whose 'increments' are null has one at the end of each increment. At "
+                                 "most as many more are saved just before and just after failures of bolts.",
                                  {.range = within(1, 100000)}),
             row<&Output::every>("every",
-                                "Time between frames, in place of 'frames'. A static stage whose 'increments' are null "
-                                "has frames and history rows at exactly the pseudo-times that either asks for.",
+                                "Time between frames, instead of 'frames'. A static stage whose 'increments' are null "
+                                "has frames and history rows at exactly the pseudo-times that follow from either of "
+                                "the two.",
                                 {.unit = "s, or pseudo-time of a static stage", .range = above(0)}),
         }};
     return structure;
@@ -161,10 +168,10 @@ const Structure& structureOf(const Output*) {
 const Structure& structureOf(const RunLimits*) {
     static const Structure structure{
         "limits",
-        "Where a run ends even if its stages do not; what it has found by then is kept.",
+        "Limits at which a run ends even if its stages are not finished; the results so far are kept.",
         defaultsOf<RunLimits>(),
         {
-            row<&RunLimits::wallTime>("wall_time", "Time by the clock on the wall; null: no limit.",
+            row<&RunLimits::wallTime>("wall_time", "Wall-clock time; null: no limit.",
                                       {.unit = "s", .range = above(0)}),
             row<&RunLimits::steps>("steps", "Accepted steps and equilibria over all stages; null: no limit.",
                                    {.range = within(1, 2e9)}),
@@ -173,8 +180,8 @@ const Structure& structureOf(const RunLimits*) {
                                         "after which the stage ends as undecided; null: 20000.",
                                         {.range = within(1, 2e9)}),
             row<&RunLimits::energy>("energy",
-                                    "Energy balance error at which a dynamic stage ends as failed, over the largest "
-                                    "term of the balance.",
+                                    "Energy balance error at which a dynamic stage ends as failed, relative to the "
+                                    "largest term of the balance.",
                                     {.range = {.least = 0.0, .most = 1.0, .leastExcluded = true}}),
         }};
     return structure;
