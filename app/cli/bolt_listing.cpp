@@ -93,7 +93,7 @@ private:
         if (!isNumeric(field.kind))
             return {};
         if (isDefault)
-            return field.source.empty() ? "default of the program" : std::string(field.source);
+            return field.source.empty() ? "program default" : std::string(field.source);
         const std::string part = partSource(path);
         return part.empty() ? type_.source : part;
     }

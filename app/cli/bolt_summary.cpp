@@ -86,7 +86,7 @@ std::string chainLines(const RunSource& run, const std::vector<Event>& events) {
     const auto chains = causeChains(events);
     if (chains.empty())
         return {};
-    std::string text = "\nwhat led to what, at one load\n";
+    std::string text = "\nchains of failures at one load\n";
     for (std::size_t i = 0; i < std::min(chains.size(), mostChains); ++i)
         text += chainLine(run, events, chains[i]);
     if (chains.size() > mostChains)

@@ -45,7 +45,7 @@ std::string overview() {
                       {"shear, kN", Align::Right},
                       {"plate, kN", Align::Right}},
                      rows) +
-           "\nEverything is per bolt. 'keyblock bolts NAME' gives every number of a type with its source.\n";
+           "\nAll values are per bolt. 'keyblock bolts NAME' lists every number of a type with its source.\n";
 }
 
 std::string typeNames() {
@@ -66,7 +66,7 @@ std::string detail(const BoltType& type) {
     return type.name + " (" + classWord(type) + origin + ")\n" +
            (type.source.empty() ? "" : type.source + "\n") + "\n" +
            textTable({{"key"}, {"value", Align::Right}, {"unit"}, {""}, {"source"}}, rows) +
-           (allConfirmed ? "" : "\n? marks a number that no source at hand confirms.\n");
+           (allConfirmed ? "" : "\n? marks a number that no available source confirms.\n");
 }
 
 }  // namespace

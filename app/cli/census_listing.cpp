@@ -43,16 +43,17 @@ std::string partLines(const CensusCounts& counts) {
         lines += '\n';
     };
     const bool some = counts.cells > 0 && counts.cells < counts.blocks;
-    const std::string cells = some ? " (" + counted(counts.cells, "cell") + " among them)" : "";
-    const std::string held = counts.fixed > 0 ? " (" + std::to_string(counts.fixed) + " held whole)" : "";
+    const std::string cells = some ? " (" + counted(counts.cells, "cell") + " of them)" : "";
+    const std::string held = counts.fixed > 0 ? " (" + std::to_string(counts.fixed) + " fixed)" : "";
     line(counts.blocks, counts.cells == counts.blocks ? "cell" : "block", cells + held, counts.blockUnknowns);
-    line(counts.plates, "plate", counts.plates == 1 ? " that is a block" : " that are blocks", counts.plateUnknowns);
+    line(counts.plates, "plate", counts.plates == 1 ? " modelled as a block" : " modelled as blocks",
+         counts.plateUnknowns);
     line(counts.bolts, "bolt",
-         " of " + counted(counts.nodes, "node") + " (" + std::to_string(counts.realAnchors) + " held along it)",
+         " of " + counted(counts.nodes, "node") + " (" + std::to_string(counts.realAnchors) + " bonded)",
          counts.boltUnknowns);
     line(counts.contacts, "contact", " at the start", -1);
     line(counts.gluedEdges, "glued edge", " between cells", -1);
-    line(counts.heldPoints, "held point", "", -1);
+    line(counts.heldPoints, "point support", "", -1);
     return lines;
 }
 
@@ -60,9 +61,9 @@ std::string estimateLines(const CostEstimate& estimate) {
     std::string lines = "a run may take " + duration(estimate.seconds) + " (" + duration(estimate.secondsLeast) +
                         " to " + duration(estimate.secondsMost) + ") and " + rough(estimate.memory / 1e6) + " MB\n";
     for (const StageCost& stage : estimate.stages)
-        lines += "  " + stage.name + ": " + rough(stage.steps) + " steps, " + rough(stage.passes) + " passes (" +
+        lines += "  " + stage.name + ": " + rough(stage.steps) + " steps, " + rough(stage.passes) + " iterations (" +
                  rough(stage.least) + " to " + rough(stage.most) + ")\n";
-    lines += "  a pass takes " + rough(1e3 * estimate.passSeconds) + " ms, what is around it " +
+    lines += "  an iteration takes " + rough(1e3 * estimate.passSeconds) + " ms, the rest of a step " +
              rough(1e3 * estimate.stepSeconds) + " ms\n";
     for (const std::string& sentence : estimate.assumes)
         lines += "  " + sentence + '\n';

@@ -57,12 +57,12 @@ void tellCut(const SceneCut& cut, bool all) {
     if (cut.blocks == 0 && cut.sources.empty())
         return;  // patterns of bolts alone
     print("cut into " + std::to_string(cut.blocks) + " blocks of " + rounded(cut.area) + " m² with " +
-          std::to_string(cut.vertices) + " corners; tolerance " + rounded(cut.tolerance) + " m, least area " +
-          rounded(cut.minArea) + " m², least width " + rounded(cut.minWidth) + " m\n");
+          std::to_string(cut.vertices) + " corners; tolerance " + rounded(cut.tolerance) + " m, minimum area " +
+          rounded(cut.minArea) + " m², minimum width " + rounded(cut.minWidth) + " m\n");
     if (cut.open > 0)
         print("  left out in open tunnels: " + std::to_string(cut.open) + '\n');
     if (cut.split > 0)
-        print("  cuts through intact rock beside openings: " + std::to_string(cut.split) + '\n');
+        print("  cuts through intact rock next to openings: " + std::to_string(cut.split) + '\n');
     tellNotes(cut, all);
 }
 

@@ -27,7 +27,7 @@ const std::map<std::string, ProgressKind> progressKinds{
     {"bar", ProgressKind::Bar}, {"json", ProgressKind::Json}, {"none", ProgressKind::None}};
 
 std::string progressProblem(const std::string& word) {
-    return progressKinds.contains(word) ? "" : "'" + word + "' is none of bar, json, none";
+    return progressKinds.contains(word) ? "" : "'" + word + "' is not one of bar, json, none";
 }
 
 /// One member for each verb, filled while CLI11 parses.
@@ -43,7 +43,7 @@ struct Options {
 };
 
 void addOverrides(CLI::App* verb, std::vector<std::string>& overrides) {
-    verb->add_option("--set", overrides, "Replace values of the scene before it is read; may be given again")
+    verb->add_option("--set", overrides, "Replace values of the scene before it is read; may be repeated")
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false)
         ->take_all();
@@ -52,42 +52,44 @@ void addOverrides(CLI::App* verb, std::vector<std::string>& overrides) {
 /// Of verbs that run scenes.
 template <typename VerbOptions>
 void addThreadsAndProgress(CLI::App* verb, VerbOptions& options) {
-    verb->add_option("--threads", options.threads, "Threads; never changes a result; default: all the machine has")
+    verb->add_option("--threads", options.threads,
+                     "Number of threads; does not affect results; default: all that the machine has")
         ->type_name("N")
         ->check(CLI::Range(1, mostThreads).description(""));
     verb->add_option_function<std::string>(
             "--progress", [&options](const std::string& word) { options.progress = progressKinds.at(word); },
-            "How to tell progress on standard error; json: one object a line; default: bar on a terminal, else none")
+            "Format of the progress on standard error; json: one object per line; default: bar on a terminal, "
+            "otherwise none")
         ->type_name("bar|json|none")
         ->check(progressProblem);
 }
 
 void addRun(CLI::App& app, RunOptions& options) {
-    CLI::App* verb = app.add_subcommand("run", "Run a scene and keep what comes out in a run store");
+    CLI::App* verb = app.add_subcommand("run", "Run a scene and save the results in a run store");
     verb->add_option("SCENE.json", options.scene, "The scene")->required()->type_name("");
-    verb->add_option("--out", options.out, "The run store; default: the scene's name, beside it")
+    verb->add_option("--out", options.out, "The run store; default: the scene's name with .kbrun, in the same folder")
         ->type_name("RUN.kbrun");
     addOverrides(verb, options.overrides);
     addThreadsAndProgress(verb, options);
     CLI::Option* resume = verb->add_flag("--resume", options.resume,
-                                         "Go on with a run that was interrupted; without one, start at the beginning");
-    verb->add_flag("--overwrite", options.overwrite, "Replace a run store that is there")->excludes(resume);
-    verb->add_flag("--fail-on-collapse", options.failOnCollapse, "Exit with 8 where the scene does not stand");
+                                         "Resume an interrupted run; if there is none, start from the beginning");
+    verb->add_flag("--overwrite", options.overwrite, "Replace an existing run store")->excludes(resume);
+    verb->add_flag("--fail-on-collapse", options.failOnCollapse, "Exit with code 8 if the scene is not stable");
 }
 
 void addCheck(CLI::App& app, CheckOptions& options) {
-    CLI::App* verb = app.add_subcommand("check", "Tell what is wrong with a scene, what will be modelled of it and what "
-                                                 "a run may take; nothing is run");
+    CLI::App* verb = app.add_subcommand("check", "Check a scene: errors with fixes, the model summary, and an estimate "
+                                                 "of run time and memory; nothing is run");
     verb->add_option("SCENE.json", options.scene, "The scene")->required()->type_name("");
     addOverrides(verb, options.overrides);
-    verb->add_flag("--all", options.all, "List all that was changed when the domain was cut, not ten of each kind");
-    verb->add_flag("--json", options.json, "Answer in JSON");
+    verb->add_flag("--all", options.all, "List all changes made when the domain was cut, not only ten of each kind");
+    verb->add_flag("--json", options.json, "Print the answer in JSON");
 }
 
 void addInfo(CLI::App& app, InfoOptions& options) {
-    CLI::App* verb = app.add_subcommand("info", "Tell what is in a run store, finished or not");
+    CLI::App* verb = app.add_subcommand("info", "Show the contents of a run store, finished or not");
     verb->add_option("RUN.kbrun", options.run, "The run store")->required()->type_name("");
-    verb->add_flag("--json", options.json, "Answer in JSON");
+    verb->add_flag("--json", options.json, "Print the answer in JSON");
 }
 
 std::string tableNames() {
@@ -105,7 +107,8 @@ std::string figureNames() {
 }
 
 void addFigureOptions(CLI::App* verb, ExportOptions& options) {
-    verb->add_option("--quantity", options.quantity, "What a figure or animation shows; a wrong word lists the right ones")
+    verb->add_option("--quantity", options.quantity, "Quantity that a figure or animation shows; an unknown name lists "
+                                                     "the valid ones")
         ->type_name("NAME");
     verb->add_option("--width", options.width, "Width of a figure or animation; default 160")
         ->type_name("MM")
@@ -113,50 +116,52 @@ void addFigureOptions(CLI::App* verb, ExportOptions& options) {
     verb->add_option("--dpi", options.dpi, "Resolution of a PNG, default 300, or of an animation, default 240")
         ->type_name("N")
         ->check(CLI::Range(50, 1200).description(""));
-    verb->add_option("--deformed", options.deformed, "Draw displacements this many times as large")
+    verb->add_option("--deformed", options.deformed, "Factor by which displacements are exaggerated")
         ->type_name("FACTOR")
         ->check(CLI::Range(0.0, 1e6).description(""));
-    verb->add_flag("--whole", options.whole, "Show the whole model, not what surrounds tunnels and bolts");
+    verb->add_flag("--whole", options.whole, "Show the whole model, not only the surroundings of tunnels and bolts");
 }
 
 void addExport(CLI::App& app, ExportOptions& options) {
     CLI::App* verb = app.add_subcommand("export", "Write a table of a run as CSV, a figure for a report, an animation, or the "
                                                   "run for ParaView");
     verb->add_option("RUN.kbrun", options.run, "The run store")->required()->type_name("");
-    CLI::Option* table = verb->add_option("--table", options.table, "Which table")->type_name(tableNames());
-    CLI::Option* figure = verb->add_option("--figure", options.figure, "Which figure; its data come beside it as CSV")
+    CLI::Option* table = verb->add_option("--table", options.table, "Table to write")->type_name(tableNames());
+    CLI::Option* figure = verb->add_option("--figure", options.figure, "Figure to draw; its data are written next to "
+                                                                       "it as CSV")
                               ->type_name(figureNames())
                               ->excludes(table);
     CLI::Option* vtk =
         verb->add_option("--vtk", options.vtk,
-                         "Instead of a table: time series of blocks, bolts and contacts (PVD, VTP), in this folder")
+                         "Write time series of blocks, bolts and contacts (PVD, VTP) into this folder instead of a "
+                         "table")
             ->type_name("DIR")
             ->excludes(figure);
     verb->add_option("--animation", options.animation,
-                     "All moments as a film by ffmpeg, or as PNG pictures into a folder, with ranges that stay")
+                     "Write all frames as an animation (ffmpeg) or PNG images, with fixed colour ranges")
         ->type_name("FILE.(mp4|webm)|DIR")
         ->excludes(table)
         ->excludes(figure)
         ->excludes(vtk);
-    verb->add_option("--fps", options.perSecond, "Moments a second of a film; default 12")
+    verb->add_option("--fps", options.perSecond, "Frames per second of an animation; default 12")
         ->type_name("N")
         ->check(CLI::Range(1, 120).description(""));
-    verb->add_option("--bolt", options.bolt, "Only this bolt (tables events and bolts); in a section, the one whose "
-                                             "forces stand beside it")
+    verb->add_option("--bolt", options.bolt, "Only this bolt (tables events and bolts); in a section, the bolt whose "
+                                             "force diagram is drawn")
         ->type_name("NAME");
     verb->add_option("--stage", options.stage, "Only this stage")->type_name("NAME");
     verb->add_option("--at", options.at,
-                     "A moment: the nearest one kept, the last one or all; default: last for bolts, blocks, "
+                     "Time to export: the nearest one saved, the last one or all; default: last for bolts, blocks, "
                      "contacts and figures, all for the others")
         ->type_name("STAGE:TIME|last|all");
     addFigureOptions(verb, options);
     verb->add_option("--reference", options.references,
-                     "A measured or published curve beside those of figure curves: CSV with a header such as "
-                     "opening_mm,load_kN; may be given again")
+                     "A measured or published curve to add to figure curves: CSV with a header such as "
+                     "opening_mm,load_kN; may be repeated")
         ->type_name("FILE.csv")
         ->allow_extra_args(false)
         ->take_all();
-    verb->add_option("--out", options.out, "The file to write; of a figure, its ending says the format")
+    verb->add_option("--out", options.out, "The file to write; for a figure, its extension selects the format")
         ->type_name("FILE.(csv|svg|pdf|png)");
 }
 
@@ -165,14 +170,14 @@ std::string addRole(const std::string& text, ImportSettings& settings) {
     const auto sign = text.rfind('=');
     const auto role = sign == std::string::npos ? std::nullopt : layerRoleOf(text.substr(sign + 1));
     if (!role || sign == 0)
-        return "'" + text + "' is no LAYER=joint, boundary, tunnel, bolt or ignore";
+        return "'" + text + "' is not of the form LAYER=joint|boundary|tunnel|bolt|ignore";
     settings.roles.emplace_back(text.substr(0, sign), *role);
     return "";
 }
 
 void addImport(CLI::App& app, ImportOptions& options) {
     CLI::App* verb =
-        app.add_subcommand("import", "Make a scene of a drawing (DXF) or of a list of joints or bolts (CSV)");
+        app.add_subcommand("import", "Create a scene from a drawing (DXF) or from a list of joints or bolts (CSV)");
     verb->add_option("FILE.(dxf|csv)", options.file, "The drawing or list")->required()->type_name("");
     verb->add_option_function<std::vector<std::string>>(
             "--role",
@@ -181,7 +186,7 @@ void addImport(CLI::App& app, ImportOptions& options) {
                     if (const std::string problem = addRole(text, options.settings); !problem.empty())
                         throw CLI::ValidationError("--role", problem);
             },
-            "What a layer holds, where its name does not tell; '*=ROLE' for all that are left; may be given again")
+            "Role of a layer whose name does not show it; '*=ROLE' for all other layers; may be repeated")
         ->type_name("LAYER=joint|boundary|tunnel|bolt|ignore")
         ->allow_extra_args(false)
         ->take_all();
@@ -190,44 +195,48 @@ void addImport(CLI::App& app, ImportOptions& options) {
             [&options](const std::string& word) {
                 options.settings.unit = lengthUnitOf(word);
                 if (!options.settings.unit)
-                    throw CLI::ValidationError("--units", "'" + word + "' is none of " + lengthUnitWords());
+                    throw CLI::ValidationError("--units", "'" + word + "' is not one of " + lengthUnitWords());
             },
-            "Units of the coordinates; default: as the file says")
+            "Units of the coordinates; default: those given in the file")
         ->type_name("m|mm|cm|ft|...");
     verb->add_option("--sagitta", options.settings.sagitta,
-                     "How far the edges of arcs and splines may lie off them; default: 5e-4 of the drawing's size")
+                     "Largest distance between arcs or splines and their straight segments; default: 5e-4 of the "
+                     "drawing's size")
         ->type_name("METRES")
         ->check(CLI::PositiveNumber.description(""));
-    verb->add_flag("--all", options.all, "List every entity that was not taken, not ten of each kind");
+    verb->add_flag("--all", options.all, "List every entity that was skipped, not only ten of each kind");
     verb->add_option("--out", options.out, "The scene to write")->required()->type_name("SCENE.json");
 }
 
 void addSafety(CLI::App& app, SafetyOptions& options) {
     CLI::App* verb = app.add_subcommand("safety", "Find the factor of safety of a static scene by strength reduction");
-    verb->add_option("SCENE.json", options.scene, "The scene; its 'safety' says what is reduced, and how closely")
+    verb->add_option("SCENE.json", options.scene, "The scene; its 'safety' sets what is reduced and how closely the "
+                                                  "factor is bracketed")
         ->required()
         ->type_name("");
-    verb->add_option("--out", options.out, "The folder for the runs nearest the bracket and the table of all runs; default: "
-                                           "the scene's name with -safety, beside it")
+    verb->add_option("--out", options.out, "The folder for the runs nearest the bracket and the table of all runs; "
+                                           "default: the scene's name with -safety, in the same folder")
         ->type_name("DIR");
-    verb->add_flag("--overwrite", options.overwrite, "Replace a folder of an earlier search");
+    verb->add_flag("--overwrite", options.overwrite, "Replace the folder of an earlier search");
     addOverrides(verb, options.overrides);
     addThreadsAndProgress(verb, options);
-    verb->add_flag("--json", options.json, "Answer in JSON");
+    verb->add_flag("--json", options.json, "Print the answer in JSON");
 }
 
 void addVerify(CLI::App& app, VerifyOptions& options) {
-    CLI::App* verb = app.add_subcommand("verify", "Check the program against numbers found without it");
-    CLI::Option* names = verb->add_option("--case", options.names, "Only this case; may be given again")
+    CLI::App* verb = app.add_subcommand("verify", "Check the program against independent reference values");
+    CLI::Option* names = verb->add_option("--case", options.names, "Only this case; may be repeated")
                              ->type_name("NAME")
                              ->allow_extra_args(false);
-    verb->add_flag("--paper", options.paper, "The paper's tables: paper, reference, Keyblock")->excludes(names);
-    verb->add_flag("--json", options.json, "Answer in JSON");
+    verb->add_flag("--paper", options.paper,
+                   "Print the paper's tables: values of the paper, the reference and Keyblock")
+        ->excludes(names);
+    verb->add_flag("--json", options.json, "Print the answer in JSON");
 }
 
 void addBolts(CLI::App& app, BoltsOptions& options) {
-    CLI::App* verb = app.add_subcommand("bolts", "List the bolt library, or one type with every number's source");
-    verb->add_option("NAME", options.name, "A type of the library")->type_name("");
+    CLI::App* verb = app.add_subcommand("bolts", "List the bolt library, or one type with the source of every number");
+    verb->add_option("NAME", options.name, "A bolt type of the library")->type_name("");
 }
 
 void requireKnownVerb(const CLI::App& app, int argc, const char* const* argv) {
@@ -239,7 +248,8 @@ void requireKnownVerb(const CLI::App& app, int argc, const char* const* argv) {
             return;
         names += (names.empty() ? "" : ", ") + verb->get_name();
     }
-    const std::string fault = argc > 1 ? "there is no verb '" + std::string(argv[1]) + "'" : "the verb is missing";
+    const std::string fault =
+        argc > 1 ? "there is no command '" + std::string(argv[1]) + "'" : "the command is missing";
     throw UsageError(fault + "; there are " + names + "; see 'keyblock --help'");
 }
 
@@ -293,12 +303,12 @@ Command commandOf(const CLI::App& app, const Options& options) {
 
 std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv) {
     Options options;
-    CLI::App app("Keyblock: blocky rock, rock bolts and how they let go, by discontinuous deformation analysis",
+    CLI::App app("Keyblock: discontinuous deformation analysis of blocky rock and of rock bolts up to their failure",
                  "keyblock");
     app.set_version_flag("--version", "keyblock " + std::string(programVersion()), "Print the version");
     app.set_help_flag("--help,-h", "Print this help");
     app.require_subcommand(1);
-    app.footer("Exit codes: 0 done, 1 a verification missed, 2 usage, 3 invalid scene or file, 4 numerical failure,\n"
+    app.footer("Exit codes: 0 done, 1 a verification failed, 2 usage, 3 invalid scene or file, 4 numerical failure,\n"
                "5 limit reached, 6 cannot write, 70 internal, 75 interrupted.");
     addRun(app, options.run);
     addCheck(app, options.check);

@@ -29,8 +29,8 @@ std::optional<MovieFormat> formatOf(const fs::path& out) {
     if (ending == ".mp4") return MovieFormat::Mp4;
     if (ending == ".webm") return MovieFormat::WebM;
     if (ending.empty() || fs::is_directory(out)) return std::nullopt;
-    throw UsageError("'" + out.string() + "': an animation is written as .mp4 or .webm, or as PNG pictures into a " +
-                     "folder, whose name has no ending");
+    throw UsageError("'" + out.string() + "': an animation is written as .mp4 or .webm, or as PNG images into a " +
+                     "folder, whose name has no extension");
 }
 
 }  // namespace
@@ -39,10 +39,10 @@ void checkAnimationOptions(const ExportOptions& options) {
 #ifndef KEYBLOCK_HAS_FIGURES
     throw UsageError("this program was built without figures; build it with Qt 5 and QCustomPlot, or export tables");
 #endif
-    if (!options.out.empty()) throw UsageError("--animation says itself where to write; leave --out out");
-    if (options.at) throw UsageError("an animation shows all moments; leave --at out, or choose a stage by --stage");
+    if (!options.out.empty()) throw UsageError("--animation already gives the file to write; omit --out");
+    if (options.at) throw UsageError("an animation shows all frames; omit --at, or select a stage with --stage");
     if (options.perSecond && !formatOf(*options.animation))
-        throw UsageError("--fps is for .mp4 and .webm; pictures in a folder have no speed");
+        throw UsageError("--fps applies to .mp4 and .webm only; omit it for images in a folder");
 }
 
 #ifdef KEYBLOCK_HAS_FIGURES
@@ -98,7 +98,7 @@ public:
     PictureCount& operator=(const PictureCount&) = delete;
 
     void tell(std::size_t done) const {
-        if (told_) printToError("\r\033[Kpicture " + std::to_string(done) + " of " + std::to_string(all_));
+        if (told_) printToError("\r\033[Kframe " + std::to_string(done) + " of " + std::to_string(all_));
     }
 
 private:
@@ -144,7 +144,7 @@ ExitCode exportAnimation(const ExportOptions& options, const RunSource& run, con
     } catch (const Stopped&) {
     }
     if (!stop) return Done;
-    printErrorLine("interrupted; " + options.animation->string() + " is as it was before");
+    printErrorLine("interrupted; " + options.animation->string() + " is unchanged");
     return Interrupted;
 }
 

@@ -25,7 +25,7 @@ TableKind tableOf(const ExportOptions& options) {
         throw UsageError("there is no table '" + *options.table + "'; there are " + names);
     }
     if (options.bolt && !hasBolts(*kind))
-        throw UsageError("table " + *options.table + " is not by bolt; leave --bolt out");
+        throw UsageError("table " + *options.table + " has no rows of bolts; omit --bolt");
     return *kind;
 }
 
@@ -33,7 +33,7 @@ TableKind tableOf(const ExportOptions& options) {
 void refuseFigureOptions(const ExportOptions& options) {
     const auto refuse = [](bool given, const std::string& option) {
         if (given)
-            throw UsageError(option + " is for figures and animations; leave it out");
+            throw UsageError(option + " applies to figures and animations only; omit it");
     };
     refuse(options.quantity.has_value(), "--quantity");
     refuse(options.width.has_value(), "--width");
@@ -51,7 +51,7 @@ TableFilter filterOf(const ExportOptions& options, const Scene& scene) {
 
 ExitCode exportVtk(const ExportOptions& options) {
     if (options.table || !options.out.empty() || options.bolt)
-        throw UsageError("--vtk writes all of a run into its folder; leave --table, --out and --bolt out");
+        throw UsageError("--vtk writes the whole run into its folder; omit --table, --out and --bolt");
     refuseFigureOptions(options);
     const RunStore store(options.run);
     writeVtkFolder(store, filterOf(options, store.scene()), *options.vtk);
@@ -74,15 +74,16 @@ ExitCode exportAnimation(const ExportOptions& options) {
 
 ExitCode perform(const ExportOptions& options) {
     if (options.perSecond && !options.animation)
-        throw UsageError("--fps is for --animation; leave it out");
+        throw UsageError("--fps applies to --animation only; omit it");
     if (!options.references.empty() && options.figure != "curves")
-        throw UsageError("--reference is for --figure curves; leave it out");
+        throw UsageError("--reference applies to --figure curves only; omit it");
     if (options.vtk)
         return exportVtk(options);
     if (options.animation)
         return exportAnimation(options);
     if (!(options.table || options.figure) || options.out.empty())
-        throw UsageError("say what to export: --table NAME or --figure NAME, with --out FILE, --animation FILE, or --vtk DIR");
+        throw UsageError("choose what to export: --table NAME or --figure NAME with --out FILE, --animation FILE, or "
+                         "--vtk DIR");
     if (options.figure)
         return exportFigure(options);
     refuseFigureOptions(options);

@@ -48,9 +48,10 @@ void checkFigureOptions(const ExportOptions& options) {
 #endif
     kindOf(options);
     if (const std::size_t format = formatOf(options); options.dpi && endings[format] != ".png")
-        throw UsageError("--dpi is for PNG; " + std::string(endings[format]) + " is as sharp as it is printed");
+        throw UsageError("--dpi applies to PNG only; " + std::string(endings[format]) +
+                         " is vector graphics; omit it");
     if (options.at == "all")
-        throw UsageError("a figure shows one moment; give --at STAGE:TIME or last");
+        throw UsageError("a figure shows one frame; give --at STAGE:TIME or last");
 }
 
 #ifdef KEYBLOCK_HAS_FIGURES

@@ -26,14 +26,14 @@ std::string layerLines(const Import& import) {
     std::vector<TextRow> rows;
     for (const ImportedLayer& layer : import.layers)
         rows.push_back({layer.name, layer.known ? std::string(wordOf(layer.role)) : "?", layer.source});
-    return rows.empty() ? "" : textTable({{"layer"}, {"role"}, {"which was"}}, rows);
+    return rows.empty() ? "" : textTable({{"layer"}, {"role"}, {"source"}}, rows);
 }
 
 std::string rowLines(const Import& import) {
     std::vector<TextRow> rows;
     for (const ImportRow& row : import.rows)
         rows.push_back({row.kind, row.layer, std::to_string(row.count), row.became});
-    return rows.empty() ? "" : textTable({{"entity"}, {"layer"}, {"count", Align::Right}, {"became"}}, rows);
+    return rows.empty() ? "" : textTable({{"entity"}, {"layer"}, {"count", Align::Right}, {"imported as"}}, rows);
 }
 
 std::string placeText(const NotTaken& item) {
@@ -45,7 +45,7 @@ std::string placeText(const NotTaken& item) {
 void tellNotTaken(const Import& import, bool all) {
     if (import.notTaken.empty())
         return;
-    print("not taken:\n");
+    print("skipped:\n");
     std::map<std::tuple<std::string, std::string, std::string>, int> told;
     for (const NotTaken& item : import.notTaken) {
         const int count = ++told[{item.kind, item.layer, item.why}];
@@ -74,7 +74,7 @@ std::string sceneLine(const Import& import, const std::filesystem::path& out) {
     if (import.cut)
         line += "; cut into " + counted(static_cast<std::size_t>(import.cut->blocks), "block") + " of " +
                 rounded(import.cut->area) + " m²" +
-                (import.cut->notes.empty() ? "" : ", with notes that 'keyblock check' lists");
+                (import.cut->notes.empty() ? "" : "; 'keyblock check' lists what was changed");
     return line + '\n';
 }
 

@@ -43,7 +43,7 @@ ExitCode obeyOrTellWhy(int argc, const char* const* argv) {
     } catch (const CannotWrite& error) {
         return failed(NotWritten, error.what());
     } catch (const std::bad_alloc&) {
-        return failed(Internal, "out of memory; make the scene smaller or use a larger machine");
+        return failed(Internal, "out of memory; reduce the scene or use a machine with more memory");
     } catch (const std::exception& error) {
         return failed(Internal, "internal: " + std::string(error.what()) + "; please report it with the scene");
     }
@@ -59,6 +59,6 @@ int main(int argc, char** argv) {
     const ExitCode code = obeyOrTellWhy(argc, argv);
     if (const int failure = outputFailure(); failure != 0 && code == Done)
         return failed(NotWritten, "cannot write to standard output: " + std::string(std::strerror(failure)) +
-                                      "; free space there");
+                                      "; free some space");
     return code;
 }

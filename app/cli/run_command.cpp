@@ -64,7 +64,7 @@ bool stands(const RunSource& run) {
 void tellWhyItEnded(ExitCode code, const Scene& scene, const std::vector<StageResult>& results, const fs::path& out) {
     const std::string kept = "; results so far are in " + out.string();
     if (code == Interrupted)
-        printErrorLine("interrupted" + kept + "; run again with --resume to go on");
+        printErrorLine("interrupted" + kept + "; run again with --resume to continue");
     if (code == LimitReached)
         printErrorLine("a limit was reached" + kept);
     if (code != NumericalFailure)

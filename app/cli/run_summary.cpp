@@ -55,8 +55,8 @@ std::string healthLine(const std::vector<StageRecord>& records) {
     const std::optional<RunHealth> health = healthOf(records);
     if (!health)
         return {};
-    return "health  " + shown(health->passesMean) + " passes a step, " + std::to_string(health->stepCuts) +
-           " step cuts, " + std::to_string(health->energyCuts) + " energy cuts, deepest penetration " +
+    return "solver  " + shown(health->passesMean) + " iterations per step, " + std::to_string(health->stepCuts) +
+           " step reductions, " + std::to_string(health->energyCuts) + " reductions for energy, deepest penetration " +
            shown(health->maxPenetrationRatio) + " of a block, residual " + shown(health->residual) + ", energy balance error " + shown(health->balanceError) + "\n";
 }
 
@@ -71,7 +71,7 @@ std::string quantityTable(const RunSource& run, const std::vector<HistoryRow>& h
         const Measurement measurement = measure(text, run.scene(), history, events);
         rows.push_back({text, measuredText(measurement), measurement.problem});
     }
-    return rows.empty() ? "" : "\n" + textTable({{"quantity"}, {"value, SI", Align::Right}, {""}}, rows);
+    return rows.empty() ? "" : "\n" + textTable({{"quantity"}, {"value (SI)", Align::Right}, {""}}, rows);
 }
 
 /// Whether no stage was cut short; only then can an expectation be judged.
@@ -84,7 +84,7 @@ bool isWhole(const std::vector<StageRecord>& records) {
 
 std::string verdictOf(const MeasuredComparison& comparison, bool whole) {
     if (!whole)
-        return "cut short";
+        return "incomplete";
     return comparison.within ? "met" : "missed";
 }
 

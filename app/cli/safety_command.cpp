@@ -67,7 +67,8 @@ std::string word(Choice choice) {
 }
 
 TextRow runRow(const Scene& scene, const SafetyRun& run) {
-    return {shown(run.factor), run.end.outcome == Outcome::Undecided ? "" : run.stands ? "stands" : "fails", stageName(scene, run.end.stage),
+    return {shown(run.factor), run.end.outcome == Outcome::Undecided ? "" : run.stands ? "stable" : "fails",
+            stageName(scene, run.end.stage),
             std::string(wordOf(run.end.outcome)), std::to_string(run.end.steps)};
 }
 
@@ -96,17 +97,19 @@ SafetyFactor search(const Scene& scene, const SafetyOptions& options, SafetyFold
 
 std::string answerLine(const SafetyFactor& found) {
     if (found.nothingToFreeze)
-        return "the scene fails with its own strengths, so there are no bolt forces in equilibrium to freeze: no factor of "
-               "safety; set safety.bolt_forces to mobilised to find one below 1\n";
+        return "the scene fails with its own strengths, so there are no bolt forces in equilibrium to freeze and no "
+               "factor of safety; set safety.bolt_forces to mobilised to find a factor below 1\n";
     if (found.lower && found.upper)
-        return "factor of safety between " + shown(*found.lower) + " (stands) and " + shown(*found.upper) +
+        return "factor of safety between " + shown(*found.lower) + " (stable) and " + shown(*found.upper) +
                " (fails)\n";
     if (found.lower && *found.lower >= mostSafety)
-        return "stands even at a factor of " + shown(*found.lower) + ": what is reduced does not hold this scene\n";
+        return "stable even at a factor of " + shown(*found.lower) +
+               ": the stability of this scene does not depend on what is reduced\n";
     if (found.upper && *found.upper <= leastSafety)
-        return "fails even at a factor of " + shown(*found.upper) + ": no strength of what is reduced can hold it\n";
+        return "fails even at a factor of " + shown(*found.upper) +
+               ": raising the reduced strengths cannot stabilise it\n";
     if (found.lower)
-        return "factor of safety above " + shown(*found.lower) + " (stands)\n";
+        return "factor of safety above " + shown(*found.lower) + " (stable)\n";
     return found.upper ? "factor of safety below " + shown(*found.upper) + " (fails)\n" : "";
 }
 
@@ -116,11 +119,11 @@ std::string blockTable(const std::vector<std::string>& names, const FailureMode&
         if (rows.size() < mostTold)
             rows.push_back({blockName(names, block.block), std::string(wordOf(block.movement)),
                             shown(block.displacement.x()), shown(block.displacement.y()), shown(block.rotation)});
-    return textTable({{"moves most"},
+    return textTable({{"largest movement"},
                       {""},
                       {"ux, m", Align::Right},
                       {"uy, m", Align::Right},
-                      {"turn, rad", Align::Right}},
+                      {"rotation, rad", Align::Right}},
                      rows);
 }
 
@@ -169,7 +172,8 @@ ExitCode perform(const SafetyOptions& options) {
     SafetyFolder folder(folderOf(options), options.overwrite);
     if (!options.json)
         print("reduced: " + word(scene.safety.reduce) +
-              (scene.safety.boltForces == BoltForces::Frozen ? "\nbolt forces: frozen as they are at a factor of 1" : "") +
+              (scene.safety.boltForces == BoltForces::Frozen ? "\nbolt forces: frozen at their values at a factor of 1"
+                                                             : "") +
               "\n\n" + textLine(runColumns, {"factor", "", "stage", "outcome", "steps"}));
     Control control;
     const SafetyFactor found = search(scene, options, folder, control);
@@ -178,11 +182,11 @@ ExitCode perform(const SafetyOptions& options) {
                        : "\n" + answerLine(found) + modeText(solved, found) + "\nruns in " + folderOf(options).string() + "\n");
     const ExitCode code = exitCodeOf(found);
     if (code == Interrupted)
-        printErrorLine("interrupted; the bracket so far is told");
+        printErrorLine("interrupted; the bracket found so far is printed");
     if (code == LimitReached)
         printErrorLine(*found.cutShort == Outcome::Undecided
-                           ? "the runs beside the bracket come to no verdict; raise 'limits.iterations' to go on"
-                           : "a limit of the scene was reached in one of the runs; raise 'limits' to go on");
+                           ? "the runs next to the bracket are undecided; raise 'limits.iterations' to continue"
+                           : "a limit of the scene was reached in one of the runs; raise 'limits' to continue");
     return code;
 }
 

@@ -55,7 +55,7 @@ bool isOurs(const std::string& name) {
 
 const fs::path& freeFolder(const fs::path& folder, bool overwrite) {
     if (!overwrite && fs::exists(folder))
-        throw CannotWrite("cannot write " + folder.string() + ": it is there already; use --overwrite, or another --out");
+        throw CannotWrite("cannot write " + folder.string() + ": it already exists; use --overwrite, or another --out");
     return folder;
 }
 

@@ -51,7 +51,8 @@ std::string jointTable(const RunSource& run, const std::vector<FailedJoint>& joi
                             millimetres(joint.opening, joint.slip)});
     if (rows.empty()) return {};
     const std::string text =
-        textTable({{"joints around them"}, {""}, {"slip, mm", Align::Right}, {"opening, mm", Align::Right}}, rows);
+        textTable({{"failed joints around them"}, {""}, {"slip, mm", Align::Right}, {"opening, mm", Align::Right}},
+                  rows);
     return text + more(joints.size(), rows.size()) + "\n";
 }
 
@@ -62,7 +63,7 @@ std::string boltTable(const RunSource& run, const std::vector<FailedBolt>& bolts
             rows.push_back({boltName(run.scene(), bolt.bolt), std::string(wordOf(bolt.event)),
                             stageName(run.scene(), bolt.stage), rounded(bolt.time)});
     if (rows.empty()) return {};
-    const std::string text = textTable({{"bolts across them that failed"}, {""}, {"stage"}, {"time", Align::Right}}, rows);
+    const std::string text = textTable({{"failed bolts across them"}, {""}, {"stage"}, {"time", Align::Right}}, rows);
     return text + more(bolts.size(), rows.size()) + "\n";
 }
 
@@ -82,7 +83,7 @@ std::string looseLine(const RunSource& run, const std::vector<StageRecord>& reco
         for (const int block : record.result.loose) {
             names += (count++ > 0 ? ", " : "") + blockName(run.blockNames(), block);
         }
-    return count == 0 ? "" : "loose   removed, too small to decide: " + names + "\n";
+    return count == 0 ? "" : "loose   removed, too small to affect the verdict: " + names + "\n";
 }
 
 std::string warningLines(const RunSource& run) {

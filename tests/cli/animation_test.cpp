@@ -158,16 +158,16 @@ TEST_F(Animations, StopsAtOnceAndLeavesNothing) {
 
 TEST_F(Animations, WhatCannotBeMadeIsAUsageError) {
     expectUsage("film.avi", {}, ".mp4 or .webm");
-    expectUsage("film.mp4", {"--at", "last"}, "all moments");
-    expectUsage("film.mp4", {"--out", "x.png"}, "leave --out out");
-    expectUsage("film", {"--fps", "5"}, "--fps is for");
+    expectUsage("film.mp4", {"--at", "last"}, "all frames");
+    expectUsage("film.mp4", {"--out", "x.png"}, "omit --out");
+    expectUsage("film", {"--fps", "5"}, "--fps applies to");
     expectUsage("film.mp4", {"--fps", "0"}, "--fps");
     expectUsage("film.mp4", {"--quantity", "colour"}, "sigma1");
     expectUsage("film.mp4", {"--table", "events"}, "--table");
     expectFailure(6, animate("nowhere/film.mp4"), "make its folder first");
     expectFailure(6, animate("nowhere/film", {"--dpi", "60"}), "make its folder first");
     const Ended table = keyblock({"export", "pull.kbrun", "--table", "events", "--out", "e.csv", "--fps", "5"});
-    expectFailure(2, table, "--fps is for --animation");
+    expectFailure(2, table, "--fps applies to --animation");
 }
 
 #else

@@ -89,8 +89,8 @@ TEST_F(Figures, WhatCannotBeDrawnIsAUsageError) {
     };
     expectUsage({"map", "--out", "s.svg"}, "there is no figure 'map'");
     expectUsage({"section", "--out", "s.jpg"}, ".svg, .pdf or .png");
-    expectUsage({"section", "--out", "s.svg", "--dpi", "100"}, "--dpi is for PNG");
-    expectUsage({"section", "--out", "s.svg", "--at", "all"}, "one moment");
+    expectUsage({"section", "--out", "s.svg", "--dpi", "100"}, "--dpi applies to PNG");
+    expectUsage({"section", "--out", "s.svg", "--at", "all"}, "one frame");
     expectUsage({"section", "--out", "s.svg", "--quantity", "colour"}, "sigma1");
     expectUsage({"section", "--out", "s.svg", "--width", "10"}, "--width");
     EXPECT_FALSE(exists("s.svg"));

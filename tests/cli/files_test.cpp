@@ -69,7 +69,7 @@ TEST_F(Files, CheckTellsWhatIsModelledOfASoundScene) {
     EXPECT_GT(census.at("estimate").at("seconds"), 0.0);
     EXPECT_GT(census.at("estimate").at("memory_MB"), 0.0);
     const std::string told = keyblock({"check", "pull.json"}).out;
-    for (const char* part : {"modelled: ", "2 blocks (1 held whole), 6 unknowns", "left out:", "a run may take "})
+    for (const char* part : {"modelled: ", "2 blocks (1 fixed), 6 unknowns", "left out:", "a run may take "})
         EXPECT_NE(told.find(part), std::string::npos) << part;
     const Ended wrong = keyblock({"check", "pull.json", "--json", "--set", "materials.rock.density=-5"});
     EXPECT_FALSE(nlohmann::json::parse(wrong.out).contains("census"));

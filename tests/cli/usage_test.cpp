@@ -35,8 +35,8 @@ TEST_F(Usage, VersionIsTold) { EXPECT_EQ(keyblock({"--version"}).out.rfind("keyb
 
 TEST_F(Usage, OnlyVerbsThatAreBuiltExist) {
     for (const std::string verb : {"report", "sweep", "trade", "stress"})
-        expectUsageError({verb}, "there is no verb '" + verb + "'");
-    expectUsageError({}, "the verb is missing");
+        expectUsageError({verb}, "there is no command '" + verb + "'");
+    expectUsageError({}, "the command is missing");
 }
 
 TEST_F(Usage, WrongOptionsAreTold) {
@@ -44,14 +44,14 @@ TEST_F(Usage, WrongOptionsAreTold) {
     expectUsageError({"run", "scene.json", "--preset", "draft"}, "--preset");
     expectUsageError({"run", "scene.json", "--threads", "0"}, "--threads");
     expectUsageError({"run", "scene.json", "--threads", "many"}, "--threads");
-    expectUsageError({"run", "scene.json", "--progress", "loud"}, "none of bar, json, none");
+    expectUsageError({"run", "scene.json", "--progress", "loud"}, "not one of bar, json, none");
     expectUsageError({"export", "run.kbrun", "--out", "t.csv"}, "--table");
     expectUsageError({"export", "run.kbrun", "--table", "energy", "--figure", "section", "--out", "t.csv"}, "--figure");
     expectUsageError({"export", "run.kbrun", "--table", "energy", "--dpi", "100", "--out", "t.csv"}, "--dpi");
     expectUsageError({"export", "run.kbrun", "--table", "stresses", "--out", "t.csv"}, "history, events, bolts");
     expectUsageError({"export", "run.kbrun", "--table", "energy", "--bolt", "B", "--out", "t.csv"}, "--bolt");
     expectUsageError({"import", "a.dxf"}, "--out");
-    expectUsageError({"import", "a.dxf", "--out", "a.json", "--units", "cubit"}, "'cubit' is none of m, mm, cm");
+    expectUsageError({"import", "a.dxf", "--out", "a.json", "--units", "cubit"}, "'cubit' is not one of m, mm, cm");
     expectUsageError({"import", "a.dxf", "--out", "a.json", "--role", "L=wall"}, "'L=wall' is no LAYER=joint, boundary");
     expectUsageError({"import", "a.dxf", "--out", "a.json", "--sagitta", "0"}, "--sagitta");
     expectUsageError({"verify", "--case", "no such case"}, "there is no case 'no such case'; there are ");

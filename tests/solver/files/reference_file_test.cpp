@@ -78,7 +78,7 @@ TEST(ReferenceFile, TellsWhereItIsWrong) {
     expect("x_mm,load_kN\n", "", "no rows");
     expect("x_mm,load_kN\n1,2\n3,many\n", "3", "column 2 ('load_kN') holds 'many'");
     expect("x_mm,load_kN\n1,2\n3\n", "3", "1 cells, and the header 2");
-    expect("x_mm,load [kip]\n1,2\n", "1", "its unit 'kip' is none of s, ms");
+    expect("x_mm,load [kip]\n1,2\n", "1", "its unit 'kip' is not one of s, ms");
     expect("x_mm;load_kN\n1,5;2\n2.5;3\n", "3", "decimal point");
     expect("x_mm,remark\n1,good\n", "1", "two columns");
     expect("x_mm,[kN]\n1,2\n", "1", "no name");
