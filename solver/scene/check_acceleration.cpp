@@ -37,8 +37,8 @@ bool checkRows(const Acceleration& acceleration, const std::string& place, Check
     for (std::size_t i = 1; i < record.size() && rises; ++i)
         if (!(record[i].first > record[i - 1].first)) {
             rises = false;
-            report.error(under(pointer, i), "the time " + shortest(record[i].first) + " does not rise",
-                         "Sort the rows by time and give each time once");
+            report.error(under(pointer, i), "the time " + shortest(record[i].first) + " does not increase",
+                         "Sort the rows by time and give each time only once");
         }
     if (record.front().first < 0.0)
         report.error(under(pointer, 0), "the time is negative", "Count from the start of the stage");
@@ -55,9 +55,9 @@ void tellBaseline(const Acceleration& acceleration, const std::string& pointer, 
                                 rounded(b.displacement) + " m (largest " + rounded(b.peakDisplacement) + ")";
     if (drifts)
         report.warning(pointer, message,
-                       "Correct the record's baseline if the ground came to rest where it had been");
+                       "Correct the baseline of the record if the ground came to rest at its initial position");
     else
-        report.note(pointer, message, "Nothing to do");
+        report.note(pointer, message, "No action needed");
 }
 
 void checkAgainstStage(const Acceleration& acceleration, const Stage& stage, const std::string& pointer,
@@ -68,7 +68,7 @@ void checkAgainstStage(const Acceleration& acceleration, const Stage& stage, con
     else if (acceleration.record.back().first > stage.duration && stage.duration > 0.0)
         report.warning(place, "the stage ends at " + shortest(stage.duration) + " s, before the record does at " +
                                   shortest(acceleration.record.back().first) + " s",
-                       "Give a longer duration, or accept that the rest is left out");
+                       "Give a longer duration, or accept that the rest of the record is not used");
 }
 
 void checkRecord(const Acceleration& acceleration, const Stage& stage, const std::string& pointer,
@@ -88,16 +88,17 @@ void checkOneIsGiven(const Acceleration& acceleration, const std::string& pointe
     const int given = hasRecord(acceleration) + acceleration.sine.has_value() + acceleration.value.has_value();
     if (given != 1)
         report.error(pointer, "an acceleration needs exactly one of a record ('file' or 'record'), a 'sine' and a 'value'",
-                     given == 0 ? "Give one of them" : "Leave out all but one");
+                     given == 0 ? "Give one of them" : "Keep only one of them");
 }
 
 /// Pseudo-time has no seconds that a record or a sine could be read against.
 void checkIsConstant(const Acceleration& acceleration, const std::string& pointer, CheckReport& report) {
     const std::string remedy = "Give a constant 'value' instead, or make the stage dynamic";
     if (acceleration.sine)
-        report.error(under(pointer, "sine"), "a static stage has no seconds, so no sine acts in it", remedy);
+        report.error(under(pointer, "sine"), "a static stage has no time in seconds, so a sine cannot act in it", remedy);
     if (hasRecord(acceleration))
-        report.error(placeOfRecord(acceleration, pointer), "a static stage has no seconds, so no record acts in it", remedy);
+        report.error(placeOfRecord(acceleration, pointer),
+                     "a static stage has no time in seconds, so a record cannot act in it", remedy);
 }
 
 void checkAcceleration(const Acceleration& acceleration, const Stage& stage, const std::string& pointer,
@@ -107,13 +108,13 @@ void checkAcceleration(const Acceleration& acceleration, const Stage& stage, con
     checkOneIsGiven(acceleration, pointer, report);
     checkAxis(acceleration.axis, under(pointer, "axis"), report);
     if (acceleration.factor == 0.0)
-        report.warning(under(pointer, "factor"), "the factor is 0, so nothing accelerates",
+        report.warning(under(pointer, "factor"), "the factor is 0, so there is no acceleration",
                        "Give a factor [m/s² per unit], or leave the acceleration out");
     if (acceleration.sine && acceleration.sine->amplitude == 0.0)
-        report.warning(under(under(pointer, "sine"), "amplitude"), "the amplitude is 0, so nothing accelerates",
+        report.warning(under(under(pointer, "sine"), "amplitude"), "the amplitude is 0, so there is no acceleration",
                        "Give an amplitude, or leave the acceleration out");
     if (acceleration.value == 0.0)
-        report.warning(under(pointer, "value"), "the value is 0, so nothing accelerates",
+        report.warning(under(pointer, "value"), "the value is 0, so there is no acceleration",
                        "Give a value [m/s²], or leave the acceleration out");
     if (hasRecord(acceleration) && stage.kind == StageKind::Dynamic && !acceleration.sine && !acceleration.value)
         checkRecord(acceleration, stage, pointer, report);
@@ -123,9 +124,10 @@ void checkStep(const Stage& stage, const std::string& pointer, CheckReport& repo
     const double longest = longestStepFor(stage);
     if (stage.timeStep && longest > 0.0 && *stage.timeStep > longest)
         report.warning(under(pointer, "time_step"),
-                       "the time step is too long to follow the acceleration: " + shortest(longest) +
-                           " s would just do",
-                       "Give a shorter one, or leave it to the program");
+                       "the time step is too long to resolve the acceleration: "
+                       "the longest suitable one is " + rounded(longest) +
+                           " s",
+                       "Give a shorter time step, or omit it to let the program choose");
 }
 
 }  // namespace
@@ -138,8 +140,8 @@ void checkAccelerations(const Stage& stage, const std::string& pointer, CheckCon
     if (stage.kind == StageKind::Static)
         return;
     if (stage.baseAcceleration && context.scene.supports.empty())
-        context.report.warning(under(pointer, "base_acceleration"), "nothing is held, so nothing follows the ground",
-                               "Hold a block or a point with 'supports'");
+        context.report.warning(under(pointer, "base_acceleration"), "nothing is fixed, so nothing follows the ground",
+                               "Fix a block or a point with 'supports'");
     checkStep(stage, pointer, context.report);
 }
 
@@ -151,7 +153,7 @@ void checkLengthOfRecords(CheckContext& context) {
                 rows += (*acceleration)->record.size();
     if (rows > mostRows)
         context.report.error("/stages",
-                             "the records have " + std::to_string(rows) + " rows together, more than " +
+                             "the records have " + std::to_string(rows) + " rows in total, more than " +
                                  std::to_string(mostRows),
                              "Resample them, or split the scene");
 }

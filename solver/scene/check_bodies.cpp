@@ -29,11 +29,12 @@ bool checkCells(const Block& block, const std::string& pointer, CheckReport& rep
     if (cells > mostCells)
         report.error(under(under(pointer, "sub_blocks"), "size"),
                      "cells of " + shortest(size) + " m are about " + shortest(std::round(cells)) +
-                         " in this block, and more than 1000000 are not made",
+                         " in this block; the limit is 1000000",
                      "Give a larger size");
     else if (cells < fewestCells)
         report.warning(under(under(pointer, "sub_blocks"), "size"),
-                       "the block is not larger than a cell, so it stays one", "Give a smaller size, or leave sub_blocks out");
+                       "the block is not larger than a cell, so it is not divided",
+                       "Give a smaller size, or omit sub_blocks");
     return cells <= mostCells;
 }
 
@@ -41,10 +42,10 @@ std::string fault(const PlatePlace& place) {
     switch (place.fault) {
         case PlateFault::NoFace:
             return "the plate is a block and needs a face to lie on, but the head lies " + rounded(place.away) +
-                   " m from the nearest";
+                   " m from the nearest face";
         case PlateFault::Corner: return "the head lies on a corner, so the plate could lie on either face";
         case PlateFault::InRock: return "the plate would overlap rock on every face at the head";
-        case PlateFault::Behind: return "the bolt does not come out of the face that its plate would lie on";
+        case PlateFault::Behind: return "the bolt does not leave the rock through the face that its plate would lie on";
         case PlateFault::None: break;
     }
     return "";
@@ -53,7 +54,7 @@ std::string fault(const PlatePlace& place) {
 std::string remedy(PlateFault what) {
     if (what == PlateFault::Behind)
         return "Swap far_end and head, or move the head to the face where the bolt leaves the rock";
-    return "Put the head on a face, half a plate's width clear of corners, or write \"plate\": \"spring\"";
+    return "Put the head on a face, at least half a plate's width away from corners, or write \"plate\": \"spring\"";
 }
 
 // Outline of the plate; empty where there is a problem.
@@ -67,9 +68,9 @@ std::vector<Point> checkPlate(const Bolt& bolt, const std::string& pointer, Chec
     const double width = boltTypeOf(context.scene, bolt).plate.width;
     if (place.overhang > 1e-6 * width)
         context.report.warning(where,
-                               "no face backs " + rounded(place.overhang) + " m of the plate's width of " +
+                               "there is no face behind " + rounded(place.overhang) + " m of the plate's width of " +
                                    shortest(width) + " m",
-                               "Move the head away from the face's end");
+                               "Move the head away from the end of the face");
     return place.outline;
 }
 
@@ -87,7 +88,7 @@ void checkPlates(CheckContext& context) {
         for (const auto& [other, taken] : plates)
             if (overlap(taken, outline, context.tolerance))
                 context.report.error(under(pointer, "head"),
-                                     "its plate overlaps that of bolt " + inQuotes(context.scene.bolts[other].name),
+                                     "its plate overlaps the plate of bolt " + inQuotes(context.scene.bolts[other].name),
                                      "Move the heads apart, or write \"plate\": \"spring\"");
         plates.emplace_back(i, std::move(outline));
     }

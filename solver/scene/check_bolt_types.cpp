@@ -55,22 +55,22 @@ bool checkCurve(const Table& curve, std::string_view abscissa, std::string_view 
         return false;  // the table of fields has said so
     if (curve.size() < 2 || !startsAtOrigin(curve)) {
         report.error(pointer, "the curve must begin with [0, 0] and have at least two points",
-                     "Give " + first + " and " + second + " from the origin on");
+                     "Give " + first + " and " + second + ", starting at the origin");
         return false;
     }
     if (const std::size_t row = firstNotRising(curve)) {
-        report.error(under(pointer, row), "the " + first + " does not rise",
+        report.error(under(pointer, row), "the " + first + " does not increase",
                      "Sort the points by " + first + " and leave out repeated ones");
         return false;
     }
     if (!(curve[1].second > 0.0)) {
-        report.error(under(pointer, 1), "the first piece has no stiffness",
+        report.error(under(pointer, 1), "the first segment has no stiffness",
                      "Give a " + second + " above 0 at the first point after the origin");
         return false;
     }
     if (const std::size_t row = firstSteeper(curve)) {
-        report.error(under(pointer, row), "the curve gets steeper than its first piece, by which it unloads",
-                     "Let the first piece be the steepest: begin the curve where it is stiff");
+        report.error(under(pointer, row), "the curve becomes steeper than its first segment, which defines unloading",
+                     "Make the first segment the steepest one: start the curve where it is stiff");
         return false;
     }
     return true;
@@ -80,8 +80,9 @@ void checkModulus(const BoltType& type, const std::string& pointer, CheckReport&
     const double fromSteel = type.steel[1].second / type.steel[1].first;
     if (type.youngsModulus && !(std::abs(*type.youngsModulus - fromSteel) <= modulusAgreement * fromSteel))
         report.error(under(pointer, "youngs_modulus"),
-                     "Young's modulus " + rounded(*type.youngsModulus) + " Pa and the first piece of 'steel', " +
-                         rounded(fromSteel) + " Pa, differ by more than 1 %",
+                     "Young's modulus " + pressureText(*type.youngsModulus) +
+                         " and the modulus of the first segment of 'steel', " + pressureText(fromSteel) +
+                         ", differ by more than 1 %",
                      "Leave 'youngs_modulus' out, or correct the first strain and stress of 'steel'");
 }
 
@@ -89,17 +90,17 @@ void checkSteel(const BoltType& type, const std::string& pointer, CheckReport& r
     if (type.steel.empty()) {
         if (!type.youngsModulus)
             report.error(pointer, "the bolt type has neither 'steel' nor 'youngs_modulus'",
-                         "Give one of them, or a type that it is 'like'");
+                         "Give one of them, or another type as 'like'");
         else if (type.ruptureRule == RuptureRule::Interaction)
             report.error(under(pointer, "rupture_rule"), "tension and shear cannot break a bolt without 'steel'",
-                         "Give 'steel', or leave the rule out");
+                         "Give 'steel', or omit the rule");
         return;
     }
     const std::string place = under(pointer, "steel");
     if (!checkCurve(type.steel, "strain", "stress", place, report))
         return;
     if (const std::size_t row = firstFalling(type.steel))
-        report.error(under(place, row), "the stress falls", "Let the stress rise or stay up to rupture");
+        report.error(under(place, row), "the stress decreases", "Let the stress increase or stay constant up to rupture");
     checkModulus(type, pointer, report);
 }
 
@@ -107,25 +108,25 @@ void checkSection(const BoltType& type, const std::string& pointer, CheckReport&
     const double circle = std::numbers::pi / 4.0 * type.diameter * type.diameter;
     if (type.area && *type.area > circle * (1.0 + areaAgreement))
         report.error(under(pointer, "area"),
-                     "the area " + rounded(*type.area) + " m² is larger than the full circle of the diameter, " +
-                         rounded(circle) + " m²",
+                     "the area " + rounded(1e6 * *type.area) + " mm² is larger than the full circle of the diameter, " +
+                         rounded(1e6 * circle) + " mm²",
                      "Correct the area [m²] or the diameter [m]");
 }
 
 void checkPlace(const Anchor& anchor, const std::string& pointer, CheckReport& report) {
     const Anchor whole;
     if (anchor.at && (anchor.from != whole.from || anchor.to != whole.to))
-        report.error(pointer, "the anchor has both a place and a range", "Give either 'at', or 'from' and 'to'");
+        report.error(pointer, "the anchor has both a position and a range", "Give either 'at', or 'from' and 'to'");
     const bool backwards = anchor.from.head || (!anchor.to.head && anchor.to.s <= anchor.from.s);
     if (!anchor.at && backwards)
-        report.error(under(pointer, "to"), "the range ends where it begins, or before",
-                     "Count both from the far end, 'from' below 'to'; for a single node give 'at'");
+        report.error(under(pointer, "to"), "the range ends at its start or before it",
+                     "Measure both from the far end, with 'from' less than 'to'; for a single node give 'at'");
 }
 
 void checkLimited(const Anchor& anchor, const std::string& pointer, CheckReport& report) {
     if (!anchor.strength)
         report.error(under(pointer, "strength"), "the law needs a strength",
-                     "Give 'strength', or use the law 'elastic', which never lets go");
+                     "Give 'strength', or use the law 'elastic', which never fails");
     else if (anchor.residual > *anchor.strength)
         report.error(under(pointer, "residual"), "the residual is larger than the strength",
                      "Give at most the strength; for friction at full strength use the law 'frictional'");
@@ -138,17 +139,17 @@ void checkSoftening(const Anchor& anchor, const std::string& pointer, CheckRepor
         return;
     const std::string place = under(pointer, "softening_slip");
     if (anchor.frictionAngle != 0.0)
-        report.error(place, "a bond whose strength grows with the normal force cannot soften over a slip",
-                     "Leave out 'softening_slip' or 'friction_angle'");
+        report.error(place, "a bond whose strength increases with the normal force cannot soften over a slip",
+                     "Omit 'softening_slip' or 'friction_angle'");
     if (!anchor.restick)
-        report.error(place, "a bond that softens over a slip unloads along its stiffness and sticks again",
-                     "Leave out 'restick', or 'softening_slip'");
+        report.error(place, "a bond that softens over a slip unloads along its stiffness and always re-sticks",
+                     "Omit 'restick' or 'softening_slip'");
     if (anchor.onFailure == OnFailure::BoltLost)
         report.error(place, "a bolt that is lost with this anchor is lost at its peak, before it can soften",
-                     "Leave out 'on_failure', or 'softening_slip'");
+                     "Omit 'on_failure' or 'softening_slip'");
     if (anchor.strength && anchor.softeningSlip * anchor.stiffness < leastSoftening * *anchor.strength)
         report.error(place, "the bond softens over less than a thousandth of the slip at its peak",
-                     "Leave it out for a brittle bond, or give a longer slip");
+                     "Omit it for a brittle bond, or give a longer slip");
 }
 
 void checkAnchorCurve(const Anchor& anchor, const std::string& pointer, CheckReport& report) {
@@ -157,7 +158,7 @@ void checkAnchorCurve(const Anchor& anchor, const std::string& pointer, CheckRep
         return;
     for (std::size_t i = 1; i < anchor.curve.size(); ++i)
         if (anchor.curve[i].second < 0.0)
-            report.error(under(place, i), "the force is negative", "Give what resists the slip, 0 or more");
+            report.error(under(place, i), "the force is negative", "Give the resistance to slip, 0 or more");
 }
 
 void checkLaw(const Anchor& anchor, const std::string& pointer, CheckReport& report) {

@@ -60,7 +60,7 @@ bool checkAlongFaces(const Bolt& bolt, const std::string& pointer, CheckContext&
     context.report.error(pointer,
                          nameOf(bolt) + " lies along a face of the block " +
                              inQuotes(displayName(context.scene, along.block)) + " from " + rounded(along.from) +
-                             " m to " + rounded(along.to) + " m of its length, where no rock can be told to hold it",
+                             " m to " + rounded(along.to) + " m of its length, so the rock that supports it is not defined",
                          "Move or turn it by more than " + rounded(2.0 * context.tolerance) +
                              " m, into the rock on one side");
     return false;
@@ -84,7 +84,7 @@ bool headHangs(const Bolt& bolt, const CheckContext& context) {
 void checkHead(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
     if (headHangs(bolt, context))
         context.report.warning(placeIn(bolt, pointer, "head"),
-                               "the head of " + nameOf(bolt) + " hangs in the air, so its plate holds nothing",
+                               "the head of " + nameOf(bolt) + " is not on rock, so its plate has no effect",
                                "Put the head on the wall, or write \"plate\": \"none\"");
 }
 
@@ -93,7 +93,8 @@ bool checkPosition(const Bolt& bolt, const std::string& pointer, CheckContext& c
     if (!bolt.farEnd.allFinite() || !bolt.head.allFinite())
         return false;
     if (lengthOf(bolt) <= context.tolerance) {
-        context.report.error(placeIn(bolt, pointer, "head"), "the head lies at the far end, so the bolt has no length",
+        context.report.error(placeIn(bolt, pointer, "head"),
+                             "the head coincides with the far end, so the bolt has no length",
                              "Give two different points");
         return false;
     }
@@ -102,7 +103,7 @@ bool checkPosition(const Bolt& bolt, const std::string& pointer, CheckContext& c
     if (runsThroughRock(bolt, context, {}))
         checkHead(bolt, pointer, context);
     else if (context.allSound())
-        context.report.error(pointer, nameOf(bolt) + " runs through no block", "Move it into the rock");
+        context.report.error(pointer, nameOf(bolt) + " does not run through any block", "Move it into the rock");
     return true;
 }
 
@@ -114,7 +115,7 @@ bool checkPlaceOnBolt(const BoltPlace& place, double length, double tolerance, c
     report.error(pointer,
                  std::string(what) + " at " + shortest(place.s) + " m lies past the end of the bolt, which is " +
                      rounded(length) + " m long",
-                 "Count metres from the far end, at most the bolt's length");
+                 "Give the distance from the far end, at most the length of the bolt");
     return false;
 }
 
@@ -162,14 +163,14 @@ void checkPretension(const Bolt& bolt, const std::string& pointer, CheckContext&
     const std::string place = under(pointer, "pretension");
     const std::vector<Stage>& stages = context.scene.stages;
     if (bolt.plate == PlateKind::None)
-        context.report.error(place, "the bolt has no plate that could hold its pretension",
-                             "Give it a plate, or leave the pretension out");
+        context.report.error(place, "the bolt has no plate to carry its pretension",
+                             "Give it a plate, or omit the pretension");
     else if (headHangs(bolt, context))
-        context.report.error(place, "the head of " + nameOf(bolt) + " hangs in the air: its plate has no rock to press "
+        context.report.error(place, "the head of " + nameOf(bolt) + " is not on rock: its plate has no rock to press "
                                     "against",
-                             "Put the head on the wall, or leave the pretension out");
+                             "Put the head on the wall, or omit the pretension");
     else if (!stages.empty() && stages.front().kind == StageKind::Dynamic)
-        context.report.error(place, "the pretension is locked off at an equilibrium, and the first stage is dynamic",
+        context.report.error(place, "the pretension is locked off at equilibrium, but the first stage is dynamic",
                              "Put a static stage before it");
 }
 

@@ -47,7 +47,7 @@ void checkBelongs(const Structure& structure, const Field& field, const void* ob
     const bool says = hasChildren(field) ? mayBeAbsent && field.children.count(object) > 0
                                          : field.get(object) != defaultOf(structure, field);
     if (says)
-        report.error(pointer, misplaced(field), "Leave it out");
+        report.error(pointer, misplaced(field), "Omit it");
 }
 
 void checkField(const Structure& structure, const Field& field, const void* object, const std::string& pointer,
@@ -68,7 +68,7 @@ void checkField(const Structure& structure, const Field& field, const void* obje
 
 void checkValue(const Field& field, const FieldValue& value, const std::string& pointer, CheckReport& report) {
     if (!isFinite(value))
-        return report.error(pointer, inQuotes(field.key) + " holds a number that is not finite",
+        return report.error(pointer, inQuotes(field.key) + " contains a number that is not finite",
                             "Give a finite number");
     if (const auto* number = std::get_if<double>(&value))
         checkRange(field, *number, pointer, report);

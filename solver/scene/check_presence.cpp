@@ -58,7 +58,7 @@ public:
             tell(pointer,
                  "the " + what_ + " " + inQuotes(name) + " " + std::string(done) + " in the stage " +
                      inQuotes(first->second) + " already",
-                 "Name it once");
+                 "Name it only once");
     }
 
     /// Tells of a name; of the bolts of a pattern the first speaks for all.
@@ -79,8 +79,8 @@ private:
 
 void checkRelaxation(const Stage& stage, bool anyBefore, const std::string& pointer, CheckReport& report) {
     if (stage.relaxation && stage.excavate.empty() && !anyBefore)
-        report.warning(under(pointer, "relaxation"), "nothing was excavated, so there is nothing to release",
-                       "Excavate something in this stage or before it, or leave it out");
+        report.warning(under(pointer, "relaxation"), "nothing was excavated, so there are no forces to release",
+                       "Excavate something in this stage or before it, or omit the relaxation");
 }
 
 /// What is there and what is not, stage by stage.
@@ -118,13 +118,13 @@ private:
         if (blocks.empty())
             context_.report.warning(at,
                                     "no block lies in the tunnel " + inQuotes(name) + ", so nothing is excavated",
-                                    "Draw it larger, into the domain and out of open tunnels, or leave it out");
+                                    "Make it larger, move it into the domain and out of open tunnels, or omit it");
     }
 
     void checkRockIsLeft(const Stage& stage, const std::string& pointer) {
         if (!stage.excavate.empty() && !gone_.empty() && std::find(gone_.begin(), gone_.end(), false) == gone_.end())
             context_.report.error(under(pointer, "excavate"), "no block is left after this stage",
-                                  "Draw the tunnel smaller, or the domain larger");
+                                  "Make the tunnel smaller, or the domain larger");
     }
 
     void remove(const std::string& name, const Stage& stage, const std::string& at) {
@@ -134,7 +134,7 @@ private:
             const Bolt& bolt = scene_.bolts[static_cast<std::size_t>(index)];
             if (isInstalledLater(scene_, bolt) && !installed_.has(bolt.name))
                 removed_.tell(at, "the bolt " + inQuotes(name) + " is not installed yet",
-                              "Remove it in a later stage than the one that installs it");
+                              "Remove it after the stage that installs it");
             removed_.once(bolt.name, stage.name, "is removed", at);
         }
     }
@@ -146,8 +146,9 @@ private:
             const Bolt& bolt = scene_.bolts[static_cast<std::size_t>(index)];
             installed_.once(bolt.name, stage.name, "is installed", at);
             if (context_.allSound() && runsThroughRock(bolt, context_, {}) && !runsThroughRock(bolt, context_, gone_))
-                installed_.tell(at, "all rock that the bolt " + inQuotes(bolt.name) + " runs through is excavated by then",
-                                "Install it in an earlier stage, or lay it through rock that stays");
+                installed_.tell(at, "all rock that the bolt " + inQuotes(bolt.name) + " runs through is excavated "
+                                                                                      "before this stage",
+                                "Install it in an earlier stage, or place it in rock that is not excavated");
         }
     }
 
@@ -179,7 +180,7 @@ void checkStands(int block, std::size_t stage, const std::string& pointer, Check
         context.report.error(pointer,
                              "the block " + inQuotes(displayName(scene, block)) + " is excavated in the stage " +
                                  inQuotes(scene.stages[i].name),
-                             "Give a place in rock that is still there");
+                             "Give a point in rock that is still there");
         return;
     }
 }

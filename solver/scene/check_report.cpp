@@ -44,10 +44,10 @@ int checkBlockAt(CheckContext& context, const Point& place, const std::string& p
         return block;
     if (blockWithPoint(context.scene, place) >= 0)
         context.report.error(pointer, placeText(place) + " lies on the boundary of a block",
-                             "Give a point inside the block that is meant");
+                             "Give a point inside the block");
     else
-        context.report.error(pointer, placeText(place) + " lies in no block",
-                             "Give a point inside the block that is meant");
+        context.report.error(pointer, placeText(place) + " is not in any block",
+                             "Give a point inside the block");
     return -1;
 }
 
@@ -56,7 +56,7 @@ int checkPointOnBlock(CheckContext& context, const Point& point, const std::stri
         return -1;
     const int block = blockWithPoint(context.scene, point);
     if (block < 0 && context.allSound())
-        context.report.error(pointer, placeText(point) + " lies in no block",
+        context.report.error(pointer, placeText(point) + " is not in any block",
                              "Give a point inside a block or on its boundary");
     return block;
 }
@@ -83,9 +83,9 @@ void checkNamesDiffer(std::size_t count, const std::function<std::string(std::si
         const auto [found, isNew] = first.try_emplace(name, i);
         if (!isNew)
             report.error(pointerOf(i),
-                         "the name " + inQuotes(name) + " is taken by an earlier " + std::string(what) + " (" +
+                         "the name " + inQuotes(name) + " is already used by an earlier " + std::string(what) + " (" +
                              pointerOf(found->second) + ")",
-                         "Give every " + std::string(what) + " a name of its own");
+                         "Give each " + std::string(what) + " its own name");
     }
 }
 

@@ -52,10 +52,10 @@ bool checkRepeatedCorner(const std::vector<Point>& points, const std::string& po
         return true;
     if (corner == 0)
         report.error(under(pointer, points.size() - 1), "the last corner repeats the first",
-                     "Leave it out: outlines close by themselves");
+                     "Omit it: outlines are closed automatically");
     else
         report.error(under(pointer, static_cast<std::size_t>(corner)), "the corner repeats the one before it",
-                     "Leave it out");
+                     "Omit it");
     return false;
 }
 
@@ -73,7 +73,7 @@ bool checkOutline(const std::vector<Point>& points, const std::string& pointer, 
     if (!checkRepeatedCorner(points, pointer, tolerance, report))
         return false;
     if (lieOnOneLine(points, tolerance)) {
-        report.error(pointer, std::string(what) + " has no area", "Give corners that do not lie on one line");
+        report.error(pointer, std::string(what) + " has no area", "Give corners that do not all lie on one line");
         return false;
     }
     if (const auto place = crossesItself(points, tolerance)) {
@@ -106,7 +106,7 @@ void checkOverlaps(CheckContext& context) {
             context.report.error(under("/blocks", b),
                                  "the block " + inQuotes(displayName(context.scene, static_cast<int>(b))) +
                                      " overlaps " + inQuotes(displayName(context.scene, static_cast<int>(a))),
-                                 "Move corners until the two at most touch");
+                                 "Move corners so that the two blocks do not overlap; they may touch");
     }
 }
 
@@ -115,7 +115,7 @@ void checkBlock(const Block& block, std::size_t index, CheckContext& context) {
     checkReference(block.material, namesOf(context.scene.materials), "materials", under(pointer, "material"),
                    context.report);
     if (block.jointMaterial && block.jointMaterial->empty())
-        context.report.error(under(pointer, "joint_material"), "the name is empty", "Give a name, or leave it out");
+        context.report.error(under(pointer, "joint_material"), "the name is empty", "Give a name, or omit it");
     if (block.jointMaterial)
         checkReference(*block.jointMaterial, namesOf(context.scene.jointMaterials), "joint_materials",
                        under(pointer, "joint_material"), context.report);
@@ -126,14 +126,14 @@ void checkBlock(const Block& block, std::size_t index, CheckContext& context) {
 void checkJointMaterial(const JointMaterial& joint, const std::string& pointer, CheckReport& report) {
     if (joint.residualFrictionAngle && *joint.residualFrictionAngle > joint.frictionAngle)
         report.error(under(pointer, "residual_friction_angle"),
-                     "friction cannot grow from " + shortest(joint.frictionAngle) + "° to " +
+                     "friction cannot increase from " + shortest(joint.frictionAngle) + "° to " +
                          shortest(*joint.residualFrictionAngle) + "° by slip",
-                     "Give at most the friction angle, or leave it out");
+                     "Give at most the friction angle, or omit it");
 }
 
 void checkBlockSupport(const Support& support, const std::string& pointer, CheckContext& context) {
     if (support.fix != Fix::All)
-        context.report.error(under(pointer, "fix"), "a whole block is held in all its unknowns",
+        context.report.error(under(pointer, "fix"), "a whole block can only be fixed in all its unknowns",
                              "Write \"fix\": \"all\", or give \"point\" instead of \"block_at\"");
     const int block = checkBlockAt(context, *support.blockAt, under(pointer, "block_at"));
     if (block >= 0)
@@ -142,7 +142,7 @@ void checkBlockSupport(const Support& support, const std::string& pointer, Check
 
 void checkBoundarySupport(const Support& support, const std::string& pointer, CheckContext& context) {
     if (!context.document.domain)
-        return context.report.error(under(pointer, "boundary"), "the scene has no domain whose boundary could be held",
+        return context.report.error(under(pointer, "boundary"), "the scene has no domain with a boundary to fix",
                                     "Give \"block_at\" or \"point\", or a domain");
     bool any = false;
     for (std::size_t b = 0; b < context.scene.blocks.size(); ++b)
@@ -155,14 +155,14 @@ void checkBoundarySupport(const Support& support, const std::string& pointer, Ch
         }
     if (!any && context.isCut)
         context.report.error(under(pointer, "boundary"), "no block has a face on that side of the domain",
-                             "Give another side: an edge belongs to the one that its outward normal points to");
+                             "Give another side: an edge belongs to the side that its outward normal points to");
 }
 
 void checkSupport(const Support& support, const std::string& pointer, CheckContext& context) {
     const int places = (support.blockAt ? 1 : 0) + (support.point ? 1 : 0) + (support.boundary ? 1 : 0);
     if (places != 1) {
         context.report.error(pointer, "a support needs exactly one of 'block_at', 'point' and 'boundary'",
-                             places > 1 ? "Leave out all but one" : "Give one of them");
+                             places > 1 ? "Keep only one of them" : "Give one of them");
         return;
     }
     if (support.boundary)
@@ -170,7 +170,7 @@ void checkSupport(const Support& support, const std::string& pointer, CheckConte
     if (support.blockAt)
         return checkBlockSupport(support, pointer, context);
     if (support.fix == Fix::All)
-        context.report.error(under(pointer, "fix"), "a point is held in x, y or both",
+        context.report.error(under(pointer, "fix"), "a point can only be fixed in x, y or both",
                              "Write \"fix\": \"x\", \"y\" or \"xy\", or give \"block_at\" instead of \"point\"");
     checkPointOnBlock(context, *support.point, under(pointer, "point"));
 }
@@ -203,8 +203,8 @@ void checkInSituStress(CheckContext& context) {
         if (!(most > roundOff * largest) || !std::isfinite(most))
             continue;
         context.report.warning(under("/in_situ_stress", key),
-                               "the rock is under tension: " + rounded(most) + " Pa at y = " + coordinateText(height) + " m",
-                               "In a file tension is positive: give compression as a negative number, and a "
+                               "the rock is under tension: " + pressureText(most) + " at y = " + coordinateText(height) + " m",
+                               "Tension is positive in a file: give compression as a negative number, and a "
                                "'reference_y' at which the stress is known");
     }
 }

@@ -39,7 +39,7 @@ void tell(const std::optional<ShapeProblem>& problem, const std::string& pointer
 
 void checkJointMaterialOf(const std::optional<std::string>& name, const std::string& pointer, CheckContext& context) {
     if (name && name->empty())
-        context.report.error(under(pointer, "joint_material"), "the name is empty", "Give a name, or leave it out");
+        context.report.error(under(pointer, "joint_material"), "the name is empty", "Give a name, or omit it");
     else if (name)
         checkReference(*name, namesOf(context.scene.jointMaterials), "joint_materials",
                        under(pointer, "joint_material"), context.report);
@@ -63,7 +63,7 @@ const std::vector<Point>* checkRegionOf(const std::optional<std::string>& name, 
 bool checkHasDomain(const std::string& pointer, CheckContext& context) {
     if (context.scene.domain)
         return true;
-    context.report.error(pointer, "the scene has no domain that could be cut", "Give a domain, or leave this out");
+    context.report.error(pointer, "the scene has no domain to cut", "Give a domain, or omit this");
     return false;
 }
 
@@ -79,7 +79,7 @@ bool checkDomain(CheckContext& context) {
     if (tolerance && *tolerance > coarsestTolerance * size)
         context.report.error("/cutting/tolerance",
                              "a tolerance of " + shortest(*tolerance) + " m is more than a hundredth of the domain",
-                             "Give at most " + rounded(coarsestTolerance * size) + " m, or leave it out");
+                             "Give at most " + rounded(coarsestTolerance * size) + " m, or omit it");
     return true;
 }
 
@@ -94,7 +94,8 @@ void checkOverlapWithDomain(CheckContext& context) {
             context.report.error(under("/blocks", i),
                                  "the block " + inQuotes(displayName(scene, static_cast<int>(i))) +
                                      " overlaps the domain",
-                                 "Move it out of the domain, wholly into a tunnel that no stage excavates, or draw it there by joints");
+                                 "Move it out of the domain or completely into a tunnel that no stage excavates, or "
+                                 "outline it there with joints");
     }
 }
 
@@ -122,8 +123,8 @@ double checkJointSet(const SceneJointSet& set, const std::string& pointer, Check
     if (traces <= mostTraces)
         return traces;
     context.report.error(under(pointer, "spacing"),
-                         "the set would make about " + shortest(std::round(traces)) + " traces, and more than " +
-                             shortest(mostTraces) + " are not cut",
+                         "the joint set would produce about " + shortest(std::round(traces)) + " traces; the limit is " +
+                             shortest(mostTraces),
                          "Give a larger spacing or trace length, or a smaller region");
     return 0.0;
 }
@@ -139,7 +140,7 @@ double checkVoronoi(CheckContext& context) {
         return cells;  // three traces each, which meet at their ends only
     context.report.error("/voronoi/size",
                          "cells of " + shortest(voronoi.size) + " m are about " + shortest(std::round(cells)) +
-                             ", and more than " + shortest(mostTraces) + " are not cut",
+                             "; the limit is " + shortest(mostTraces),
                          "Give a larger size, or a smaller region");
     return 0.0;
 }
@@ -173,11 +174,11 @@ void checkPattern(const ScenePattern& pattern, const std::string& pointer, Check
     const double bolts = boltCount(tunnelProfile(shape), patternOf(pattern));
     if (bolts > mostBolts)
         context.report.error(under(pointer, "spacing"),
-                             "the pattern would give " + shortest(bolts) + " bolts, and more than " +
-                                 shortest(mostBolts) + " are not laid out",
+                             "the pattern would have " + shortest(bolts) + " bolts; the limit is " +
+                                 shortest(mostBolts),
                              "Give a larger spacing");
     else if (bolts < 1.0)
-        context.report.warning(pointer, "the pattern gives no bolt: its offset reaches beyond its end",
+        context.report.warning(pointer, "the pattern has no bolts: its offset lies beyond its end",
                                "Give a smaller offset");
 }
 
@@ -187,9 +188,9 @@ void checkNameIsFree(const std::string& name, const std::string& pointer, const 
     const auto found = std::find(others.begin(), others.end(), name);
     if (!name.empty() && found != others.end())
         context.report.error(pointer,
-                             "the name " + inQuotes(name) + " is that of a " + what + " (" +
+                             "the name " + inQuotes(name) + " is already used by a " + what + " (" +
                                  under(list, static_cast<std::size_t>(found - others.begin())) + ")",
-                             "Give it a name of its own: stages call both by their names");
+                             "Give it another name: stages refer to both by name");
 }
 
 void checkNames(CheckContext& context) {
@@ -230,11 +231,11 @@ double crossingsOf(const std::vector<CutTrace>& traces) {
 // Each list may be in measure and all together not.
 void checkAmount(double traces, CheckContext& context) {
     const auto told = [&](const std::string& what, double most) {
-        context.report.error("/domain", what + " are too many: more than " + shortest(most) + " are not cut",
+        context.report.error("/domain", what + " are too many: the limit is " + shortest(most),
                              "Give larger spacings or fewer joint sets, or confine them to a smaller region");
     };
     if (traces > mostTraces)
-        return told("about " + shortest(std::round(traces)) + " traces of all joints together", mostTraces);
+        return told("about " + shortest(std::round(traces)) + " traces of all joints in total", mostTraces);
     if (hasErrors(context.report.problems))
         return;
     if (crossingsOf(tracesOf(context.scene).traces) > mostCrossings)

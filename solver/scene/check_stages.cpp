@@ -31,8 +31,8 @@ void checkTable(const Table& table, StageKind kind, const std::string& pointer, 
         return;  // the table of fields has said so
     for (std::size_t i = 1; i < table.size(); ++i)
         if (!(table[i].first > table[i - 1].first))
-            report.error(under(pointer, i), "the time " + shortest(table[i].first) + " does not rise",
-                         "Sort the rows by time and give each time once");
+            report.error(under(pointer, i), "the time " + shortest(table[i].first) + " does not increase",
+                         "Sort the rows by time and give each time only once");
     if (!table.empty() && table.front().first < 0.0)
         report.error(under(pointer, 0), "the time is negative", "Count from the start of the stage");
     if (kind == StageKind::Static && !table.empty() && table.back().first > 1.0)
@@ -44,8 +44,8 @@ void checkNotFixed(int block, const std::string& pointer, std::string_view what,
     if (block >= 0 && context.fixed[static_cast<std::size_t>(block)])
         context.report.error(pointer,
                              std::string(what) + " acts on the block " + inQuotes(displayName(context.scene, block)) +
-                                 ", which is held by a support",
-                             "Leave out the one or the other");
+                                 ", which is fixed by a support",
+                             "Remove one of the two");
 }
 
 /// Cell of a cut block that a motion moves, 0 of one that is not cut.
@@ -69,7 +69,8 @@ void checkTakenOnce(int block, int cell, std::size_t entry, const std::string& p
         context.report.error(pointer,
                              "the block " + inQuotes(displayName(context.scene, block)) + " already has a " +
                                  std::string(what) + " in this stage (entry " + std::to_string(first->second) + ")",
-                             "Give a block one " + std::string(what) + " a stage; a slanting axis may be a vector");
+                             "Give a block only one " + std::string(what) +
+                                 " per stage; an inclined axis can be given as a vector");
 }
 
 void checkMotion(const Motion& motion, std::size_t entry, std::size_t stage, const std::string& pointer, Taken& taken,
@@ -111,14 +112,14 @@ void checkPressure(const Load& load, const std::string& pointer, CheckContext& c
         context.report.error(under(pointer, "force"), "a load along a line is a pressure, not a force",
                              "Give 'pressure' [Pa], or 'point' or 'block_at' with the force");
     if (load.pressure == 0.0)
-        context.report.warning(pointer, "the pressure is 0", "Give 'pressure' [Pa], or leave the load out");
+        context.report.warning(pointer, "the pressure is 0", "Give 'pressure' [Pa], or omit the load");
     if (!line[0].allFinite() || !line[1].allFinite())
         return;
     if ((line[1] - line[0]).norm() <= context.tolerance)
         context.report.error(under(pointer, "along"), "the line has no length", "Give two different points");
     else if (context.allSound() && !someEdgeLiesAlong(line, context))
         context.report.error(under(pointer, "along"), "no edge of a block lies along the line",
-                             "Give the two ends of an edge, or of a row of edges");
+                             "Give the two ends of an edge or of a row of edges");
 }
 
 void checkPlaceOfForce(const Load& load, int block, const std::string& pointer, CheckContext& context) {
@@ -133,7 +134,7 @@ void checkPlaceOfForce(const Load& load, int block, const std::string& pointer, 
 
 void checkForce(const Load& load, std::size_t stage, const std::string& pointer, CheckContext& context) {
     if (load.force == Point(0.0, 0.0))
-        context.report.warning(pointer, "the force is 0", "Give 'force' [N], or leave the load out");
+        context.report.warning(pointer, "the force is 0", "Give 'force' [N], or omit the load");
     const std::string place = under(pointer, load.blockAt ? "block_at" : "point");
     const int block = load.blockAt ? checkBlockAt(context, *load.blockAt, place)
                                    : checkPointOnBlock(context, *load.point, place);
@@ -147,7 +148,7 @@ void checkLoad(const Load& load, std::size_t stage, const std::string& pointer, 
     const int places = (load.blockAt ? 1 : 0) + (load.point ? 1 : 0) + (load.along ? 1 : 0);
     if (places != 1)
         context.report.error(pointer, "a load needs exactly one of 'block_at', 'point' and 'along'",
-                             places == 0 ? "Give one of them" : "Leave out all but one");
+                             places == 0 ? "Give one of them" : "Keep only one of them");
     else if (load.along)
         checkPressure(load, pointer, context);
     else
@@ -167,23 +168,23 @@ void checkTimes(const Stage& stage, const std::string& pointer, CheckReport& rep
     if (stage.kind == StageKind::Static)
         return;
     if (stage.duration == 0.0)
-        report.error(under(pointer, "duration"), "a dynamic stage needs a duration", "Give seconds, above 0");
+        report.error(under(pointer, "duration"), "a dynamic stage needs a duration", "Give a duration in seconds, above 0");
     else if (stage.timeStep && *stage.timeStep > stage.duration)
         report.warning(under(pointer, "time_step"), "the time step is longer than the stage",
-                       "Give a shorter one, or leave it to the program");
+                       "Give a shorter time step, or omit it to let the program choose");
 }
 
 void checkScheme(const Stage& stage, const std::string& pointer, CheckContext& context) {
     const Integration integration = stage.integration.value_or(context.scene.analysis.integration);
     if (stage.rhoInf && integration != Integration::GeneralizedAlpha)
-        context.report.warning(under(pointer, "rho_inf"), "only the generalized-alpha scheme has a rho_inf",
-                               "Give \"integration\": \"generalized-alpha\", or leave it out");
+        context.report.warning(under(pointer, "rho_inf"), "only the scheme 'generalized-alpha' uses rho_inf",
+                               "Give \"integration\": \"generalized-alpha\", or omit it");
     const bool endForces = integration == Integration::Shi || integration == Integration::BackwardEuler;
     const bool classical = context.scene.analysis.iteration == Iteration::OpenClose;
     if (stage.kind == StageKind::Dynamic && classical && !endForces)
         context.report.error(stage.integration ? under(pointer, "integration") : "/analysis/integration",
-                             "the open–close iteration knows only forces at the end of a step",
-                             "Integrate by \"shi\" or \"backward-euler\", or take the iteration \"convex\"");
+                             "the open–close iteration handles only forces at the end of a step",
+                             "Use the integration \"shi\" or \"backward-euler\", or the iteration \"convex\"");
 }
 
 // True where the cut left a face that satisfies the question.
@@ -207,7 +208,7 @@ void checkDilated(const std::string& joint, const std::string& pointer, CheckCon
     const int source = traceSource(context.document, joint);
     if (source >= 0 && context.isCut && !someFace(context, [&](const CutFace& face) { return face.source == source; }))
         context.report.warning(pointer, "no face of a block lies on " + inQuotes(joint) + ", so nothing opens",
-                               "See the notes on the cut, or leave it out");
+                               "See the notes on the cut, or omit it");
 }
 
 void checkDilations(const Stage& stage, const std::string& pointer, CheckContext& context) {
@@ -218,7 +219,7 @@ void checkDilations(const Stage& stage, const std::string& pointer, CheckContext
         for (std::size_t before = 0; before < i; ++before)
             if (stage.dilations[before].joint == joint)
                 context.report.error(at, "the joint " + inQuotes(joint) + " already opens in this stage",
-                                     "Give one rate");
+                                     "Give only one rate");
     }
 }
 
@@ -234,7 +235,7 @@ void checkSides(const Stage& stage, const std::string& pointer, CheckContext& co
         else if (context.document.domain && context.isCut &&
                  !someFace(context, [&](const CutFace& face) { return isOnSide(face, side); }))
             context.report.error(at, "no block has a face on that side of the domain",
-                                 "Give another side: an edge belongs to the one that its outward normal points to");
+                                 "Give another side: an edge belongs to the side that its outward normal points to");
     }
 }
 
@@ -254,9 +255,9 @@ void checkSmallest(const Stage& stage, const std::string& pointer, CheckContext&
     const double smallest = smallestOf(stage), median = medianArea(context);
     if (!(smallest > most * median)) return;
     context.report.warning(under(under(pointer, "until"), "smallest"),
-                           "blocks under " + rounded(smallest) + " m² do not decide whether the stage stands, but half of "
-                           "all blocks have less than " + rounded(median) + " m²",
-                           "Give less than a twentieth of that, or 0 so that all blocks decide");
+                           "blocks under " + rounded(smallest) + " m² do not decide whether the stage is stable, but "
+                           "half of all blocks are smaller than " + rounded(median) + " m²",
+                           "Give less than a twentieth of that area, or 0 so that all blocks decide");
 }
 
 /// What follows a collapse has a name of its own in tables.
@@ -268,7 +269,7 @@ void checkCollapseNames(const std::vector<Stage>& stages, CheckReport& report) {
             if (stages[i].name == taken)
                 report.error(under(under("/stages", i), "name"),
                              "the motion after a collapse of stage " + inQuotes(stage.name) + " is called " + inQuotes(taken) +
-                                 ", too",
+                                 " as well",
                              "Give this stage another name");
     }
 }
@@ -300,11 +301,11 @@ void checkStages(CheckContext& context) {
     const bool needsBlocks = !stages.empty() || !context.scene.bolts.empty() || !context.scene.supports.empty();
     if (context.scene.blocks.empty() && context.isCut && needsBlocks)
         context.report.error("/blocks", "the scene has no blocks",
-                             context.document.domain ? "Leave some of the domain beside the open tunnels"
+                             context.document.domain ? "Leave some rock of the domain outside the open tunnels"
                                                      : "Give at least one, or a domain to cut");
     if (stages.empty())
         context.report.warning("", "the scene has no stages, so there is nothing to run",
-                               "Add 'stages', or keep it as a scene to be checked");
+                               "Add 'stages', or use the scene for checks only");
     checkNamesDiffer(
         stages.size(), [&](std::size_t i) { return stages[i].name; },
         [](std::size_t i) { return under(under("/stages", i), "name"); }, "stage", context.report);

@@ -43,9 +43,9 @@ void checkResidual(const StrengthChange& change, std::optional<double> peak, con
                    CheckReport& report) {
     if (!peak || !change.residualFrictionAngle || *change.residualFrictionAngle <= *peak) return;
     report.error(under(pointer, "residual_friction_angle"),
-                 "friction cannot grow from " + shortest(*peak) + "° to " + shortest(*change.residualFrictionAngle) +
+                 "friction cannot increase from " + shortest(*peak) + "° to " + shortest(*change.residualFrictionAngle) +
                      "° by slip",
-                 "Give at most the friction angle, or another 'friction_angle' with it");
+                 "Give at most the friction angle, or change 'friction_angle' as well");
 }
 
 }  // namespace
@@ -57,13 +57,13 @@ void checkStrengthChanges(const Stage& stage, const std::string& pointer, CheckC
         const std::string place = under(under(pointer, "set"), i);
         checkName(change, place, context);
         if (!change.frictionAngle && !change.residualFrictionAngle && !change.cohesion && !change.tensileStrength)
-            context.report.error(place, "this changes nothing",
+            context.report.error(place, "this entry changes nothing",
                                  "Give 'friction_angle', 'residual_friction_angle', 'cohesion' or 'tensile_strength'");
         checkResidual(change, frictionAt(context.scene, change.jointMaterial, stage), place, context.report);
         if (!change.jointMaterial.empty() && !changed.insert(change.jointMaterial).second)
             context.report.error(under(place, "joint_material"),
                                  inQuotes(change.jointMaterial) + " is already changed in this stage",
-                                 "Put all of its changes into one entry");
+                                 "Put all its changes into one entry");
     }
 }
 

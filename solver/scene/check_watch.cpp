@@ -35,7 +35,7 @@ std::string placeKey(const Monitor& monitor) {
 void checkPlace(const Monitor& monitor, const Bolt& bolt, const std::string& pointer, CheckReport& report) {
     const int places = (monitor.at ? 1 : 0) + (monitor.atFromHead ? 1 : 0) + (monitor.atFraction ? 1 : 0);
     if (places > 1)
-        return report.error(pointer, "the monitor names more than one place along the bolt",
+        return report.error(pointer, "the monitor gives more than one position along the bolt",
                             "Keep one of 'at', 'at_from_head' and 'at_fraction'");
     const double length = lengthOf(bolt);
     if (!(length > 0.0))
@@ -44,9 +44,9 @@ void checkPlace(const Monitor& monitor, const Bolt& bolt, const std::string& poi
     const double tolerance = 1e-9 * length;
     if (places == 1 && (place > length + tolerance || place < -tolerance))
         report.error(under(pointer, placeKey(monitor)),
-                     "the place is past the end of the bolt " + inQuotes(bolt.name) + ", which is " + rounded(length) +
+                     "the position is beyond the end of the bolt " + inQuotes(bolt.name) + ", which is " + rounded(length) +
                          " m long",
-                     "Give at most the bolt's length");
+                     "Give at most the length of the bolt");
 }
 
 void checkBoltMonitor(const Monitor& monitor, const std::string& pointer, CheckContext& context) {
@@ -65,15 +65,15 @@ void checkBetween(const Monitor& monitor, const std::string& pointer, CheckConte
     if (first >= 0 && first == second)
         context.report.warning(place,
                                "both points belong to the block " + inQuotes(displayName(context.scene, first)) +
-                                   ", so no joint opens between them",
-                               "Move them to the two sides of the joint, off its line");
+                                   ", so no joint between them can open",
+                               "Move them to the two sides of the joint, away from its line");
 }
 
 void checkMonitor(const Monitor& monitor, const std::string& pointer, CheckContext& context) {
     const int subjects = (monitor.point ? 1 : 0) + (monitor.between ? 1 : 0) + (monitor.bolt ? 1 : 0);
     if (subjects != 1)
         return context.report.error(pointer, "a monitor needs exactly one of 'point', 'between' and 'bolt'",
-                                    subjects == 0 ? "Give one of them" : "Leave out all but one");
+                                    subjects == 0 ? "Give one of them" : "Keep only one of them");
     if (monitor.point)
         checkPointOnBlock(context, *monitor.point, under(pointer, "point"));
     else if (monitor.between)

@@ -109,7 +109,7 @@ std::string condition(const Field& field) {
     return "where " + inQuotes(field.only.key) + (words.empty() ? " is given" : " is " + words);
 }
 
-std::string misplaced(const Field& field) { return inQuotes(field.key) + " belongs only " + condition(field); }
+std::string misplaced(const Field& field) { return inQuotes(field.key) + " is allowed only " + condition(field); }
 
 bool isFinite(const FieldValue& value) {
     return std::visit([](const auto& held) { return allFinite(held); }, value);

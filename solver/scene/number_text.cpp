@@ -6,6 +6,8 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <utility>
 
 namespace keyblock {
 
@@ -13,6 +15,13 @@ std::string rounded(double number) {
     std::array<char, 32> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 4);
     return {text.data(), end.ptr};
+}
+
+std::string pressureText(double pascals) {
+    constexpr std::array<std::pair<double, const char*>, 3> units{{{1e9, " GPa"}, {1e6, " MPa"}, {1e3, " kPa"}}};
+    for (const auto& [size, unit] : units)
+        if (std::abs(pascals) >= size) return rounded(pascals / size) + unit;
+    return rounded(pascals) + " Pa";
 }
 
 std::string coordinateText(double metres) {

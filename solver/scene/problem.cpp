@@ -14,7 +14,7 @@ void addProblem(std::vector<Problem>& problems, Problem problem) {
     if (problems.size() >= (isError ? mostProblems : mostProblems / 2))
         return;
     if (problems.size() + 1 == mostProblems) {
-        problem.message = "there are more problems than can be listed";
+        problem.message = "there are more problems than are listed here";
         problem.remedy = "Correct these first";
     }
     problems.push_back(std::move(problem));

@@ -73,7 +73,7 @@ SubjectReading wholeMonitor(int monitor, const Scene& scene) {
 SubjectReading monitorPart(int monitor, std::string_view part, const Scene& scene) {
     const std::string& name = scene.monitors[monitor].name;
     if (monitorValueCount(scene.monitors[monitor]) == 1)
-        return {{}, "monitor '" + name + "' has one value: leave out '." + std::string(part) + "'"};
+        return {{}, "monitor '" + name + "' has one value: omit '." + std::string(part) + "'"};
     if (part != "ux" && part != "uy")
         return {{}, "monitor '" + name + "' has no '" + std::string(part) + "': write '.ux' or '.uy'"};
     return {Subject{.monitor = monitor, .component = part == "uy" ? 1 : 0}, ""};
@@ -89,8 +89,8 @@ SubjectReading boltPart(int bolt, std::string_view part, const Scene& scene) {
 
 SubjectReading unknownSubject(std::string_view name, const Scene& scene) {
     const auto nameOf = [](const auto& item) { return item.name; };
-    return {{}, "'" + std::string(name) + "' names no monitor (there are: " + listed(scene.monitors, nameOf) +
-                    ") and no bolt with a quantity, as in 'BOLT.axial_force' (bolts: " + listed(scene.bolts, nameOf) +
+    return {{}, "'" + std::string(name) + "' is not the name of a monitor (monitors: " + listed(scene.monitors, nameOf) +
+                    ") or of a bolt with a quantity, as in 'BOLT.axial_force' (bolts: " + listed(scene.bolts, nameOf) +
                     ")"};
 }
 
@@ -128,13 +128,13 @@ QuantityReading readQuantity(std::string_view text, const Scene& scene) {
         const std::string_view kind = takeWord(rest);
         quantity.eventKind = indexOfWord(eventKindWords, kind);
         if (quantity.eventKind < 0)
-            return {{}, "'" + std::string(kind) + "' is no kind of event: write one of " + listedWords(eventKindWords)};
+            return {{}, "'" + std::string(kind) + "' is not a kind of event: write one of " + listedWords(eventKindWords)};
     }
     const SubjectReading subject = readSubject(rest, scene);
     if (!subject.subject)
         return {{}, subject.problem};
     if (quantity.reduction == Reduction::First && subject.subject->monitor < 0)
-        return {{}, "'first' takes a monitor, not a bolt: add a monitor of '" + std::string(rest) + "' and name it"};
+        return {{}, "'first' takes a monitor, not a bolt: add a monitor of '" + std::string(rest) + "' and use its name"};
     quantity.subject = *subject.subject;
     return {quantity, ""};
 }

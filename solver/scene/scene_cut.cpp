@@ -267,25 +267,27 @@ std::string noteText(const SceneCut& cut, const CutNote& note) {
     const std::string metres = rounded(note.measure) + " m", area = rounded(note.measure) + " m²";
     switch (note.kind) {
         case CutNoteKind::MergedTrace:
-            return metres + " of " + name(note.source) + " lie on " + name(note.other) + ", which has the faces";
-        case CutNoteKind::MovedEnd: return "an end of " + name(note.source) + " moved by " + metres + " to meet a corner";
+            return metres + " of " + name(note.source) + " coincide with " + name(note.other) + ", which forms the faces";
+        case CutNoteKind::MovedEnd:
+            return "an end of " + name(note.source) + " was moved by " + metres + " to meet a corner";
         case CutNoteKind::PulledEnd:
-            return "an end of " + name(note.source) + " went on by " + metres + " to meet " + name(note.other);
+            return "an end of " + name(note.source) + " was extended by " + metres + " to meet " + name(note.other);
         case CutNoteKind::TrimmedEnd:
-            return "the last " + metres + " of " + name(note.source) + " end in rock and bound no block";
-        case CutNoteKind::TrimmedStretch: return metres + " of " + name(note.source) + " bound no block";
+            return "the last " + metres + " of " + name(note.source) + " end in rock and do not bound a block";
+        case CutNoteKind::TrimmedStretch: return metres + " of " + name(note.source) + " do not bound a block";
         case CutNoteKind::DroppedShort:
-            return "a trace of " + name(note.source) + ", " + metres + " long, is within the tolerance";
+            return "a trace of " + name(note.source) + ", " + metres + " long, is shorter than the tolerance";
         case CutNoteKind::DroppedOutside:
             return "a trace of " + name(note.source) + ", " + metres + " long, lies outside the domain";
         case CutNoteKind::DroppedLoose:
-            return "a trace of " + name(note.source) + ", " + metres + " long, bounds no block";
+            return "a trace of " + name(note.source) + ", " + metres + " long, does not bound a block";
         case CutNoteKind::DroppedNotFinite: return "a trace of " + name(note.source) + " is not finite";
         case CutNoteKind::DroppedDomain: return "the domain has no area";
         case CutNoteKind::MergedSliver:
-            return "a block of " + area + " is below a limit and joined its neighbour over " + name(note.source);
+            return "a block of " + area + " is below a limit and was merged with its neighbour across " + name(note.source);
         case CutNoteKind::MergedUnsound:
-            return "a block of " + area + " would cross itself and joined its neighbour over " + name(note.source);
+            return "a block of " + area + " would cross itself and was merged with its neighbour across " +
+                   name(note.source);
         case CutNoteKind::KeptSliver: return "a block of " + area + " is below a limit but has no neighbour";
     }
     return "";

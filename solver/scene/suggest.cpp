@@ -85,7 +85,7 @@ std::string suggestion(std::string_view text, const std::vector<std::string_view
     const std::string_view nearest = nearestName(text, names);
     if (!nearest.empty())
         return "Did you mean " + inQuotes(nearest) + "?";
-    return names.empty() ? "There are none" : "There are " + listed(names);
+    return names.empty() ? "None is defined" : "Available: " + listed(names);
 }
 
 }  // namespace keyblock

@@ -50,7 +50,7 @@ TEST(RecordFile, RefusesWhatCouldMeanSomethingElse) {
     expectFault("time_s,a\n0,\n", "no number");
     expectFault("time_s,a\n0,inf\n1,0\n", "not finite");
     expectFault("time_s,a\n0,1e999\n1,0\n", "no number");
-    expectFault("time_s,a\n0,0\n0,1\n", "does not rise");
+    expectFault("time_s,a\n0,0\n0,1\n", "does not increase");
     expectFault("# a comment\ntime_s,a\n0,0\n", "header");
     expectFault("a,time_s\n0,0\n1,1\n", "header");
     expectFault("time_s,a,v\n0,0,0\n1,1,1\n", "header");

@@ -70,7 +70,7 @@ TEST(Measure, SaysWhyThereIsNoNumber) {
     const Scene scene = test::sampleScene();
     Results results = test::sampleResults();
     EXPECT_NE(measure("first collapse opening", scene, results).problem.find("no collapse"), std::string::npos);
-    EXPECT_NE(measure("max nothing", scene, results).problem.find("names no monitor"), std::string::npos);
+    EXPECT_NE(measure("max nothing", scene, results).problem.find("is not the name of a monitor"), std::string::npos);
     results.events[0].historyRow = -1;
     EXPECT_FALSE(measure("first debonding opening", scene, results).value);
     results.events[0].historyRow = 1;

@@ -58,7 +58,7 @@ TEST(QuantityText, SaysWhatToWriteInstead) {
     expectProblem("first debonding B1.slip", "add a monitor");
     expectProblem("max crown", "crown.ux");
     expectProblem("max crown.uz", ".uy");
-    expectProblem("max joint force.ux", "leave out");
+    expectProblem("max joint force.ux", "omit");
     expectProblem("max B.2.force", "axial_force");
     expectProblem("max nothing", "crown, joint force");
 }

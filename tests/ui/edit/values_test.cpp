@@ -70,7 +70,7 @@ TEST(Values, AChangedNumberIsThereAndNothingElseIs) {
         if (!contains(place.field->range, changed)) continue;
         const Edit edit = setValueAt(scene, pointer, changed);
         if (place.misplaced) {
-            EXPECT_NE(edit.refusal.find("belongs only where"), std::string::npos) << pointer;
+            EXPECT_NE(edit.refusal.find("is allowed only where"), std::string::npos) << pointer;
             continue;
         }
         ASSERT_TRUE(edit.done()) << pointer << edit.refusal;
