@@ -29,17 +29,19 @@ double lastPlace(const TunnelProfile& profile, const BoltPattern& pattern) {
 }  // namespace
 
 std::optional<ShapeProblem> boltPatternProblem(const BoltPattern& pattern) {
-    if (!pattern.from.allFinite()) return ShapeProblem{"from", "the beginning is no place", "give a point of the wall"};
-    if (!pattern.to.allFinite()) return ShapeProblem{"to", "the end is no place", "give a point of the wall"};
+    if (!pattern.from.allFinite())
+        return ShapeProblem{"from", "the start is not a finite point", "give a point on the wall"};
+    if (!pattern.to.allFinite())
+        return ShapeProblem{"to", "the end is not a finite point", "give a point on the wall"};
     if (!(pattern.spacing > 0.0 && std::isfinite(pattern.spacing)))
         return ShapeProblem{"spacing", "the spacing of bolts must be above 0", "give metres along the wall"};
     if (!(pattern.offset >= 0.0 && std::isfinite(pattern.offset)))
-        return ShapeProblem{"offset", "the offset must not be negative", "begin the pattern farther back"};
+        return ShapeProblem{"offset", "the offset must not be negative", "start the pattern farther back"};
     if (!(pattern.length > 0.0 && std::isfinite(pattern.length)))
         return ShapeProblem{"length", "the length of a bolt must be above 0", "give metres"};
     if (!(pattern.angleFromWall >= leastAngleFromWall && pattern.angleFromWall <= greatestAngleFromWall))
         return ShapeProblem{"angle_from_wall", "the angle from the wall must lie between 10 and 170 degrees",
-                            "90 stands normal to the wall; less leans forward along the pattern"};
+                            "90 is normal to the wall; a smaller angle inclines bolts forward along the pattern"};
     return std::nullopt;
 }
 

@@ -127,12 +127,13 @@ std::string splineProblem(const Spline& spline) {
     if (spline.knots.size() != control + degree + 1)
         return "it has " + std::to_string(spline.knots.size()) + " knots in place of " +
                std::to_string(control + degree + 1);
-    if (!std::is_sorted(spline.knots.begin(), spline.knots.end())) return "its knots fall";
-    if (!(spline.knots[control] > spline.knots[degree])) return "its knots are all alike";
+    if (!std::is_sorted(spline.knots.begin(), spline.knots.end())) return "its knots decrease";
+    if (!(spline.knots[control] > spline.knots[degree])) return "all its knots are equal";
     for (std::size_t i = degree; i + degree + 1 < spline.knots.size(); ++i)
         if (spline.knots[i] == spline.knots[i + degree + 1])
-            return "a knot stands there more than " + std::to_string(degree + 1) + " times";
-    if (!spline.weights.empty() && spline.weights.size() != control) return "its weights are not one for each point";
+            return "a knot is repeated more than " + std::to_string(degree + 1) + " times";
+    if (!spline.weights.empty() && spline.weights.size() != control) return "the number of its weights differs from "
+                                                                            "the number of its points";
     if (std::any_of(spline.weights.begin(), spline.weights.end(), [](double w) { return !(w > 0.0); }))
         return "a weight is not above 0";
     return {};

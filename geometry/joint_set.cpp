@@ -126,7 +126,7 @@ std::optional<ShapeProblem> scatterProblem(const Scatter& scatter, const std::st
 }  // namespace
 
 std::optional<ShapeProblem> jointSetProblem(const JointSet& set) {
-    if (!std::isfinite(set.dip)) return ShapeProblem{"dip", "the dip is no finite number", "give degrees"};
+    if (!std::isfinite(set.dip)) return ShapeProblem{"dip", "the dip is not a finite number", "give degrees"};
     if (!(set.dipDeviation >= 0.0 && set.dipDeviation <= largestDipDeviation))
         return ShapeProblem{"dip_deviation", "the deviation of the dip must lie between 0 and 25 degrees",
                             "use several joint sets for directions that differ more"};
@@ -134,13 +134,13 @@ std::optional<ShapeProblem> jointSetProblem(const JointSet& set) {
         return ShapeProblem{"spacing", "the spacing must be above 0", "give the distance between joints in metres"};
     if (set.length && !(set.length->mean > 0.0 && std::isfinite(set.length->mean)))
         return ShapeProblem{"trace_length", "the length of a trace must be above 0",
-                            "give metres, or null for joints right through the region"};
+                            "give metres, or null for joints through the whole region"};
     if (!(set.bridge.mean >= 0.0 && std::isfinite(set.bridge.mean)))
         return ShapeProblem{"bridge", "the bridge between traces must not be negative", "give metres, or 0"};
     if (set.stagger && !std::isfinite(*set.stagger))
-        return ShapeProblem{"stagger", "the stagger is no finite number", "give a share of trace and bridge"};
+        return ShapeProblem{"stagger", "the stagger is not a finite number", "give a share of trace and bridge"};
     if (!set.origin.allFinite())
-        return ShapeProblem{"origin", "the origin is no place", "give a point that one joint passes through"};
+        return ShapeProblem{"origin", "the origin is not a finite point", "give a point that one joint passes through"};
     if (auto problem = scatterProblem(set.spacing, "spacing")) return problem;
     if (set.length)
         if (auto problem = scatterProblem(*set.length, "trace_length")) return problem;

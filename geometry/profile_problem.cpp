@@ -25,7 +25,7 @@ Result lengthProblem(double length, const char* field) {
 
 Result centerProblem(const Point& center) {
     if (center.allFinite()) return std::nullopt;
-    return ShapeProblem{"center", "the centre of the tunnel is no place", "give the middle of its bounding box"};
+    return ShapeProblem{"center", "the centre of the tunnel is not a finite point", "give the centre of its bounding box"};
 }
 
 Result boxProblem(const Point& center, double width, double height) {
@@ -33,8 +33,8 @@ Result boxProblem(const Point& center, double width, double height) {
     if (auto problem = lengthProblem(width, "width")) return problem;
     if (auto problem = lengthProblem(height, "height")) return problem;
     if (height >= 0.5 * width) return std::nullopt;
-    return ShapeProblem{"height", "the height is less than half the width, which the round crown alone takes",
-                        "raise the height, or use the profile arched with a small rise"};
+    return ShapeProblem{"height", "the height is less than half the width, which is the height of the round crown",
+                        "increase the height, or use the profile arched with a small rise"};
 }
 
 Result problemOf(const CircleShape& s) {
@@ -50,8 +50,9 @@ Result problemOf(const HorseshoeShape& s) {
     const double highest = 0.5 * (1.0 + std::numbers::sqrt3) * s.width;
     if (s.height <= 0.999 * highest) return std::nullopt;
     return ShapeProblem{"height",
-                        "at this height the walls, of radius width, leave no floor: it must stay below 1.364 widths",
-                        "lower the height or widen the tunnel"};
+                        "at this height the walls, whose radius is the width, leave no floor: the height must be less "
+                        "than 1.364 times the width",
+                        "reduce the height or widen the tunnel"};
 }
 
 Result problemOf(const ArchedShape& s) {
@@ -64,25 +65,25 @@ Result problemOf(const ArchedShape& s) {
                             "give metres; for a flat roof use the profile polygon"};
     if (s.rise < flattestArch * s.width)
         return ShapeProblem{"rise", "the rise of the arch is less than a thousandth of the width",
-                            "raise it; for a flat roof use the profile polygon"};
+                            "increase it; for a flat roof use the profile polygon"};
     if (s.rise <= 0.5 * s.width) return std::nullopt;
-    return ShapeProblem{"rise", "the rise is more than half the width: the arch would bulge over its walls",
-                        "lower the rise, or use the profile circle"};
+    return ShapeProblem{"rise", "the rise is more than half the width: the arch would bulge beyond its walls",
+                        "reduce the rise, or use the profile circle"};
 }
 
 Result problemOf(const PolygonShape& s) {
     const auto problem = [](const char* message, const char* remedy) {
         return ShapeProblem{"points", message, remedy};
     };
-    if (s.points.size() < 3) return problem("an outline takes three points or more", "add points");
+    if (s.points.size() < 3) return problem("an outline needs three points or more", "add points");
     if (!std::all_of(s.points.begin(), s.points.end(), [](const Point& p) { return p.allFinite(); }))
-        return problem("a point of the outline is no place", "give finite coordinates");
+        return problem("a point of the outline is not finite", "give finite coordinates");
     const Box box = boxOf(s.points);
     const double size = (box.max - box.min).norm();
     if (crossesItself(s.points, 1e-9 * size))
-        return problem("the outline crosses itself", "give the points in their order around it");
+        return problem("the outline crosses itself", "give the points in order around the outline");
     if (!(std::abs(signedArea(s.points)) > 1e-9 * size * size))
-        return problem("the outline holds no area", "move the points apart");
+        return problem("the outline has no area", "move the points apart");
     return std::nullopt;
 }
 

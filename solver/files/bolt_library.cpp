@@ -19,7 +19,7 @@ namespace {
 
 void refuseProblems(const std::vector<Problem>& problems) {
     if (!problems.empty())
-        throw std::logic_error("the built-in bolt library is wrong: " + oneLine(problems.front()));
+        throw std::logic_error("the built-in bolt library is invalid: " + oneLine(problems.front()));
 }
 
 JsonNode allTypes() {

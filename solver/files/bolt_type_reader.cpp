@@ -82,15 +82,15 @@ private:
     BoltType ownBase(std::size_t index, const JsonNode& like, const JsonMember& member) {
         if (states_[index] == State::Reading) {
             addError(problems_, like, under(under(pointer_, member.key), "like"),
-                     inQuotes(member.key) + " is like " + inQuotes(members_[index].key) +
-                         ", which is like it again: a circle",
-                     "Let one of them stand on its own, or be like a built-in type");
+                     inQuotes(member.key) + " is based on " + inQuotes(members_[index].key) +
+                         ", which is based on it in turn",
+                     "Define one of them without 'like', or base it on a built-in type");
             return usable();
         }
         if (depth_ > longestChain) {
             addError(problems_, like, under(under(pointer_, member.key), "like"),
-                     "more than " + std::to_string(longestChain) + " types are like one another in a row",
-                     "Let one of them stand on its own");
+                     "more than " + std::to_string(longestChain) + " types are based on one another in a chain",
+                     "Define one of them without 'like'");
             return usable();
         }
         ++depth_;
@@ -141,7 +141,7 @@ std::vector<BoltType> readBoltTypes(const JsonNode& node, const std::vector<Bolt
     if (const auto* members = std::get_if<JsonObject>(&node.value))
         return BoltTypeReader(*members, library, pointer, problems).read();
     addError(problems, node, pointer,
-             "'bolt_types' is " + std::string(kindText(node)) + ", but must be an object with a name for each",
+             "'bolt_types' is " + std::string(kindText(node)) + ", but must be an object with named members",
              "Write { \"name\": { … } }");
     return {};
 }

@@ -98,11 +98,11 @@ void readUnit(const std::string& unit, CsvColumn& column) {
     const bool angle = column.kind == Kind::Angle, force = column.kind == Kind::Pretension;
     column.unit = lengthUnitOf(lower);
     if (isLength(column.kind) && !column.unit)
-        column.problem = "its unit " + inQuotes(unit) + " is none of " + lengthUnitWords();
+        column.problem = "its unit " + inQuotes(unit) + " is not one of " + lengthUnitWords();
     if (angle && lower != "deg" && lower != "°" && lower != "degrees")
         column.problem = "its unit " + inQuotes(unit) + " is not degrees";
     if (force && lower != "n" && lower != "kn" && lower != "mn")
-        column.problem = "its unit " + inQuotes(unit) + " is none of N, kN, MN";
+        column.problem = "its unit " + inQuotes(unit) + " is not one of N, kN, MN";
     column.forceFactor = lower == "kn" ? 1e3 : lower == "mn" ? 1e6 : 1.0;
 }
 
@@ -127,7 +127,7 @@ CsvColumn readCsvColumn(const std::string& title) {
 
 std::string csvColumnForms() {
     return "joints: x1, y1, x2, y2, or name, x, y with a row for each point; bolts: far_x, far_y, head_x, head_y, or "
-           "head_x, head_y, length, angle; besides name, joint_material, type, spacing, pretension";
+           "head_x, head_y, length, angle; also name, joint_material, type, spacing, pretension";
 }
 
 }  // namespace keyblock

@@ -71,7 +71,7 @@ private:
         else if (has(Kind::X) && has(Kind::Y) && has(Kind::Name))
             form_ = Form::Points;
         else {
-            error(line, "the header names neither joints nor bolts", "Name the columns of " + csvColumnForms());
+            error(line, "the header has columns of neither joints nor bolts", "Name the columns of " + csvColumnForms());
             return false;
         }
         tellUnused(line);
@@ -82,7 +82,7 @@ private:
         const CsvColumn& column = columns_[i];
         if (!column.problem.empty()) error(line, columnText(i) + ": " + column.problem, "Give a unit in brackets");
         if (column.problem.empty() && isLength(column.kind) && !column.unit && !unit_)
-            error(line, columnText(i) + " says no unit", "Write it as in " + inQuotes(column.title + " [m]") +
+            error(line, columnText(i) + " has no unit", "Write the unit as in " + inQuotes(column.title + " [m]") +
                                                              ", or give --units");
         if (column.kind != Kind::Unknown && indexOf(column.kind) != static_cast<int>(i))
             error(line, columnText(i) + " means the same as column " + std::to_string(indexOf(column.kind) + 1),
@@ -107,12 +107,12 @@ private:
     void tellUnused(int line) {
         for (std::size_t i = 0; i < columns_.size(); ++i)
             if (!isUsed(columns_[i].kind))
-                addProblem(drawing_.problems, {Severity::Warning, "", line, "", columnText(i) + " is not taken",
+                addProblem(drawing_.problems, {Severity::Warning, "", line, "", columnText(i) + " is not used",
                                                "Rename it if it is one of these; " + csvColumnForms()});
     }
 
     void readRows(const std::vector<CsvRow>& rows) {
-        if (rows.size() < 2) error(rows.front().front().line, "there are no rows under the header", "Give some");
+        if (rows.size() < 2) error(rows.front().front().line, "there are no rows under the header", "Add rows");
         for (std::size_t i = 1; i < rows.size() && !isFull(drawing_.problems); ++i) readRow(rows[i]);
         for (const DrawnLine& line : drawing_.lines)
             if (line.points.size() < 2)
@@ -130,7 +130,7 @@ private:
         if (form_ == Form::Ends) drawn.points = {point(Kind::FarX, Kind::FarY), point(Kind::HeadX, Kind::HeadY)};
         if (form_ == Form::Directions) drawn.points = fromHead();
         if (drawn.points[0] == drawn.points[1] && !hasErrors(drawing_.problems))
-            return error(line, "both ends are the same point", "Give two different points, or leave the row out");
+            return error(line, "both ends are the same point", "Give two different points, or remove the row");
         if (has(Kind::Spacing) && isBolts()) drawn.boltSpacing = optional(Kind::Spacing);
         if (has(Kind::Pretension) && isBolts()) drawn.pretension = optional(Kind::Pretension);
         drawing_.lines.push_back(std::move(drawn));
@@ -154,12 +154,12 @@ private:
         const std::string name = text(Kind::Name);
         const bool goesOn = !drawing_.lines.empty() && drawing_.lines.back().name == name;
         if (!goesOn && !names_.insert(name).second)
-            return error(line, "the joint " + inQuotes(name) + " goes on here after another one",
-                         "Put its points one under the other, or give it another name");
+            return error(line, "the joint " + inQuotes(name) + " continues here after another joint",
+                         "Put its points in consecutive rows, or give it another name");
         if (!goesOn) drawing_.lines.push_back(lineOf(line));
         std::vector<Point>& points = drawing_.lines.back().points;
         if (!points.empty() && points.back() == p && !hasErrors(drawing_.problems))
-            return error(line, "the point is the one before", "Leave the row out");
+            return error(line, "the point repeats the one before it", "Remove the row");
         points.push_back(p);
     }
 

@@ -20,8 +20,9 @@ bool CsvNumbers::read(const CsvCell& cell, const std::string& place, double& val
         return false;
     }
     if (readDxfReal(digits, value)) return true;
-    error(cell.line, place + " holds " + inQuotes(cell.text) + ", which is no number",
-          cell.text.empty() ? "Fill it in" : "Write digits with one decimal point or comma, and nothing between them");
+    error(cell.line, place + " holds " + inQuotes(cell.text) + ", which is not a number",
+          cell.text.empty() ? "Fill in a number" : "Write digits with one decimal point or comma, without spaces or "
+                                                   "other separators");
     return false;
 }
 
@@ -31,7 +32,7 @@ bool CsvNumbers::decimalAgrees(char decimal, int line, const std::string& place)
     error(line,
           place + " has a decimal " + (decimal == ',' ? "comma" : "point") + ", and line " +
               std::to_string(decimalLine_) + " has a " + (decimal == ',' ? "point" : "comma"),
-          "Write all numbers of the file alike");
+          "Use the same decimal separator in the whole file");
     return false;
 }
 
@@ -50,7 +51,7 @@ Problem csvRowProblem(const CsvRow& row, std::size_t columns, char separator) {
             row.front().line,
             "",
             "the row has " + std::to_string(row.size()) + " cells, and the header " + std::to_string(columns),
-            separator == ',' ? "Put decimal points, or quotes round decimal commas" : "Mend the row"};
+            separator == ',' ? "Use decimal points, or put numbers with decimal commas in quotes" : "Correct the row"};
 }
 
 }  // namespace keyblock

@@ -83,8 +83,8 @@ private:
             if (c == lineEnd_) ++line_;
             cell.text += c;
         }
-        read_.problems.push_back({Severity::Error, "", cell.line, "", "a quote is opened here and never closed",
-                                  "Close it, or take it away"});
+        read_.problems.push_back({Severity::Error, "", cell.line, "", "a quote is opened here but never closed",
+                                  "Close it, or remove it"});
     }
 
     std::string_view text_;
@@ -100,7 +100,7 @@ CsvRows readCsvRows(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     if (text.find('\0') == std::string_view::npos) return Splitter(text).split();
     CsvRows read;
-    read.problems.push_back({Severity::Error, "", 0, "", "this is no plain text (it holds zero bytes, as UTF-16 does)",
+    read.problems.push_back({Severity::Error, "", 0, "", "this is not plain text (it contains zero bytes, as UTF-16 does)",
                              "Save it as CSV in UTF-8"});
     return read;
 }

@@ -40,8 +40,8 @@ private:
 
     void stray(const DxfGroup& group) {
         if (group.code == 0 || !toldStray_)
-            warn(group.line, inQuotes(group.value) + " stands outside every section and was not read",
-                 "See whether lines before it were lost");
+            warn(group.line, inQuotes(group.value) + " is outside every section and was not read",
+                 "Check whether lines before it are missing");
         toldStray_ = true;
         ++at_;
     }
@@ -68,8 +68,8 @@ private:
         if (begins("ENDSEC"))
             ++at_;
         else
-            warn(line, "the section " + inQuotes(name) + " has no ENDSEC; it ends where the next begins",
-                 "See whether anything is missing");
+            warn(line, "the section " + inQuotes(name) + " has no ENDSEC; it ends where the next section begins",
+                 "Check whether anything is missing");
     }
 
     void readHeader() {
@@ -79,7 +79,7 @@ private:
             if (group.code == 9)
                 variable = group.value;
             else if (variable == "$INSUNITS" && group.code == 70 && !readDxfInteger(group.value, content_.units))
-                warn(group.line, "$INSUNITS is " + inQuotes(group.value) + ", which is no number", "Give --units");
+                warn(group.line, "$INSUNITS is " + inQuotes(group.value) + ", which is not a number", "Give --units");
             else if (variable == "$DWGCODEPAGE" && group.code == 3)
                 content_.codePage = group.value;
         }
@@ -133,7 +133,7 @@ private:
         if (begins("SEQEND"))
             readEntity();
         else
-            warn(whole.line, "the " + whole.kind + " has no SEQEND", "See whether any of its parts are missing");
+            warn(whole.line, "the " + whole.kind + " has no SEQEND", "Check whether any of its parts are missing");
     }
 
     DxfEntity readEntity() {

@@ -75,12 +75,12 @@ private:
         if (++entities_ > mostEntities) {
             if (entities_ == mostEntities + 1)
                 drawing_.problems.push_back({Severity::Error, "", entity.line, "",
-                                             "blocks and entities are more than " + std::to_string(mostEntities),
+                                             "the number of blocks and entities exceeds " + std::to_string(mostEntities),
                                              "Insert fewer copies of blocks"});
             return;
         }
         const std::string own = !layer.empty() && entity.layer == "0" ? layer : entity.layer;
-        if (entity.paper) return refuse(entity, own, "it is drawn on a sheet, not in the model");
+        if (entity.paper) return refuse(entity, own, "it is drawn in paper space, not in the model");
         if (entity.invisible) return refuse(entity, own, "it is invisible");
         const DxfShapeReading& reading = shapeOf(entity);
         if (!reading.shape) return refuse(entity, own, reading.why);
@@ -173,13 +173,13 @@ private:
     void addInsert(const DxfEntity& entity, const DxfInsert& insert, const Map& map, const std::string& layer) {
         const std::string name = nameOf(insert.block), key = lowerCase(name);
         const auto block = content_.blocks.find(key);
-        for (const DxfEntity& part : entity.parts) refuse(part, layer, "text is no geometry");
+        for (const DxfEntity& part : entity.parts) refuse(part, layer, "text is not geometry");
         if (block == content_.blocks.end()) return refuse(entity, layer, "there is no block " + inQuotes(name));
         if (std::count(stack_.begin(), stack_.end(), key) > 0)
             return refuse(entity, layer, "the block " + inQuotes(name) + " would be inserted into itself");
         if (stack_.size() >= deepestInsert)
             return refuse(entity, layer, "blocks are inserted into blocks more than " + std::to_string(deepestInsert) +
-                                             " deep");
+                                             " levels deep");
         if (insert.scaleX == 0.0 || insert.scaleY == 0.0) return refuse(entity, layer, "its scale is 0");
         if (block->second.entities.empty()) return refuse(entity, layer, "the block " + inQuotes(name) + " is empty");
         drawing_.inserted.push_back({kindOf(entity), layer, block->second.name});
@@ -215,9 +215,9 @@ private:
         if (heights_ == 0) return;
         drawing_.problems.push_back(
             {Severity::Warning, "", firstHeight_, "",
-             "heights z of up to " + shortest(highest_) + " were left out, here first; entities with them: " +
-                 std::to_string(heights_),
-             "See that the section is drawn in x and y"});
+             "heights z of up to " + rounded(highest_) +
+                 " were ignored, first here; number of entities with such heights: " + std::to_string(heights_),
+             "Check that the section is drawn in x and y"});
     }
 
     void tellUnusedBlocks() {
@@ -226,9 +226,9 @@ private:
             if (!used_.contains(key) && !block.entities.empty() && !ofProgram)
                 addProblem(drawing_.problems,
                            {Severity::Note, "", block.line, "",
-                            "the block " + inQuotes(block.name) + " is inserted nowhere; entities in it: " +
+                            "the block " + inQuotes(block.name) + " is never inserted; entities in it: " +
                                 std::to_string(block.entities.size()),
-                            "Insert it where it is to be, if it is"});
+                            "Insert it if it is needed"});
         }
     }
 

@@ -54,7 +54,7 @@ bool isDxfText(std::string_view text, DxfGroups& read) {
     else if (text.starts_with("AC10"))
         error(read, 1, "this is a DWG file", remedy);
     else if (text.find('\0') != std::string_view::npos)
-        error(read, 0, "this is no text file (it holds zero bytes)", remedy);
+        error(read, 0, "this is not a text file (it contains zero bytes)", remedy);
     else if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
         error(read, 0, "the file is empty", "Give a DXF file with lines in it");
     return read.problems.empty();
@@ -75,8 +75,9 @@ bool readPairs(Lines& lines, DxfGroups& read) {
         const bool blank = trimmed(codeText).empty();
         if (!readDxfInteger(trimmed(codeText), code) || code < lowestCode || code > highestCode) {
             if (blank && textAfterEnd(lines).empty()) return false;
-            error(read, lines.number(), "a group code has to stand here, not " + inQuotes(trimmed(codeText)),
-                  "The lines of a DXF come in pairs, a code and a value: mend what was lost or added before this line");
+            error(read, lines.number(), "a group code is expected here, not " + inQuotes(trimmed(codeText)),
+                  "The lines of a DXF come in pairs of a code and a value: correct the lines that were lost or added "
+                  "before this line");
             return true;
         }
         if (!lines.next(value)) return false;
@@ -124,14 +125,14 @@ DxfGroups readDxfGroups(std::string_view text) {
     const bool ended = readPairs(lines, read);
     if (hasErrors(read.problems)) return read;
     if (!ended && endsAmid(read))
-        error(read, lines.number(), "the file ends in the middle of a section: it was cut short",
+        error(read, lines.number(), "the file ends in the middle of a section: it is incomplete",
               "Export or copy it again");
     else if (!ended)
         read.problems.push_back({Severity::Warning, "", lines.number(), "", "the file ends without EOF",
-                                 "See whether anything is missing"});
+                                 "Check whether anything is missing"});
     else if (const int end = lines.number(); !textAfterEnd(lines).empty())
-        read.problems.push_back({Severity::Warning, "", end + 1, "", "lines stand after EOF and were not read",
-                                 "See whether two files were joined"});
+        read.problems.push_back({Severity::Warning, "", end + 1, "", "there are lines after EOF, which were not read",
+                                 "Check whether two files were joined"});
     return read;
 }
 

@@ -48,17 +48,17 @@ const std::map<std::string, Kind, std::less<>>& kinds() {
 
 std::string reasonFor(std::string_view kind) {
     static const std::map<std::string, std::string, std::less<>> reasons{
-        {"TEXT", "text is no geometry"},          {"MTEXT", "text is no geometry"},
-        {"ATTDEF", "text is no geometry"},        {"ATTRIB", "text is no geometry"},
-        {"DIMENSION", "a dimension is no geometry"}, {"LEADER", "a leader is no geometry"},
-        {"MULTILEADER", "a leader is no geometry"}, {"HATCH", "a hatch has no line of its own"},
-        {"POINT", "a point bounds nothing"},      {"SOLID", "filled areas are not taken; draw their outline"},
-        {"TRACE", "filled areas are not taken; draw their outline"},
-        {"3DFACE", "faces in space are not taken; draw their outline"},
-        {"XLINE", "it has no end; draw a line"},  {"RAY", "it has no end; draw a line"},
-        {"IMAGE", "a picture is no geometry"},    {"VIEWPORT", "a viewport is no geometry"},
-        {"MLINE", "multiple lines are not read; explode them to lines"},
-        {"VERTEX", "it stands outside a POLYLINE"}, {"SEQEND", "it ends nothing"}};
+        {"TEXT", "text is not geometry"},          {"MTEXT", "text is not geometry"},
+        {"ATTDEF", "text is not geometry"},        {"ATTRIB", "text is not geometry"},
+        {"DIMENSION", "a dimension is not geometry"}, {"LEADER", "a leader is not geometry"},
+        {"MULTILEADER", "a leader is not geometry"}, {"HATCH", "a hatch has no lines of its own"},
+        {"POINT", "a point does not bound a block"},      {"SOLID", "filled areas are not imported; draw their outlines"},
+        {"TRACE", "filled areas are not imported; draw their outlines"},
+        {"3DFACE", "3D faces are not imported; draw their outlines"},
+        {"XLINE", "it is infinite; draw a line"},  {"RAY", "it is infinite; draw a line"},
+        {"IMAGE", "an image is not geometry"},    {"VIEWPORT", "a viewport is not geometry"},
+        {"MLINE", "multilines are not read; explode them into lines"},
+        {"VERTEX", "it is outside a POLYLINE"}, {"SEQEND", "it has no entity to end"}};
     const auto found = reasons.find(kind);
     return found == reasons.end() ? "entities of this kind are not read" : found->second;
 }
@@ -133,17 +133,17 @@ std::string faultOf(const DxfEntity& entity, const Kind& kind) {
         if (group.value.size() > 64 || !(isRealCode(group.code) ? readDxfReal(group.value, real)
                                                                 : readDxfInteger(group.value, integer)))
             return "its value for code " + std::to_string(group.code) + " in line " + std::to_string(group.line) +
-                   " is " + inQuotes(group.value) + ", which is no number that can be used";
+                   " is " + inQuotes(group.value) + ", which is not a usable number";
     }
     for (const int code : kind.needed)
-        if (countOf(entity, code) == 0) return "it lacks code " + std::to_string(code);
+        if (countOf(entity, code) == 0) return "it has no code " + std::to_string(code);
     for (const auto& [x, y] : {std::pair{10, 20}, std::pair{11, 21}})
         if (isOf(kind, x) && countOf(entity, x) != countOf(entity, y))
             return "it has " + std::to_string(countOf(entity, x)) + " x and " + std::to_string(countOf(entity, y)) +
                    " y";
     if (entity.kind != "SPLINE" && entity.kind != "LWPOLYLINE")
         for (const int code : kind.needed)
-            if (countOf(entity, code) > 1) return "code " + std::to_string(code) + " stands there twice";
+            if (countOf(entity, code) > 1) return "code " + std::to_string(code) + " is given twice";
     return {};
 }
 
@@ -178,7 +178,7 @@ std::optional<DxfShape> readByLibrary(const std::string& text) {
 bool isOnLine(const DxfEntity& vertex) { return (integerOf(vertex, 70, 0) & 16) == 0; }
 
 std::string faultOfPolyline(const DxfEntity& entity) {
-    if ((integerOf(entity, 70, 0) & (16 | 64)) != 0) return "a mesh in space is no line";
+    if ((integerOf(entity, 70, 0) & (16 | 64)) != 0) return "a 3D mesh is not a line";
     for (const DxfEntity& vertex : entity.parts)
         if (const std::string fault = faultOf(vertex, kinds().at("VERTEX")); !fault.empty())
             return "of its vertex in line " + std::to_string(vertex.line) + ": " + fault;
@@ -199,7 +199,7 @@ double heightOf(const DxfEntity& entity) {
 std::string faultOfPlane(const DxfEntity& entity) {
     const double x = realOf(entity, 210, 0.0), y = realOf(entity, 220, 0.0), z = realOf(entity, 230, 1.0);
     constexpr double flat = 1e-9;
-    if (std::max(std::abs(x), std::abs(y)) > flat * std::abs(z)) return "it is drawn on a plane that is tilted";
+    if (std::max(std::abs(x), std::abs(y)) > flat * std::abs(z)) return "it is drawn on an inclined plane";
     return {};
 }
 

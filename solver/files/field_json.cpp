@@ -66,11 +66,11 @@ std::optional<FieldValue> word(const Place& place) {
     const auto& later = place.field.laterWords;
     if (std::find(later.begin(), later.end(), *text) != later.end())
         addError(place.problems, place.node, place.pointer,
-                 inQuotes(*text) + " belongs to the format but not to this version of the program",
+                 inQuotes(*text) + " is part of the format but not supported by this version of the program",
                  "Write one of " + listed(words));
     else
         addError(place.problems, place.node, place.pointer,
-                 inQuotes(*text) + " is no word for " + inQuotes(place.field.key),
+                 inQuotes(*text) + " is not a valid value of " + inQuotes(place.field.key),
                  "Write one of " + listed(words));
     return {};
 }
@@ -129,7 +129,7 @@ std::optional<std::vector<Point>> rowsOfTwo(const Place& place, std::string_view
             rows.push_back(*value);
         else
             addError(place.problems, (*list)[i], under(place.pointer, i),
-                     "this is " + std::string(kindText((*list)[i])) + " where two numbers are wanted",
+                     "this is " + std::string(kindText((*list)[i])) + " where two numbers are expected",
                      "Write " + std::string(row));
     }
     if (rows.size() != list->size())
@@ -217,8 +217,8 @@ std::optional<FieldValue> fixed(const Place& place) {
         accepted += (accepted.empty() ? "" : " or ") + text;
     }
     addError(place.problems, place.node, place.pointer,
-             inQuotes(place.field.key) + " takes nothing but " + accepted + " in this version of the program",
-             "Leave it out. " + std::string(place.field.help));
+             inQuotes(place.field.key) + " can only be " + accepted + " in this version of the program",
+             "Omit it. " + std::string(place.field.help));
     return {};
 }
 

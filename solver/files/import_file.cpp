@@ -26,7 +26,7 @@ std::string contentOf(const std::filesystem::path& path) {
         throw CannotRead("cannot read " + path.string() + ": " + std::strerror(errno != 0 ? errno : EISDIR) +
                          "; give the name of a DXF or CSV file");
     if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) > longest)
-        throw CannotRead("cannot read " + path.string() + ": it is larger than 512 MB; export the section alone");
+        throw CannotRead("cannot read " + path.string() + ": it is larger than 512 MB; export only the section");
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -96,8 +96,8 @@ std::string remedyFor(std::string_view detail) {
     if (tells("overflow"))
         return "Give a number below 1.8e308";
     if (tells("unexpected end of input") || tells("missing closing quote"))
-        return "The text breaks off; complete it";
-    return "Correct the text here or just before; a comma, quote or bracket may be missing or too many";
+        return "The text is incomplete; complete it";
+    return "Correct the text here or just before; a comma, quote or bracket may be missing or superfluous";
 }
 
 // Builds the tree; gives false to the parser when a limit is passed.
@@ -132,7 +132,7 @@ public:
         const std::string_view word = wordAround(text_, placeOfError());
         const std::string detail = detailOf(error.what());
         if (isNoFiniteNumber(word))
-            fail(inQuotes(word) + " is no JSON: there is no number but finite ones", "Give a finite number");
+            fail(inQuotes(word) + " is not valid JSON: numbers must be finite", "Give a finite number");
         else
             fail("not valid JSON: " + detail, remedyFor(detail));
         return false;
@@ -189,7 +189,7 @@ private:
 
     bool place(JsonNode node) {
         if (++values_ > mostJsonValues) {
-            fail("the text holds more than " + std::to_string(mostJsonValues) + " values", "Split the scene");
+            fail("the text contains more than " + std::to_string(mostJsonValues) + " values", "Split the scene");
             return false;
         }
         if (open_.empty())
@@ -213,8 +213,8 @@ private:
     bool open(Value&& empty) {
         if (static_cast<int>(open_.size()) >= deepestJson) {
             open_.clear();  // its pointer would say no more than that it is long
-            fail("lists and objects lie more than " + std::to_string(deepestJson) + " deep inside each other",
-                 "No scene needs that; look for brackets that are too many");
+            fail("lists and objects are nested more than " + std::to_string(deepestJson) + " levels deep",
+                 "No scene needs this; look for superfluous brackets");
             return false;
         }
         open_.push_back({JsonNode{std::forward<Value>(empty), line()}, {}});

@@ -52,15 +52,16 @@ void checkGivenLayers(const ImportSettings& settings, const std::map<std::string
     for (const auto& [name, role] : settings.roles)
         if (name != "*" && !layers.contains(lowerCase(name)))
             problems.push_back({Severity::Error, "", 0, "",
-                                "no layer is called " + inQuotes(name) + " and has anything on it",
-                                names.empty() ? "There is none at all" : suggestion(name, names)});
+                                "no layer named " + inQuotes(name) + " contains entities",
+                                names.empty() ? "No layer does" : suggestion(name, names)});
 }
 
 void tellUnknown(const std::vector<std::string_view>& unknown, std::vector<Problem>& problems) {
     if (unknown.empty()) return;
     problems.push_back({Severity::Error, "", 0, "",
-                        "nobody can tell from their names what these layers hold: " + listed(unknown),
-                        "Say for each --role LAYER=joint|boundary|tunnel|bolt|ignore; '*=ignore' leaves out the rest"});
+                        "the names of these layers do not show their role: " + listed(unknown),
+                        "Give --role LAYER=joint|boundary|tunnel|bolt|ignore for each of them; '*=ignore' ignores all "
+                        "others"});
 }
 
 }  // namespace
@@ -100,7 +101,7 @@ std::vector<ImportedLayer> layerRoles(const Drawing& drawing, const ImportSettin
             roles.push_back({name, *guess, true, "guessed from its name"});
         else
             roles.push_back({name, rest.value_or(LayerRole::Ignore), rest.has_value(),
-                             rest ? "given to the rest" : "not known"});
+                             rest ? "given for all others" : "not known"});
         if (!roles.back().known) unknown.push_back(name);
     }
     tellUnknown(unknown, problems);

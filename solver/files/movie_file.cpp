@@ -109,8 +109,9 @@ MovieFile::MovieFile(const fs::path& path, MovieFormat format, const MovieShape&
     const std::string program = findProgram("ffmpeg");
     if (program.empty()) {
         fs::remove(part_);
-        throw CannotWrite("cannot write " + path.string() + ": the program ffmpeg, which makes films, is not found; " +
-                          "install it (on Debian: apt install ffmpeg), or name a folder instead for PNG pictures");
+        throw CannotWrite("cannot write " + path.string() +
+                          ": the program ffmpeg, which writes animations, is not found; " +
+                          "install it (on Debian: apt install ffmpeg), or name a folder instead for PNG images");
     }
     start(program, wordsFor(part_, format, shape));
 }
@@ -156,9 +157,9 @@ bool MovieFile::hasEnded() {
 /// The first line that ffmpeg said is why; those after it follow from it.
 void MovieFile::fail() {
     const std::string why = said_.substr(0, said_.find('\n'));
-    throw CannotWrite("cannot write " + path_.string() + ": ffmpeg gave up: " +
-                      (why.empty() ? "it did not say why" : why) +
-                      "; see whether there is space and which codecs it has, or name a folder for PNG pictures");
+    throw CannotWrite("cannot write " + path_.string() + ": ffmpeg failed: " +
+                      (why.empty() ? "it gave no reason" : why) +
+                      "; check the free space and the codecs of ffmpeg, or name a folder for PNG images");
 }
 
 void MovieFile::add(const std::string& pixels) {

@@ -25,7 +25,7 @@ public:
         const auto* members = std::get_if<JsonObject>(&node.value);
         if (!members)
             return addError(problems_, node, pointer_,
-                            "this is " + std::string(kindText(node)) + " where an object is wanted",
+                            "this is " + std::string(kindText(node)) + " where an object is expected",
                             "Write { … } with the keys of a " + std::string(structure_.name));
         for (const JsonMember& member : *members)
             if (std::find(skipped.begin(), skipped.end(), member.key) == skipped.end())
@@ -76,7 +76,7 @@ private:
         if (!list)
             return addError(problems_, node, place,
                             inQuotes(field.key) + " is " + std::string(kindText(node)) + ", but must be a list",
-                            "Write [ … ] with an object for each");
+                            "Write [ … ] with an object for each item");
         for (std::size_t i = 0; i < list->size() && !isFull(problems_); ++i)
             readObject((*list)[i], field.children.structure(), field.children.append(target_, {}), under(place, i),
                        problems_);
@@ -87,7 +87,7 @@ private:
         if (!object)
             return addError(problems_, node, place,
                             inQuotes(field.key) + " is " + std::string(kindText(node)) +
-                                ", but must be an object with a name for each",
+                                ", but must be an object with named members",
                             "Write { \"name\": { … } }");
         for (const JsonMember& member : *object)
             readObject(member.node, field.children.structure(), field.children.append(target_, member.key),
@@ -112,7 +112,7 @@ private:
             if (!field || std::holds_alternative<std::monostate>(member.node.value) || isInDoubt(*field))
                 continue;
             if (!applies(structure_, *field, target_))
-                addError(problems_, member.node, under(pointer_, member.key), misplaced(*field), "Leave it out");
+                addError(problems_, member.node, under(pointer_, member.key), misplaced(*field), "Omit it");
         }
     }
 

@@ -55,11 +55,11 @@ void PartFolder::checkTarget(const std::function<bool(const std::string&)>& isOu
     const fs::file_status status = fs::status(target_, error);
     if (!fs::exists(status)) return;
     if (!fs::is_directory(status))
-        throw CannotWrite("cannot write " + shown_.string() + ": it is no folder; choose another name");
+        throw CannotWrite("cannot write " + shown_.string() + ": it is not a folder; choose another name");
     for (const auto& entry : fs::directory_iterator(target_, error))
         if (const std::string name = entry.path().filename().string(); !isOurs(name))
-            throw CannotWrite("cannot write " + shown_.string() + ": the folder holds " + inQuotes(name) +
-                              ", which is no part of such an export; choose a new or an empty folder");
+            throw CannotWrite("cannot write " + shown_.string() + ": the folder contains " + inQuotes(name) +
+                              ", which is not part of such an export; choose a new or empty folder");
     if (error) fail(shown_, error);
 }
 

@@ -66,7 +66,7 @@ class RecordReader {
 public:
     RecordReading read(std::string_view text) {
         if (text.find('\0') != std::string_view::npos) {
-            fail("the file is no UTF-8 text (it holds zero bytes, as UTF-16 does)", "Save it as CSV in UTF-8");
+            fail("the file is not UTF-8 text (it contains zero bytes, as UTF-16 does)", "Save it as CSV in UTF-8");
             return std::move(reading_);
         }
         const std::vector<std::string_view> lines = linesOf(text);
@@ -104,19 +104,19 @@ private:
     /// \return false where the rest of the file would only say the same again.
     bool readRow(std::string_view line, std::size_t row) {
         if (line.empty())
-            return stop(row, "the row is empty", "Leave it out: a gap in a record is seldom meant");
+            return stop(row, "the row is empty", "Remove it: a gap in a record is rarely intended");
         if (line.find(';') != std::string_view::npos)
             return stop(row, "the row has a semicolon: " + inQuotes(line),
                         "Separate columns by commas, not semicolons, and write decimal points");
         if (line.find('"') != std::string_view::npos)
             return stop(row, "the row has quotes: " + inQuotes(line), "Write plain numbers with decimal points");
         if (line.find('\t') != std::string_view::npos)
-            return stop(row, "the row has a tabulator: " + inQuotes(line), "Separate columns by commas");
+            return stop(row, "the row has a tab: " + inQuotes(line), "Separate columns by commas");
         const std::vector<std::string_view> cells = split(line, ',');
         if (cells.size() != 2)
             return stop(row, "the row has " + std::to_string(cells.size()) + " columns instead of 2: " +
                                  inQuotes(line),
-                        cells.size() > 2 ? "Write decimal points, not commas, and two columns a row"
+                        cells.size() > 2 ? "Write decimal points, not commas, and two columns per row"
                                          : std::string(asItShouldBe));
         const auto time = cell(cells[0], row, 1), value = cell(cells[1], row, 2);
         if (time && value)
@@ -128,7 +128,7 @@ private:
         const std::string place = atRow(row) + ", column " + std::to_string(column) + ": ";
         const std::optional<double> number = numberIn(trimmed(text));
         if (!number)
-            fail(place + inQuotes(trimmed(text)) + " is no number", "Write a number like -0.153 or 1.5e-3");
+            fail(place + inQuotes(trimmed(text)) + " is not a number", "Write a number like -0.153 or 1.5e-3");
         else if (!std::isfinite(*number))
             fail(place + inQuotes(trimmed(text)) + " is not finite (NaN, infinite)", "Give a finite number");
         else
@@ -141,7 +141,7 @@ private:
         if (time < 0.0)
             fail(place + "is negative", "Count seconds from the start of the stage");
         else if (!reading_.record.empty() && !(time > reading_.record.back().first))
-            fail(place + "does not rise", "Sort the rows by time and give each time once");
+            fail(place + "does not increase", "Sort the rows by time and give each time only once");
         reading_.record.emplace_back(time, value);
     }
 
@@ -173,7 +173,7 @@ RecordReading readRecordFile(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file)
         return unreadable("the file cannot be opened: " + std::string(std::strerror(errno)),
-                          "Give its path relative to the scene file, and check the right to read it");
+                          "Give its path relative to the scene file, and check that you may read it");
     std::string text(longestFile + 1, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(file.gcount()));

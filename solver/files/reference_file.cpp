@@ -71,11 +71,11 @@ private:
         };
         if (title.unit.empty() && plainName(title.name) == "stage") return readStages(csv, index);
         if (title.unit.empty() && std::all_of(csv.rows.begin() + 1, csv.rows.end(), isWord))
-            return tell(Severity::Warning, head.line, place + " holds no numbers and is not taken", "Leave it out");
+            return tell(Severity::Warning, head.line, place + " contains no numbers and is not used", "Omit it");
         const MeasureUnit* unit = measureUnitOf(title.unit.empty() ? "1" : title.unit);
         if (!unit)
             return tell(Severity::Error, head.line,
-                        place + ": its unit " + inQuotes(title.unit) + " is none of " + measureUnitWords(),
+                        place + ": its unit " + inQuotes(title.unit) + " is not one of " + measureUnitWords(),
                         "Convert the numbers to one of them");
         if (title.name.empty())
             return tell(Severity::Error, head.line, place + " has no name", "Name it, as in opening_mm");

@@ -35,15 +35,15 @@ Resumption resumptionOf(const fs::path& path, const Scene& scene) {
         return {};
     const RunStore store(path);
     if (store.sceneHash() != sha256(wholeSceneText(scene)))
-        cannotResume(path, "it holds a run of another scene, or the scene was changed since");
+        cannotResume(path, "it contains a run of another scene, or the scene was changed since then");
     Resumption resumption;
     resumption.finished = isFinished(store);
     const std::optional<StoredCheckpoint> stored = store.checkpoint();
     if (resumption.finished || !stored)
         return resumption;
     if (stored->build != buildName())
-        cannotResume(path, "another build of the program wrote it (" + stored->build + "; this is " + buildName() +
-                               "), whose results need not be the same");
+        cannotResume(path, "another build of the program wrote it (" + stored->build + "; this build is " + buildName() +
+                               "), whose results may differ");
     if (stored->hash != sha256(stored->state))
         cannotResume(path, "its checkpoint is damaged");
     resumption.checkpoint = checkpointOf(stored->state);

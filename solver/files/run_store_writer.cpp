@@ -39,7 +39,7 @@ namespace fs = std::filesystem;
 }
 
 [[noreturn]] void refuseExisting(const fs::path& path) {
-    throw StoreExists(path.string() + " exists; add --resume to go on with it or --overwrite to replace it, or choose "
+    throw StoreExists(path.string() + " exists; add --resume to continue it or --overwrite to replace it, or choose "
                                       "another --out");
 }
 
@@ -226,7 +226,7 @@ void requireFreeStore(const fs::path& path, bool overwrite) {
         refuseExisting(path);
     const bool empty = fs::is_regular_file(status) && fs::file_size(path, error) == 0;
     if (!empty && (!fs::is_regular_file(status) || !isRunStore(path)))
-        throw StoreExists(path.string() + " is no run store and is not overwritten; choose another --out");
+        throw StoreExists(path.string() + " is not a run store and is not overwritten; choose another --out");
 }
 
 RunStoreWriter::RunStoreWriter(fs::path path, bool overwrite) : path_(std::move(path)), overwrite_(overwrite) {

@@ -216,7 +216,7 @@ SceneReading readSceneFile(const std::filesystem::path& path, std::span<const st
     std::ifstream file(path, std::ios::binary);
     if (!file)
         return unreadable(name, "the file cannot be opened: " + std::string(std::strerror(errno)),
-                          "Check the name and the right to read it");
+                          "Check the name and that you may read it");
     return readSceneText(wholeText(file), name, overrides, path.parent_path());
 }
 

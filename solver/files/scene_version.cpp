@@ -18,7 +18,7 @@ bool checkFormat(const JsonNode& format, std::vector<Problem>& problems) {
     const auto* text = std::get_if<std::string>(&format.value);
     if (text && *text == "keyblock-scene")
         return true;
-    addError(problems, format, "/format", "this is no Keyblock scene: 'format' is not \"keyblock-scene\"",
+    addError(problems, format, "/format", "this is not a Keyblock scene: 'format' is not \"keyblock-scene\"",
              "Give a scene file, or write \"format\": \"keyblock-scene\"");
     return false;
 }
@@ -30,10 +30,10 @@ bool checkVersion(const JsonNode& version, std::vector<Problem>& problems) {
     const std::string newest = std::to_string(sceneVersion);
     if (number && *number > sceneVersion)
         addError(problems, version, "/version",
-                 "the scene has version " + jsonLine(version) + ", newer than this program reads, " + newest,
-                 "Use a newer Keyblock");
+                 "the scene has version " + jsonLine(version) + ", which is newer than this program reads, " + newest,
+                 "Use a newer version of Keyblock");
     else
-        addError(problems, version, "/version", "there is no version like this of the scene format",
+        addError(problems, version, "/version", "the scene format has no such version",
                  "Write \"version\": " + newest);
     return false;
 }

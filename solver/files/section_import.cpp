@@ -44,8 +44,8 @@ public:
         if (hasErrors(import_.problems)) return finished();
         sortByRole();
         if (lines_.empty())
-            error(0, "every layer with lines is ignored, so there is nothing to make a scene of",
-                  "Give one a role with --role LAYER=joint|boundary|tunnel|bolt");
+            error(0, "every layer with lines is ignored, so no scene can be created",
+                  "Give one of them a role with --role LAYER=joint|boundary|tunnel|bolt");
         else
             buildScene();
         if (!hasErrors(import_.problems)) checkScene();
@@ -60,17 +60,17 @@ private:
     bool chooseUnit() {
         unit_ = settings_.unit ? settings_.unit : drawing_.unit;
         if (!unit_)
-            error(0, "the drawing does not say its units ($INSUNITS)", "Give --units, one of " + lengthUnitWords());
+            error(0, "the drawing does not specify its units ($INSUNITS)", "Give --units, one of " + lengthUnitWords());
         else
-            import_.unit = std::string(unit_->word) + (settings_.unit ? " (as was asked)" : " (as the file says)");
+            import_.unit = std::string(unit_->word) + (settings_.unit ? " (as given)" : " (from the file)");
         return unit_ != nullptr;
     }
 
     bool hasLines() {
         if (drawing_.lines.empty())
-            error(0, "the file holds no line that could be taken",
+            error(0, "the file contains no line that can be imported",
                   drawing_.notTaken.empty() ? "Draw lines, polylines, arcs, circles or splines in the model"
-                                            : "See why each entity was not taken");
+                                            : "See why each entity was skipped");
         return !drawing_.lines.empty();
     }
 
@@ -113,7 +113,7 @@ private:
             if (fresh)
                 lines_[role].push_back(std::move(line));
             else
-                refuse(line, "the same stands in line " + std::to_string(first->second) + " already");
+                refuse(line, "it repeats the entity in line " + std::to_string(first->second));
         }
     }
 
@@ -129,8 +129,8 @@ private:
         scene_.about.source = "imported from " + file;
         scene_.materials = {{assumedRock, {2700.0, 50e9, 0.25}}};
         scene_.jointMaterials = {{assumedJoint, JointMaterial{}}};
-        assume("material 'assumed-rock' (2700 kg/m³, 50 GPa, 0.25) and joint material 'assumed-joint' (friction "
-               "30°): put in what was measured");
+        assume("material 'assumed-rock' (2700 kg/m³, 50 GPa, 0.25) and joint material 'assumed-joint' (friction 30°): "
+               "replace them with measured values");
         scene_.analysis.gravity = {0.0, -9.81};
         assume("gravity of 9.81 m/s² downwards, along -y");
         addTunnels();
@@ -155,7 +155,7 @@ private:
             const DrawnLine& line = lines[i];
             error(line.place.line,
                   "the " + line.kind + " on layer " + inQuotes(line.layer) + " from " + text(line.points.front()) +
-                      " to " + text(line.points.back()) + " closes no outline of " + what,
+                      " to " + text(line.points.back()) + " does not close an outline of " + what,
                   "Close it, or give its layer another role");
         }
         return closed.outlines;
@@ -203,7 +203,7 @@ private:
                                         [&](const auto& item) { return item.first == name; });
         if (known == scene_.jointMaterials.end()) {
             scene_.jointMaterials.emplace_back(name, JointMaterial{});
-            assume("joint material " + inQuotes(name) + " has the friction of the assumed one");
+            assume("joint material " + inQuotes(name) + " has the friction of 'assumed-joint'");
         }
         return name;
     }
@@ -217,7 +217,7 @@ private:
         if (found.size() > 1)
             return error(lines[found[1].lines.front()].place.line,
                          "the boundary has " + std::to_string(found.size()) +
-                             " outlines, of which this is the second, and a scene has one domain",
+                             " outlines, of which this is the second, but a scene has only one domain",
                          "Keep one, and give the layer of the others another role");
         if (found.empty()) {
             domain.boundary = assumedBoundary();
@@ -243,8 +243,8 @@ private:
                 box.min[axis] -= 0.5 * sides.maxCoeff();
                 box.max[axis] += 0.5 * sides.maxCoeff();
             }
-        assume(std::string("no layer is the boundary: the domain is the box of all that was taken") +
-               (tight ? ", widened if it was flat" : ", with rock as wide on every side"));
+        assume(std::string("no layer is the boundary: the domain is the bounding box of everything imported") +
+               (tight ? ", widened if it was flat" : ", with as much rock on every side"));
         return {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
     }
 
@@ -253,7 +253,7 @@ private:
         bool chosen = false;
         for (const DrawnLine& line : lines) {
             if (line.closed || !isStraight(line.points)) {
-                refuse(line, "a bolt is a straight line");
+                refuse(line, "a bolt must be a straight line");
                 continue;
             }
             Bolt bolt;
@@ -270,7 +270,7 @@ private:
             count(line, "bolt");
         }
         if (chosen)
-            assume(std::string("the head of a bolt is the end that lies nearer to ") +
+            assume(std::string("the head of a bolt is the end nearer to ") +
                    (walls_.empty() ? "the boundary" : "a tunnel"));
         addBoltTypes();
     }
@@ -302,7 +302,7 @@ private:
         type.like = assumedBoltLike;
         type.builtIn = false;
         scene_.boltTypes.push_back(std::move(type));
-        assume(std::string("bolts are of the type 'assumed-bolt', which is like ") + assumedBoltLike);
+        assume(std::string("bolts are of the type 'assumed-bolt', which is based on ") + assumedBoltLike);
     }
 
     int lineOf(const std::string& pointer) const {
@@ -326,8 +326,8 @@ private:
         if (hasErrors(import_.problems)) import_.scene.reset();
         for (Problem& problem : import_.problems) problem.file = name_;
         for (const InsertedBlock& item : drawing_.inserted)
-            ++rows_[{item.kind, item.layer, "block " + inQuotes(item.block) + ", put in place"}];
-        for (const NotTaken& item : drawing_.notTaken) ++rows_[{item.kind, item.layer, "not taken"}];
+            ++rows_[{item.kind, item.layer, "block " + inQuotes(item.block) + ", inserted"}];
+        for (const NotTaken& item : drawing_.notTaken) ++rows_[{item.kind, item.layer, "skipped"}];
         for (const auto& [key, number] : rows_)
             import_.rows.push_back({std::get<0>(key), std::get<1>(key), std::get<2>(key), number});
         import_.notTaken = std::move(drawing_.notTaken);

@@ -20,7 +20,7 @@ StoreLock::StoreLock(const std::filesystem::path& path) : file_(::open(path.c_st
         return;  // or a file system without locks
     ::close(file_);
     throw CannotWrite("cannot write " + path.string() +
-                      ": another run writes it; wait for it or stop it, or choose another --out");
+                      ": another run is writing it; wait for it or stop it, or choose another --out");
 }
 
 StoreLock::~StoreLock() { ::close(file_); }

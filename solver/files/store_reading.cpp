@@ -22,18 +22,18 @@ void requireDatabase(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status))
-        cannotRead(path, "there is no such file; run a scene to make one");
+        cannotRead(path, "there is no such file; run a scene to create one");
     if (!fs::is_regular_file(status))
-        cannotRead(path, "it is no file; give a run store (.kbrun)");
+        cannotRead(path, "it is not a file; give a run store (.kbrun)");
     std::string start(16, '\0');
     std::ifstream file(path, std::ios::binary);
     if (!file)
-        cannotRead(path, "it cannot be opened; check the right to read it");
+        cannotRead(path, "it cannot be opened; check that you may read it");
     file.read(start.data(), static_cast<std::streamsize>(start.size()));
     if (file.gcount() == 0)
         cannotRead(path, "it is empty; run the scene again with --overwrite");
     if (start.compare(0, 15, "SQLite format 3") != 0)
-        cannotRead(path, "it is no run store; give a file that 'keyblock run' wrote");
+        cannotRead(path, "it is not a run store; give a file that 'keyblock run' wrote");
 }
 
 sqlite::Database openedAs(const fs::path& path, sqlite::Access access) {
@@ -90,13 +90,13 @@ sqlite::Database openedAgain(const fs::path& path) {
             cannotRead(path, "another program holds it; try again");
         if (error.code == SQLITE_CORRUPT || error.code == SQLITE_NOTADB)
             cannotRead(path, damaged);
-        cannotRead(path, std::string(error.what()) + "; check the right to read it and its folder");
+        cannotRead(path, std::string(error.what()) + "; check that you may read it and its folder");
     }
 }
 
 void requireRunStore(const sqlite::Database& database, const fs::path& path) {
     if (pragma(database, "application_id") != run_schema::applicationId)
-        cannotRead(path, "it is a database, but no run store; give a file that 'keyblock run' wrote");
+        cannotRead(path, "it is a database but not a run store; give a file that 'keyblock run' wrote");
     if (const std::int64_t version = pragma(database, "user_version"); version != run_schema::version)
         cannotRead(path, "it is a run store of version " + std::to_string(version) + ", this program reads " +
                              std::to_string(run_schema::version) + "; run the scene again");

@@ -19,7 +19,7 @@ Frame StoredFrames::frame(std::size_t index) const {
         sqlite::Statement statement(database, std::string("SELECT ") + headColumns + " FROM frames WHERE frame=?");
         statement.bind(key);
         if (!statement.next())
-            cannotRead(path_, "it has no frame " + std::to_string(key) + " any more; open the run again");
+            cannotRead(path_, "it no longer has frame " + std::to_string(key) + "; open the run again");
         return frameAt(database, key, *solved_, blocks_, headAt(statement, *solved_));
     } catch (const sqlite::Error&) {
         cannotRead(path_, damaged);

@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 std::string remedyFor(int systemError) {
     switch (systemError) {
         case ENOENT:
-        case ENOTDIR: return "make its folder first, or choose another place";
+        case ENOTDIR: return "create its folder first, or choose another location";
         case EACCES:
         case EPERM:
-        case EROFS: return "get the right to write there, or choose another place";
+        case EROFS: return "get permission to write there, or choose another location";
         case ENOSPC:
         case EDQUOT:
-        case EFBIG: return "free space there, or choose another place";
-        default: return "choose another place";
+        case EFBIG: return "free some space there, or choose another location";
+        default: return "choose another location";
     }
 }
 

@@ -72,7 +72,7 @@ const FrameQuantity<BoltNodeFrame> ofNodes[]{
     {"shear_force", "shear_force_N", [](OfNode n) { return n.shearForce; }, force("Shear force Q", "", true)},
     {"moment", "moment_Nm", [](OfNode n) { return n.moment; }, {"Moment M", "kN m", 1e-3, "", true}},
     {"anchor_force", "anchor_force_N", [](OfNode n) { return n.anchorForce; },
-     force("Bond force", "rock pulls towards the head +", true)},
+     force("Bond force", "rock drags the bolt towards the head +", true)},
     {"slip", "slip_m", [](OfNode n) { return n.slip; }, millimetres("Slip", "rock towards the head +", true)},
 };
 

@@ -24,7 +24,7 @@ Measurement reduced(Reduction reduction, std::span<const HistoryRow> history, st
         if (!std::isnan(row.values[column]))
             values.push_back(row.values[column]);
     if (values.empty())
-        return problem("the run left no value of it");
+        return problem("the run has no value of it");
     switch (reduction) {
         case Reduction::Max: return {*std::max_element(values.begin(), values.end()), ""};
         case Reduction::Min: return {*std::min_element(values.begin(), values.end()), ""};

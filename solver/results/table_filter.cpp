@@ -43,7 +43,7 @@ std::string readStage(const Scene& scene, const std::string& name, TableFilter& 
     if (!stage)
         return "no stage is named '" + name + "'; there are: " + names(scene.stages);
     if (filter.stage && *filter.stage != *stage)
-        return "--stage and --at name different stages; leave one out";
+        return "--stage and --at name different stages; omit one";
     filter.stage = stage;
     return {};
 }
@@ -57,7 +57,7 @@ std::string readMoment(const Scene& scene, const std::string& at, TableFilter& f
     const auto colon = at.rfind(':');
     const auto time = colon == std::string::npos ? std::nullopt : numberIn(at.substr(colon + 1));
     if (!time)
-        return "'" + at + "' is no moment; write STAGE:TIME (as in 'pull:0.5'), last or all";
+        return "'" + at + "' is not a time; write STAGE:TIME (as in 'pull:0.5'), last or all";
     filter.when = When::At;
     filter.time = *time;
     return readStage(scene, at.substr(0, colon), filter);

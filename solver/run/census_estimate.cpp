@@ -213,13 +213,15 @@ void addAssumptions(const Nature& nature, CostEstimate& estimate) {
     const auto say = [&](bool applies, std::string text) {
         if (applies) estimate.assumes.push_back(std::move(text));
     };
-    say(true, "Steps and passes last as timed now, on this machine, with everything of the scene there at once.");
+    say(true, "Times per step and iteration were measured now, on this machine, with all parts of the scene active at "
+              "once.");
     say(nature.releases > 0, "Of " + std::to_string(nature.releases) +
-                                 " bonds, joints and elements that can let go, 0.7 do in each static stage that loads, "
-                                 "7 passes each.");
-    say(nature.shears, "Bolts are pulled; where joints shear them until hinges form, it takes up to 50 times as long.");
-    say(nature.jointed, "Rock whose joints slide takes 200 passes to come to rest, and may take 200 times that or "
-                        "none; in motion 4 passes a step, and up to 50.");
+                                 " bonds, joints and elements that can fail, 0.7 fail in each static stage that loads, "
+                                 "with 7 iterations each.");
+    say(nature.shears, "Bolts are assumed to be pulled; if joints shear them until hinges form, the run takes up to 50 "
+                       "times as long.");
+    say(nature.jointed, "Rock whose joints slide is assumed to come to rest in 200 iterations, but may need 200 times "
+                        "as many or none; in motion a step is assumed to need 4 iterations, but may need 50.");
 }
 
 }  // namespace

@@ -38,29 +38,29 @@ private:
     void addRock(const SceneCut* cut) {
         const int open = cut ? cut->open : 0;
         add(open > 0, "rock in tunnels", "no stage excavates them, so they are open from the start",
-            counted(open, "block") + " of six unknowns");
-        add(counts_.fixed > 0, "motion of blocks that are held", "a support holds them whole (\"fix\": \"all\")",
+            counted(open, "block") + " of six unknowns each");
+        add(counts_.fixed > 0, "motion of fixed blocks", "a support fixes them completely (\"fix\": \"all\")",
             counted(6 * counts_.fixed, "unknown"));
-        add(prescribed() > 0, "what motions prescribe", "it is known, and no unknown of a step while it holds",
+        add(prescribed() > 0, "prescribed displacements", "they are known and not unknowns of a step while they apply",
             counted(prescribed(), "unknown"));
-        add(counts_.cells == 0, "stress that differs within a block", "no block asks for 'sub_blocks'",
-            "six unknowns a cell, three springs an edge between them");
-        add(model_.gravity.isZero(0.0), "weight", "'gravity' is zero", "the load of every block and node");
+        add(counts_.cells == 0, "stress variation within blocks", "no block has 'sub_blocks'",
+            "six unknowns per cell, three springs per edge between cells");
+        add(model_.gravity.isZero(0.0), "weight", "'gravity' is zero", "a load on every block and node");
         add(!scene_.inSituStress, "stress before excavation", "there is no 'in_situ_stress'",
-            "the search for forces of joints that agree with it");
+            "the search for joint forces in equilibrium with it");
     }
 
     void addContacts() {
         add(counts_.contacts > 0 && !usesMultipliers(model_), "forces that keep contacts closed exactly",
-            "'contact' is \"penalty\"", counted(2 * counts_.contacts, "multiplier") + ", up to 40 solutions a step");
+            "'contact' is \"penalty\"", counted(2 * counts_.contacts, "multiplier") + ", up to 40 solutions per step");
         const auto bonded = [](const JointModel& joint) { return joint.cohesion > 0.0 || joint.tensileStrength > 0.0; };
         const auto own = model_.joints.begin() + static_cast<std::ptrdiff_t>(scene_.jointMaterials.size());
-        add(counts_.contacts > 0 && std::none_of(model_.joints.begin(), own, bonded), "bonds of joints that fail",
-            "no joint material has cohesion or tensile strength", "an event and a new equilibrium a contact");
+        add(counts_.contacts > 0 && std::none_of(model_.joints.begin(), own, bonded), "failure of joint bonds",
+            "no joint material has cohesion or tensile strength", "an event and a new equilibrium per contact");
     }
 
     void addBolts() {
-        add(counts_.bolts == 0, "bolts", "the scene has none", "three unknowns a node");
+        add(counts_.bolts == 0, "bolts", "the scene has none", "three unknowns per node");
         if (counts_.bolts == 0) return;
         int straight = 0, noHinge = 0, noRupture = 0, pulledOnly = 0, pullTests = 0;
         for (std::size_t i = 0; i < model_.bolts.size(); ++i) {
@@ -73,21 +73,21 @@ private:
             pulledOnly += bolt.joints.empty() ? 1 : 0;
             pullTests += bolt.joints.empty() || bolt.shears ? 0 : 1;
         }
-        add(straight > 0, "rotation of nodes", "their type has \"bending\": \"none\"", counted(straight, "unknown"));
+        add(straight > 0, "rotation of bolt nodes", "their type has \"bending\": \"none\"", counted(straight, "unknown"));
         add(noHinge > 0, "plastic hinges", "\"bending\" is not \"elastic-plastic\", or no 'steel' is given",
-            counted(2 * noHinge, "limit") + " to be judged");
+            counted(2 * noHinge, "limit") + " to be checked");
         add(noRupture > 0, "yield and rupture of the shank", "the type has no 'steel'",
-            counted(2 * noRupture, "limit") + " to be judged");
+            counted(2 * noRupture, "limit") + " to be checked");
         add(pulledOnly > 0, "fine elements", "no joint crosses " + counted(pulledOnly, "bolt"),
-            "the elements of at most an eighth of the length over which a dowel bends");
-        add(pullTests > 0, "fine elements at joints", "the scene is a pull test of its bolt, which shears nothing",
-            "the elements of at most an eighth of the length over which a dowel bends");
+            "elements of at most an eighth of the bending length of a dowel");
+        add(pullTests > 0, "fine elements at joints", "the scene is a pull test of its bolt, without shear",
+            "elements of at most an eighth of the bending length of a dowel");
         const int artificial = counts_.nodes - counts_.realAnchors;
-        add(artificial > 0, "bond along the bolt at artificial anchors", "the type holds other nodes there",
-            counted(artificial, "spring"));
+        add(artificial > 0, "bond along the bolt at intermediate nodes (artificial anchors)",
+            "the bolt type bonds other nodes", counted(artificial, "spring"));
         const auto crushes = [](const JointModel& joint) { return joint.crushingStrength.has_value(); };
-        add(std::none_of(model_.joints.begin(), model_.joints.end(), crushes), "rock crushed under bolts",
-            "no joint material has a 'crushing_strength'", counted(counts_.nodes, "limit") + " to be judged");
+        add(std::none_of(model_.joints.begin(), model_.joints.end(), crushes), "crushing of rock under bolts",
+            "no joint material has a 'crushing_strength'", counted(counts_.nodes, "limit") + " to be checked");
         addPlates();
     }
 
@@ -108,15 +108,15 @@ private:
         };
         const bool moves = some([](const Stage& s) { return s.kind == StageKind::Dynamic; });
         const bool rests = some([](const Stage& s) { return s.kind == StageKind::Static; });
-        add(rests && !moves, "motion in time", "every stage is static", "steps of time; velocities are not kept");
+        add(rests && !moves, "motion over time", "every stage is static", "time steps; velocities are not saved");
         add(moves && !rests, "searches for equilibrium", "every stage is dynamic",
-            "the search between any two releases");
+            "the search between two failures");
         add(moves && scene_.analysis.damping == Damping{}, "damping", "'damping' is zero",
-            "a term a body and a link an element");
-        add(moves && !some([](const Stage& s) { return !s.viscousBoundaries.empty(); }), "sides that let waves out",
-            "no stage names 'viscous_boundaries'", "four dashpots a face");
-        add(!some([](const Stage& s) { return !s.dilations.empty(); }), "joints that dilate",
-            "no stage has 'dilations'", "a shift of every contact's gap");
+            "a term per body and a link per element");
+        add(moves && !some([](const Stage& s) { return !s.viscousBoundaries.empty(); }), "non-reflecting sides",
+            "no stage names 'viscous_boundaries'", "four dashpots per face");
+        add(!some([](const Stage& s) { return !s.dilations.empty(); }), "opening of joints",
+            "no stage has 'dilations'", "an offset of the gap of every contact");
     }
 
     /// Unknowns that the motions of all stages take, each block once.

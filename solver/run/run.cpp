@@ -236,11 +236,12 @@ private:
         const auto excess = energyExcess(model_, now_.state, now_.start.blocks, scene_.limits.energy, now_.energy);
         if (!excess) return {};
         StepEnding failed{Ending::Failed,
-                          "the energy balance leaves over " + rounded(100.0 * excess->share) + " %, more than " +
+                          "the energy balance error is " + rounded(100.0 * excess->share) + " %, more than " +
                               rounded(100.0 * scene_.limits.energy) + " % ('limits.energy')",
                           {}};
         if (excess->block >= 0) {
-            failed.message += "; most of it is near block " + model_.blocks[static_cast<std::size_t>(excess->block)].name;
+            failed.message +=
+                "; the largest share is near block " + model_.blocks[static_cast<std::size_t>(excess->block)].name;
             failed.blocks.push_back(excess->block);
         }
         failed.message += ": use a 'time_step' of " + rounded(0.5 * dynamicSettings(scene_, stage()).timeStep) +
@@ -341,7 +342,7 @@ private:
         else if (stage().until.move) result.unstable = stability.displaced(*stage().until.move);
         if (result.unstable.empty()) return;
         if (isStatic()) result.outcome = Outcome::Displaced;
-        nameUnstable(result, isStatic() ? "at rest only after they had left their places:" : "not standing at the end:");
+        nameUnstable(result, isStatic() ? "at rest only after leaving their positions:" : "not stable at the end:");
     }
 
     void undecided(StageResult& result) const {
@@ -361,7 +362,7 @@ private:
     void collapse(StageResult& result, const StepEnding& ending, const Stability& stability) {
         result.outcome = Outcome::Collapse;
         result.unstable = stability.collapsed(ending.blocks, ending.followers);
-        nameUnstable(result, "no equilibrium: moving are");
+        nameUnstable(result, "no equilibrium; moving blocks:");
         Event event;
         event.kind = EventKind::Collapse;
         event.cause = ending.cause;

@@ -9,9 +9,10 @@ namespace keyblock {
 std::string RunLimit::message(long steps) const {
     const bool bySteps = stepsReached(steps);
     if (bySteps)
-        return "the limit of " + shortest(*limits_.steps) + " steps is reached; raise 'limits.steps' to go further";
+        return "the limit of " + shortest(*limits_.steps) + " steps was reached; raise 'limits.steps' to continue";
     return "the limit of " + shortest(*limits_.wallTime) +
-           " s is reached; resumed, the run goes on for as long again; with a larger 'limits.wall_time' it begins anew";
+           " s was reached; if resumed, the run continues for the same time again; with a larger 'limits.wall_time' it "
+           "starts from the beginning";
 }
 
 }  // namespace keyblock

@@ -128,21 +128,21 @@ Scene withReducedStrength(const Scene& scene, double factor) {
 std::vector<Problem> checkSafety(const Scene& scene) {
     std::vector<Problem> problems;
     if (scene.stages.empty())
-        problems.push_back(error("/stages", "the scene has no stages, so there is no equilibrium to look for",
+        problems.push_back(error("/stages", "the scene has no stages, so there is no equilibrium to find",
                                  "Add a static stage"));
     for (std::size_t i = 0; i < scene.stages.size(); ++i)
         if (scene.stages[i].kind == StageKind::Dynamic)
             problems.push_back(error(under(under("/stages", i), "kind"),
                                      "a dynamic stage has no equilibrium, so it has no factor of safety",
-                                     "Leave it and what builds on it out, or put a static load in its place"));
+                                     "Remove it and the stages that depend on it, or replace it by a static load"));
     if (reducesBonds(scene) && scene.safety.boltForces == BoltForces::Frozen)
         problems.push_back(error("/safety/bolt_forces",
-                                 "frozen bolt forces do not depend on the strength of bonds, which is to be reduced",
+                                 "the strength of bonds is to be reduced, but frozen bolt forces do not depend on it",
                                  "Reduce joints only, or write \"bolt_forces\": \"mobilised\""));
     const bool joints = reducesJoints(scene) && someJointHasStrength(scene);
     const bool bonds = reducesBonds(scene) && someBondHasStrength(scene);
     if (!joints && !bonds)
-        problems.push_back(error("/safety/reduce", "there is no strength that a factor could divide",
+        problems.push_back(error("/safety/reduce", "there is no strength to reduce",
                                  "Give joints friction, cohesion or tensile strength, or anchors of bolts a strength, "
                                  "and reduce those"));
     return problems;

@@ -134,7 +134,7 @@ TEST_F(Animations, WhatFfmpegSaysIsToldOnOneLine) {
     fs::create_directory(folder() / "bin");
     put("bin/ffmpeg", "#!/bin/sh\necho no such codec >&2\necho more >&2\nexit 1\n");
     fs::permissions(folder() / "bin/ffmpeg", fs::perms::owner_all);
-    expectFailure(6, animate("film.mp4", {"--dpi", "60"}, {{"PATH", path("bin")}}), "ffmpeg gave up: no such codec");
+    expectFailure(6, animate("film.mp4", {"--dpi", "60"}, {{"PATH", path("bin")}}), "ffmpeg failed: no such codec");
     EXPECT_FALSE(exists("film.mp4"));
 }
 
@@ -164,8 +164,8 @@ TEST_F(Animations, WhatCannotBeMadeIsAUsageError) {
     expectUsage("film.mp4", {"--fps", "0"}, "--fps");
     expectUsage("film.mp4", {"--quantity", "colour"}, "sigma1");
     expectUsage("film.mp4", {"--table", "events"}, "--table");
-    expectFailure(6, animate("nowhere/film.mp4"), "make its folder first");
-    expectFailure(6, animate("nowhere/film", {"--dpi", "60"}), "make its folder first");
+    expectFailure(6, animate("nowhere/film.mp4"), "create its folder first");
+    expectFailure(6, animate("nowhere/film", {"--dpi", "60"}), "create its folder first");
     const Ended table = keyblock({"export", "pull.kbrun", "--table", "events", "--out", "e.csv", "--fps", "5"});
     expectFailure(2, table, "--fps applies to --animation");
 }

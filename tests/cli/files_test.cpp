@@ -78,10 +78,10 @@ TEST_F(Files, CheckTellsWhatIsModelledOfASoundScene) {
 TEST_F(Files, WhatIsNoRunStoreIsRefused) {
     putPullScene();
     put("empty.kbrun", "");
-    expectError({"info", "pull.json"}, 3, "no run store");
+    expectError({"info", "pull.json"}, 3, "not a run store");
     expectError({"info", "empty.kbrun"}, 3, "empty");
     expectError({"info", "missing.kbrun"}, 3, "no such file");
-    expectError({"export", "pull.json", "--table", "events", "--out", "t.csv"}, 3, "no run store");
+    expectError({"export", "pull.json", "--table", "events", "--out", "t.csv"}, 3, "not a run store");
     EXPECT_FALSE(exists("t.csv"));
 }
 
@@ -100,7 +100,7 @@ TEST_F(Files, AStoreIsReplacedOnlyWhenAsked) {
     expectError({"run", "pull.json"}, 2, "--overwrite");
     EXPECT_EQ(content("pull.kbrun"), before);
     EXPECT_EQ(keyblock({"run", "pull.json", "--overwrite"}).code, 0);
-    expectError({"run", "pull.json", "--out", "pull.json", "--overwrite"}, 2, "no run store");
+    expectError({"run", "pull.json", "--out", "pull.json", "--overwrite"}, 2, "not a run store");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ TEST_F(Import, WritesASceneThatChecks) {
     const Ended ended = keyblock({"import", data + "half-circle-bulge.dxf", "--out", "scene.json"});
     EXPECT_EQ(ended.code, 0) << ended.err;
     for (const std::string part :
-         {"units m (as the file says)", "guessed from its name", "assumed: material", "blocks of 96."})
+         {"units m (from the file)", "guessed from its name", "assumed: material", "blocks of 96."})
         EXPECT_NE(ended.out.find(part), std::string::npos) << part << '\n' << ended.out;
     const Ended check = keyblock({"check", "scene.json"});
     EXPECT_EQ(check.code, 0) << check.err;
@@ -31,7 +31,7 @@ TEST_F(Import, TakesRolesUnitsAndSagitta) {
                                   "--role", "Klüfte=joint", "--role", "*=ignore", "--sagitta", "0.001"});
     EXPECT_EQ(taken.code, 0) << taken.err;
     EXPECT_NE(content("scene.json").find("[0.01, 0.005]"), std::string::npos) << content("scene.json");
-    EXPECT_NE(taken.out.find("given to the rest"), std::string::npos) << taken.out;
+    EXPECT_NE(taken.out.find("given for all others"), std::string::npos) << taken.out;
 }
 
 TEST_F(Import, ListsWhatWasNotTaken) {
@@ -44,7 +44,7 @@ TEST_F(Import, ListsWhatWasNotTaken) {
     std::vector<std::string> withAll = words;
     withAll.push_back("--all");
     const Ended all = keyblock(withAll);
-    EXPECT_NE(all.out.find("line 128: text is no geometry"), std::string::npos) << all.out;
+    EXPECT_NE(all.out.find("line 128: text is not geometry"), std::string::npos) << all.out;
 }
 
 TEST_F(Import, TellsOfFilesThatCannotBeReadOrWritten) {

@@ -90,7 +90,7 @@ TEST_F(Resume, AnotherBuildOrADamagedCheckpointIsRefused) {
 TEST_F(Resume, WhatIsNoRunStoreIsRefused) {
     putEndlessScene();
     put("rest.kbrun", "notes that somebody needs");
-    expectRefused({}, 3, "no run store");
+    expectRefused({}, 3, "not a run store");
 }
 
 TEST_F(Resume, WithoutACheckpointItStartsAtTheBeginning) {

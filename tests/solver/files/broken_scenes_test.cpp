@@ -36,7 +36,7 @@ std::string listing(const std::vector<Problem>& problems) {
 const std::vector<BrokenScene>& brokenScenes() {
     static const std::vector<BrokenScene> scenes{
         {"empty", "", "end of input"},
-        {"truncated", "/supports/0", "breaks off"},
+        {"truncated", "/supports/0", "is incomplete"},
         {"not-json", "", "not valid JSON"},
         {"byte-order-mark", "", "byte order mark"},
         {"utf-16", "", "UTF-16"},
@@ -56,11 +56,11 @@ const std::vector<BrokenScene>& brokenScenes() {
         {"duplicate-key", "/version", "twice"},
         {"duplicate-material", "/materials/rock", "twice"},
         {"duplicate-in-block", "/blocks/0/name", "twice"},
-        {"other-format", "/format", "no Keyblock scene"},
+        {"other-format", "/format", "not a Keyblock scene"},
         {"missing-format", "/format", "no 'format'"},
         {"version-99", "/version", "newer"},
-        {"version-0", "/version", "no version"},
-        {"version-text", "/version", "no version"},
+        {"version-0", "/version", "no such version"},
+        {"version-text", "/version", "no such version"},
         {"missing-version", "/version", "no 'version'"},
         {"unknown-key", "/titel", "'title'"},
         {"unknown-key-in-block", "/blocks/0/pionts", "'points'"},
@@ -349,7 +349,7 @@ TEST_F(HostileText, ChainOfTypesThatAreLikeOneAnother) {
     for (int i = 20'000; i > 0; --i)
         types += "\"t" + std::to_string(i) + "\": {\"like\": \"t" + std::to_string(i - 1) + "\"},\n";
     types += "\"t0\": {\"youngs_modulus\": 2e11}";
-    expectRefused("{\"format\": \"keyblock-scene\", \"version\": 1, \"bolt_types\": {" + types + "}}", "in a row");
+    expectRefused("{\"format\": \"keyblock-scene\", \"version\": 1, \"bolt_types\": {" + types + "}}", "in a chain");
 }
 
 TEST(ManyProblems, AreCutOffWithAWord) {

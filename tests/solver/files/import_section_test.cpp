@@ -107,12 +107,12 @@ TEST(ImportSection, AccountsForEveryEntity) {
     EXPECT_EQ(count("ARC", "TUNNEL-WALL", "outline of a tunnel"), 1);
     EXPECT_EQ(count("ARC", "FAULTS", "joint"), 1);
     EXPECT_EQ(count("SPLINE", "BEDDING", "joint"), 1);
-    EXPECT_EQ(count("INSERT", "ROCKBOLTS", "block 'ROCKBOLT', put in place"), 3);
+    EXPECT_EQ(count("INSERT", "ROCKBOLTS", "block 'ROCKBOLT', inserted"), 3);
     EXPECT_EQ(count("LINE in block 'ROCKBOLT'", "ROCKBOLTS", "bolt"), 3);
-    EXPECT_EQ(count("SOLID in block 'ROCKBOLT'", "ROCKBOLTS", "not taken"), 3);
-    EXPECT_EQ(count("TEXT", "TEXT", "not taken"), 1);
-    EXPECT_EQ(count("MTEXT", "TEXT", "not taken"), 1);
-    EXPECT_EQ(count("DIMENSION", "DIM", "not taken"), 1);
+    EXPECT_EQ(count("SOLID in block 'ROCKBOLT'", "ROCKBOLTS", "skipped"), 3);
+    EXPECT_EQ(count("TEXT", "TEXT", "skipped"), 1);
+    EXPECT_EQ(count("MTEXT", "TEXT", "skipped"), 1);
+    EXPECT_EQ(count("DIMENSION", "DIM", "skipped"), 1);
     int all = 0;
     for (const ImportRow& row : read.rows) all += row.count;
     EXPECT_EQ(all, 1 + 4 + 1 + 1 + 3 + 6 + 3);

@@ -41,7 +41,7 @@ TEST(RecordFile, RefusesWhatCouldMeanSomethingElse) {
     expectFault("time_s,a\n0,0\n0,01,0,5\n", "decimal points");
     expectFault("time_s,a\n0,0\n1.000,5,3\n", "3 columns");
     expectFault("time_s,a\n0\n", "1 columns");
-    expectFault("time_s,a\n0\t0\n", "tabulator");
+    expectFault("time_s,a\n0\t0\n", "has a tab");
     expectFault("time_s,a\n0,1_000\n", "no number");
     expectFault("time_s,a\n0,0x1p3\n", "no number");
     expectFault("time_s,a\n0,1.0D-3\n", "no number");

@@ -258,10 +258,10 @@ TEST_F(RunStoreTest, RefusesWhatIsNoStore) {
     test::putContent(storePath(), "");
     EXPECT_NE(messageOnReading().find("empty"), std::string::npos);
     test::putContent(storePath(), "{\"format\": \"keyblock-scene\"}");
-    EXPECT_NE(messageOnReading().find("no run store"), std::string::npos);
+    EXPECT_NE(messageOnReading().find("not a run store"), std::string::npos);
     fs::remove(storePath());
     fs::create_directory(storePath());
-    EXPECT_NE(messageOnReading().find("no file"), std::string::npos);
+    EXPECT_NE(messageOnReading().find("not a file"), std::string::npos);
 }
 
 TEST_F(RunStoreTest, RefusesOtherDatabasesAndVersions) {
@@ -269,7 +269,7 @@ TEST_F(RunStoreTest, RefusesOtherDatabasesAndVersions) {
     runSql("PRAGMA user_version=99");
     EXPECT_NE(messageOnReading().find("version 99"), std::string::npos);
     runSql("PRAGMA application_id=7");
-    EXPECT_NE(messageOnReading().find("no run store"), std::string::npos);
+    EXPECT_NE(messageOnReading().find("not a run store"), std::string::npos);
 }
 
 TEST_F(RunStoreTest, RefusesATruncatedStore) {
