@@ -36,45 +36,46 @@ constexpr std::array<PayloadColumn, 3> cornerColumns{{{"block", "", "index of th
                                                       {"y", "m", "corner, in order round the block"}}};
 
 constexpr std::array<PayloadColumn, 12> contactColumns{
-    {{"block_a", "", "index of the block that holds the corner"},
-     {"block_b", "", "index of the block that holds the edge"},
+    {{"block_a", "", "index of the block with the corner"},
+     {"block_b", "", "index of the block with the edge"},
      {"joint_material", "", "index into the scene's joint materials; -1: the built-in one"},
-     {"x", "m", "where the contact is"},
-     {"y", "m", "where the contact is"},
+     {"x", "m", "position of the contact"},
+     {"y", "m", "position of the contact"},
      {"state", "", "0 open, 1 sliding, 2 locked, 3 bonded"},
      {"normal_force", "N", "compression positive"},
      {"shear_force", "N", ""},
      {"penetration", "m", "positive when the corner is inside"},
      {"slip", "m", ""},
      {"nx", "", "unit vector in which compression pushes block a, outward from block b"},
-     {"ny", "", "likewise; block a bears normal_force (nx, ny) + shear_force (ny, -nx), block b the opposite"}}};
+     {"ny", "", "likewise; the force on block a is normal_force (nx, ny) + shear_force (ny, -nx), on block b the "
+                "opposite"}}};
 
 constexpr std::array<PayloadColumn, 15> nodeColumns{
     {{"bolt", "", "index of the bolt, from 0"},
      {"s", "m", "distance from the far end, unstrained"},
-     {"x", "m", "where the node is"},
-     {"y", "m", "where the node is"},
-     {"block", "", "index of the block that holds it; -1: in a gap, on a joint or outside"},
-     {"real", "", "1 real anchor, 0 artificial anchor"},
+     {"x", "m", "position of the node"},
+     {"y", "m", "position of the node"},
+     {"block", "", "index of the block that contains it; -1: in a gap, on a joint or outside"},
+     {"real", "", "1 bonded node (real anchor), 0 intermediate node (artificial anchor)"},
      {"state", "", "0 bonded, 1 slipping, 2 failed (gone), 3 free"},
      {"axial_force", "N", "of the element that starts here, tension positive; at the last node the plate's normal"},
      {"shear_force", "N", "of the element that starts here; at the last node the plate's shear"},
      {"moment", "N m", "at the node"},
-     {"anchor_force", "N", "positive when the rock pulls the bolt towards its head"},
-     {"slip", "m", "rock minus bolt along the axis"},
+     {"anchor_force", "N", "positive when the rock drags the bolt towards its head"},
+     {"slip", "m", "displacement of the rock minus that of the bolt, along the axis"},
      {"ruptured", "", "1 when the element that starts here is broken"},
-     {"bond_strength", "N", "at which the bond lets go, as embedded and clamped now; 0: none, or without limit"},
-     {"bond_residual", "N", "that the bond keeps once it slides; 0: none"}}};
+     {"bond_strength", "N", "at which the bond fails in its present embedment and clamping; 0: no bond, or no limit"},
+     {"bond_residual", "N", "that remains once the bond slides; 0: none"}}};
 
 constexpr std::array<PayloadColumn, 5> boltColumns{
     {{"plate_holds", "", "1 or 0"},
      {"lost", "", "1 when the whole bolt is lost"},
-     {"elastic", "J", "held by shank, anchors and plate, over the model's thickness"},
-     {"plastic", "J", "taken since the start by steel, hinges and crushed rock"},
-     {"bond", "J", "taken since the start by sliding anchors and by bonds that let go"}}};
+     {"elastic", "J", "stored in shank, anchors and plate, over the model's thickness"},
+     {"plastic", "J", "dissipated since the start by steel, hinges and crushed rock"},
+     {"bond", "J", "dissipated since the start by sliding anchors and failing bonds"}}};
 
 constexpr std::array<PayloadColumn, 2> weightColumns{
-    {{"fx", "N", "row n: block n; gravity and accelerations that act like it, as much of them as acts"},
+    {{"fx", "N", "row n: block n; the part of gravity and of body and ground accelerations that acts"},
      {"fy", "N", "likewise"}}};
 
 constexpr std::array<PayloadColumn, 3> inertiaColumns{
@@ -84,58 +85,58 @@ constexpr std::array<PayloadColumn, 3> inertiaColumns{
 
 constexpr std::array<PayloadColumn, 4> contactForceColumns{
     {{"fx", "N", "row n: contact n; force on block a over the frame's step; no rows at rest: see contacts"},
-     {"fy", "N", "likewise; block b bears the opposite"},
+     {"fy", "N", "likewise; the opposite acts on block b"},
      {"moment_a", "N m", "on block a, about its centroid"},
      {"moment_b", "N m", "on block b, about its centroid"}}};
 
 constexpr std::array<PayloadColumn, 2> nodeForceColumns{
-    {{"fx", "N", "row n: node n; force of the anchored point on the block that holds it, at the node"},
+    {{"fx", "N", "row n: node n; force of the anchored point on the block that contains it, at the node"},
      {"fy", "N", "likewise"}}};
 
 constexpr std::array<PayloadColumn, 8> otherForceColumns{
     {{"block", "", "index of the block on which the force acts"},
      {"source", "", "0 weight, 1 contact, 2 bolt, 3 support, 4 load, 5 wall, 6 glue, 7 dashpot, 8 inertia"},
      {"other", "", "index of the block on the other side of a contact or of glue, or of the bolt; -1: none"},
-     {"x", "m", "where it acts"},
-     {"y", "m", "where it acts"},
-     {"fx", "N", "on the block; glue: block other bears the opposite of force and couple"},
+     {"x", "m", "point at which it acts"},
+     {"y", "m", "point at which it acts"},
+     {"fx", "N", "on the block; glue: the opposite force and couple act on block other"},
      {"fy", "N", "likewise"},
      {"moment", "N m", "of force and couple about the block's centroid, counter-clockwise positive"}}};
 
 constexpr std::array<PayloadColumn, 28> boltExtremeColumns{
     {{"axial_force", "N", "largest of the run so far, with its sign; tension positive"},
      {"axial_force_s", "m", "its distance from the far end"},
-     {"axial_force_stage", "", "stage then; -1: never above zero"},
-     {"axial_force_time", "s", "time then, within the stage"},
+     {"axial_force_stage", "", "stage of that value; -1: never above zero"},
+     {"axial_force_time", "s", "time of that value, within the stage"},
      {"shear_force", "N", "likewise"},
      {"shear_force_s", "m", "likewise"},
-     {"shear_force_stage", "", "stage then; -1: never above zero"},
-     {"shear_force_time", "s", "time then, within the stage"},
+     {"shear_force_stage", "", "stage of that value; -1: never above zero"},
+     {"shear_force_time", "s", "time of that value, within the stage"},
      {"moment", "N m", "likewise"},
      {"moment_s", "m", "likewise"},
-     {"moment_stage", "", "stage then; -1: never above zero"},
-     {"moment_time", "s", "time then, within the stage"},
+     {"moment_stage", "", "stage of that value; -1: never above zero"},
+     {"moment_time", "s", "time of that value, within the stage"},
      {"steel_use", "", "largest share of the steel's strength, by axial force and moment; -1: none"},
      {"steel_use_s", "m", "its distance from the far end"},
-     {"steel_use_stage", "", "stage then; -1: never above zero"},
-     {"steel_use_time", "s", "time then, within the stage"},
+     {"steel_use_stage", "", "stage of that value; -1: never above zero"},
+     {"steel_use_time", "s", "time of that value, within the stage"},
      {"shear_use", "", "largest share of the shear strength; -1: none"},
      {"shear_use_s", "m", "likewise"},
-     {"shear_use_stage", "", "stage then; -1: never above zero"},
-     {"shear_use_time", "s", "time then, within the stage"},
+     {"shear_use_stage", "", "stage of that value; -1: never above zero"},
+     {"shear_use_time", "s", "time of that value, within the stage"},
      {"bond_use", "", "largest share of a bond's strength; -1: none"},
      {"bond_use_s", "m", "likewise"},
-     {"bond_use_stage", "", "stage then; -1: never above zero"},
-     {"bond_use_time", "s", "time then, within the stage"},
+     {"bond_use_stage", "", "stage of that value; -1: never above zero"},
+     {"bond_use_time", "s", "time of that value, within the stage"},
      {"plate_use", "", "largest share of the face plate's strength; -1: none"},
      {"plate_use_s", "m", "likewise"},
-     {"plate_use_stage", "", "stage then; -1: never above zero"},
-     {"plate_use_time", "s", "time then, within the stage"}}};
+     {"plate_use_stage", "", "stage of that value; -1: never above zero"},
+     {"plate_use_time", "s", "time of that value, within the stage"}}};
 
 constexpr std::array<PayloadColumn, 12> blockExtremeColumns{
     {{"displacement", "m", "largest of the run so far, since the start or the last zero_displacements"},
-     {"displacement_stage", "", "stage then; -1: none yet"},
-     {"displacement_time", "s", "time then, within the stage"},
+     {"displacement_stage", "", "stage of that value; -1: none yet"},
+     {"displacement_time", "s", "time of that value, within the stage"},
      {"velocity", "m/s", "largest of the run so far"},
      {"velocity_stage", "", "likewise"},
      {"velocity_time", "s", "likewise"},

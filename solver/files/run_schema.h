@@ -40,14 +40,15 @@ CREATE TABLE checkpoint (key INTEGER PRIMARY KEY CHECK (key = 1), build TEXT NOT
 inline constexpr const char* layout =
     "Every BLOB holds little-endian IEEE 754 doubles, row after row. Table columns lists the values of a row by "
     "payload: blocks, corners, contacts, nodes, bolts, weights, inertia, contact_forces, node_forces, other_forces, "
-    "bolt_extremes and block_extremes of a frame; history of a history row; mechanism for stages.blocks and stages.loose, unstable for stages.unstable "
-    "and stages.farthest. Row n of bolts and of bolt_extremes is the scene's bolt n; row n of blocks and of block_extremes the n-th that is solved: the scene's, cells in "
-    "place of those that are cut, then plates that are blocks. Stages, blocks, bolts, nodes, "
-    "elements and rows of history count from 0; -1 marks an index that does not apply. events.history_row names the "
-    "row just before an event, events.cause the number of the event, from 0, whose release set it over. frames.events counts the events until "
-    "a frame: those just before and just after a failure may have the same time. A stage "
-    "without an outcome never ended. Table checkpoint is the program's own: where a run that did not finish can be "
-    "taken up again, by the same build only. SI units; times are within the stage. Row key scene of table about is the "
-    "scene as JSON with its records inside, scene_hash its SHA-256.";
+    "bolt_extremes and block_extremes of a frame; history of a history row; mechanism for stages.blocks and "
+    "stages.loose, unstable for stages.unstable and stages.farthest. Row n of bolts and of bolt_extremes is the "
+    "scene's bolt n; row n of blocks and of block_extremes is the n-th block that is solved: the blocks of the scene, "
+    "with cells in place of blocks that are cut into cells, then plates modelled as blocks. Stages, blocks, bolts, "
+    "nodes, elements and rows of history count from 0; -1 marks an index that does not apply. events.history_row names "
+    "the row just before an event, events.cause the number of the event, from 0, whose release triggered it. "
+    "frames.events counts the events up to a frame; frames just before and just after a failure may have the same "
+    "time. A stage without an outcome never ended. Table checkpoint is internal: the state from which an unfinished "
+    "run can be resumed, by the same build only. SI units; times are within the stage. Row key scene of table about is "
+    "the scene as JSON with its records inside, scene_hash its SHA-256.";
 
 }  // namespace keyblock::run_schema

@@ -91,16 +91,17 @@ void writeColumns(const sqlite::Database& database, const HistoryColumns& histor
     for (const std::string& name : history.names) {
         const bool monitor = position < history.monitorValues;
         insert.bind("history").bind(position++).bind(name).bind("SI");
-        insert.bind(monitor ? "a monitor's value" : "largest along the bolt, with its sign").run();
+        insert.bind(monitor ? "value of a monitor" : "largest value along the bolt, with its sign").run();
     }
     insert.bind("mechanism").bind(std::int64_t{0}).bind("block").bind("")
-        .bind("index of a block that moves or does not balance").run();
+        .bind("index of a block that moves or is not in equilibrium").run();
     position = 0;
     for (const auto& [name, unit, meaning] :
-         {std::array{"block", "", "index of a block that does not stand"},
+         {std::array{"block", "", "index of an unstable block"},
           std::array{"mode", "", "0 slides, 1 falls, 2 topples, 3 follows others"},
-          std::array{"moved", "m", "of the corner that went farthest, seen from what it touched when the stage began"},
-          std::array{"weight", "N", "of the whole thickness"}})
+          std::array{"moved", "m", "displacement of the corner that moved farthest, relative to what it touched at the "
+                                   "start of the stage"},
+          std::array{"weight", "N", "for the whole thickness"}})
         insert.bind("unstable").bind(position++).bind(name).bind(unit).bind(meaning).run();
 }
 
