@@ -76,7 +76,7 @@ std::vector<CaseResult> projectile(const std::string& name, const Point& velocit
                           std::abs(y[i] - (velocity.y() * t - 0.5 * gravity * t * t))});
     }
     checks.relative("fall after 1 s [m]", reading(solved, "last centre.uy"), velocity.y() - 0.5 * gravity, 1e-9);
-    checks.absolute("largest deviation on the way [m]", worst, 0.0, 1e-9);
+    checks.absolute("largest deviation during the fall [m]", worst, 0.0, 1e-9);
     checks.absolute("largest stress [Pa]", largestStress(solved.results), 0.0, 1e-9 * 2700.0 * gravity);
     return checks.take();
 }
@@ -90,7 +90,7 @@ std::vector<CaseResult> slide() {
         const double expected =
             0.5 * gravity * (std::sin(a) - std::cos(a) * std::tan(friction * degree)) * 2.0 * 2.0;
         const Solved solved = solve(inclineScene(slope, friction, 2.0));
-        checks.relative(slope == 30.0 ? "slid in 2 s at 30°, φ 20° [m]" : "slid in 2 s at 45°, φ 30° [m]",
+        checks.relative(slope == 30.0 ? "slip in 2 s at 30°, φ 20° [m]" : "slip in 2 s at 45°, φ 30° [m]",
                         slidDown(solved, slope), expected, 1e-3);
     }
     return checks.take();
@@ -132,7 +132,7 @@ void spinFree(Checks& checks) {
     const bool ran = results.frames.size() > 50;
     checks.absolute("(a) change of area in 1000 steps", ran ? area : std::nan(""), 0.0, 1e-9);
     checks.absolute("(a) change of angular momentum", ran ? rate : std::nan(""), 0.0, 1e-9);
-    checks.relative("(a) turned in 10 s [rad]", ran ? results.frames.back().blocks[0].rotation : std::nan(""), 10.0,
+    checks.relative("(a) rotation in 10 s [rad]", ran ? results.frames.back().blocks[0].rotation : std::nan(""), 10.0,
                     1e-9);
 }
 
@@ -179,7 +179,7 @@ std::vector<Case> blockCases() {
         {"projectile", "The same with a velocity of (3, 4) m/s.", [] { return projectile("projectile", {3, 4}); }},
         {"incline", "A block slides down a slope steeper than its friction.", slide},
         {"stick", "A block on a slope flatter than its friction does not creep.", stick},
-        {"spin", "A block turning freely keeps its area, its spin and its stress.", spin},
+        {"spin", "A freely rotating block keeps its area, angular velocity and stress.", spin},
     };
 }
 

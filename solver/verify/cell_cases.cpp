@@ -250,7 +250,7 @@ std::vector<Case> cellCases() {
         {"patch of cells", "A block in cells under uniform tension and shear.", patch},
         {"cantilever of sub-blocks", "A beam of span 10 × depth in cells bends as a beam with shear.", cantilevers},
         {"crack of a bent beam", "A bonded joint between blocks in cells cracks at the tension edge under f_t·h²/6.", cracks},
-        {"bar of cells", "A free bar in cells rings at the frequency of its length.", ringingBar},
+        {"bar of cells", "A free bar of cells vibrates at the frequency given by its length.", ringingBar},
     };
 }
 

@@ -76,8 +76,8 @@ void collide(Checks& checks, const std::string& name, const Scene& scene, const 
     const double scale = std::max(linear.norm(), density);
     const double slower = solved.results.frames.back().blocks[0].velocity.x();
     const bool met = slower < 0.9 * scene.stages[0].initialVelocities[0].velocity.x();
-    checks.absolute(name + ": the blocks met", met ? 1.0 : 0.0, 1.0, 0.0);
-    checks.absolute(name + ": momentum lost, over what there was", (after.linear - linear).norm() / scale, 0.0, 1e-9);
+    checks.absolute(name + ": the blocks collided", met ? 1.0 : 0.0, 1.0, 0.0);
+    checks.absolute(name + ": momentum lost, relative to its initial value", (after.linear - linear).norm() / scale, 0.0, 1e-9);
     checks.absolute(name + ": angular momentum lost, likewise", (after.angular - angular) / scale, 0.0, 1e-9);
 }
 
@@ -134,7 +134,7 @@ std::vector<CaseResult> modes() {
          {std::tuple{16.20, "16.20° (slides)", 1.0}, {17.20, "17.20° (slides and topples)", 3.0},
           {19.58, "19.58° (slides and topples)", 3.0}, {20.58, "20.58° (topples)", 2.0}})
         checks.absolute(std::string("mode at b/h 0.3, φ ") + text, modeOf(0.3, 30.0, friction), mode, 0.0);
-    checks.absolute("mode at b/h 0.7, φ 35° (stands)", modeOf(0.7, 30.0, 35.0), 0.0, 0.0);
+    checks.absolute("mode at b/h 0.7, φ 35° (stable)", modeOf(0.7, 30.0, 35.0), 0.0, 0.0);
     return checks.take();
 }
 

@@ -143,9 +143,9 @@ std::vector<CaseResult> boltedBlockOnPlane() {
     const double tanPhi = std::tan(frictionAngle * degree);
     const double exact = 1e6 * (std::sin(planeAngle) - std::cos(planeAngle) * tanPhi) /
                          (std::cos(boltAngle) + std::sin(boltAngle) * tanPhi);
-    checks.relative("force that just holds it [N]", exact, 111.97e3, 1e-4);
-    checks.absolute("stands at 119 kN", outcome(119e3) == Outcome::Equilibrium, 1.0, 0.0);
-    checks.absolute("stands at 1 % more than that", outcome(1.01 * exact) == Outcome::Equilibrium, 1.0, 0.0);
+    checks.relative("smallest force that holds it [N]", exact, 111.97e3, 1e-4);
+    checks.absolute("stable at 119 kN", outcome(119e3) == Outcome::Equilibrium, 1.0, 0.0);
+    checks.absolute("stable at 1 % more than that", outcome(1.01 * exact) == Outcome::Equilibrium, 1.0, 0.0);
     checks.absolute("slides at 1 % less", outcome(0.99 * exact) == Outcome::Collapse, 1.0, 0.0);
     checks.absolute("slides at 105 kN", outcome(105e3) == Outcome::Collapse, 1.0, 0.0);
     return checks.take();
@@ -156,7 +156,7 @@ std::vector<CaseResult> boltedBlockOnPlane() {
 std::vector<Case> dowelCases() {
     return {{"dowel", "A joint sheared across a grouted bar, within elasticity.", dowel},
             {"guillotine", "A bar cut by two blocks.", guillotine},
-            {"block on a plane", "A slipping anchor that holds a block, or does not.", boltedBlockOnPlane}};
+            {"block on a plane", "A slipping anchor that is or is not strong enough to hold a block.", boltedBlockOnPlane}};
 }
 
 }  // namespace keyblock

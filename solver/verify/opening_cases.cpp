@@ -161,7 +161,7 @@ std::vector<CaseResult> openings() {
         const HoopError error = hoopError(solve(openingScene(sides)).results);
         const std::string where = " at the centroids of " + std::to_string(error.blocks) + " blocks";
         checks.absolute("hoop stress, L2 error" + where, error.norm, 0.0, most);
-        if (before > 0.0) checks.absolute("that error over the one before", error.norm / before, 0.5, 0.1);
+        if (before > 0.0) checks.absolute("that error relative to the previous one", error.norm / before, 0.5, 0.1);
         before = error.norm;
     }
     return checks.take();

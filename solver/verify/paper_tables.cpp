@@ -43,7 +43,7 @@ PaperTable rebarTable(const RebarReference& r) {
     for (const Release& release : found)
         if (!(release.load <= largest.load)) largest = release;
     PaperTable table;
-    table.title = std::string("Rebar under dilation, ") + r.title +
+    table.title = std::string("Rebar across an opening joint, ") + r.title +
                   (r.divisions == 59 ? ", 60 nodes" : ", 61 nodes (one on the joint)");
     const std::vector<int> order = rebarOrder(r.divisions, r.releases);
     table.rows = {
@@ -65,7 +65,7 @@ PaperTable dBoltTable(const DBoltReference& r) {
                                            r.ruptureOpening + 5e-3, 200));
     const auto path = loadPath(solved);
     PaperTable table;
-    table.title = std::string("D-bolt under dilation, ") + r.title;
+    table.title = std::string("D-bolt across an opening joint, ") + r.title;
     table.rows = {
         load("first yield", 172.24, r.yieldLoad, reading(solved, "first yield joint force")),
         opening("first yield", 4.93, r.yieldOpening, reading(solved, "first yield opening")),

@@ -95,14 +95,14 @@ Passage passageOf(const Results& results, double from, double lag) {
 void compare(Checks& checks, const std::string& how, const Scene& scene, double from, double lag) {
     const Solved solved = solve(scene);
     const Passage passage = passageOf(solved.results, from, lag);
-    checks.absolute(how + ": force in the gap, off friction × embedded length", passage.gapForce, 0.0, 1e-2);
+    checks.absolute(how + ": force in the gap, deviation from friction × embedded length", passage.gapForce, 0.0, 1e-2);
     checks.absolute(how + ": force behind the second block, likewise", passage.pullForce, 0.0, 1e-2);
     checks.absolute(how + ": force at the end [N]", passage.lastForce, 0.0, 1e-2 * friction * shortest);
     checks.absolute(how + ": the tip's blocks are 1, none, 2, none", passage.wayOfTip, 1.0, 0.0);
     checks.absolute(how + ": pulled out of a block", countOf(solved, EventKind::PulledOut), 2.0, 0.0);
     checks.absolute(how + ": debondings after the first loading", countOf(solved, EventKind::Debonding), 54.0, 0.0);
     checks.absolute(how + ": largest energy balance error", passage.balance, 0.0, 1e-2);
-    checks.absolute(how + ": largest jump of it", passage.balanceJump, 0.0, 1e-2);
+    checks.absolute(how + ": largest jump of that error", passage.balanceJump, 0.0, 1e-2);
 }
 
 std::vector<CaseResult> pullRightOut() {
@@ -123,7 +123,8 @@ std::vector<CaseResult> pullRightOut() {
 }  // namespace
 
 std::vector<Case> pullOutCases() {
-    return {{"pull right out", "A friction bolt passes through a block, a gap, another block and out.", pullRightOut}};
+    return {{"pull right out", "A friction bolt is pulled through a block, a gap and another "
+                               "block until it is free.", pullRightOut}};
 }
 
 }  // namespace keyblock

@@ -117,7 +117,7 @@ std::vector<CaseResult> prism() {
         checks.relative("closed form" + where, prismStress(ratio), published, 1e-3);
         const double found =
             boundaryOf(20e3, 80e3, 50.0, [ratio = ratio](double stress) { return holds(prismScene(ratio, stress)); });
-        checks.relative("stress that just holds it" + where, found, published, 0.05);
+        checks.relative("smallest stress that holds it" + where, found, published, 0.05);
     }
     return checks.take();
 }
@@ -126,8 +126,8 @@ std::vector<CaseResult> prism() {
 
 std::vector<Case> roofCases() {
     return {
-        {"roof prism", "A prism in a roof held by stress in situ, with joints of three stiffness ratios.", prism},
-        {"roof plug", "An upright block in a roof held by friction on its walls alone.", plug},
+        {"roof prism", "A roof prism supported by in-situ stress, with joints of three stiffness ratios.", prism},
+        {"roof plug", "A vertical-sided block in a roof supported only by friction on its sides.", plug},
     };
 }
 

@@ -202,8 +202,8 @@ std::vector<Case> schemeCases() {
         {"scheme's damping", "One strain mode of a free block under every scheme.", schemesDamping},
         {"Rayleigh damping", "The same mode with damping by mass and by stiffness.", rayleigh},
         {"impact", "A stiff block rebounds from springs.", impacts},
-        {"sudden load", "A weight hung at once on a bar, and one that falls into it.", suddenLoad},
-        {"bar vibration in time", "A bar held at one end rings at its first frequency under Newmark.", barVibration},
+        {"sudden load", "A weight suddenly applied to a bar, and one that falls into it.", suddenLoad},
+        {"bar vibration in time", "A bar fixed at one end vibrates at its first frequency under Newmark.", barVibration},
     };
 }
 

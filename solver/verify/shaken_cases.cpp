@@ -92,15 +92,15 @@ std::vector<CaseResult> shakenIncline() {
     checks.relative("rigid block [m]", slidRigid(1.0), 0.3008, 1e-3);
     checks.relative("rigid block, reversed [m]", slidRigid(-1.0), 0.2836, 1e-3);
     const Shaken body = shake(sineAcceleration(1.0), std::nullopt);
-    checks.relative("slid in 5 s, sine on the body [m]", body.slid, 0.3008, 0.03);
+    checks.relative("slip in 5 s, sine on the body [m]", body.slid, 0.3008, 0.03);
     checks.relative("the same, reversed [m]", shake(sineAcceleration(-1.0), std::nullopt).slid, 0.2836, 0.03);
     const Shaken base = shake(std::nullopt, sineAcceleration(-1.0));
-    checks.relative("slid in 5 s, sine of the ground [m]", base.slid, 0.3008, 0.03);
-    checks.absolute("ground against body, largest difference on the way [m]", largestDifference(base.ux, body.ux), 0.0,
+    checks.relative("slip in 5 s, sine of the ground [m]", base.slid, 0.3008, 0.03);
+    checks.absolute("ground against body, largest difference during motion [m]", largestDifference(base.ux, body.ux), 0.0,
                     1e-12);
-    checks.relative("slid in 5 s, record on the body [m]", shake(recordAcceleration(1.0), std::nullopt).slid, 0.3008,
+    checks.relative("slip in 5 s, record on the body [m]", shake(recordAcceleration(1.0), std::nullopt).slid, 0.3008,
                     0.03);
-    checks.relative("slid in 5 s, record of the ground reversed [m]",
+    checks.relative("slip in 5 s, record of the ground reversed [m]",
                     shake(std::nullopt, recordAcceleration(1.0)).slid, 0.2836, 0.03);
     return checks.take();
 }
@@ -108,7 +108,7 @@ std::vector<CaseResult> shakenIncline() {
 }  // namespace
 
 std::vector<Case> shakenCases() {
-    return {{"shaken incline", "A block on a slope that is shaken slides down by jerks.", shakenIncline}};
+    return {{"shaken incline", "A block on a shaken slope slides down in steps.", shakenIncline}};
 }
 
 }  // namespace keyblock

@@ -189,7 +189,7 @@ std::vector<CaseResult> coneBoltDrop() {
 std::vector<Case> slidingBoltCases() {
     return {{"Split Set", "A friction tube with a strong plate, a weak plate and none.", splitSet},
             {"constant slip", "A falling block is caught by an anchor of constant force.", constantSlip},
-            {"cone bolt", "A cone that ploughs stops what falls from 1.5 m.", coneBoltDrop},
+            {"cone bolt", "A ploughing cone stops a weight that falls from 1.5 m.", coneBoltDrop},
             {"Roofex", "A bar that slips through its anchor and is stopped at 600 mm.", roofex}};
 }
 

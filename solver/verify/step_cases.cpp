@@ -41,7 +41,7 @@ void compareWithWhole(Checks& checks, const std::string& what, const std::vector
         if (whole[i].kind == finer[i].kind && whole[i].index == finer[i].index) ++same;
         load = std::max(load, std::abs(finer[i].load / whole[i].load - 1.0));
     }
-    checks.absolute(what + ": releases alike", alike ? static_cast<double>(same) : NAN,
+    checks.absolute(what + ": identical releases", alike ? static_cast<double>(same) : NAN,
                     static_cast<double>(whole.size()), 0.0);
     checks.absolute(what + ": largest relative difference of force", alike ? load : NAN, 0.0, 1e-3);
 }
@@ -65,7 +65,7 @@ std::vector<CaseResult> stepIndependence() {
 }  // namespace
 
 std::vector<Case> stepCases() {
-    return {{"step independence", "The same releases at one, half and quarter of the step.", stepIndependence}};
+    return {{"step independence", "The same releases with the full, half and quarter time step.", stepIndependence}};
 }
 
 }  // namespace keyblock

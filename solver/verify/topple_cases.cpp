@@ -136,9 +136,9 @@ std::vector<CaseResult> slope() {
     checks.absolute("limit equilibrium [°]", criticalAngle(), published, 0.05);
     const double found = boundaryOf(36.0, 40.0, 0.25, stands);
     checks.absolute("friction angle below which it fails [°]", found, published, 2.0);
-    checks.absolute("columns of 16 that stand, topple and slide as they should, at 37.25°", asExpected(37.25), 16.0,
+    checks.absolute("columns of 16 that correctly stand, topple or slide, at 37.25°", asExpected(37.25), 16.0,
                     0.0);
-    checks.absolute("energy that the slope makes of nothing, at 60°", energyLeft(60.0), 0.0, 1e-6);
+    checks.absolute("energy created by the numerical solution, at 60°", energyLeft(60.0), 0.0, 1e-6);
     return checks.take();
 }
 

@@ -125,8 +125,8 @@ std::vector<CaseResult> voussoirBeam() {
                         arch.thrust / share / voussoirReference.thrust, 1.0, resolved(rows));
     }
     const Arch arch = archOf(beamScene(4, unitWeight, true));
-    checks.relative("thrust × arm over γts²/8, as it stands", arch.thrust * arch.arm / momentOf(unitWeight), 1.0, 1e-3);
-    checks.relative("thrust as it stands, 4 rows of cells [N]", arch.thrust, voussoirReference.thrust, resolved(4));
+    checks.relative("thrust × arm over γts²/8, at equilibrium", arch.thrust * arch.arm / momentOf(unitWeight), 1.0, 1e-3);
+    checks.relative("thrust at equilibrium, 4 rows of cells [N]", arch.thrust, voussoirReference.thrust, resolved(4));
     checks.relative("for comparison: Brady and Brown's rule [N]", thrustByRule(), 621e3, 5e-3);
     return checks.take();
 }
@@ -134,7 +134,7 @@ std::vector<CaseResult> voussoirBeam() {
 }  // namespace
 
 std::vector<Case> voussoirCases() {
-    return {{"voussoir beam", "A cracked slab stands as an arch between its abutments.", voussoirBeam}};
+    return {{"voussoir beam", "A cracked slab is stable as an arch between its abutments.", voussoirBeam}};
 }
 
 }  // namespace keyblock
