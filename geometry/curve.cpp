@@ -125,7 +125,7 @@ std::string splineProblem(const Spline& spline) {
         return "it has " + std::to_string(control) + " of the " + std::to_string(degree + 1) +
                " control points that degree " + std::to_string(degree) + " needs";
     if (spline.knots.size() != control + degree + 1)
-        return "it has " + std::to_string(spline.knots.size()) + " knots in place of " +
+        return "it has " + std::to_string(spline.knots.size()) + " knots instead of " +
                std::to_string(control + degree + 1);
     if (!std::is_sorted(spline.knots.begin(), spline.knots.end())) return "its knots decrease";
     if (!(spline.knots[control] > spline.knots[degree])) return "all its knots are equal";

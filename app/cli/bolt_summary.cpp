@@ -114,7 +114,7 @@ std::string boltUseTable(const RunSource& run) {
                                   {"bond, %", Align::Right},
                                   {"plate, %", Align::Right},
                                   {"governs"},
-                                  {"holds"}},
+                                  {"supports"}},
                                  rows);
     if (uses.size() > rows.size())
         text += "and " + std::to_string(uses.size() - rows.size()) + " more with lower use; all are in 'info --json'\n";

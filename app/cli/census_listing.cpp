@@ -52,7 +52,7 @@ std::string partLines(const CensusCounts& counts) {
          " of " + counted(counts.nodes, "node") + " (" + std::to_string(counts.realAnchors) + " bonded)",
          counts.boltUnknowns);
     line(counts.contacts, "contact", " at the start", -1);
-    line(counts.gluedEdges, "glued edge", " between cells", -1);
+    line(counts.gluedEdges, "bonded edge", " between cells", -1);
     line(counts.heldPoints, "point support", "", -1);
     return lines;
 }

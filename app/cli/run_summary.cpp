@@ -11,6 +11,7 @@
 #include "solver/results/event_groups.h"
 #include "solver/results/quantity.h"
 #include "solver/results/words.h"
+#include "solver/scene/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,9 +56,10 @@ std::string healthLine(const std::vector<StageRecord>& records) {
     const std::optional<RunHealth> health = healthOf(records);
     if (!health)
         return {};
-    return "solver  " + shown(health->passesMean) + " iterations per step, " + std::to_string(health->stepCuts) +
+    return "solver  " + rounded(health->passesMean) + " iterations per step, " + std::to_string(health->stepCuts) +
            " step reductions, " + std::to_string(health->energyCuts) + " reductions for energy, deepest penetration " +
-           shown(health->maxPenetrationRatio) + " of a block, residual " + shown(health->residual) + ", energy balance error " + shown(health->balanceError) + "\n";
+           rounded(health->maxPenetrationRatio) + " of a block, residual " + rounded(health->residual) +
+           ", energy balance error " + rounded(health->balanceError) + "\n";
 }
 
 std::string measuredText(const Measurement& measurement) {

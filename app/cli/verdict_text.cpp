@@ -72,7 +72,7 @@ std::string worstLine(const RunSource& run, const std::vector<StageRecord>& reco
     if (!worst)
         return {};
     return "worst   block " + blockName(run.blockNames(), worst->health.worst.block) + ", " +
-           shown(worst->health.worst.share) + " of its weight unbalanced in stage '" +
+           rounded(worst->health.worst.share) + " of its weight unbalanced in stage '" +
            stageName(run.scene(), worst->stage) + "'\n";
 }
 

@@ -98,11 +98,11 @@ std::string sceneReferencePage() {
     std::string text =
         "<!-- SPDX-FileCopyrightText: The Keyblock contributors -->\n"
         "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n"
-        "<!-- Made from the field table; KEYBLOCK_REWRITE=1 and the test SceneReference write it anew. -->\n\n"
+        "<!-- Generated from the field table; the test SceneReference rewrites it with KEYBLOCK_REWRITE=1. -->\n\n"
         "# The scene file\n\n"
-        "A scene is one JSON text in UTF-8. Units are SI; angles that a person types are in degrees. A key that is "
-        "missing means its default; a key that is not listed here, or given twice, is an error. `keyblock check` tells "
-        "everything that is wrong, with line and remedy.\n";
+        "A scene is one JSON text in UTF-8. Units are SI; input angles are in degrees unless another unit is given. A "
+        "missing key takes its default; a key that is not listed here, or given twice, is an error. `keyblock check` "
+        "lists all errors with line and remedy.\n";
     for (const Structure* structure : allStructures())
         text += section(*structure);
     return text;

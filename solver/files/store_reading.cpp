@@ -87,7 +87,7 @@ sqlite::Database openedAgain(const fs::path& path) {
         return openedAsPossible(path);
     } catch (const sqlite::Error& error) {
         if (error.code == SQLITE_BUSY)
-            cannotRead(path, "another program holds it; try again");
+            cannotRead(path, "another program is using it; try again");
         if (error.code == SQLITE_CORRUPT || error.code == SQLITE_NOTADB)
             cannotRead(path, damaged);
         cannotRead(path, std::string(error.what()) + "; check that you may read it and its folder");

@@ -64,7 +64,7 @@ void checkAgainstStage(const Acceleration& acceleration, const Stage& stage, con
                        CheckReport& report) {
     const std::string place = placeOfRecord(acceleration, pointer);
     if (acceleration.record.front().first >= stage.duration && stage.duration > 0.0)
-        report.warning(place, "the record begins after the stage's end", "Give times within the stage's seconds");
+        report.warning(place, "the record begins after the end of the stage", "Give times within the stage's seconds");
     else if (acceleration.record.back().first > stage.duration && stage.duration > 0.0)
         report.warning(place, "the stage ends at " + shortest(stage.duration) + " s, before the record does at " +
                                   shortest(acceleration.record.back().first) + " s",
