@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Angles that a person types. A quarter turn is exact, so a joint of dip 90 runs
-// along a vertical border and not 6e-17 beside it.
+// Angles as the user types them. A quarter turn is exact, so a joint of dip 90 runs
+// along a vertical border and not 6e-17 away from it.
 #pragma once
 
 #include "geometry/point.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Lengths and normals are the true wall's; heads are moved onto its polygon, along
-// which the blocks are cut. So a bolt stands neither in the air nor in the rock.
+// which the blocks are cut. So the head of a bolt lies neither in the air nor in the rock.
 #include "geometry/bolt_pattern.h"
 
 #include "geometry/angle.h"
@@ -16,7 +16,7 @@ namespace {
 /// A share of the whole length that counts as none.
 constexpr double together = 1e-9;
 
-/// How far from the beginning the last head may stand [m]; below the offset where there is none.
+/// How far from the beginning the last head may lie [m]; below the offset where there is none.
 double lastPlace(const TunnelProfile& profile, const BoltPattern& pattern) {
     const double from = lengthOfNearest(profile, pattern.from);
     const double to = lengthOfNearest(profile, pattern.to);

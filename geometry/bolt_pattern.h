@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the bolts of a pattern stand: at equal lengths along the wall of a tunnel,
+// Positions of the bolts of a pattern: at equal spacing along the wall of a tunnel,
 // each at one angle from it (theory, "Bolt patterns").
 #pragma once
 
@@ -24,7 +24,7 @@ struct BoltPattern {
     double angleFromWall = 90.0;  // [°], between the bolt and the wall's tangent in the direction of `way`
 };
 
-/// Between these angles from the wall [°] a bolt leaves the polygon that stands for an arc, whose edges turn by up to
+/// Between these angles from the wall [°] a bolt leaves the polygon that represents an arc, whose edges turn by up to
 /// 5.7° from it.
 inline constexpr double leastAngleFromWall = 10.0, greatestAngleFromWall = 170.0;
 
@@ -32,8 +32,8 @@ inline constexpr double leastAngleFromWall = 10.0, greatestAngleFromWall = 170.0
 std::optional<ShapeProblem> boltPatternProblem(const BoltPattern& pattern);
 
 struct PatternBolt {
-    Point head{0.0, 0.0};  // on the polygon that stands for the wall [m]
-    Point farEnd{0.0, 0.0};  // `length` away, in the rock beside the wall [m]
+    Point head{0.0, 0.0};  // on the polygon that represents the wall [m]
+    Point farEnd{0.0, 0.0};  // `length` away, in the rock behind the wall [m]
     double fromBeginning = 0.0;  // along the true wall [m]
 };
 
@@ -41,7 +41,7 @@ struct PatternBolt {
 double boltCount(const TunnelProfile& profile, const BoltPattern& pattern);
 
 /// The bolts, in the order of `way`; a head on the end counts, within 1e-9 of the whole wall's length, but on a full
-/// round none stands where the first does. None where the offset reaches beyond the end.
+/// round none lies where the first does. None where the offset reaches beyond the end.
 /// \pre boltPatternProblem(pattern) is none, boltCount is within reason.
 std::vector<PatternBolt> layOut(const TunnelProfile& profile, const BoltPattern& pattern);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The line is cut wherever an edge crosses it or a corner comes near it, and the
-// middle of each piece is asked where it lies. The middle is far from every edge
+// middle of each piece decides where it lies. The middle is far from every edge
 // that the line crosses, or runs along one; so no answer hangs on a last digit.
 #include "geometry/clip.h"
 
@@ -51,7 +51,7 @@ std::vector<std::pair<double, double>> clipped(std::span<const Point> polygon, c
         else
             kept.emplace_back(at[i], at[i + 1]);
     }
-    // A skipped sliver at an end still belongs to the part beside it.
+    // A skipped sliver at an end still belongs to the adjacent part.
     if (!kept.empty() && kept.front().first - begin <= tolerance) kept.front().first = begin;
     if (!kept.empty() && end - kept.back().second <= tolerance) kept.back().second = end;
     return kept;

@@ -65,7 +65,7 @@ private:
         return false;
     }
 
-    /// Of the corners that are no ears too, where there is no ear.
+    /// Where there is no ear, also of other corners.
     std::size_t widestEar() const {
         std::size_t best = 0;
         double width = -2.0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Programs that draw polygons as fans of triangles paint a concave one over its
-// own outline. Whoever hands polygons to such a program hands out convex pieces.
+// own outline. Convex pieces are handed to such programs instead.
 #pragma once
 
 #include "geometry/point.h"

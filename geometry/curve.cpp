@@ -3,7 +3,7 @@
 //
 // An arc of half-angle h lies r(1 − cos h) = 2r sin²(h/2) off its chord, so edges
 // that turn by 4·asin √(s / 2r) keep the sagitta s. An ellipse is a circle drawn
-// out by no more than its larger half-axis, which stands for r.
+// out by no more than its larger half-axis in place of r.
 //
 // An arc given by its bulge b = tan(φ/2), φ half of its angle, is drawn in the
 // frame of its chord: across it, R(cos θ − cos φ) = 2R sin((φ+θ)/2) sin((φ−θ)/2),

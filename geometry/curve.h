@@ -3,7 +3,7 @@
 //
 // Curves of drawings as lines of points. Points lie on the curve, its ends are
 // kept as they were given, and no edge lies farther from the curve than the
-// sagitta that was asked for.
+// requested sagitta.
 #pragma once
 
 #include "geometry/point.h"
@@ -13,7 +13,7 @@
 
 namespace keyblock {
 
-/// Points of an ellipse c + cos t·p + sin t·q for t from `start` over `sweep` [rad], either way round. Of a circle,
+/// Points of an ellipse c + cos t·p + sin t·q for t from `start` over `sweep` [rad], in either direction. Of a circle,
 /// p and q are normal to each other and as long. At least 32 edges to a full turn, at most 4096; `sagitta` > 0 [m].
 std::vector<Point> ellipsePoints(const Point& center, const Point& p, const Point& q, double start, double sweep,
                                  double sagitta);

@@ -163,7 +163,7 @@ private:
         for (const TracePiece& piece : clean_.pieces) sources_.push_back(piece.source);
     }
 
-    /// How well places can be told [m].
+    /// Resolution of positions [m].
     double roundOff() const { return std::max(16.0 * epsilon * size_, 2.0 * epsilon * farthest_); }
 
     /// Rounds vertices as they will be handed out, makes one of those that round-off cannot tell apart, and sorts them.

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Cuts a section into blocks: closed domains, parted by the traces of joints and
-// by the outlines of tunnels. Which face lies beside which is decided in exact
+// by the outlines of tunnels. Which faces are adjacent is decided in exact
 // arithmetic; before it near-misses are closed, and after it slivers are merged,
-// and all that was changed on the way is told.
+// and all changes are reported.
 //
 // The blocks depend on what was given alone: not on its order, nor on the way a
 // trace or an outline runs, nor on traces given twice.
@@ -22,7 +22,7 @@ namespace keyblock {
 inline constexpr int borderSource = -1;
 
 /// A region that is cut. Outlines of several domains may touch but not overlap.
-/// \pre the outline does not cross itself; either way round.
+/// \pre the outline does not cross itself; either direction.
 struct CutDomain {
     int id = 0;
     std::vector<Point> outline;  // [m]
@@ -43,7 +43,7 @@ struct CutSettings {
     bool keepStraight = false;  // keep vertices where edges go straight on: neighbours then share whole edges
 };
 
-/// A closed line of vertices, none twice, the first not repeated; the lowest vertex stands first.
+/// A closed line of vertices, none twice, the first not repeated; starting with the lowest vertex.
 struct CutRing {
     std::vector<int> vertices;  // indices into Cut::vertices
     std::vector<int> sources;  // of the edge from vertex i to the next
@@ -63,13 +63,13 @@ struct CutBlock {
 enum class CutNoteKind {
     MergedTrace,  // a stretch lies on `other`, which has it; measure: its length [m]
     MovedEnd,  // an end went to the vertex it was close to; measure: how far [m]
-    PulledEnd,  // an end went on to a trace or border that it nearly reached; measure: how far it was away [m]
+    PulledEnd,  // an end was extended to a trace or border that it nearly reached; measure: how far it was away [m]
     TrimmedEnd,  // a loose end bounds no block; measure: its length [m]
     TrimmedStretch,  // as a loose end, but between places where the trace does bound blocks
     DroppedShort,  // a trace no longer than the tolerance; measure: its length [m]
     DroppedOutside,  // a trace without a part inside a domain; measure: its length [m]
     DroppedLoose,  // a trace that bounds no block; measure: its length inside [m]
-    DroppedNotFinite,  // a trace or a domain with a coordinate that is no number below 1e100; measure 0
+    DroppedNotFinite,  // a trace or a domain with a coordinate that is not a number below 1e100; measure 0
     DroppedDomain,  // a domain without an area; source: its id; measure 0
     MergedSliver,  // a face under a limit joined a neighbour; source: of the longest edge between; measure: area [m²]
     MergedUnsound,  // the same for a face that would cross itself once its corners are rounded

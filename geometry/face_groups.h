@@ -41,7 +41,7 @@ public:
         } while (face != group);
     }
 
-    /// A group of the same domain beside a group.
+    /// An adjacent group of the same domain.
     struct Neighbour {
         int group = -1;
         double length = 0.0;  // of all edges between [m]

@@ -3,7 +3,7 @@
 //
 // The outlines of groups of faces: closed lines of vertices without loose ends,
 // pinches or needless corners. Corners are rounded by now, and rounding may turn
-// a face inside out; so every outline is looked at once more as it stands.
+// a face inside out; so every outline is checked again in its final form.
 #pragma once
 
 #include "geometry/cut.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Cells double in size from level to level. A box is at most as large as the cells
-// of its level, so whatever meets another box has its lower left corner in the
+// of its level, so a box that meets another has its lower left corner in the
 // cells of that box or one cell to the left or below: a few runs of a sorted list.
 // Pairs are looked for from the finer to the coarser level, hence found once.
 #include "geometry/grid.h"

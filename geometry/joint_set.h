@@ -37,7 +37,7 @@ struct JointSet {
     std::uint64_t seed = 1;
 };
 
-/// Limits of what a joint set may ask for; `jointSetProblem` tells them.
+/// Limits of a joint set, checked by `jointSetProblem`.
 inline constexpr double largestDipDeviation = 25.0;  // [°]; three of them stay below a right angle
 inline constexpr double largestDeviationRatio = 2.0;  // deviation over mean
 
@@ -56,7 +56,7 @@ struct JointTrace {
 };
 
 /// The traces, clipped to the closed region, by line, number and place along the dip. A trace that a concave region
-/// interrupts goes on behind on the same line. `tolerance` [m] as in `clipped`.
+/// interrupts continues behind it on the same line. `tolerance` [m] as in `clipped`.
 /// \pre jointSetProblem(set) is none; the region does not cross itself; jointTraceEstimate is within reason.
 std::vector<JointTrace> jointTraces(const JointSet& set, std::span<const Point> region, double tolerance);
 

@@ -21,7 +21,7 @@ struct Gathered {
 };
 
 /// Each point goes to the nearest place within `radius` [m], or becomes a place, in the order given. The first
-/// `fixed` points become places whatever they are close to, unless they are the very same.
+/// `fixed` points become places regardless of what they are close to, unless they are the very same.
 Gathered gather(std::span<const Point> points, std::size_t fixed, double radius);
 
 /// The same for a radius of round-off, much faster: points closer than `radius` [m] to each other go together, in

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One number for each place: points that differ by round-off are the same, and
-// whoever meets a place first says which doubles it has from then on.
+// the first point at a place defines its doubles from then on.
 #pragma once
 
 #include "geometry/point.h"
@@ -36,7 +36,7 @@ private:
 
     double tolerance_;
     std::vector<Point> points_;
-    std::unordered_map<Bin, int, Mixed> bins_;  // a second place of one bin stands in `next_` of the first
+    std::unordered_map<Bin, int, Mixed> bins_;  // a second place of one bin is in `next_` of the first
     std::vector<int> next_;
 };
 

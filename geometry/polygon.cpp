@@ -123,7 +123,7 @@ bool isDeepInside(std::span<const Point> polygon, const Point& p, double toleran
 }
 
 /// True when the outline of `a` runs through the inside of `b`. The depth along a
-/// chord rises towards its middle, so the middle of every part inside is asked.
+/// chord rises towards its middle, so the middle of every part inside is tested.
 bool outlineEnters(std::span<const Point> a, std::span<const Point> b, double tolerance) {
     for (std::size_t i = 0; i < a.size(); ++i) {
         const Point& from = a[i];

@@ -14,7 +14,7 @@
 
 namespace keyblock {
 
-/// Area, centroid and second moments about the centroid; the same for either way round.
+/// Area, centroid and second moments about the centroid; the same for either direction.
 struct Moments {
     double area = 0.0;  // [m²]
     Point centroid{0.0, 0.0};  // [m]
@@ -39,7 +39,7 @@ double distanceToBoundary(std::span<const Point> polygon, const Point& p);
 
 enum class Side { Outside, Boundary, Inside };
 
-/// Where `p` lies; `Boundary` within `tolerance` [m] of an edge. Concave polygons and either way round are fine.
+/// Where `p` lies; `Boundary` within `tolerance` [m] of an edge. Concave polygons and either direction are fine.
 Side locate(std::span<const Point> polygon, const Point& p, double tolerance);
 
 /// A place where the outline crosses itself or runs back along itself; none for a sound outline.

@@ -32,7 +32,7 @@ std::optional<Crossing> crossing(const Point& a, const Point& b, const Point& c,
 
 /// The parts of a→b inside a polygon, as parameter intervals in rising order.
 /// A part along an edge, within `tolerance` [m] of it, is not inside; parts shorter than `tolerance` are left out.
-/// \pre the polygon does not cross itself; either way round, concave too.
+/// \pre the polygon does not cross itself; either direction, concave too.
 std::vector<std::pair<double, double>> insideIntervals(std::span<const Point> polygon, const Point& a, const Point& b,
                                                        double tolerance);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Whether an outline is sound. Round-off cannot tell a corner on an edge from one
-// beside it, so everything within the tolerance of a corner is judged by the two
+// next to it, so everything within the tolerance of a corner is judged by the two
 // sides that leave that corner, and only what is clear of every corner by the
 // crossing of two edges.
 #include "geometry/polygon.h"
@@ -65,7 +65,7 @@ private:
     std::optional<Point> passesThrough(int i, int j) const {
         const bool atStart = (corner(j) - corner(i)).norm() <= tolerance_;
         const bool atEnd = (corner(j + 1) - corner(i)).norm() <= tolerance_;
-        if (atEnd) return std::nullopt;  // told with edge j + 1, which starts there
+        if (atEnd) return std::nullopt;  // reported with edge j + 1, which starts there
         const Point& before = atStart ? corner(j - 1) : corner(j);
         const Point& after = corner(j + 1);
         const Point& in = corner(i - 1);

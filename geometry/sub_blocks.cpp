@@ -210,7 +210,7 @@ std::optional<Polygon> joined(const Polygon& first, const Polygon& second, doubl
     return withoutStraight(outline, ends, 2.0 * tolerance);
 }
 
-/// Which cells lie beside each other.
+/// Which cells are adjacent.
 std::vector<std::vector<int>> neighbours(const std::vector<Polygon>& cells, double tolerance) {
     std::vector<Box> boxes;
     for (const Polygon& cell : cells) boxes.push_back(grown(boxOf(cell), tolerance));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cuts a polygon into cells of about one size and tells where cells share an
+// Cuts a polygon into cells of about equal size and finds where cells share an
 // edge. The grid lies along the longest edge and fits the outline's box in whole
 // cells, so a rectangle falls into equal ones; what is left of cells at slanted
 // or concave sides joins a neighbour where it would be a sliver.

@@ -146,7 +146,7 @@ private:
         stretches_.push_back({{from, to}, trace.source, -1});
     }
 
-    /// Of stretches between the same places only the first stays. Those of borders all do.
+    /// Of segments between the same places only the first stays; all of those of borders stay.
     void dropRepeated() {
         std::vector<std::tuple<int, int, int>> keys;  // places, stretch
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
@@ -209,7 +209,7 @@ private:
         return pairs;
     }
 
-    /// What is left of `later` beside `earlier`: nothing when it is left as it is.
+    /// What remains of `later` next to `earlier`: nothing when it stays unchanged.
     std::optional<std::vector<Stretch>> beside(const Stretch& later, const Stretch& earlier) {
         const Point &a = at(earlier.ends.from), &b = at(earlier.ends.to);
         const double length = (b - a).norm();
@@ -300,7 +300,7 @@ private:
     }
 
     double beyond() const { return 0.5 * tolerance_; }  // how far ends are pulled past what they reach
-    double least() const { return 0.125 * tolerance_; }  // safely on one side, whatever the round-off
+    double least() const { return 0.125 * tolerance_; }  // safely on one side despite round-off
 
     /// How far off the target the place must go: past it, away from where the only stretch there comes from.
     double offWanted(int place, const Stretch& target, const View& view) const {
@@ -309,7 +309,7 @@ private:
         return far > 0.0 ? -beyond() : beyond();
     }
 
-    /// Length by which the only stretch at a place goes on past the target; none where that is long or goes astray.
+    /// Length by which the only segment at a place extends past the target; none where that is long or leads away.
     std::optional<double> goOn(int place, const View& view, double wanted) const {
         const Point& far = at(farEnd(endingAt(place).front(), place));
         const Point way = (at(place) - far).normalized();

@@ -8,7 +8,7 @@
 //   2. of traces that run along each other the one of the lower source stays, and
 //      of the other what goes beyond it;
 //   3. an end that nearly reaches a trace or the border, or just reaches it, is
-//      pulled over it. What stands over bounds no face and is dropped afterwards.
+//      pulled over it. What extends beyond bounds no face and is dropped afterwards.
 // So no trace is ever bent, and no crossing depends on a rounded place.
 #pragma once
 

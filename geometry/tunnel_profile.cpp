@@ -3,7 +3,7 @@
 //
 // From the numbers of a shape to its pieces. Directions on arcs are taken in
 // degrees, where quarter turns are exact, so crowns and springing lines come out
-// where a person expects them to the last digit.
+// where the user expects them to the last digit.
 #include "geometry/tunnel_profile.h"
 
 #include "geometry/angle.h"

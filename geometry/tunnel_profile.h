@@ -10,7 +10,7 @@
 //   circle     radius d/2.
 //   d-shape    walls of height h − w/2 under a semicircle.
 //   horseshoe  The crown is a semicircle of radius w/2. At its springing line, the level h − w/2 =: H above the floor,
-//              it is vertical; a wall that goes on smoothly with radius w has its centre on that level, at the foot of
+//              it is vertical; a wall that continues with radius w has its centre on that level, at the foot of
 //              the opposite wall of the crown. A depth y below it the half-width is √(w² − y²) − w/2, so the floor is
 //              2√(w² − H²) − w wide, which is above 0 for H < w√3/2: w/2 <= h < w(1 + √3)/2 ≈ 1.366 w.
 //   arched     walls under the arc of a circle with rise r over the chord w: radius (w²/4 + r²)/(2r), half-angle
@@ -45,7 +45,7 @@ struct ArchedShape {
     double width = 0.0, wallHeight = 0.0, rise = 0.0;  // [m]
 };
 struct PolygonShape {
-    std::vector<Point> points;  // either way round [m]
+    std::vector<Point> points;  // in either direction [m]
 };
 using ProfileShape = std::variant<CircleShape, DShape, HorseshoeShape, ArchedShape, PolygonShape>;
 
@@ -66,7 +66,7 @@ struct Arc {
 struct ProfilePiece {
     Point from{0.0, 0.0}, to{0.0, 0.0};  // [m]
     std::optional<Arc> arc;  // none: straight
-    int edges = 1;  // of the polygon that stands for it
+    int edges = 1;  // of the polygon that represents it
     double begin = 0.0, length = 0.0;  // along the wall [m]
 };
 
@@ -77,7 +77,7 @@ struct TunnelProfile {
     double length = 0.0;  // of the true wall [m]
 };
 
-/// Edges of the polygon that stands for a full circle: at least, and at most however small a sagitta is asked for.
+/// Edges of the polygon that represents a full circle: at least, and at most however small the requested sagitta is.
 inline constexpr int leastEdgesOfCircle = 32;
 inline constexpr int mostEdgesOfCircle = 4096;
 
@@ -86,10 +86,10 @@ inline constexpr int mostEdgesOfCircle = 4096;
 /// \pre profileProblem(shape) is none; sagitta > 0.
 TunnelProfile tunnelProfile(const ProfileShape& shape, std::optional<double> sagitta = std::nullopt);
 
-/// Corner `i` of the polygon's part that stands for a piece: 0 its beginning, `edges` its end.
+/// Corner `i` of the polygon's part that represents a piece: 0 its beginning, `edges` its end.
 Point cornerOf(const ProfilePiece& piece, int i);
 
-/// The polygon that stands for the wall, counter-clockwise, its corners on the true wall.
+/// The polygon that represents the wall, counter-clockwise, its corners on the true wall.
 std::vector<Point> outline(const TunnelProfile& profile);
 
 // Lengths run along the true wall, counter-clockwise from the start [m]; any length is taken round and round.
@@ -107,7 +107,7 @@ Point normalAtLength(const TunnelProfile& profile, double length);
 /// Where the true wall is nearest to `p`, from 0 to below the whole length; of places equally near, the first.
 double lengthOfNearest(const TunnelProfile& profile, const Point& p);
 
-/// Which way round the wall, as the section is drawn (x to the right, y upward).
+/// Direction along the wall, as the section is drawn (x to the right, y upward).
 enum class Way { CounterClockwise, Clockwise };
 
 /// How far it is from one place to another [m], from 0 to below the whole length; 0 when both are one place, within

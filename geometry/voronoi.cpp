@@ -50,7 +50,7 @@ public:
     Cutter(const Polygon& region, double tolerance)
         : region_(region), tolerance_(tolerance), edges_(boxesOfEdges(region, tolerance)) {}
 
-    /// The parts of a convex cell in the region; its first corner tells where a cell lies that no edge comes near.
+    /// The parts of a convex cell in the region; its first corner shows where a cell lies that no edge comes near.
     std::vector<Polygon> partsOf(const Polygon& cell) const {
         if (cell.size() < 3) return {};
         if (edges_.meeting(boxOf(cell)).empty()) {
@@ -81,7 +81,7 @@ private:
     BoxGrid edges_;
 };
 
-/// The sites with the parts of their cells in the region; sites without any are gone.
+/// The sites with the parts of their cells in the region; sites without any are removed.
 struct Parts {
     std::vector<Point> sites;
     std::vector<std::vector<Polygon>> cells;

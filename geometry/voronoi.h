@@ -33,8 +33,8 @@ double voronoiEstimate(std::span<const Point> region, double size);
 /// but for corners of a concave region; a cell that a notch of the region interrupts is several, with one site. A
 /// region too small for a site is one cell, of no site but its centroid. What is no larger than `tolerance` [m] is left
 /// out of cells and edges.
-/// \pre the region does not cross itself and has an area, either way round; size is well above the tolerance, which is
-/// above round-off; voronoiEstimate is within reason.
+/// \pre the region does not cross itself and has an area; either direction; size is well above the tolerance, which
+/// is above round-off; voronoiEstimate is within reason.
 VoronoiCells voronoiCells(std::span<const Point> region, double size, std::uint64_t seed, double tolerance);
 
 }  // namespace keyblock

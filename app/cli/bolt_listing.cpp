@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The source of a number is looked for from the narrow to the wide: its own, that
-// of the part it stands in, that of the whole type. A value left at its default has
+// of the part it belongs to, that of the whole type. A value left at its default has
 // the default's source unless it is given one of its own.
 #include "app/cli/bolt_listing.h"
 
@@ -25,7 +25,7 @@ struct ValueText {
     std::string operator()(const std::string& value) const { return value; }
     std::string operator()(const BoltPlace& value) const { return value.head ? "head" : shortest(value.s); }
 
-    /// No value of a bolt type is a list of anything else than pairs, which are told one by one.
+    /// No value of a bolt type is a list of anything but pairs, which are listed one by one.
     template <typename Other>
     std::string operator()(const Other&) const {
         return {};

@@ -18,7 +18,7 @@ struct BoltNumber {
     std::string value;
     std::string unit;
     std::string source;
-    bool confirmed = true;  // false: no source at hand gives it
+    bool confirmed = true;  // false: no available source gives it
 };
 
 /// Every value of the type that applies and is not null, in the order of the format.

@@ -24,7 +24,7 @@ constexpr std::size_t mostHeld = 3;  // blocks named of a bolt
 constexpr double nothing = 1e-9;  // of the axial force
 
 /// "62.1 at 1.25": a force in kilo-units and its distance from the far end [m]. \param axial largest axial force [N],
-/// beside which round-off is not worth a number.
+/// next to which round-off is shown as 0.
 std::string peakText(const BoltPeak& peak, double axial) {
     if (peak.stage < 0) return "–";
     if (std::abs(peak.value) < nothing * std::abs(axial)) return "0";

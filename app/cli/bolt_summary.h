@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run did to its bolts: their largest forces and use, the chains of what
-// led to what, and the energy that each bolt took, for people.
+// What a run did to its bolts: their largest forces and use, the chains of
+// failures, and the energy of each bolt.
 #pragma once
 
 #include "solver/results/run_source.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The only place that knows CLI11: it is slow to compile and stays alone here.
+// The only place that knows CLI11: it is slow to compile, so it is used nowhere else.
 #include "app/cli/command_line.h"
 
 #include "app/cli/figure_words.h"
@@ -263,7 +263,7 @@ void requireKnownVerb(const CLI::App& app, int argc, const char* const* argv) {
     throw UsageError(message + "; see 'keyblock" + verb + " --help'");
 }
 
-/// `--set a=1 b=2` means `--set a=1 --set b=2`: values go on as long as they look like one.
+/// `--set a=1 b=2` means `--set a=1 --set b=2`: values continue as long as they look like one.
 std::vector<std::string> wordsInReverse(int argc, const char* const* argv) {
     std::vector<std::string> words;
     bool setting = false;

@@ -11,7 +11,7 @@
 
 namespace keyblock::cli {
 
-/// What `--help` or `--version` asked for.
+/// The text printed for `--help` or `--version`.
 struct Answer {
     std::string text;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verbs and what each was told. Every verb prints for itself and returns the
+// The verbs and their options. Every verb prints for itself and returns the
 // program's exit code; what goes wrong outside its own business it throws.
 #pragma once
 
@@ -20,11 +20,11 @@ enum class ProgressKind { Automatic, Bar, Json, None };
 
 struct RunOptions {
     std::filesystem::path scene;
-    std::optional<std::filesystem::path> out;  // null: the scene's name with .kbrun, beside it
+    std::optional<std::filesystem::path> out;  // null: the scene's name with .kbrun, in the same folder
     std::vector<std::string> overrides;  // path=value
     int threads = 0;  // 0: as many as the machine has
     ProgressKind progress = ProgressKind::Automatic;  // a bar on a terminal, else none
-    bool resume = false;  // go on in a run store that is there
+    bool resume = false;  // continue in an existing run store
     bool overwrite = false;
     bool failOnCollapse = false;  // exit with `DoesNotStand`
 };
@@ -46,17 +46,17 @@ struct ExportOptions {
     std::optional<std::string> table;  // one of these four
     std::optional<std::string> figure;
     std::optional<std::filesystem::path> vtk;  // the folder
-    std::optional<std::filesystem::path> animation;  // the film, or the folder of its pictures
+    std::optional<std::filesystem::path> animation;  // the file, or the folder of its images
     std::optional<std::string> bolt;
     std::optional<std::string> stage;
     std::optional<std::string> at;
-    std::optional<int> perSecond;  // pictures of a film
+    std::optional<int> perSecond;  // frames of an animation
     std::optional<std::string> quantity;  // of a figure or an animation, as all below
     std::optional<double> width;  // [mm]
     std::optional<int> dpi;
     std::optional<double> deformed;  // factor on displacements
     bool whole = false;
-    std::vector<std::filesystem::path> references;  // CSV files beside the curves
+    std::vector<std::filesystem::path> references;  // CSV files drawn with the curves
     std::filesystem::path out;
 };
 
@@ -69,7 +69,7 @@ struct ImportOptions {
 
 struct SafetyOptions {
     std::filesystem::path scene;
-    std::optional<std::filesystem::path> out;  // the folder; null: the scene's name with -safety, beside it
+    std::optional<std::filesystem::path> out;  // the folder; null: the scene's name with -safety, in the same folder
     bool overwrite = false;
     std::vector<std::string> overrides;
     int threads = 0;  // 0: as many as the machine has

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the program tells the shell; scripts and schedulers rely on these numbers.
+// The exit codes of the program; scripts and schedulers rely on these numbers.
 #pragma once
 
 namespace keyblock::cli {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One picture at a time is painted and handed on; while ffmpeg works on it the next
+// One frame at a time is painted and handed on; while ffmpeg works on it the next
 // is painted.
 #include "app/cli/export_animation.h"
 
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a film; null: a folder of pictures.
+/// Of a video; null: a folder of images.
 std::optional<MovieFormat> formatOf(const fs::path& out) {
     const std::string ending = out.extension().string();
     if (ending == ".mp4") return MovieFormat::Mp4;
@@ -65,7 +65,7 @@ FigureRequest requestOf(const ExportOptions& options, const TableFilter& filter)
 
 struct Stopped {};
 
-/// A run whose next frame is refused once it shall stop, whoever asks for it.
+/// A run that refuses further frames once it is stopped.
 class StoppableRun : public RunSource {
 public:
     StoppableRun(const RunSource& run, const std::atomic<bool>& stop) : run_(run), stop_(stop) {}
@@ -87,7 +87,7 @@ private:
     const std::atomic<bool>& stop_;
 };
 
-/// Tells on a terminal how many pictures are done; the line goes when it does.
+/// Shows on a terminal how many frames are done; its destructor clears the line.
 class PictureCount {
 public:
     explicit PictureCount(std::size_t all) : all_(all), told_(errorIsTerminal()) {}

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part of `export` that makes films.
+// The part of `export` that writes animations.
 #pragma once
 
 #include "app/cli/commands.h"
@@ -10,7 +10,7 @@
 
 namespace keyblock::cli {
 
-/// Writes a film, or a folder of PNG pictures with a table of their moments. \pre `options.animation` is set.
+/// Writes a video, or a folder of PNG images with a table of their times. \pre `options.animation` is set.
 /// \throws UsageError for what cannot be drawn, and in a build without figures.
 ExitCode exportAnimation(const ExportOptions& options, const RunSource& run, const TableFilter& filter);
 

@@ -62,7 +62,7 @@ void tell(const std::vector<Problem>& problems) {
     for (const Problem& problem : problems) printToError(oneLine(problem) + '\n');
 }
 
-/// \return false when one cannot be used; all that is wrong with them is told.
+/// \return false when one cannot be used; all problems are reported.
 bool readReferences(const ExportOptions& options, FigureRequest& request) {
     bool usable = true;
     for (const std::filesystem::path& file : options.references) {

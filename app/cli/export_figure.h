@@ -10,7 +10,7 @@
 
 namespace keyblock::cli {
 
-/// Writes the figure and, beside it, its data; tells what is wrong with references. \pre `options.figure` is set.
+/// Writes the figure and, next to it, its data; reports problems of references. \pre `options.figure` is set.
 /// \throws UsageError for what cannot be drawn, and in a build without figures.
 ExitCode exportFigure(const ExportOptions& options, const RunSource& run, const TableFilter& filter);
 

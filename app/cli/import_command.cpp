@@ -41,7 +41,7 @@ std::string placeText(const NotTaken& item) {
            (item.place.handle.empty() ? "" : " (handle " + item.place.handle + ")");
 }
 
-/// Each entity with its place and reason; of a kind, layer and reason ten, or all.
+/// Each entity with its position and reason: ten per kind, layer and reason, or all.
 void tellNotTaken(const Import& import, bool all) {
     if (import.notTaken.empty())
         return;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The only place of the command line that knows the JSON library. Numbers that are
-// not finite become null; text that is no UTF-8 is repaired.
+// not finite become null; text that is not UTF-8 is repaired.
 #include "app/cli/json_answers.h"
 
 #include "app/cli/run_summary.h"

@@ -42,7 +42,7 @@ std::string paperJson(std::span<const PaperTable> tables);
 /// `reduce, tolerance, lower, upper, outcome, runs[] {factor, stands, stage, outcome, steps, message}, mode {blocks[]
 /// {name, movement, displacement_m, rotation_rad}, joints[] {blocks, joint_material, x_m, y_m, slip_m, opening_m}}`.
 /// `outcome`: `bracketed`, `stands-at-1000`, `falls-at-0.001`, `stopped` or `limit`; null: an end that was not found, the
-/// mode where everything stands, the material of joints without one.
+/// mode where everything is stable, the material of joints without one.
 /// \param solved the scene as it was solved: cut.
 std::string safetyJson(const Scene& solved, const SafetyFactor& found);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From words to a verb to an exit code. Whatever a verb throws is told here, on one
+// From words to a verb to an exit code. Exceptions of a verb are reported here, on one
 // line, with the code that the contract gives it.
 #include "app/cli/command_line.h"
 #include "app/cli/output.h"

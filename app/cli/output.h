@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Results go to standard output, everything else to standard error. A reader that
-// went away (`| head`) is no error; a full disk behind the output is one.
+// went away (`| head`) is not an error; a full disk behind the output is one.
 #pragma once
 
 #include <stdexcept>
@@ -10,7 +10,7 @@
 
 namespace keyblock::cli {
 
-/// What was asked for cannot be done as asked; told on one line, exit 2.
+/// The command line cannot be carried out as given; reported on one line, exit code 2.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

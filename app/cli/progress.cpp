@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Time left is what the done share took, carried on; too early it is not told.
+// Time left is extrapolated from the share done; it is not shown too early.
 #include "app/cli/progress.h"
 
 #include "app/cli/output.h"

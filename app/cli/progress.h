@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tells how far a run is, on standard error, at most ten times a second: as a bar
+// Shows the progress of a run on standard error, at most ten times a second: as a bar
 // with the time left, or as one JSON object a line.
 #pragma once
 
@@ -23,13 +23,13 @@ ProgressKind chosenProgress(ProgressKind kind);
 
 using Clock = std::chrono::steady_clock;
 
-/// Passes everything on to another sink and tells progress beside it.
+/// Passes everything on to another sink and shows progress as well.
 class ProgressSink : public Sink {
 public:
     /// \param scene as it is solved: cut. \param label before the stage's name; may be empty.
     /// \pre `kind` is not `Automatic`; scene and sink outlive this.
     ProgressSink(const Scene& scene, Sink& next, ProgressKind kind, std::string label = {});
-    /// Tells the last state, or takes the bar away.
+    /// Shows the last state, or clears the bar.
     ~ProgressSink() override;
     ProgressSink(const ProgressSink&) = delete;
     ProgressSink& operator=(const ProgressSink&) = delete;

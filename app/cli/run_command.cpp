@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The scene if it can be run. Errors are told on standard error, warnings with the results: standard error is for
+/// The scene if it can be run. Errors are printed on standard error, warnings with the results: standard error is for
 /// progress, which others read line by line.
 std::optional<SceneReading> runnableScene(const RunOptions& options) {
     SceneReading reading = readSceneFile(options.scene, options.overrides);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A deviation from an expected number is told, never judged by the exit code: the
+// A deviation from an expected number is printed but does not affect the exit code: the
 // run itself was good.
 #include "app/cli/run_summary.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run came to, for people: stages, events by kind, health, and the numbers
-// that the scene asked for beside those it expects. `run` ends with it, `info`
+// Summary of a run: stages, events by kind, solver diagnostics, and the numbers
+// that the scene requests next to those it expects. `run` ends with it, `info`
 // begins with it.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace keyblock::cli {
 
-/// The numbers' health over all stages that ended.
+/// Solver diagnostics over all stages that ended.
 struct RunHealth {
     double passesMean = 0.0;  // a step
     double workMean = 0.0, factorizationsMean = 0.0, fullFactorizationsMean = 0.0;  // a solved step

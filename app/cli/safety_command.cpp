@@ -45,7 +45,7 @@ void placeIn(std::vector<Problem>& problems, const SafetyOptions& options) {
     nameOrigins(problems, options.scene.string(), options.overrides);
 }
 
-/// The scene if it can be asked for its factor; else why not, on standard error.
+/// The scene if it has a factor of safety; otherwise prints why not on standard error.
 std::optional<SceneReading> askedScene(const SafetyOptions& options) {
     SceneReading reading = readSceneFile(options.scene, options.overrides);
     std::vector<Problem> problems = reading.problems;
@@ -142,7 +142,7 @@ std::string jointTable(const std::vector<std::string>& names, const FailureMode&
                                                 rows);
 }
 
-/// Why the run at the upper end did not stand, in its own words, and what moved.
+/// Message of the failing run at the upper end, and what moved.
 std::string modeText(const Scene& solved, const SafetyFactor& found) {
     std::string text;
     for (const SafetyRun& run : found.runs)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A handler may touch nothing but a lock-free atomic, and call few functions; those
-// that end the program the usual way are among them.
+// that end the program normally are among them.
 #include "app/cli/stop_signals.h"
 
 #include <signal.h>

@@ -36,7 +36,7 @@ using TextRow = std::vector<std::string>;
 /// \pre every row has a cell for every column.
 std::string textTable(std::vector<TextColumn> columns, const std::vector<TextRow>& rows);
 
-/// One line of such a table with the columns' widths as they stand.
+/// One line of such a table with the present widths of the columns.
 std::string textLine(const std::vector<TextColumn>& columns, const TextRow& cells);
 
 }  // namespace keyblock::cli

@@ -37,7 +37,7 @@ std::string blockTable(const RunSource& run, const Verdict& verdict) {
     return "\n" + text + more(verdict.blocks.size(), rows.size()) + "\n";
 }
 
-/// A movement [m] beside another, next to which round-off is not worth a number.
+/// A movement [m] in mm; 0 where it is round-off compared with the other.
 std::string millimetres(double movement, double other) {
     return movement < 1e-9 * other ? "0" : rounded(1e3 * movement);
 }

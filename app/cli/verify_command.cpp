@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `verify`: the suite's cases as they come, measured beside expected, or
+// The verb `verify`: the suite's cases one after another, measured next to expected, or
 // the paper's tables. A case that breaks down is a miss and does not keep the others
 // from running.
 #include "app/cli/commands.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A type that is like another is read over a copy of it, so the other is read
-// first. The sources of numbers that are given anew do not come along.
+// first. Sources of numbers that are redefined are not copied.
 #include "solver/files/bolt_type_reader.h"
 
 #include "solver/files/field_json.h"
@@ -99,7 +99,7 @@ private:
         return types_[index];
     }
 
-    // Steel, so that a wrong `like` is not told a second time as steel that is missing.
+    // Steel, so that a wrong `like` is not also reported as missing steel.
     static BoltType usable() {
         BoltType type;
         type.youngsModulus = 200e9;

@@ -23,7 +23,7 @@ struct ClosedOutlines {
 };
 
 /// Joins lines whose ends lie within `tolerance` of each other to closed outlines; closed lines are outlines already.
-/// An end goes on with the first line, in their order, that is there and not used.
+/// An end continues with the first line, in their order, that is there and not used.
 ClosedOutlines closeOutlines(std::span<const DrawnLine> lines, double tolerance);
 
 }  // namespace keyblock

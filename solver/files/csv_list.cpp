@@ -184,7 +184,7 @@ private:
         return {first, number(y)};
     }
 
-    /// In SI; 0 after an error, which is told.
+    /// In SI; 0 after an error, which is reported.
     double number(Kind kind) {
         const auto index = static_cast<std::size_t>(indexOf(kind));
         const CsvCell& cell = (*row_)[index];

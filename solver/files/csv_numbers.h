@@ -13,14 +13,14 @@
 
 namespace keyblock {
 
-/// The numbers of one file; what is wrong with them is told in `problems`, which outlives this.
+/// The numbers of one file; what is wrong with them is reported in `problems`, which outlives this.
 class CsvNumbers {
 public:
     explicit CsvNumbers(std::vector<Problem>& problems) : problems_(problems) {}
 
     void separatedBy(char separator) { separator_ = separator; }
 
-    /// Reads a cell. \return false for what is no number, which is told with `place`, the column's words.
+    /// Reads a cell. \return false for what is not a number, which is reported with `place`, the column's words.
     bool read(const CsvCell& cell, const std::string& place, double& value);
 
 private:

@@ -3,7 +3,7 @@
 //
 // What is read from a drawing (DXF) or a list (CSV) before anything is made of it:
 // lines on layers, each with the place in the file that it comes from, and
-// whatever could not be taken, with the reason. Nothing is left out unsaid.
+// everything that could not be imported, with the reason.
 #pragma once
 
 #include "geometry/point.h"
@@ -16,7 +16,7 @@
 
 namespace keyblock {
 
-/// Where something stands in the file.
+/// Where something is in the file.
 struct DrawingPlace {
     int line = 0;  // from 1
     std::string handle;  // the DXF handle; empty: none

@@ -31,7 +31,7 @@ DxfGroups readDxfGroups(std::string_view text);
 /// Whether the value of a code is a real number (coordinates, lengths, angles).
 bool isRealCode(int code);
 
-/// A whole text that is a finite number below 1e15; a leading `+` may stand. \return false where it is none.
+/// A whole text that is a finite number below 1e15; a leading `+` is allowed. \return false where it is none.
 bool readDxfReal(std::string_view text, double& number);
 
 /// The same for an integer.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is wrong with a file that was asked for; one message for people.
+// What is wrong with a requested file, as one message.
 #pragma once
 
 #include <stdexcept>

@@ -116,7 +116,7 @@ std::optional<FieldValue> axis(const Place& place) {
     return {};
 }
 
-// Rows of two numbers; tells of each row that is none.
+// Rows of two numbers; reports each row that is not.
 std::optional<std::vector<Point>> rowsOfTwo(const Place& place, std::string_view row) {
     const auto* list = std::get_if<JsonList>(&place.node.value);
     if (!list) {

@@ -18,11 +18,11 @@ namespace keyblock {
 void addError(std::vector<Problem>& problems, const JsonNode& node, std::string pointer, std::string message,
               std::string remedy);
 
-/// The value of a field that is no Object, List or Map. Says in `problems` what keeps it from being one.
+/// The value of a field that is not an Object, List or Map. Says in `problems` what keeps it from being one.
 std::optional<FieldValue> valueFromJson(const Field& field, const JsonNode& node, const std::string& pointer,
                                         std::vector<Problem>& problems);
 
-/// The value as it stands in a file.
+/// The value as it is in a file.
 JsonNode jsonFromValue(const Field& field, const FieldValue& value);
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writing and reading a row stand side by side, in the order of its columns. A
+// Writing and reading a row are side by side, in the order of its columns. A
 // store may come from anywhere, so every index is checked before it is believed.
 #include "solver/files/frame_payload.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A JSON tree as a text that people read and compare: what fits on a line stands
+// A JSON tree as a text that people read and compare: what fits on a line is put
 // on one, everything else is indented.
 #pragma once
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The parser is nlohmann's, through its SAX interface: its own tree drops
-// duplicate keys and positions. It reads through an iterator that tells how far
+// duplicate keys and positions. It reads through an iterator that records how far
 // it came; the lines are counted up to there. This is the one file of the scene
 // reader that includes the parser, which is slow to compile.
 #include "solver/files/json_tree.h"
@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t longestDetail = 160;  // of the parser's own message
 
-// Tells through `reached` how far the parser has read.
+// Reports through `reached` how far the parser has read.
 class TellingIterator {
 public:
     using iterator_category = std::input_iterator_tag;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// JSON as a small tree that remembers lines, because people are told where
+// JSON as a small tree that remembers lines, because messages name where
 // something is wrong. Duplicate keys are found, depth and size are limited, so
 // that no text, however hostile, costs much.
 #pragma once
@@ -36,9 +36,9 @@ struct JsonMember {
 
 /// What became of a text.
 struct JsonReading {
-    std::optional<JsonNode> root;  // none when the text is no JSON or beyond a limit
+    std::optional<JsonNode> root;  // none when the text is not JSON or beyond a limit
     std::vector<Problem> problems;  // the syntax error, or the duplicate keys, of which the first is kept
-    std::optional<JsonNode> before{};  // where there is no root: what stands before the error
+    std::optional<JsonNode> before{};  // where there is no root: what precedes the error
 };
 
 inline constexpr int deepestJson = 64;  // lists and objects inside each other
@@ -48,7 +48,7 @@ inline constexpr std::size_t mostJsonValues = 2'000'000;
 /// Reads a JSON text in UTF-8. Problems have line and pointer but no file.
 JsonReading readJson(std::string_view text);
 
-/// The member of that key; null when there is none or `node` is no object.
+/// The member of that key; null when there is none or `node` is not an object.
 const JsonNode* findMember(const JsonNode& node, std::string_view key);
 
 /// The value at the pointer; null where the tree has none.

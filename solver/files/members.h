@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace members_detail {
 
-/// Stands for a value of any type where the compiler only asks whether one fits.
+/// A value of any type, where the compiler only checks whether one fits.
 struct Anything {
     template <typename T>
     operator T() const;

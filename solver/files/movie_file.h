@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A film as MP4 or WebM, made by the program ffmpeg: pictures go into it through a
-// pipe, and the film appears under its name once it is whole.
+// A video as MP4 or WebM, written by the program ffmpeg: frames go into it through a
+// pipe, and the file appears under its name once it is complete.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@ namespace keyblock {
 enum class MovieFormat { Mp4, WebM };  // H.264 and VP9
 
 struct MovieShape {
-    int columns = 0, rows = 0;  // of a picture [px]; an odd number gets a white line more
+    int columns = 0, rows = 0;  // of a frame [px]; an odd number gets a white line more
     int perSecond = 12;  // pictures
 };
 
@@ -33,11 +33,11 @@ public:
     MovieFile(const MovieFile&) = delete;
     MovieFile& operator=(const MovieFile&) = delete;
 
-    /// One picture: rows from the top, four bytes a pixel, blue, green, red and one that means nothing. Nothing once
+    /// One frame: rows from the top, four bytes a pixel, blue, green, red and one that means nothing. Nothing once
     /// `stop` is set. \throws CannotWrite with ffmpeg's own words when it gave up.
     void add(const std::string& pixels);
 
-    /// Waits for ffmpeg and puts the film in its place, unless `stop` is set. \throws CannotWrite as above.
+    /// Waits for ffmpeg and puts the file in its place, unless `stop` is set. \throws CannotWrite as above.
     void finish();
 
 private:

@@ -105,7 +105,7 @@ private:
         }
     }
 
-    // By presence: in the wrong place even the default is a mistake; null says nothing, so it may stand anywhere.
+    // By presence: in the wrong place even the default is a mistake; null means nothing, so it is allowed anywhere.
     void reportMisplaced(const JsonObject& members) {
         for (const JsonMember& member : members) {
             const Field* field = findField(structure_, member.key);

@@ -14,7 +14,7 @@ namespace keyblock {
 /// A folder under another name until all of it is written; removed if it is not.
 class PartFolder {
 public:
-    /// `isOurs` tells whether a folder that is there may hold a file or folder of this name.
+    /// `isOurs` says whether an existing folder may contain a file or folder of this name.
     /// \throws CannotWrite when it holds another, or there is no right to write.
     PartFolder(const std::filesystem::path& folder, const std::function<bool(const std::string&)>& isOurs);
     ~PartFolder();

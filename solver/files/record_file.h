@@ -21,7 +21,7 @@ struct RecordReading {
         std::string remedy;
     };
     Table record;  // (time [s], value); empty where there are faults
-    std::vector<Fault> faults;  // a mistake of the whole file alone, else the first ten of single cells
+    std::vector<Fault> faults;  // a mistake of the whole file only, else the first ten of single cells
 };
 
 /// Reads `time_s,a` and rows of two numbers: decimal points, rising times from 0 on, spaces around a number, either

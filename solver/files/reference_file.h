@@ -19,7 +19,7 @@ struct ReferenceReading {
     std::vector<Problem> problems;  // with an error, the table is not to be used
 };
 
-/// Reads a header and rows; `file` stands in messages. Empty cells and `nan` are values that are not there; a column
+/// Reads a header and rows; `file` is used in messages. Empty cells and `nan` are values that are not there; a column
 /// of words is left out, with a warning, but for one called `stage`.
 ReferenceReading readReferenceTable(std::string_view text, const std::filesystem::path& file);
 

@@ -16,11 +16,11 @@ namespace keyblock {
 
 struct Resumption {
     bool finished = false;  // nothing is left to do
-    std::optional<Checkpoint> checkpoint;  // where to go on; none: from the beginning
+    std::optional<Checkpoint> checkpoint;  // where to resume; none: from the beginning
 };
 
 /// A store that is not there, or an empty file, means from the beginning.
-/// \throws CannotRead for a file that is no run store or is damaged, and for a store of another scene or build.
+/// \throws CannotRead for a file that is not a run store or is damaged, and for a store of another scene or build.
 Resumption resumptionOf(const std::filesystem::path& store, const Scene& scene);
 
 }  // namespace keyblock

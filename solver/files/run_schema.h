@@ -36,7 +36,7 @@ CREATE TABLE checkpoint (key INTEGER PRIMARY KEY CHECK (key = 1), build TEXT NOT
     state BLOB NOT NULL);
 )";
 
-/// Told to whoever opens the store with something else.
+/// Description for readers of the store by other programs.
 inline constexpr const char* layout =
     "Every BLOB holds little-endian IEEE 754 doubles, row after row. Table columns lists the values of a row by "
     "payload: blocks, corners, contacts, nodes, bolts, weights, inertia, contact_forces, node_forces, other_forces, "

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One read transaction spans the life of the reader, so that events, history and
-// frames belong together however fast the run goes on. What comes out of the file
+// frames belong together however fast the run continues. What comes out of the file
 // is checked before it is used as an index.
 #include "solver/files/run_store.h"
 
@@ -100,7 +100,7 @@ StageRecord stageAt(const sqlite::Statement& row, const Scene& scene, std::size_
 
 }  // namespace
 
-/// Does `work`, and tells what SQLite finds wrong as a file that cannot be read.
+/// Does `work`, and reports errors of SQLite as a file that cannot be read.
 template <typename Work>
 auto RunStore::guarded(Work work) const {
     try {

@@ -25,7 +25,7 @@ struct StoredCheckpoint {
 
 class RunStore : public RunSource {
 public:
-    /// \throws CannotRead for a file that is missing, is no run store, is of another version or is damaged.
+    /// \throws CannotRead for a file that is missing, is not a run store, is of another version or is damaged.
     explicit RunStore(const std::filesystem::path& path);
 
     // Each throws CannotRead where the store turns out to be damaged.

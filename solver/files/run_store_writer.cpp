@@ -3,7 +3,7 @@
 //
 // The store is made whole under another name (schema and scene, no write-ahead file
 // yet), put in its place in one move and only then opened for the run, so that
-// nobody ever sees a store without its scene.
+// a store without its scene is never visible.
 #include "solver/files/run_store_writer.h"
 
 #include "solver/files/checkpoint_bytes.h"
@@ -64,7 +64,7 @@ bool isRunStore(const fs::path& path) {
 }
 
 /// Folds the old store's write-ahead file in, so that it is never taken for the new store's. Where only that file or a
-/// journal is left, because somebody removed the store of a killed run, it goes for the same reason.
+/// journal is left, because the store of a killed run was removed, it is deleted for the same reason.
 void settleOldStore(const fs::path& path) {
     std::error_code ignored;
     try {
@@ -238,7 +238,7 @@ RunStoreWriter::~RunStoreWriter() {
     try {
         close();
     } catch (const CannotWrite&) {
-        // The store keeps what was committed; there is nobody left to tell.
+        // The store keeps what was committed; there is no one left to report to.
     }
 }
 
@@ -382,7 +382,7 @@ void RunStoreWriter::close() {
     try {
         sqlite::Database(path_, sqlite::Access::Write).run("PRAGMA journal_mode=DELETE");
     } catch (const sqlite::Error&) {
-        // Somebody reads just now: the store stays in write-ahead mode, which is as good.
+        // The store is being read: it stays in write-ahead mode, which is as good.
     }
 }
 

@@ -4,7 +4,7 @@
 // Writes a run into a store on disk while it runs. The store is one SQLite file in
 // write-ahead mode: each frame is one transaction, so a run that is killed at any
 // moment leaves every frame it had committed, and others may read meanwhile. The
-// newest checkpoint lies beside the results that belong to it. When the run ends the
+// newest checkpoint lies with the results that belong to it. When the run ends the
 // write-ahead file is folded in and one plain file is left.
 #pragma once
 
@@ -35,7 +35,7 @@ public:
 
     // Each throws CannotWrite and leaves the store with what was committed before.
     void begin(const Scene& scene, const HistoryColumns& columns) override;
-    /// Goes on in the store that is there. \pre it is of that scene, and `from` was read from it.
+    /// Continues in the existing store. \pre it is of that scene, and `from` was read from it.
     void resume(const Scene& scene, const HistoryColumns& columns, const Checkpoint& from) override;
     void stageBegins(int stage) override;
     void event(const Event& event) override;

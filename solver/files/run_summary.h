@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a list of runs tells of each, read without its scene, which may take seconds
+// What a list of runs shows of each, read without its scene, which may take seconds
 // to cut.
 #pragma once
 
@@ -21,7 +21,7 @@ struct RunSummary {
     std::string stage;  // name of the last that was begun
     std::optional<Outcome> outcome;  // of that; none: it never ended
     std::string message;  // of that
-    bool resumable = false;  // it can be gone on with, by this build of the program
+    bool resumable = false;  // it can be resumed by this build of the program
 };
 
 /// \throws CannotRead for what is missing, no run store, of another version or damaged.

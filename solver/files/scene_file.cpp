@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // From text to scene: tree, overrides, version, fields, bolt types, sense. Each
-// step adds what it finds and the next goes on with what is usable, so that a
-// person hears everything at once; what follows from an error already told is
+// step adds what it finds and the next continues with what is usable, so that the
+// user sees everything at once; what follows from an error already reported is
 // left out.
 #include "solver/files/scene_file.h"
 
@@ -99,7 +99,8 @@ bool decides(const Problem& error, const Problem& problem) {
            error.pointer == under(problem.pointer.substr(0, parent), field->only.key);
 }
 
-// True when an error is told of the same place, of something inside it, of what it lies in, or of what decides on it.
+// True when an error is reported of the same place, of something inside it, of what it lies in, or of what decides on
+// it.
 bool isExplained(const Problem& problem, const Problems& errors) {
     return std::any_of(errors.begin(), errors.end(), [&](const Problem& error) {
         const bool haveBothAPlace = !problem.pointer.empty() && !error.pointer.empty();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Scenes from and to JSON. Reading tells everything that is wrong at once:
+// Scenes from and to JSON. Reading reports all errors at once:
 // syntax, keys, types, ranges, and whether the scene makes sense.
 #pragma once
 
@@ -29,7 +29,7 @@ struct SceneReading {
 /// the value JSON or a bare text. They are set before anything is read, so every check sees them.
 SceneReading readSceneFile(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
-/// The same from a text; `name` stands where the file's name would, records are looked for from `folder` (empty: the
+/// The same from a text; `name` is used in place of the file's name, records are looked for from `folder` (empty: the
 /// current one).
 SceneReading readSceneText(std::string_view text, const std::string& name,
                            std::span<const std::string> overrides = {}, const std::filesystem::path& folder = {});

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Rows become properties, structures become definitions. What a schema cannot
-// say, that one field belongs only beside another, stands in the description.
+// say, that one field belongs only with another, is in the description.
 #include "solver/files/field_json.h"
 #include "solver/files/json_text.h"
 #include "solver/files/scene_reference.h"

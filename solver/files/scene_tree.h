@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The step from tree to scene, for those who read a scene whatever is wrong with
-// it. Nothing here asks whether the scene makes sense.
+// The step from tree to scene, for reading a scene regardless of what is wrong with
+// it. Whether the scene is meaningful is not checked here.
 #pragma once
 
 #include "solver/files/json_tree.h"
@@ -15,9 +15,9 @@
 
 namespace keyblock {
 
-/// The scene of a tree of the newest version. What cannot be read keeps its default and is told in `unread`; what leads
-/// nowhere, a type of bolt or a record's file, stands in the scene as it is written and is told in `lost`. Records are
-/// looked for from `folder`.
+/// The scene of a tree of the newest version. What cannot be read keeps its default and is reported in `unread`; what
+/// leads nowhere, a type of bolt or a record's file, is in the scene as it is written and is reported in `lost`.
+/// Records are looked for from `folder`.
 Scene sceneOfTree(const JsonNode& root, const std::filesystem::path& folder, std::vector<Problem>& unread,
                   std::vector<Problem>& lost);
 

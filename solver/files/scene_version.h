@@ -15,7 +15,7 @@ namespace keyblock {
 
 inline constexpr int sceneVersion = 1;
 
-/// Brings the tree to `sceneVersion`. False when it is no scene, or of a version that this program does not know:
+/// Brings the tree to `sceneVersion`. False when it is not a scene, or of a version that this program does not know:
 /// `problems` then say so, and nothing else in it can be judged. A missing key counts as the newest.
 bool bringUpToDate(JsonNode& root, std::vector<Problem>& problems);
 

@@ -99,7 +99,7 @@ JsonNode sceneNode(const Scene& scene) {
     return {std::move(members)};
 }
 
-// Records that stand in a file are read from there again.
+// Records that are in a file are read from there again.
 template <typename StandsIn>
 Scene withoutRecords(Scene scene, StandsIn standsInFile) {
     for (Stage& stage : scene.stages)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The scene is built, written, read and checked as a person's own would be; what is
-// wrong with it is told at the line of the drawing that it comes from.
+// The scene is built, written, read and checked like any other scene; what is
+// wrong with it is reported at the line of the drawing that it comes from.
 #include "solver/files/section_import.h"
 
 #include "geometry/polygon.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // From a drawing to a scene. Layers are given roles, or roles are guessed from
-// their names and told; what a drawing cannot say (materials, gravity, a missing
-// boundary) is assumed, bears a name that shows it, and is told. Every entity is
+// their names and reported; what a drawing does not contain (materials, gravity, a missing
+// boundary) is assumed, bears a name that shows it, and is reported. Every entity is
 // accounted for.
 #pragma once
 

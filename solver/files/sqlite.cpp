@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Doubles are stored byte by byte in little-endian order, whatever the machine.
+// Doubles are stored byte by byte in little-endian order on every machine.
 #include "solver/files/sqlite.h"
 
 #include <sqlite3.h>
@@ -27,7 +27,7 @@ constexpr int busyWait = 5000;  // [ms]
     throw Error(code, sqlite3_errmsg(connection), askedSystem ? sqlite3_system_errno(connection) : 0);
 }
 
-/// The path as a URI that tells SQLite to take no locks and look for no journal.
+/// The path as a URI that makes SQLite take no locks and look for no journal.
 std::string unchangingUri(const std::filesystem::path& path) {
     std::string uri = "file:";
     for (const char c : path.string()) {

@@ -31,7 +31,7 @@ struct Error : std::runtime_error {
 
 enum class Access { Create, Write, Read, ReadUnchanging };
 
-/// A connection; closed when it goes. `ReadUnchanging` opens a file that nobody writes, in a folder that cannot be
+/// A connection; closed when it goes. `ReadUnchanging` opens a file that no process writes, in a folder that cannot be
 /// written. Throws `Error`.
 class Database {
 public:
@@ -69,7 +69,7 @@ public:
     std::string text(int column) const;
     std::string bytes(int column) const;
     bool isNull(int column) const;
-    /// Null when the BLOB is no whole number of doubles.
+    /// Null when the BLOB is not a whole number of doubles.
     std::optional<std::vector<double>> doubles(int column) const;
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One run at a time writes a store. SQLite only keeps two transactions apart; two
-// runs that go on in the same store would take turns in spoiling it. The lock goes
+// runs that continue in the same store would corrupt it. The lock goes
 // with the process, however that ends.
 #pragma once
 

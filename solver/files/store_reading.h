@@ -27,7 +27,7 @@ sqlite::Database opened(const std::filesystem::path& path);
 /// because closing a file in any other way takes the writer's locks off.
 sqlite::Database openedAgain(const std::filesystem::path& path);
 
-/// \throws CannotRead for a database that is no run store, or one of another version.
+/// \throws CannotRead for a database that is not a run store, or one of another version.
 void requireRunStore(const sqlite::Database& database, const std::filesystem::path& path);
 
 /// A value of table `about`; empty when there is none.

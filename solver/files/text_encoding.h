@@ -13,7 +13,7 @@ namespace keyblock {
 /// Bytes that mean nothing there become `?`, and so do control characters.
 std::string asUtf8(std::string_view text, std::string_view codePage);
 
-/// With `\U+XXXX` of DXF turned into the letters it stands for.
+/// With `\U+XXXX` of DXF turned into the letters it represents.
 std::string withDxfEscapes(std::string_view text);
 
 }  // namespace keyblock

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Every frame is loaded once, in order, also those that are not written: where
-// displacements begin anew, they count from the last frame before.
+// displacements are reset, they count from the last frame before.
 #include "solver/files/vtk_export.h"
 
 #include "solver/files/part_folder.h"

@@ -258,7 +258,7 @@ VtkPolyData vtkContacts(const RunSource& run, const Frame& frame) {
     data.pointData.push_back(namesOf("name_a", run.blockNames(), a));
     data.pointData.push_back(namesOf("name_b", run.blockNames(), b));
     const Rows contacts(Payload::Contacts, frame);
-    contacts.addAll(all(contacts.size()), {"nx", "ny"}, data.pointData);  // derived below: they are no indices
+    contacts.addAll(all(contacts.size()), {"nx", "ny"}, data.pointData);  // derived below: they are not indices
     addDerived(contactQuantities(), frame.contacts, all(contacts.size()), data.pointData);
     data.pointData.push_back(contacts.vector("normal_vector", "nx", "ny", all(contacts.size())));
     std::vector<double> forces;

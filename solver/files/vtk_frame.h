@@ -23,7 +23,7 @@ public:
     /// Corners as points, with their displacement since the start or the last `zero_displacements`; blocks as polygons,
     /// a concave one as triangles (VTK fills polygons of few corners as if they were convex), each with the values of
     /// its block. Blocks have no holes: the cut parts rock round an opening. Those that are not there are left out.
-    /// \pre frames are asked for in order of time, none left out that ends a stage.
+    /// \pre frames are requested in order of time, none left out that ends a stage.
     VtkPolyData data(const Frame& frame);
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The XML says of each array where its bytes begin after the mark `_` of the
-// appended part; there stand their number and then they. Bytes are gathered first
+// appended part: first their number, then they themselves. Bytes are gathered first
 // and follow in the same order.
 #include "solver/files/vtk_poly_data.h"
 

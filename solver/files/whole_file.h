@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Files that people and programs read appear whole or not at all: they are written
-// beside their place under another name and renamed at the end.
+// in the same folder under another name and renamed at the end.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace keyblock {
 /// One line on why `path` is not written, for the system's error number, with what to do; 0 when the system gave none.
 std::string cannotWriteText(const std::filesystem::path& path, int systemError, const std::string& reason = {});
 
-/// The name that a file bears while it is written: beside `path`, ending in `.part-` and the process number.
+/// The name that a file bears while it is written: next to `path`, ending in `.part-` and the process number.
 std::filesystem::path partPath(const std::filesystem::path& path);
 
 /// Writes a file through `write` and puts it in its place, over one that is there. A device or a pipe is written to

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a designer asks of every bolt of a run: its largest forces, how much of its
+// What a designer needs of every bolt of a run: its largest forces, how much of its
 // strengths they use, which of them governs, and which rock it holds.
 #pragma once
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Comma-separated values as RFC 4180 has them, with `.` decimals and 17
-// significant digits whatever the locale says, so that a table read back gives
+// significant digits in every locale, so that a table read back gives
 // the same doubles.
 #pragma once
 

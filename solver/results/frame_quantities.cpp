@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tables keep the signs of the results (tension positive); pictures show rock
+// Tables keep the signs of the results (tension positive); figures show rock
 // stress with compression positive, as rock mechanics does, and say so.
 #include "solver/results/frame_quantities.h"
 

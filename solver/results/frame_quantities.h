@@ -3,7 +3,7 @@
 //
 // The one table of what can be read off a frame: a row gives a number of a block,
 // a contact or a node of a bolt its name, its column in the tables and the way
-// pictures show it. A new quantity is one row, and tables and pictures have it.
+// figures show it. A new quantity is one row, and tables and figures have it.
 #pragma once
 
 #include "solver/results/results.h"
@@ -27,7 +27,7 @@ struct QuantityDisplay {
 /// A number of a row of a frame.
 template <typename Row>
 struct FrameQuantity {
-    std::string_view name;  // as a person asks for it: sigma1
+    std::string_view name;  // as the user requests it: sigma1
     std::string_view column;  // in tables, with its SI unit: sigma1_compressive_Pa
     double (*value)(const Row&);  // SI
     QuantityDisplay display;

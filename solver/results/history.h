@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the values of a history row are, told by the scene alone: whoever fills a
-// row, prints it or reads a quantity from it asks here.
+// What the values of a history row are, derived from the scene alone: all code that fills a
+// row, prints it or reads a quantity from it uses this.
 #pragma once
 
 #include "solver/results/results.h"

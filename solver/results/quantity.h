@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers that a scene asks for, read from what its run left.
+// Numbers that a scene requests, read from the results of its run.
 #pragma once
 
 #include "solver/results/results.h"
@@ -32,7 +32,7 @@ Measurement measure(std::string_view text, const Scene& scene, std::span<const H
 /// The same for a run kept in memory.
 Measurement measure(std::string_view text, const Scene& scene, const Results& results);
 
-/// A measured number beside the one that the scene expects.
+/// A measured number and the one that the scene expects.
 struct MeasuredComparison {
     Expected expected;
     Measurement measured;

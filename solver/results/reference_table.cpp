@@ -59,7 +59,7 @@ std::string trimmed(std::string_view text) {
     return std::string(text.substr(first, text.find_last_not_of(" _") - first + 1));
 }
 
-/// A unit that may stand at the end of a name without brackets.
+/// A unit that may end a name without brackets.
 bool standsAlone(const MeasureUnit& unit) {
     return unit.measure != Measure::Number;
 }

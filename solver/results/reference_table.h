@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What others measured or published, to be laid beside a run: columns of numbers in
+// What others measured or published, to be compared with a run: columns of numbers in
 // SI, each with the kind of measure that its unit says, so that a load in kN meets
 // the forces of the run and never its displacements.
 #pragma once

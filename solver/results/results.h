@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a run produces, as plain values: events, frames, history rows, energies
-// and the health of the numbers. Every table, store and picture is made from
+// and solver diagnostics. Every table, store and figure is made from
 // these; the engine fills them and keeps no copy. SI units throughout.
 #pragma once
 
@@ -20,7 +20,7 @@ enum class EventKind {
     PlateLoss, BoltLoss, PulledOut, BlockFalls, Collapse
 };
 
-/// Something that let go. Forces are those just before the release; −1 marks an index that does not apply.
+/// A failure. Forces are those just before the release; −1 marks an index that does not apply.
 struct Event {
     int stage = 0;
     double time = 0.0;  // [s], or pseudo-time 0 … 1
@@ -32,7 +32,7 @@ struct Event {
     int block = -1;
     int otherBlock = -1;  // the second block of a joint event
     Point position{0.0, 0.0};  // [m]
-    double axialForce = 0.0;  // [N] tension positive; of a node: the larger |N| of the elements beside it
+    double axialForce = 0.0;  // [N] tension positive; of a node: the larger |N| of the adjacent elements
     double shearForce = 0.0;  // [N]
     double anchorForce = 0.0;  // [N] positive when the rock pulls the bolt towards its head
     double slip = 0.0;  // [m] rock minus bolt along the axis
@@ -48,7 +48,7 @@ struct BlockState {
     double rotation = 0.0;  // [rad] likewise
     std::array<double, 3> stress{};  // sxx, syy, sxy [Pa], global axes, tension positive
     Point velocity{0.0, 0.0};  // [m/s]
-    double area = 0.0;  // [m²]; 0 of a block that is not there, with nothing else told of it
+    double area = 0.0;  // [m²]; 0 of a block that is not there, with nothing else stored of it
     double weight = 0.0;  // [N]
     std::vector<Point> points;  // the corners where they are now [m]
 
@@ -87,9 +87,9 @@ struct BoltNodeFrame {
     double moment = 0.0;  // [N m] at the node
     double anchorForce = 0.0;  // [N]
     double slip = 0.0;  // [m]
-    double bondStrength = 0.0;  // [N] at which its bond lets go, as embedded and clamped now; 0: none, or without limit
+    double bondStrength = 0.0;  // [N] at which its bond fails, as embedded and clamped now; 0: none, or no limit
     double bondResidual = 0.0;  // [N] that the bond keeps once it slides; 0: none
-    bool ruptured = false;  // the element that starts here is gone
+    bool ruptured = false;  // the element that starts here is broken
 
     bool operator==(const BoltNodeFrame&) const = default;
 };
@@ -100,7 +100,7 @@ struct BoltFrame {
     bool lost = false;  // the whole bolt (expansion shell)
     double elasticEnergy = 0.0;  // [J] held now, over the model's thickness
     double plasticEnergy = 0.0;  // [J] taken since the start by steel, hinges and crushed rock
-    double bondEnergy = 0.0;  // [J] taken by sliding anchors and by bonds that let go
+    double bondEnergy = 0.0;  // [J] dissipated by sliding anchors and failing bonds
 
     bool operator==(const BoltFrame&) const = default;
 };
@@ -233,10 +233,10 @@ struct HistoryColumns {
 
 enum class Outcome { Equilibrium, Duration, Limit, Collapse, Stopped, Failed, Displaced, Undecided };
 
-/// How a block goes that does not stand; `Follows`: others set it moving.
+/// How an unstable block moves; `Follows`: others set it moving.
 enum class Movement { Slides, Falls, Topples, Follows };
 
-/// A block that does not stand, or is farthest from where it was.
+/// An unstable block, or the one farthest from where it was.
 struct UnstableBlock {
     int block = -1;  // row of the frames; of a block in cells the first
     Movement mode = Movement::Slides;
@@ -249,7 +249,7 @@ struct UnstableBlock {
 /// The block or node farthest from balance at the last equilibrium of a static stage.
 struct WorstBalance {
     int block = -1;  // row of the frames; −1: none was judged, or a node of a bolt
-    double share = 0.0;  // unbalanced force over the block's weight, or what stands for it
+    double share = 0.0;  // unbalanced force over the block's weight, or its substitute
     double force = 0.0;  // [N]
 
     bool operator==(const WorstBalance&) const = default;
@@ -270,7 +270,7 @@ struct Health {
     bool operator==(const Health&) const = default;
 };
 
-/// How the newest step went, for whoever watches; nothing of a run depends on it. Blocks are −1 where there is none.
+/// How the newest step went, for observers; nothing of a run depends on it. Blocks are −1 where there is none.
 struct StepHealth {
     int passes = 0;
     int worst = -1;  // block that was balanced worst
@@ -287,11 +287,11 @@ struct StageResult {
     Outcome outcome = Outcome::Equilibrium;
     double time = 0.0;  // reached
     long steps = 0;
-    std::string message;  // of what does not stand, a failure or no verdict: which blocks or nodes, and what to do
+    std::string message;  // of instability, failure or no verdict: which blocks or nodes, and what to do
     std::vector<int> blocks;  // those that move or do not balance
-    std::vector<UnstableBlock> unstable;  // because of which the stage does not stand
+    std::vector<UnstableBlock> unstable;  // because of which the stage is unstable
     UnstableBlock farthest;  // of those that decide, the one that moved most over its size; −1: none decides
-    std::vector<int> loose;  // let go in this stage, because they are too small to decide
+    std::vector<int> loose;  // removed in this stage, because they are too small to decide
     Health health;
 
     bool operator==(const StageResult&) const = default;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The twin in memory of a run store, and what any run can be asked.
+// The twin in memory of a run store, and queries on any run.
 #include "solver/results/run_source.h"
 
 #include "solver/scene/collapse_stage.h"

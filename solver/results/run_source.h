@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One way to look at a run, whether it is kept in memory or in a store on disk:
-// tables, answers and pictures are made from this. Frames are large, so they are
+// tables, answers and figures are made from this. Frames are large, so they are
 // listed first and loaded one at a time.
 #pragma once
 
@@ -26,7 +26,7 @@ struct FrameHead {
 
 FrameHead headOf(const Frame& frame);
 
-/// A stage that was begun; one that never ended (the run still goes on, or was killed) has no outcome.
+/// A stage that was begun; one that never ended (the run is still in progress, or was killed) has no outcome.
 struct StageRecord {
     StageResult result;
     bool ended = false;
@@ -49,8 +49,8 @@ public:
     virtual Frame frame(std::size_t index) const = 0;
 };
 
-/// The stage that a run goes on with after one that ended like this, if any: not after a collapse that says to stop, and
-/// only after a collapse what follows that. \param scene as it is run.
+/// The stage with which a run continues after one that ended like this, if any: not after a collapse that says to stop,
+/// and only after a collapse what follows that. \param scene as it is run.
 std::optional<int> stageAfter(const Scene& scene, const StageResult& result);
 
 /// Whether a run that ends a stage like this is done: the scene's last stage, or a collapse after which it says to stop.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A moment that was asked for need not be one that was kept: the nearest one is
+// A requested moment need not be one that was kept: the nearest one is
 // taken, and the table says in `time_s` which that was.
 #include "solver/results/table_filter.h"
 

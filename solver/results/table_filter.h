@@ -39,7 +39,7 @@ struct RowMoment {
 };
 
 /// Which of `moments` [in order of time] the filter's stage and moment select, as indices. `At` takes those at the
-/// time nearest to the one asked for.
+/// time nearest to the requested one.
 std::vector<std::size_t> selected(const std::vector<RowMoment>& moments, const TableFilter& filter, When byDefault);
 
 }  // namespace keyblock

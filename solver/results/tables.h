@@ -26,7 +26,7 @@ std::optional<TableKind> tableKindOf(std::string_view word);
 /// Whether `filter.bolt` means anything to the table.
 bool hasBolts(TableKind kind);
 
-/// The one frame at the moment that the filter asks for, or the last of its stage or of the run. Several frames may
+/// The one frame at the moment that the filter gives, or the last of its stage or of the run. Several frames may
 /// share a moment: of those the last one counts. Nothing when no frame was kept.
 std::optional<std::size_t> frameAt(const RunSource& run, const TableFilter& filter);
 

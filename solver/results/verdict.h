@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether what was run stands: the question that a designer asks of a run.
+// Whether what was run is stable: the first question of a designer.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// A block that does not stand, and the stage that says so.
+/// An unstable block, and the stage that shows it.
 struct StageUnstable {
     int stage = 0;
     UnstableBlock block;
@@ -20,7 +20,7 @@ struct StageUnstable {
 
 struct Verdict {
     std::optional<bool> stands;  // none: nothing failed, but a stage is undecided or did not end
-    std::vector<StageUnstable> blocks;  // that do not stand, a block once, by the first stage that says so
+    std::vector<StageUnstable> blocks;  // unstable blocks, each once, by the first stage that shows it
 };
 
 /// \param scene as it is run, of whose stages `records` may be the first.

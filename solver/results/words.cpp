@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Each list stands in the order of its enumeration; the tests hold the two together.
+// Each list is in the order of its enumeration, which the tests check.
 #include "solver/results/words.h"
 
 #include "solver/scene/lookup.h"

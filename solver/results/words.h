@@ -29,16 +29,16 @@ std::optional<EventKind> eventKindOf(std::string_view word);
 /// The outcome of that word; nothing when there is none.
 std::optional<Outcome> outcomeOf(std::string_view word);
 
-/// The name at a row of the solved blocks; empty for an index that is no block's.
+/// The name at a row of the solved blocks; empty for an index that is not of a block.
 std::string blockName(const std::vector<std::string>& names, int block);
 
-/// The bolt's name; empty for an index that is no bolt's.
+/// The bolt's name; empty for an index that is not of a bolt.
 std::string boltName(const Scene& scene, int bolt);
 
-/// The stage's name; empty for an index that is no stage's.
+/// The stage's name; empty for an index that is not of a stage.
 std::string stageName(const Scene& scene, int stage);
 
-/// The name with the word before it, said once: "stage release", "stage 4"; empty for an index that is no stage's.
+/// The name with the word before it, said once: "stage release", "stage 4"; empty for an index that is not of a stage.
 std::string stageTitle(const Scene& scene, int stage);
 
 }  // namespace keyblock

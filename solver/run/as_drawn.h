@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A scene as a person draws it: everything where it was put, openings open, every
+// A scene as drawn: everything where it was put, openings open, every
 // bolt with the nodes and anchored points that a run would give it. Nothing is
 // solved.
 #pragma once

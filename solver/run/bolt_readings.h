@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Quantities of a bolt as history and frames tell them: per bolt, with the
+// Quantities of a bolt as history and frames give them: per bolt, with the
 // signs of the tables.
 #pragma once
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What will be modelled of a scene and what not, before anything is run: counts,
-// what nothing asks for and is therefore left out, and what a run may cost. Only
-// what a scene requires is modelled; here a person sees what that is.
+// what is not needed and therefore left out, and what a run may cost. Only
+// what a scene requires is modelled; here the user sees what that is.
 #pragma once
 
 #include "solver/engine/model/model.h"
@@ -37,7 +37,7 @@ struct CensusCounts {
 /// Something that the program could model and does not.
 struct LeftOut {
     std::string what;
-    std::string why;  // the scene does not ask for it
+    std::string why;  // the scene does not need it
     std::string saves;
 };
 

@@ -4,7 +4,7 @@
 // What a run may take. How long a pass and a step of this very scene last is timed;
 // how many there will be is taken from runs of the samples and of jointed rock, and
 // said with the range in which those lay. The clock is looked at here alone and
-// decides nothing but what is told.
+// affects only what is reported.
 #include "solver/run/census.h"
 
 #include "solver/engine/contact/search.h"
@@ -32,7 +32,7 @@ constexpr int fewestRounds = 2;  // of timing, after one that fixes the pattern
 constexpr double passesAnIncrement = 3.0, passesARelease = 7.0, passesATimeStep = 1.3;
 constexpr double passesARockSearch = 200.0, passesARockStep = 4.0;
 constexpr int slidingIncrements = 12, flowingIncrements = 50;  // chosen for a stage in which joints slide, bolts flow
-constexpr double releasedShare = 0.7;  // of what can let go
+constexpr double releasedShare = 0.7;  // of what can fail
 constexpr int rock = 20;  // free blocks with three contacts each that may slide: so many are jointed rock
 
 constexpr double startSeconds = 0.03;  // of the program and its run store
@@ -43,7 +43,7 @@ double secondsSince(const Clock::time_point& start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Times steps of the scene where it stands, all of it there.
+/// Times steps of the scene at its start, with all parts active.
 class Timing {
 public:
     Timing(const Model& model, const State& start, const std::atomic<bool>* stop)
@@ -93,8 +93,8 @@ private:
         problemMemory_ = memoryOf(problem);
     }
 
-    /// Links twice (of the step and of its books), what a pass sums, and five copies of the state: the last, the trial,
-    /// the start of an increment, the checkpoint and its bytes.
+    /// Links twice (of the step and of its energy balance), what an iteration sums, and five copies of the state: the
+    /// last, the trial, the start of an increment, the checkpoint and its bytes.
     double memoryOf(const StepProblem& problem) const {
         const double links = static_cast<double>(problem.links.size());
         double state = static_cast<double>(state_.contacts.size() * sizeof(Contact));
@@ -177,14 +177,14 @@ StageCost dynamicCost(double steps, const Nature& nature) {
 }
 
 /// Expected increments of a static stage in which the load changes. Where they are chosen, they follow what can happen
-/// in the scene, and the frames that it asks for.
+/// in the scene, and the frames that it requests.
 int likelyIncrements(const Scene& scene, const Stage& stage, const Nature& nature) {
     if (stage.increments) return *stage.increments;
     const int frames = static_cast<int>(std::ceil(1.0 / framesEvery(scene, stage).value_or(1.0)));
     return std::max(frames, nature.flows ? flowingIncrements : nature.slides ? slidingIncrements : 1);
 }
 
-/// The stages one after another, as the run's loop asks for their increments; walls of excavated rock count as a load
+/// The stages one after another, as the run's loop takes their increments; walls of excavated rock count as a load
 /// that changes.
 void addStages(const Scene& scene, const Model& model, State state, const Nature& nature, CostEstimate& estimate) {
     LoadMemory memory;

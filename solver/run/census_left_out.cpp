@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is not modelled because the scene does not ask for it: which setting
+// What is not modelled because the scene does not need it: which setting
 // decides, and what that saves.
 #include "solver/run/census.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a run stands between two steps, as one plain value: the run's loop works on
-// it and keeps nothing else that its next step depends on. Whoever keeps a copy can
-// go on from there, in another process too, and get the same bytes.
+// The state of a run between two steps, as one plain value: the run's loop works on
+// it and keeps nothing else that its next step depends on. From a copy the run can
+// continue, also in another process, and gives the same bytes.
 #pragma once
 
 #include "solver/engine/stage/dynamics.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks are taken as rigid on their way: what deforms is small beside what
+// Blocks are taken as rigid on their way: what deforms is small compared with what
 // fails. A joint is judged by how its two blocks went at its contacts, because a
-// contact that has opened is no longer there to be asked.
+// contact that has opened no longer exists to be queried.
 #include "solver/run/failure_mode.h"
 
 #include "geometry/segment.h"
@@ -20,7 +20,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double share = 0.1;  // of the largest movement, to be told
+constexpr double share = 0.1;  // of the largest movement, to be reported
 constexpr double plumb = 0.984807753012208;  // cos 10°
 constexpr double touching = 0.01;  // of the smaller block: its corners so near to an edge touch it
 constexpr double onEdge = 1e-6;  // of the block: a corner may lie on two edges

@@ -230,7 +230,8 @@ private:
         return ending;
     }
 
-    /// Energy from nowhere is no result: the stage fails where its balance leaves over more than the scene allows.
+    /// Energy from nowhere is not a result: the stage fails where the error of its balance exceeds what the scene
+    /// allows.
     StepEnding checkEnergy() {
         if (now_.state.step % energyEvery != 0 && !stageOver()) return {};
         const auto excess = energyExcess(model_, now_.state, now_.start.blocks, scene_.limits.energy, now_.energy);
@@ -282,7 +283,7 @@ private:
                 dynamicSettings(scene_, stage())};
     }
 
-    /// \return true where the run goes on with the next stage.
+    /// \return true where the run continues with the next stage.
     bool endStage(const StepEnding& ending) {
         if (!now_.begun) {  // stopped before it began
             sink_.stageBegins(now_.stage);
@@ -486,7 +487,7 @@ private:
         return forcesAtStart(model_, state, loads_.loads(), at, dynamicSettings(scene_, stage()).damping);
     }
 
-    /// Waits between two steps while the run is paused, but for one step at a time that is asked for. A step that is
+    /// Waits between two steps while the run is paused, except for single steps that are requested. A step that is
     /// under way is finished first: in the middle of one there is no state to show.
     bool stopAsked() {
         if (atRest_ && control_.pause && !control_.stop && !stepping_) {
@@ -506,8 +507,8 @@ private:
         }
     }
 
-    /// Hands over the state between two steps to whoever looks on; nothing of it is kept, and its single forces, which
-    /// no picture shows, are not listed.
+    /// Hands over the state between two steps to the observer; nothing of it is kept, and its single forces, which
+    /// no view shows, are not listed.
     void show() {
         if (!control_.looked || !now_.begun || !control_.look.exchange(false)) return;
         Frame frame = observation_.frame(now_.state, now_.stage, now_.time);

@@ -30,13 +30,13 @@ struct Progress {
 /// empty for a shorter one. \param names of the blocks, as `blockNames` gives them.
 std::string searchText(const StepHealth& step, const std::vector<std::string>& names);
 
-/// Handed to a run and kept by whoever started it. Checked in every pass.
+/// Handed to a run and kept by its caller. Checked in every iteration.
 struct Control {
     std::atomic<bool> stop{false};
     std::atomic<bool> pause{false};
     std::atomic<int> steps{0};  // still to be taken while paused
     std::function<void(const Progress&)> progress;  // may be empty
-    std::atomic<bool> look{false};  // the state at the end of the step is asked for; taken back once it is handed over
+    std::atomic<bool> look{false};  // the state at the end of the step is requested; taken back once it is handed over
     std::function<void(const Frame&)> looked;  // gets it, from the thread that runs; may be empty
 };
 
@@ -45,7 +45,7 @@ struct RunSettings {
     const SceneCut* cut = nullptr;  // what the scene was cut to, where that is known already
 };
 
-/// Runs every stage of a checked scene, or goes on with a run that was cut short.
+/// Runs every stage of a checked scene, or resumes a run that was cut short.
 /// \param from handed to a sink by a run of the same scene and build; null: from the beginning.
 /// \pre `checkScene(scene)` found no error.
 /// \return one result per stage begun. A collapse is a result; the outcome `Failed`

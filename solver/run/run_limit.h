@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The limits of a run. They are asked between and within steps and can do nothing
+// The limits of a run. They are checked between and within steps and can do nothing
 // but end the run: what was computed before has the same bytes as without them.
 #pragma once
 
@@ -21,7 +21,7 @@ public:
         return stepsReached(steps) || (limits_.wallTime && seconds() >= *limits_.wallTime);
     }
 
-    /// Time that a person let the run wait does not count.
+    /// Time for which the user paused the run does not count.
     void addPause(std::chrono::steady_clock::duration paused) { begun_ += paused; }
 
     /// Which limit it is. \pre reached(steps)

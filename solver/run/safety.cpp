@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The search knows only whether a run stands. Of the runs themselves nothing is
+// The search knows only whether a run is stable. Of the runs themselves nothing is
 // kept but two frames of a stage, because many runs of many frames would fill the memory.
 #include "solver/run/safety.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Factor of safety by strength reduction: the scene is run again and again with
-// its strengths divided by a factor, until one that stands and one that does not
+// its strengths divided by a factor, until a stable and an unstable one
 // lie close together.
 #pragma once
 
@@ -22,12 +22,12 @@ inline constexpr double leastSafety = 1e-3, mostSafety = 1e3;
 struct SafetyRun {
     double factor = 1.0;
     bool stands = false;  // every stage ended in equilibrium
-    StageResult end;  // the stage that decides: the first that does not stand, else the last
+    StageResult end;  // the stage that decides: the first unstable one, else the last
 };
 
 struct SafetyFactor {
-    std::optional<double> lower;  // largest factor found to stand, below `upper`
-    std::optional<double> upper;  // least factor found not to stand, above `lower`
+    std::optional<double> lower;  // largest factor found to be stable, below `upper`
+    std::optional<double> upper;  // smallest factor found to be unstable, above `lower`
     std::vector<SafetyRun> runs;  // in the order in which they were done
     std::optional<FailureMode> mode;  // of the run at `upper`
     std::optional<Outcome> cutShort;  // `Stopped`, `Limit` or `Undecided`: the last run came to no answer
@@ -39,8 +39,8 @@ using SafetyTrial = std::function<void(const Scene& reduced, double factor, Sink
 
 /// The factor to try next: 1, then doubled or halved until there are both ends, then their middle; none when they are
 /// `tolerance` apart, or at the last factor that is tried. \param undecided runs between these ends that came to no
-/// verdict: the next is taken a quarter of the bracket beside the first, then three quarters, or a tenth less and more
-/// where there is no bracket.
+/// verdict: the next is taken a quarter of the bracket away from the first, then three quarters, or a tenth less and
+/// more where there is no bracket.
 std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optional<double> upper, double tolerance,
                                        std::size_t undecided = 0);
 

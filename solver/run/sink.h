@@ -27,7 +27,7 @@ public:
     /// A frame closes everything before it: what came so far is safe once this returns.
     virtual void frame(const Frame& frame) = 0;
     virtual void stageEnds(const StageResult& result) = 0;
-    /// Where the run can be taken up again, with what came before. A sink that nobody goes on from lets it pass.
+    /// Where the run can be taken up again, with what came before. A sink from which runs are not resumed ignores it.
     virtual void checkpoint(const Checkpoint&) {}
 };
 

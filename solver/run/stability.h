@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which blocks do not stand at the end of a stage: those that a collapse took, and
+// Which blocks are unstable at the end of a stage: those that a collapse took, and
 // those that lie or move too far from where the stage found them. How far is seen
 // from what a block touched or was bolted to then, so that settlement, heave and
 // strain of a whole section do not count (theory, "Equilibrium").
@@ -34,13 +34,13 @@ StageStart startOfStage(const Model& model, const State& state);
 /// Takes the marks that a dynamic stage has come to.
 void mark(StageStart& start, const State& state, double time, double duration);
 
-/// The blocks that do not stand, in the order of their rows; of a collapse and of what follows in the order given.
+/// The unstable blocks, in the order of their rows; of a collapse and of what follows in the order given.
 class Stability {
 public:
     /// \param loads of the stage: what they drive is exempt.
     Stability(const Model& model, const StageStart& start, const State& state, const Stage& stage, const Loads& loads);
 
-    /// \param followers are told as such.
+    /// \param followers are reported as such.
     std::vector<UnstableBlock> collapsed(const std::vector<int>& blocks, const std::vector<int>& followers) const;
 
     /// Blocks that have come to rest more than `share` of their size (centroid to farthest corner) away, and those joined
@@ -54,7 +54,7 @@ public:
     /// Of the blocks that decide, the one that moved most over its size; row −1 where none does.
     UnstableBlock farthest() const;
 
-    /// Blocks too small to decide that this stage has let go.
+    /// Blocks too small to decide that this stage has removed.
     std::vector<int> loose() const;
 
 private:

@@ -258,7 +258,7 @@ double StageLoads::zeroOf(const PrescribedMotion& motion) const {
     return memory_.zero.empty() ? 0.0 : motion.axis.dot(memory_.zero[block] - model_.blocks[block].centroid);
 }
 
-/// Joints that open over this stage, beside what they did before.
+/// Joints that open over this stage, in addition to what they did before.
 void StageLoads::addOpenings(double time, LoadPoint& point) const {
     for (const Dilation& dilation : stage().dilations) {
         const std::size_t byName = model_.joints.size() + static_cast<std::size_t>(std::max(0, dilation.source));

@@ -38,7 +38,8 @@ public:
     /// one of an earlier stage at the same place.
     void begin(int stage, State& state);
 
-    /// Holds what excavated rock gave, to be let go over this stage and later ones. \pre a static stage has begun.
+    /// Keeps the forces of excavated rock, to be released over this stage and later ones. \pre a static stage has
+    /// begun.
     void hold(const std::vector<WallForce>& walls);
 
     /// Viscous boundaries of this stage, and the forces of what held them before, which stay as long as they do.

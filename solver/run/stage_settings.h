@@ -19,7 +19,7 @@ DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
 
 /// Pseudo-times at which the increments of a static stage end: 0 for what it puts on at once, then the increments, with
 /// every turn of a table among them. Where the stage gives no number, its increments are chosen while it runs and end at
-/// these times at least: where a table turns, and where `output` asks for a frame. \param loads begun for that stage.
+/// these times at least: where a table turns, and where `output` requests a frame. \param loads begun for that stage.
 std::vector<double> incrementTimes(const Scene& scene, const Stage& stage, const StageLoads& loads);
 
 /// Time between the frames of a stage, of its own time; null: `output` leaves it to the program.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A scene with its strengths divided by a factor, and whether a scene can be
-// asked for its factor of safety at all.
+// searched for its factor of safety at all.
 #pragma once
 
 #include "solver/scene/problem.h"

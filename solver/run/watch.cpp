@@ -95,7 +95,7 @@ void Watch::lookAtJoints(const State& state, std::vector<Event>& events) const {
         if (now.contains(pair) || !memory_.opened.insert(pair).second) continue;
         const auto still = std::find_if(state.contacts.begin(), state.contacts.end(),
                                         [&, where = pair](const Contact& c) { return pairOf(model_, c) == where; });
-        // a contact that left the search's margin at once is told of by where it was
+        // a contact that left the search's margin at once is reported by where it was
         events.push_back(jointEvent(EventKind::JointOpen, still != state.contacts.end() ? *still : contact));
     }
     memory_.closed = std::move(now);

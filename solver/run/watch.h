@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Events that nobody has to release: joints that slip or open, blocks that
+// Events that need no release by the program: joints that slip or open, blocks that
 // fall, bolts drawn out of a block. Seen by comparing one accepted state with
-// the next; each is told once.
+// the next; each is reported once.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -19,7 +19,7 @@ namespace keyblock {
 struct WatchMemory {
     using Pair = std::pair<int, int>;
     std::map<Pair, Contact> closed;  // when last looked at, with the first contact of the pair as it was
-    std::set<Pair> slipped, opened;  // told in this stage
+    std::set<Pair> slipped, opened;  // reported in this stage
     std::vector<std::vector<char>> inhabited;  // per bolt and slot: held a node at some time
 };
 
@@ -28,12 +28,12 @@ public:
     /// \param memory filled here and kept by the caller, who may put back what it was.
     Watch(const Model& model, const State& start, WatchMemory& memory);
 
-    /// Joint events are told once per pair of blocks and stage.
+    /// Joint events are reported once per pair of blocks and stage.
     void beginStage(const State& state) const;
 
     std::vector<Event> look(State& state) const;
 
-    /// A joint event that another has told of.
+    /// A joint event that is covered by another.
     void told(const Event& event) const;
 
 private:

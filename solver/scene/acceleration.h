@@ -17,8 +17,8 @@ double recordAt(const Table& record, double time);
 /// end. \pre it was checked.
 Point accelerationAt(const Acceleration& acceleration, double time);
 
-/// What acts on every mass beside gravity at `time` of a stage: the body acceleration less that of the ground (theory,
-/// "Shaking") [m/s²]; zero where the stage has neither.
+/// What acts on every mass in addition to gravity at `time` of a stage: the body acceleration less that of the ground
+/// (theory, "Shaking") [m/s²]; zero where the stage has neither.
 Point bodyForceAt(const Stage& stage, double time);
 
 /// Velocity and displacement of a ground that moved by a record, from rest, at its last row, and the largest on the

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A record is made by others and read by a machine: what would shake the rock
-// otherwise than its maker meant, or than the stage can follow, is told here.
+// other than intended, or than the stage can follow, is reported here.
 #include "solver/scene/acceleration.h"
 #include "solver/scene/check_report.h"
 #include "solver/scene/number_text.h"
@@ -16,7 +16,7 @@ namespace keyblock {
 namespace {
 
 constexpr std::size_t mostRows = 300'000;  // of all records of a scene, which a run store keeps inside the scene
-constexpr double quietEnd = 0.02;  // of the largest on the way: less left at the end of a record is no drift
+constexpr double quietEnd = 0.02;  // of the largest on the way: less left at the end of a record is not a drift
 
 std::string placeOfRecord(const Acceleration& acceleration, const std::string& pointer) {
     return under(pointer, acceleration.file.empty() ? "record" : "file");
@@ -45,7 +45,8 @@ bool checkRows(const Acceleration& acceleration, const std::string& place, Check
     return rises;
 }
 
-/// A ground that stops where the record does would stop with a jerk: the record's own error, which no analysis mends.
+/// A ground that stops where the record does would stop with a jerk: the record's own error, which no analysis can
+/// correct.
 void tellBaseline(const Acceleration& acceleration, const std::string& pointer, CheckReport& report) {
     const Baseline b = baselineOf(acceleration.record, acceleration.factor);
     const bool drifts = std::abs(b.velocity) > quietEnd * b.peakVelocity ||

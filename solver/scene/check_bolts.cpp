@@ -17,7 +17,7 @@ namespace keyblock {
 
 namespace {
 
-/// A key that the bolts of a pattern do not have is told at the pattern.
+/// A key that the bolts of a pattern do not have is reported at the pattern.
 std::string placeIn(const Bolt& bolt, const std::string& pointer, std::string_view key) {
     return bolt.pattern < 0 ? under(pointer, key) : pointer;
 }
@@ -52,7 +52,7 @@ AlongFace alongFace(const Bolt& bolt, const CheckContext& context) {
     return found;
 }
 
-/// False where the bolt lies along a face, which is told.
+/// False where the bolt lies along a face, which is reported.
 bool checkAlongFaces(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
     const AlongFace along = alongFace(bolt, context);
     if (along.block < 0)
@@ -119,7 +119,7 @@ bool checkPlaceOnBolt(const BoltPlace& place, double length, double tolerance, c
     return false;
 }
 
-// Anchors of the bolt itself are told at the anchor, those of its type once, at the bolt's type.
+// Anchors of the bolt itself are reported at the anchor, those of its type once, at the bolt's type.
 void checkAnchorPlaces(const Bolt& bolt, const BoltType* type, const std::string& pointer, CheckContext& context) {
     if (!bolt.anchors && !type)
         return;
@@ -149,7 +149,7 @@ std::vector<std::string_view> typeNames(const Scene& scene) {
 
 const BoltType* checkType(const Bolt& bolt, const std::string& pointer, CheckContext& context) {
     const BoltType* type = findBoltType(context.scene, bolt.type);
-    if (!type && !bolt.type.empty() && bolt.pattern < 0)  // a pattern's is told once, with the pattern
+    if (!type && !bolt.type.empty() && bolt.pattern < 0)  // a pattern's is reported once, with the pattern
         context.report.error(under(pointer, "type"), "there is no bolt type " + inQuotes(bolt.type),
                              suggestion(bolt.type, typeNames(context.scene)) +
                                  "; built-in types are listed by 'keyblock bolts'");

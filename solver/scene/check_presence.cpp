@@ -42,7 +42,7 @@ public:
     Names(std::string_view what, std::vector<std::string> known, CheckReport& report)
         : what_(what), known_(std::move(known)), report_(report) {}
 
-    /// \return false where there is no such thing, which is told.
+    /// \return false where there is no such thing, which is reported.
     bool exists(const std::string& name, const std::string& pointer) {
         if (std::find(known_.begin(), known_.end(), name) != known_.end())
             return true;
@@ -51,7 +51,7 @@ public:
         return false;
     }
 
-    /// Tells of the second time. \param done what happens to it, as `is excavated`.
+    /// Reports the second time. \param done what happens to it, as `is excavated`.
     void once(const std::string& name, const std::string& stage, std::string_view done, const std::string& pointer) {
         const auto [first, isNew] = stages_.try_emplace(name, stage);
         if (!isNew)
@@ -61,7 +61,7 @@ public:
                  "Name it only once");
     }
 
-    /// Tells of a name; of the bolts of a pattern the first speaks for all.
+    /// Reports a name; of the bolts of a pattern only the first.
     void tell(const std::string& pointer, const std::string& message, const std::string& remedy) {
         if (pointer != told_) report_.error(pointer, message, remedy);
         told_ = pointer;

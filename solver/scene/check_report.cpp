@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The small questions that several parts of the check ask.
+// Small tests that several parts of the check share.
 #include "solver/scene/check_report.h"
 
 #include "solver/scene/lookup.h"

@@ -59,7 +59,7 @@ void checkBoltNames(CheckContext& context);
 bool checkOutline(const std::vector<Point>& points, const std::string& pointer, std::string_view what,
                   double tolerance, CheckReport& report);
 
-/// Tells that `name` is not among `names`, the ones in `list`; an empty one is told elsewhere.
+/// Reports that `name` is not among `names`, the ones in `list`; an empty one is reported elsewhere.
 void checkReference(const std::string& name, const std::vector<std::string_view>& names, std::string_view list,
                     const std::string& pointer, CheckReport& report);
 
@@ -92,7 +92,7 @@ bool runsThroughRock(const Bolt& bolt, const CheckContext& context, const std::v
 /// Anchors of a type or a bolt, without their place on a bolt.
 void checkAnchors(const std::vector<Anchor>& anchors, const std::string& pointer, CheckReport& report);
 
-/// Tells where a block is gone at the start of a stage; nothing of −1.
+/// Reports a block that has been excavated at the start of a stage; ignores −1.
 void checkStands(int block, std::size_t stage, const std::string& pointer, CheckContext& context);
 
 /// Finds the block for a `block_at`, or reports that there is none and gives −1.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What is to be cut must be something that can be cut, and in an amount that a
-// person can have meant: numbers of traces, cells and crossings are estimated
+// user can have meant: numbers of traces, cells and crossings are estimated
 // before anything is drawn. Geometry says what is wrong with a shape, this where.
 #include "geometry/polygon.h"
 #include "geometry/segment.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What happens must happen to something: every motion, load and velocity finds
-// its block, no block is told two things, and time runs forward.
+// its block, no block gets two motions, and time runs forward.
 #include "geometry/polygon.h"
 #include "geometry/segment.h"
 #include "geometry/sub_blocks.h"
@@ -248,7 +248,7 @@ double medianArea(const CheckContext& context) {
     return *middle;
 }
 
-/// What is left out of a verdict has to be small beside the rock that it is about.
+/// What is left out of a verdict has to be small compared with the rock that it is about.
 void checkSmallest(const Stage& stage, const std::string& pointer, CheckContext& context) {
     constexpr double most = 0.05;  // of the median block
     if (stage.kind != StageKind::Static || context.scene.blocks.empty()) return;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whoever asks for a number must ask for one that exists.
+// Monitors and quantities must refer to something that exists.
 #include "solver/scene/check_report.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/number_text.h"

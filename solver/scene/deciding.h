@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which blocks are large enough to decide whether a stage stands.
+// Which blocks are large enough to decide whether a stage is stable.
 #pragma once
 
 #include "solver/scene/scene.h"

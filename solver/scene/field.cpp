@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What can be asked of a row without knowing the struct behind it.
+// Operations on a row without knowing the struct behind it.
 #include "solver/scene/field.h"
 
 #include "solver/scene/number_text.h"

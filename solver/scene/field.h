@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One table tells everything about the fields of a scene: name in the file, kind,
+// One table defines everything about the fields of a scene: name in the file, kind,
 // unit, default, range, help. Reading, writing, the JSON Schema, the checks of
 // ranges and the reference page are made from it, so that a new field is one row
 // here and one member in scene.h.
@@ -24,7 +24,7 @@
 
 namespace keyblock {
 
-/// What stands in the file for a field.
+/// What is in the file for a field.
 enum class FieldKind {
     Flag, Number, Integer, Text,
     Word,  // one of a list of texts
@@ -88,10 +88,10 @@ struct Field {
     std::string_view source{};  // where the default comes from; empty: a choice of this program
     Range range{};
     bool required = false;
-    bool nullable = false;  // null is a value of its own, or stands for the empty one
+    bool nullable = false;  // null is a value of its own, or means the empty one
     bool emptyIsNull = false;  // the latter
     bool emptyIsZero = false;  // a Vector that may be written []
-    bool isStress = false;  // of rock, positive in tension: a window may show it the other way round
+    bool isStress = false;  // of rock, positive in tension: a window may show it with the opposite sign
     Only only{};
     std::span<const std::string_view> words{};  // of a Word
     std::vector<std::string_view> laterWords{};  // words of the format that this program does not know
@@ -127,16 +127,16 @@ bool hasChildren(const Field& field);
 /// The value that the field has when its key is missing.
 FieldValue defaultOf(const Structure& structure, const Field& field);
 
-/// True when `field.only` is met by the other fields of `object`, or asks for nothing.
+/// True when `field.only` is met by the other fields of `object`, or is empty.
 bool applies(const Structure& structure, const Field& field, const void* object);
 
 /// True when two objects of the field's struct say the same in it, down to the last value.
 bool sameValue(const Field& field, const void* a, const void* b);
 
-/// Where the field applies, e.g. `where 'kind' is 'dynamic'`. \pre it asks for something.
+/// Where the field applies, e.g. `where 'kind' is 'dynamic'`. \pre it is not empty.
 std::string condition(const Field& field);
 
-/// Says of a field that stands where it does not apply where it would.
+/// Says of a misplaced field where it would apply.
 std::string misplaced(const Field& field);
 
 /// True when no number in the value is infinite or NaN.
@@ -145,7 +145,7 @@ bool isFinite(const FieldValue& value);
 /// True when a number lies in the range.
 bool contains(const Range& range, double number);
 
-/// The range in words for people, e.g. `> 0`, `0 … 90`; empty when anything goes.
+/// The range in words for people, e.g. `> 0`, `0 … 90`; empty when unlimited.
 std::string rangeText(const Range& range);
 
 }  // namespace keyblock

@@ -17,7 +17,7 @@
 
 namespace keyblock {
 
-// The table of each struct that stands inside another, found by the type.
+// The table of each struct that is nested in another, found by the type.
 const Structure& structureOf(const About*);
 const Structure& structureOf(const Acceleration*);
 const Structure& structureOf(const Analysis*);
@@ -60,7 +60,7 @@ struct Says {
     std::string_view unit{};
     Range range{};
     bool required = false;
-    bool emptyIsNull = false;  // null stands for the empty text, list or table
+    bool emptyIsNull = false;  // null means the empty text, list or table
     bool emptyIsZero = false;
     bool isStress = false;
     bool isAxis = false;

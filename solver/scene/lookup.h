@@ -28,7 +28,7 @@ double geometricTolerance(const Scene& scene);
 /// Index of the block that holds `place`; −1 when none does or it lies on a boundary within the geometric tolerance.
 int blockAt(const Scene& scene, const Point& place);
 
-/// The same with a tolerance at hand [m], for many places.
+/// The same with a known tolerance [m], for many places.
 int blockAt(const Scene& scene, const Point& place, double tolerance);
 
 /// Index of a block that holds `point` inside or on its boundary, the first in order; −1 when none does.
@@ -60,14 +60,14 @@ double lengthOf(const Bolt& bolt);
 /// Metres from the far end of a place along a bolt of `length` [m].
 double distanceAlong(const BoltPlace& place, double length);
 
-/// Metres from the far end at which a monitor looks at a bolt of `length` [m]; its head when it names no place.
+/// Metres from the far end at which a monitor records a bolt of `length` [m]; its head when it names no place.
 double distanceAlong(const Monitor& monitor, double length);
 
 /// `CutFace::source` of the joint of that name, else of the joint set; −1: neither.
 /// \pre the scene is not cut yet.
 int traceSource(const Scene& scene, std::string_view name);
 
-/// True where the face lies on that side of the domain; on any, where all are asked for.
+/// True where the face lies on that side of the domain; on any, where all are requested.
 bool isOnSide(const CutFace& face, BoundarySide side);
 
 /// Where a scene file says a bolt: `/bolts/N`, or `/bolt_patterns/N` of one that a pattern gives.

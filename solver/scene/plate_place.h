@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Where the plate of a bolt lies when it is a block: flat against the face at
-// the bolt's head, whatever the bolt's own direction.
+// the bolt's head, regardless of the bolt's own direction.
 #pragma once
 
 #include "solver/scene/scene.h"

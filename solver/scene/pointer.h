@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// JSON pointers (RFC 6901) tell people and programs where in a scene something is.
+// JSON pointers (RFC 6901) say where in a scene something is.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is wrong with a scene, told to a person: where it is, what it is and what
-// to do about it. A bad scene is no exception but a list of these, all at once.
+// What is wrong with a scene, for the user: where it is, what it is and what
+// to do about it. A bad scene is not an exception but a list of these, all at once.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace keyblock {
 
-/// An error keeps a scene from running; a warning is likely a mistake; a note tells of what has no effect.
+/// An error keeps a scene from running; a warning is likely a mistake; a note reports what has no effect.
 enum class Severity { Error, Warning, Note };
 
 struct Problem {
@@ -27,7 +27,7 @@ struct Problem {
     bool operator==(const Problem&) const = default;
 };
 
-/// No list holds more: whoever faces a thousand corrects some and asks again.
+/// No list holds more: with a thousand problems the user corrects some and checks again.
 inline constexpr std::size_t mostProblems = 1000;
 
 /// Appends to a list that is not full. Half of it is kept for errors; the last entry says that more follow.

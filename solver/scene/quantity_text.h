@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A scene asks for numbers in words: `max B1.axial_force`, `first debonding
+// A scene requests numbers in words: `max B1.axial_force`, `first debonding
 // opening`, `last crown.uy`. This reads such a text against the scene that holds
 // it, so that the check finds a wrong one before a run and the results find the
-// right column after it. The words of events and bolt quantities stand here once,
+// right column after it. The words of events and bolt quantities are defined here once,
 // for scenes, tables and stores alike.
 #pragma once
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The document: one scene as plain values. Everything a scene file can say
-// stands here with its unit and its default; nothing here is computed. Objects
+// is here with its unit and its default; nothing here is computed. Objects
 // refer to each other by name, never by pointer, so a scene can be copied,
 // compared, kept for undo and handed to a worker.
 //
-// Angles are in degrees, as a person types them; everything else is SI.
+// Angles are in degrees, as the user types them; everything else is SI.
 #pragma once
 
 #include "geometry/point.h"
@@ -83,7 +83,7 @@ struct StressGradient {
     bool operator==(const StressGradient&) const = default;
 };
 
-/// Stress that the rock stands under before anything is excavated: at height y it is the given one plus
+/// Stress in the rock before excavation: at height y it is the given one plus
 /// `gradientY`·(y − referenceY).
 struct InSituStress {
     double sxx = 0.0, syy = 0.0, sxy = 0.0;  // [Pa]
@@ -100,7 +100,7 @@ struct CellSettings {
     bool operator==(const CellSettings&) const = default;
 };
 
-/// Joint materials that no scene lists, beside the indices of those that it does.
+/// Joint materials that no scene lists, in addition to the indices of those that it does.
 inline constexpr int builtInJoint = -1;  // where the scene has none
 inline constexpr int intactJoint = -2;  // rock that only a tunnel's outline parts: neither slips nor opens
 
@@ -117,7 +117,7 @@ struct CutFace {
 
 struct Block {
     std::string name;  // empty: b1, b2, … by order
-    std::vector<Point> points;  // [m], either way round
+    std::vector<Point> points;  // [m], in either direction
     std::string material;
     std::optional<std::string> jointMaterial;
     Stress initialStress{0.0, 0.0, 0.0};  // [Pa]
@@ -132,7 +132,7 @@ struct Block {
 
 /// The region that is cut into blocks.
 struct SceneDomain {
-    std::vector<Point> boundary;  // [m], either way round
+    std::vector<Point> boundary;  // [m], in either direction
     std::string material;
     std::optional<std::string> jointMaterial;  // of its boundary, and of joints that name none; null: as of a block
 
@@ -195,7 +195,7 @@ struct SceneTunnel {
 /// A part of the section that joint sets and Voronoi cells refer to.
 struct SceneRegion {
     std::string name;
-    std::vector<Point> points;  // [m], either way round
+    std::vector<Point> points;  // [m], in either direction
 
     bool operator==(const SceneRegion&) const = default;
 };
@@ -272,7 +272,7 @@ struct Sine {
 /// An acceleration along `axis`: a record or a sine over the seconds of a dynamic stage, or a constant value, times
 /// `factor`. A static stage takes a constant one only and puts it on in proportion to pseudo-time.
 struct Acceleration {
-    std::string file;  // where the record was read from, as the scene names it; empty: it stands in the scene
+    std::string file;  // where the record was read from, as the scene names it; empty: it is in the scene
     Table record;  // (time [s], value); nothing before its first and after its last row, straight lines between
     std::optional<Sine> sine;
     std::optional<double> value;  // constant; at the end of a static stage
@@ -497,7 +497,7 @@ struct Output {
     bool operator==(const Output&) const = default;
 };
 
-/// Frames over the whole run at most, where a scene does not ask for any number.
+/// Frames over the whole run at most, where a scene does not give a number.
 inline constexpr int defaultFrames = 200;
 
 /// Where a run ends even if its stages do not.

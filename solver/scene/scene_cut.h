@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a scene with a domain to one with blocks alone. What a person draws by a
+// From a scene with a domain to one with blocks alone. What the user draws by a
 // few numbers (joint sets, tunnels, cells, patterns of bolts) becomes blocks and
-// bolts of the same kinds as those that a scene gives one by one, so that whatever
-// comes after knows no difference. It is done once by whoever checks, runs or reads.
+// bolts of the same kinds as those that a scene gives one by one, so that everything
+// after this treats them alike. It is done once for checking, running or reading.
 #pragma once
 
 #include "geometry/cut.h"
@@ -19,7 +19,7 @@ namespace keyblock {
 /// What became of a scene.
 struct SceneCut {
     /// The scene with the cut blocks after its own, and the bolts of patterns after its own; without domain, joints,
-    /// joint sets and Voronoi cells. Cut blocks stand in the order of geometry/cut.h and have no name of their own, so
+    /// joint sets and Voronoi cells. Cut blocks are in the order of geometry/cut.h and have no name of their own, so
     /// they are called b and their place among all blocks. Tunnels and patterns stay, for blocks and bolts to refer to.
     Scene scene;
     int blocks = 0;  // that were cut and are left
@@ -33,7 +33,7 @@ struct SceneCut {
     std::vector<std::string> sources;  // for people, by the sources in `notes`
 };
 
-/// False for a scene whose blocks and bolts stand there one by one.
+/// False for a scene whose blocks and bolts are all given one by one.
 bool needsCut(const Scene& scene);
 
 /// Cuts the domain and lays out the patterns; a scene that needs neither comes back as it is. The result does not

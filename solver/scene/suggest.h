@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whoever mistypes a name wants to be told the right one.
+// Suggests the right name for a mistyped one.
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Blocks alone: what a body does that nothing but gravity, a slope or its own
-// elasticity acts on. The closed forms stand beside each case.
+// elasticity acts on. The closed forms are next to each case.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"

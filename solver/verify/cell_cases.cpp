@@ -125,7 +125,7 @@ std::vector<CaseResult> patch() {
 double cantilever(int rows) {
     const double length = 10.0, depth = 1.0, force = 1e3, nu = 0.25;
     Scene scene = emptyScene(modulus, nu, 30.0);
-    scene.analysis.penaltyRatio = 1e4;  // the points that hold the end are stiff beside the beam
+    scene.analysis.penaltyRatio = 1e4;  // the points that support the end are stiff compared with the beam
     scene.blocks = {cutBlock("beam", {0, 0}, {length, depth}, depth / rows)};
     std::vector<Load> loads;
     for (int i = 0; i < rows; ++i) {

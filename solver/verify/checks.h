@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Collects the numbers of one case beside what they must be.
+// Collects the numbers of one case with their expected values.
 #pragma once
 
 #include "solver/verify/verify.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Blocks that meet: what a collision keeps, how a block on a slope begins to
-// move, and how long one rocks. The closed forms stand beside each case.
+// move, and how long one rocks. The closed forms are next to each case.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
@@ -20,7 +20,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double hardRock = 60e9;  // [Pa]
 constexpr double density = 2700.0;  // [kg/m³] of the verification's rock
-constexpr double modesSeen = 0.1;  // [s] after which a block's mode is told
+constexpr double modesSeen = 0.1;  // [s] after which a block's mode is determined
 constexpr double moved = 5e-5;  // [m, rad]: less is elastic
 
 Stage motion(double duration, double timeStep) {
@@ -127,7 +127,7 @@ double modeOf(double breadth, double slope, double frictionAngle) {
 
 /// A block of b/h = 0.3 on 30°: with slip at the toe it turns only where friction gives a moment, tan φ > b/h
 /// (16.70°); it turns without slip where friction holds the toe of the turning block, above 20.08°. One of b/h = 0.7
-/// stands where φ > 30° (Sagaseta 1986; Yeung 1991).
+/// stable where φ > 30° (Sagaseta 1986; Yeung 1991).
 std::vector<CaseResult> modes() {
     Checks checks("sliding and toppling");
     for (const auto& [friction, text, mode] :
@@ -138,7 +138,7 @@ std::vector<CaseResult> modes() {
     return checks.take();
 }
 
-/// Half-width 0.25 m, half-height 1 m, let go on its corner at half of the critical tilt α = atan ¼. With R from the
+/// Half-width 0.25 m, half-height 1 m, released on its corner at half of the critical tilt α = atan ¼. With R from the
 /// corner to the centroid, (4/3)·R·θ″ = −g·sin(α − θ), so the quarter period is the integral from 0 to θ₀ of
 /// dθ / √((3g/2R)(cos(α − θ₀) − cos(α − θ))): 0.49380 s (linearised by Housner 1963: 0.4929 s).
 std::vector<CaseResult> rocking() {

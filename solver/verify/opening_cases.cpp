@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A circular opening in glued rock against Kirsch's stresses. The scene is one
-// that a person could draw: a domain under stress in situ, cut by joints along
+// that a user could draw: a domain under in-situ stress, cut by joints along
 // rings and along the zigzags between them, all of them bonded for good, and a
 // tunnel that a static stage excavates.
 #include "solver/verify/checks.h"
@@ -80,7 +80,7 @@ void cutIntoTriangles(Scene& scene, const std::vector<std::vector<Point>>& rings
         closed.push_back(closed.front());
         addJoint(scene, closed);
     }
-    scene.cutting.minArea = 0.0;  // triangles are of all sizes on purpose
+    scene.cutting.minArea = 0.0;  // triangles are deliberately of all sizes
     scene.cutting.minWidth = 0.0;
 }
 
@@ -112,7 +112,7 @@ Scene openingScene(int sides) {
     Stage stage;
     stage.name = "excavate";
     stage.excavate = {"opening"};
-    stage.increments = 1;  // nothing can let go on the way
+    stage.increments = 1;  // nothing can fail on the way
     scene.stages = {stage};
     return scene;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The tables of the unified bolt paper, the independent reference and this
-// program side by side. The program is held to the reference: no reading of the
+// program side by side. The program is checked against the reference: no reading of the
 // paper's parameters fits all of the paper's numbers, and none is bent to.
 #include "solver/verify/paper_steel.h"
 #include "solver/verify/readings.h"

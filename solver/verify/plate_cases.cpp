@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A plate that is a block, held by contact, must carry what a plate of springs
-// carries: between them stand only the contact's penalty and the plate's steel,
+// carries: between them are only the contact's penalty and the plate's steel,
 // ten thousand times as stiff as the plate's springs.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
@@ -32,7 +32,7 @@ void elasticRebars(Checks& checks) {
     }
 }
 
-/// The head stands out of a face aslant: the plate lies on the face, and its normal force is that across the face.
+/// The head leaves a face at an angle: the plate lies on the face, and its normal force is that across the face.
 void inclined(Checks& checks) {
     const double angle = std::atan2(0.3, 0.9);
     Scene scene = twoBlocks(rigidRock, 1.0, 2.0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers that the program is held to and did not find itself. They come from
+// Independent numbers that the program is checked against. They come from
 // calculations that share no code with the engine (tests/verify/reference), for
 // bolts from one that goes from event to event in exact steps; the tests make them
 // afresh from these.
@@ -41,7 +41,7 @@ inline const std::vector<ReferenceRelease> brittleDebonding{
     {5, 3.93940e-3, 163.868920e3}, {4, 3.93940e-3, 161.254310e3}, {3, 3.93940e-3, 158.246230e3},
     {2, 3.93940e-3, 154.393202e3}, {1, 3.93940e-3, 148.511601e3}, {0, 3.93940e-3, 136.071170e3}};
 
-/// What a rebar that debonds is held to.
+/// References of a debonding rebar.
 struct RebarReference {
     const char* title;
     double youngsModulus, peak;  // [Pa], [N] per node
@@ -65,7 +65,7 @@ inline constexpr std::array<RebarReference, 6> rebarReferences{{
 /// \param divisions 59 or 60; \param releases 50 or 51
 std::vector<int> rebarOrder(int divisions, int releases);
 
-/// What a D-bolt is held to; the joint force at two openings and at the rupture.
+/// References of a D-bolt: the joint force at two openings and at the rupture.
 struct DBoltReference {
     const char* title;
     bool tableSteel, plate;

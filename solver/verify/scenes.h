@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The scenes of the verification, built in code so that no file and no library
-// of bolts stands between a law and the number that it is held to. All of them
+// of bolts lies between a law and the number that it is checked against. All of them
 // run at a pass tolerance of 1e-10.
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace keyblock {
 
 inline constexpr double gravity = 9.81;  // [m/s²]
-inline constexpr double rigidRock = 6e13;  // [Pa] Young's modulus that counts as rigid beside a bolt
+inline constexpr double rigidRock = 6e13;  // [Pa] Young's modulus that counts as rigid compared with a bolt
 
 /// Plane stress, 1 m thick, one rock, one joint of friction angle `frictionAngle` [°]; no block yet.
 Scene emptyScene(double youngsModulus, double poissonsRatio, double frictionAngle);
@@ -21,8 +21,8 @@ Scene emptyScene(double youngsModulus, double poissonsRatio, double frictionAngl
 /// Rectangle between two corners [m].
 Block boxBlock(const std::string& name, const Point& low, const Point& high);
 
-/// A block of 1 m × 0.5 m, the monitor `slider`, on a fixed slope of `slope` [°] falling towards +x, let go at t = 0 in a
-/// dynamic stage of 1 ms steps.
+/// A block of 1 m × 0.5 m, the monitor `slider`, on a fixed slope of `slope` [°] falling towards +x, released at t = 0
+/// in a dynamic stage of 1 ms steps.
 Scene inclineScene(double slope, double frictionAngle, double duration);
 
 /// Two blocks that touch at x = `joint` [m], `length` [m] from end to end and 1 m high. The left one is fixed; the

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The schemes of time integration on what has one frequency: a strain mode, a
-// knock against a spring, a weight hung on a bar, a bar that rings.
+// impact on a spring, a weight hung on a bar, a vibrating bar.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/mode.h"

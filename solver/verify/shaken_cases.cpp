@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A block on a slope that is shaken: sine and record, force on the body and motion
-// of the ground. A rigid block that sticks and slides is integrated beside it.
+// of the ground. A rigid block that sticks and slides is integrated for comparison.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"

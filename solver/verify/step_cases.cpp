@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What lets go, in which order and at which force, may not depend on the size
+// Which parts fail, in which order and at which force, must not depend on the size
 // of the step: each scene is run with its increments, with twice and with four
 // times as many.
 #include "solver/verify/checks.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A slope of columns that topple onto one another and push its toe out. The
-// columns' limit equilibrium is worked out beside it.
+// columns' limit equilibrium is computed for comparison.
 #include "solver/verify/boundary.h"
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
@@ -33,7 +33,7 @@ double topOf(int n) { return rise * n + heights[static_cast<std::size_t>(n)]; }
 
 /// Force that the toe needs from outside at a friction of `tangent`, over the unit weight (Goodman and Bray 1976). From
 /// the crest down each column hands on what would else topple it about its lower corner or let it slide, whichever is
-/// more; neighbours touch at the lower of their tops with friction passed, a toppling column stands on its corner.
+/// more; neighbours touch at the lower of their tops with friction passed, a toppling column rests on its corner.
 double forceAtToe(double tangent) {
     const double s = std::sin(baseDip), c = std::cos(baseDip);
     double push = 0.0;
@@ -61,7 +61,7 @@ double criticalAngle() {
     return 0.5 * (low + high);
 }
 
-/// The columns stand upright on steps that are held; gravity is turned by the dip of the bases instead.
+/// The columns stand upright on steps that are fixed; gravity is turned by the dip of the bases instead.
 Scene slopeScene(double frictionAngle) {
     Scene scene = emptyScene(60e9, 0.25, frictionAngle);
     scene.analysis.gravity = {-gravity * std::sin(baseDip), -gravity * std::cos(baseDip)};
@@ -86,8 +86,8 @@ Scene slopeScene(double frictionAngle) {
     return scene;
 }
 
-/// What the energies of a slope that stands lack at the end, over the largest of them. Its steep friction carries
-/// shear from the first step, and nothing must let go there that was never put in.
+/// What is missing in the energies of a stable slope at the end, over the largest of them. Its steep friction carries
+/// shear from the first step, and no energy must be released there that was never put in.
 double energyLeft(double frictionAngle) {
     return std::abs(solve(slopeScene(frictionAngle)).results.stages.back().health.balanceError);
 }
@@ -100,7 +100,7 @@ std::vector<BlockState> columnsAtEnd(double frictionAngle) {
     return {all.end() - columns, all.end()};
 }
 
-/// 1 where the slope comes to rest, 0 where it goes on moving.
+/// 1 where the slope comes to rest, 0 where it continues to move.
 double stands(double frictionAngle) {
     const std::vector<BlockState> all = columnsAtEnd(frictionAngle);
     if (all.empty()) return std::nan("");

@@ -3,7 +3,7 @@
 //
 // The program checks itself against numbers that were found without it: closed
 // forms, independent references and the published tables. The command line
-// prints what stands here; each case is also a test.
+// prints this list; each case is also a test.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace keyblock {
 
-/// One number of a case beside what it must be.
+/// One number of a case and its expected value.
 struct CaseResult {
     std::string name;  // of the case
     std::string quantity;  // what was measured, with its unit

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A voussoir beam: a slab that has cracked in the middle and at both abutments
-// and stands as an arch. What statics demand is held to closely, the thrust to
+// and is stable as an arch. Requirements of statics are checked closely, the thrust to
 // finite elements that share nothing with the program. The rule of the textbooks
 // gives nearly twice that thrust, from a depth of contact that is chosen and not
-// found (theory, "Voussoir beam"); it is worked out here to stand beside it.
+// found (theory, "Voussoir beam"); it is computed here for comparison.
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"
