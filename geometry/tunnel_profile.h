@@ -10,7 +10,7 @@
 //   circle     radius d/2.
 //   d-shape    walls of height h − w/2 under a semicircle.
 //   horseshoe  The crown is a semicircle of radius w/2. At its springing line, the level h − w/2 =: H above the floor,
-//              it is vertical; a wall that continues with radius w has its centre on that level, at the foot of
+//              it is vertical; a smooth wall with radius w has its centre on that level, at the foot of
 //              the opposite wall of the crown. A depth y below it the half-width is √(w² − y²) − w/2, so the floor is
 //              2√(w² − H²) − w wide, which is above 0 for H < w√3/2: w/2 <= h < w(1 + √3)/2 ≈ 1.366 w.
 //   arched     walls under the arc of a circle with rise r over the chord w: radius (w²/4 + r²)/(2r), half-angle
