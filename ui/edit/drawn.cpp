@@ -13,7 +13,7 @@
 namespace keyblock {
 namespace {
 
-constexpr const char* noStage = "There is no stage that it could act in: add one first.";
+constexpr const char* noStage = "There is no stage yet. Add a stage first.";
 
 bool usable(const std::vector<Point>& points) { return std::all_of(points.begin(), points.end(), isUsable); }
 
@@ -43,15 +43,15 @@ Edit withRegion(const Scene& scene, const SceneRegion& region) {
 }
 
 Edit withJoint(const Scene& scene, const SceneJoint& joint) {
-    if (joint.points.size() < 2 || !usable(joint.points)) return {scene, "A joint has two points or more."};
-    if (!scene.domain) return {scene, "There is no rock that a joint could cut: draw the outline first."};
+    if (joint.points.size() < 2 || !usable(joint.points)) return {scene, "A joint needs at least two points."};
+    if (!scene.domain) return {scene, "There is no rock to cut yet. Draw the outline first."};
     return appended(scene, &Scene::joints, "/joints", joint);
 }
 
 Edit withJointSet(const Scene& scene, const SceneJointSet& set) {
     if (const auto problem = jointSetProblem(jointSetOf(set)))
         return {scene, "The set cannot be drawn: " + problem->message + "."};
-    if (!scene.domain) return {scene, "There is no rock that a joint set could cut: draw the outline first."};
+    if (!scene.domain) return {scene, "There is no rock to cut yet. Draw the outline first."};
     return appended(scene, &Scene::jointSets, "/joint_sets", set);
 }
 
@@ -67,7 +67,8 @@ Edit withSupport(const Scene& scene, const Support& support) {
         edit.made = under("/supports", i);
         return edit;
     }
-    if (support.boundary && !scene.domain) return {scene, "There is no outline with sides: hold a point or a block."};
+    if (support.boundary && !scene.domain)
+        return {scene, "There is no outline yet. Support a point or a block instead."};
     return appended(scene, &Scene::supports, "/supports", support);
 }
 

@@ -58,7 +58,7 @@ void addTunnel(const SceneTunnel& tunnel, const std::string& pointer, std::vecto
     const Point floor = c - Point(0.0, 0.5 * height);
     add(floor + Point(0.5 * tunnel.width, arched ? tunnel.wallHeight : std::max(height - 0.5 * tunnel.width, 0.0)), "width",
         "width");
-    if (arched) add(floor + Point(-0.5 * tunnel.width, tunnel.wallHeight), "height of the walls", "wall_height");
+    if (arched) add(floor + Point(-0.5 * tunnel.width, tunnel.wallHeight), "wall height", "wall_height");
     add(floor + Point(0.0, height), arched ? "rise" : "height", arched ? "rise" : "height");
 }
 
@@ -145,7 +145,7 @@ Edit dragHandle(const Scene& scene, const std::string& pointer, std::size_t inde
 
 Edit withCorner(const Scene& scene, const std::string& pointer, const Point& place) {
     const Corners corners = cornersOf(scene, pointer);
-    if (!corners.points || corners.points->size() < 2 || !isUsable(place)) return {scene, "It has no corners."};
+    if (!corners.points || corners.points->size() < 2 || !isUsable(place)) return {scene, "The object has no corners."};
     const std::vector<Point>& points = *corners.points;
     double nearest = std::numeric_limits<double>::infinity();
     std::size_t behind = 0;

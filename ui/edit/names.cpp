@@ -140,12 +140,13 @@ namespace {
 
 std::string refusal(const Scene& scene, const std::string& pointer, const std::string& list, const std::string& name) {
     const bool mayBeEmpty = list == "/blocks";
-    if (name.empty() && !mayBeEmpty) return "A name is needed here.";
+    if (name.empty() && !mayBeEmpty) return "Enter a name.";
     std::vector<std::string> taken = namesBeside(scene, list);
     const auto own = std::find(taken.begin(), taken.end(), nameAt(scene, pointer));
     if (own != taken.end()) taken.erase(own);
     if (!name.empty() && std::find(taken.begin(), taken.end(), name) != taken.end())
-        return "The name " + inQuotes(name) + " is taken. Free is " + inQuotes(nameOfCopy(scene, list, name)) + ".";
+        return "The name " + inQuotes(name) + " is already used. A free name is " +
+               inQuotes(nameOfCopy(scene, list, name)) + ".";
     return {};
 }
 
@@ -162,7 +163,7 @@ Edit renameAt(const Scene& scene, const std::string& pointer, const std::string&
     Edit edit{scene};
     const auto place = locate(edit.scene, pointer);
     const std::string list = parentOf(pointer);
-    if (!place || !place->entry) return {scene, "There is nothing at " + pointer + " that has a name."};
+    if (!place || !place->entry) return {scene, "There is no named object at " + pointer + "."};
     const std::string before = nameAt(scene, pointer);
     if (name == before) return edit;
     edit.refusal = refusal(scene, pointer, list, name);
@@ -172,7 +173,7 @@ Edit renameAt(const Scene& scene, const std::string& pointer, const std::string&
     if (place->field->kind == FieldKind::Map) {
         const auto* type = findBoltType(scene, before);
         if (list == "/bolt_types" && type && type->builtIn)
-            return {scene, "The bolt type " + inQuotes(before) + " comes with the program. Copy it to change it."};
+            return {scene, "The bolt type " + inQuotes(before) + " is built in. Copy it to change it."};
         place->field->children.rename(changeable(place->owner), *place->entry, name);
         edit.pointers.renamed(list, before, name);
         edit.made = under(list, name);

@@ -83,7 +83,7 @@ public:
         const std::string list = parentOf(pointer);
         const auto to = locate(edit_.scene, list);
         if (!from || !from->entry || !to || !to->field || !hasChildren(*to->field) || to->entry) {
-            edit_.told.push_back("The " + titleAt(source_, pointer) + " has no copy: a scene has one.");
+            edit_.told.push_back("The " + titleAt(source_, pointer) + " was not copied: a scene has only one.");
             return;
         }
         const Children& children = to->field->children;
@@ -104,7 +104,7 @@ public:
 
     Edit finish(const std::vector<std::string>& made) {
         if (made.empty()) return {std::move(edit_.scene), "There is nothing to copy."};
-        if (!near_) return {std::move(edit_.scene), "The copy would lie too far away."};
+        if (!near_) return {std::move(edit_.scene), "The copy would be too far away."};
         const std::set<std::string> ours(made.begin(), made.end());
         nameEachOther(ours);
         if (sameScene_) comeAndGoWithOriginals();
@@ -176,8 +176,8 @@ Edit moveAll(const Scene& scene, const std::vector<std::string>& pointers, const
         near &= place->isObject() ? shift(place->objectStructure(), changeable(place->object()), offset, places)
                                   : shiftSingle(*place, offset, places);
     }
-    if (!near) return {scene, "It would come to lie too far away."};
-    if (places == 0) return {scene, "Nothing that is selected has a place that could be moved."};
+    if (!near) return {scene, "The moved objects would be too far away."};
+    if (places == 0) return {scene, "None of the selected objects can be moved."};
     return edit;
 }
 

@@ -39,18 +39,19 @@ void goWith(const Scene& scene, const Reference& reference, const std::string& g
     switch (reference.whenGone) {
         case WhenGone::Null:
             if (out.nulls.insert(reference.pointer).second)
-                out.told.push_back("The " + titleAt(scene, reference.pointer) + " no longer names the " + what + ".");
+                out.told.push_back("The " + titleAt(scene, reference.pointer) + " no longer refers to the " + what +
+                                   ".");
             break;
         case WhenGone::Entry:
             out.objects.insert(reference.pointer);
             break;
         case WhenGone::Owner:
             if (out.objects.insert(parentOf(reference.pointer)).second)
-                out.told.push_back("The " + titleAt(scene, reference.pointer) + " went with the " + what + ".");
+                out.told.push_back("The " + titleAt(scene, reference.pointer) + " was deleted with the " + what + ".");
             break;
         case WhenGone::Stays:
-            out.told.push_back("The " + titleAt(scene, reference.pointer) + " still names the " + what +
-                               ": give it another.");
+            out.told.push_back("The " + titleAt(scene, reference.pointer) + " still refers to the " + what +
+                               ". Choose another one.");
             break;
     }
 }
@@ -154,7 +155,8 @@ std::string tooShort(const Scene& scene, const std::set<std::string>& objects) {
         if (place.field->kind == FieldKind::TextList) continue;
         const std::size_t needed = list.starts_with("/joints") || place.field->kind == FieldKind::PointPair ? 2 : 3;
         if (countOf(place) < needed + count)
-            return "The " + titleAt(scene, list) + " needs " + std::to_string(needed) + " points. Delete it as a whole.";
+            return "The " + titleAt(scene, list) + " needs at least " + std::to_string(needed) +
+                   " points. Delete the whole object.";
     }
     return {};
 }
@@ -167,7 +169,7 @@ Edit removeAll(const Scene& scene, const std::vector<std::string>& pointers) {
         const std::vector<std::string> parts = partsOf(pointer);
         const BoltType* type = parts.size() > 1 && parts[0] == "bolt_types" ? findBoltType(scene, parts[1]) : nullptr;
         if (type && type->builtIn)
-            return {scene, "The bolt type " + inQuotes(type->name) + " comes with the program and stays."};
+            return {scene, "The bolt type " + inQuotes(type->name) + " is built in and cannot be deleted."};
     }
     Departure departure = departureOf(edit.scene, pointers);
     if (departure.objects.empty()) return {scene, "There is nothing to delete."};

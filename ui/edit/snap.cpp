@@ -40,7 +40,7 @@ public:
     std::optional<Snap> run() {
         if (wish_.objects && wish_.radius > 0.0) {
             for (const Mark& mark : index_.marks_) offer(mark.place, SnapKind::End, mark.object, -1, "");
-            for (const Mark& mark : index_.middles_) offer(mark.place, SnapKind::Middle, mark.object, -1, "middle of ");
+            for (const Mark& mark : index_.middles_) offer(mark.place, SnapKind::Middle, mark.object, -1, "centre of ");
             lines();
         }
         if (!best_ && wish_.grid && *wish_.grid > 0.0) return onGrid();
@@ -82,19 +82,19 @@ private:
         const char* end = index_.names_[static_cast<std::size_t>(line.object)].hasCorners ? "corner of " : "end of ";
         if (line.endA) offer(line.a, SnapKind::End, line.object, -1, end);
         if (line.endB) offer(line.b, SnapKind::End, line.object, -1, end);
-        if (!line.curved) offer(0.5 * (line.a + line.b), SnapKind::Middle, line.object, -1, "middle of ");
+        if (!line.curved) offer(0.5 * (line.a + line.b), SnapKind::Middle, line.object, -1, "midpoint of ");
         const double on = std::clamp(footParameter(line.a, line.b, place_), 0.0, 1.0);
         offer(line.a + on * (line.b - line.a), SnapKind::OnLine, line.object, -1, "on ");
         if (!wish_.previous) return;
         const double foot = footParameter(line.a, line.b, *wish_.previous);
         if (foot >= 0.0 && foot <= 1.0)
-            offer(line.a + foot * (line.b - line.a), SnapKind::Foot, line.object, -1, "square to ");
+            offer(line.a + foot * (line.b - line.a), SnapKind::Foot, line.object, -1, "perpendicular to ");
     }
 
     void meet(const Line& one, const Line& two) {
         if (one.a == two.a || one.a == two.b || one.b == two.a || one.b == two.b) return;  // a corner, no crossing
         if (const auto crossed = crossing(one.a, one.b, two.a, two.b))
-            offer(crossed->place, SnapKind::Intersection, one.object, two.object, "crossing of ");
+            offer(crossed->place, SnapKind::Intersection, one.object, two.object, "intersection of ");
     }
 
     Snap named() const {

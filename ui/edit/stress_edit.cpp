@@ -34,11 +34,11 @@ double gravityOf(const Scene& scene) {
 
 Edit withDepthStress(const Scene& scene, const DepthStress& stress) {
     const std::optional<Box> box = rockBox(scene);
-    if (!box) return {scene, "There is no rock whose depth could be measured: draw its outline first."};
+    if (!box) return {scene, "The depth cannot be measured without rock. Draw the outline first."};
     if (!(stress.unitWeight > 0.0)) return {scene, "The unit weight must be above 0."};
     if (!(stress.k0 >= 0.0)) return {scene, "K0 must be 0 or more."};
     if (!(stress.surfaceY >= box->max.y() - 1e-9 * (box->max - box->min).norm()))
-        return {scene, "The ground surface must not lie below the upper edge of the rock."};
+        return {scene, "The ground surface must not be below the upper edge of the rock."};
     Edit edit{scene};
     InSituStress& made = edit.scene.inSituStress.emplace();
     made.referenceY = 0.5 * (box->min.y() + box->max.y());

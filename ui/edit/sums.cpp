@@ -75,30 +75,30 @@ std::string reasonOf(const mu::Parser::exception_type& error) {
     using enum mu::EErrorCodes;
     switch (error.GetCode()) {
         case ecMISSING_PARENS: return "A bracket is not closed.";
-        case ecUNEXPECTED_PARENS: return "There is a bracket too many.";
+        case ecUNEXPECTED_PARENS: return "There is one bracket too many.";
         case ecUNEXPECTED_EOF:
-        case ecEMPTY_EXPRESSION: return "The sum ends too early.";
+        case ecEMPTY_EXPRESSION: return "The expression is incomplete.";
         case ecTOO_MANY_PARAMS:
         case ecTOO_FEW_PARAMS: return "A function has too few or too many numbers in its brackets.";
         case ecUNASSIGNABLE_TOKEN:
-            return "'" + error.GetToken() + "' is not known. Known are sqrt, abs, min, max, sin, cos, tan, asin, acos, "
-                   "atan and pi.";
+            return "'" + error.GetToken() + "' is not a known name. Use sqrt, abs, min, max, sin, cos, tan, asin, "
+                   "acos, atan or pi.";
         default: break;
     }
-    return "'" + error.GetToken() + "' cannot stand there.";
+    return "'" + error.GetToken() + "' is not allowed there.";
 }
 
 }  // namespace
 
 SumResult evaluateSum(const std::string& text) {
-    if (const auto strange = strangeCharacter(text)) return {{}, "'" + *strange + "' is no part of a sum."};
-    if (hasLooseComma(text)) return {{}, "In a sum the decimals follow a point: 2.5 + 1."};
+    if (const auto strange = strangeCharacter(text)) return {{}, "'" + *strange + "' is not allowed in an expression."};
+    if (hasLooseComma(text)) return {{}, "In an expression, use a decimal point: 2.5 + 1."};
     try {
         mu::Parser parser;
         prepare(parser);
         parser.SetExpr(text);
         const double value = parser.Eval();
-        if (!std::isfinite(value)) return {{}, "The sum has no finite value."};
+        if (!std::isfinite(value)) return {{}, "The expression has no finite value."};
         return {value, {}};
     } catch (const mu::Parser::exception_type& error) {
         return {{}, reasonOf(error)};

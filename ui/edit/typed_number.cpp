@@ -76,7 +76,7 @@ public:
         const bool sum = text_.starts_with("=") || hasSigns();
         if (text_.starts_with("=")) ++at_;
         while (at_ < text_.size() && problem_.empty()) next(sum);
-        if (problem_.empty() && out_.empty()) problem_ = "Nothing is typed.";
+        if (problem_.empty() && out_.empty()) problem_ = "Enter a number.";
         if (!problem_.empty()) return {{}, problem_};
         if (sum) {
             SumResult result = evaluateSum(out_);
@@ -125,7 +125,7 @@ private:
         double value = 0.0;
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) {
-            problem_ = "'" + digits + "' is no number that can be used.";
+            problem_ = "'" + digits + "' is not a valid number.";
             return;
         }
         skipSpaces();
@@ -162,8 +162,8 @@ private:
         const std::string kind = unit_ ? kindText(*unit_) : "";
         const std::string wanted = kind.empty() ? "a number" + (unitText_.empty() ? "" : " in " + std::string(unitText_))
                                                 : kind;
-        return known ? "'" + typed + "' does not fit: type " + wanted + "."
-                     : "'" + typed + "' is not a unit that is known. Type " + wanted + ".";
+        return known ? "'" + typed + "' is the wrong kind of unit. Enter " + wanted + "."
+                     : "'" + typed + "' is not a known unit. Enter " + wanted + ".";
     }
 
     /// \pre no sum.
@@ -176,7 +176,7 @@ private:
         double value = 0.0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (numbers_ == 1 && error == std::errc{} && end == text.data() + text.size()) return {value, {}};
-        return {{}, "'" + std::string(text_) + "' is no number. Type one such as 2.5, 300mm or =5/2+0.1."};
+        return {{}, "'" + std::string(text_) + "' is not a valid number. Enter one such as 2.5, 300mm or =5/2+0.1."};
     }
 
     std::string_view text_;

@@ -30,7 +30,7 @@ std::vector<std::string_view> partsBetween(std::string_view text, char separator
 
 TypedPoint usable(const Point& place) {
     if (isUsable(place)) return {place, {}};
-    return {{}, "The place lies too far away: coordinates end at 1e9 m."};
+    return {{}, "The point is too far away: coordinates must be within 1e9 m of the origin."};
 }
 
 /// Reads lengths into metres.
@@ -39,7 +39,7 @@ public:
     PointReader(const TypingContext& context, std::string_view unit) : context_(context), unit_(unit) {}
 
     TypedPoint read(std::string_view text) const {
-        if (text.empty()) return {{}, "Nothing is typed."};
+        if (text.empty()) return {{}, "Enter the coordinates of a point."};
         const bool relative = text.starts_with("@");
         if (relative) text.remove_prefix(1);
         if (text.find('<') != std::string_view::npos) return polar(text, relative);
@@ -47,8 +47,9 @@ public:
         const std::vector<std::string_view> parts = partsBetween(text, semicolon ? ';' : ',');
         if (parts.size() == 2) return pair(parts[0], parts[1], relative);
         if (parts.size() == 1 && !relative) return towardsMouse(parts[0]);
-        if (parts.size() == 1) return {{}, "Type both, as in @2,0, or a length and an angle, as in @3<45."};
-        return {{}, "That are " + std::to_string(parts.size()) + " numbers; a place has two. With decimal commas type 1,5;2,5."};
+        if (parts.size() == 1) return {{}, "Enter two coordinates, as in @2,0, or a length and an angle, as in @3<45."};
+        return {{}, "A point has two coordinates, not " + std::to_string(parts.size()) +
+                        ". With decimal commas, enter 1,5;2,5."};
     }
 
 private:
@@ -73,8 +74,8 @@ private:
 
     TypedPoint polar(std::string_view text, bool relative) const {
         const std::vector<std::string_view> parts = partsBetween(text, '<');
-        if (parts.size() != 2) return {{}, "Type a length and an angle, as in @3<45."};
-        if (!relative) return {{}, "Begin with @ to go so far from the last point: @" + std::string(text) + "."};
+        if (parts.size() != 2) return {{}, "Enter a length and an angle, as in @3<45."};
+        if (!relative) return {{}, "Start with @ for a position relative to the last point: @" + std::string(text) + "."};
         if (!context_.previous) return {{}, noPrevious()};
         std::string problem;
         const auto distance = length(parts[0], problem);
@@ -88,13 +89,13 @@ private:
         std::string problem;
         const auto distance = length(text, problem);
         if (!distance) return {{}, problem};
-        if (!context_.previous) return {{}, "Type x and y, as in 12.5,3: there is no point yet to go on from."};
+        if (!context_.previous) return {{}, "Enter x and y, as in 12.5,3: there is no previous point yet."};
         const Point way = context_.mouse - *context_.previous;
-        if (!(way.norm() > 0.0)) return {{}, "Move the mouse in the direction to go, or type x and y."};
+        if (!(way.norm() > 0.0)) return {{}, "Move the mouse in the direction of the next point, or enter x and y."};
         return usable(*context_.previous + *distance * way.normalized());
     }
 
-    static std::string noPrevious() { return "There is no point yet to go on from. Type x and y, as in 12.5,3."; }
+    static std::string noPrevious() { return "There is no previous point yet. Enter x and y, as in 12.5,3."; }
 
     const TypingContext& context_;
     std::string_view unit_;

@@ -109,7 +109,7 @@ void installAfter(Edit& edit, int excavating, const std::string& name) {
     if (before.kind == StageKind::Static && !before.relaxation) {
         (behind - 1)->relaxation = share;
         bolts.relaxation = 1.0;
-        edit.told.push_back("'" + before.name + "' now lets half of the walls' forces go, '" + bolts.name + "' the rest.");
+        edit.told.push_back("Relaxation of the walls: 50 % in '" + before.name + "', 100 % in '" + bolts.name + "'.");
     }
     stages.insert(behind, std::move(bolts));
 }
@@ -128,8 +128,8 @@ std::string tunnelAt(const Scene& scene, const Point& head) {
 }  // namespace
 
 std::string outlineProblem(const std::vector<Point>& points) {
-    if (points.size() < 3) return "An outline has three corners or more.";
-    if (!std::all_of(points.begin(), points.end(), isUsable)) return "A corner lies too far away.";
+    if (points.size() < 3) return "An outline needs at least three corners.";
+    if (!std::all_of(points.begin(), points.end(), isUsable)) return "A corner is too far away.";
     const Box box = boxOf(points);
     const double size = (box.max - box.min).norm();
     if (std::abs(signedArea(points)) <= 1e-9 * size * size) return "The outline has no area.";
@@ -196,7 +196,8 @@ Edit withTunnel(const Scene& scene, const SceneTunnel& tunnel) {
 
 Edit withPattern(const Scene& scene, const ScenePattern& pattern) {
     if (const auto problem = boltPatternProblem(patternOf(pattern))) return {scene, "The pattern cannot be laid out: " + problem->message + "."};
-    if (findTunnel(scene, pattern.tunnel) < 0) return {scene, "A pattern runs along the wall of a tunnel: draw one first."};
+    if (findTunnel(scene, pattern.tunnel) < 0)
+        return {scene, "A bolt pattern follows the wall of a tunnel. Draw a tunnel first."};
     Edit edit = appended(scene, &Scene::boltPatterns, "/bolt_patterns", pattern);
     const int stage = excavatingStage(scene, pattern.tunnel);
     if (stage >= 0) installAfter(edit, stage, edit.scene.boltPatterns.back().name);

@@ -35,7 +35,7 @@ bool isBuiltIn(const Scene& scene, const std::string& pointer) {
 
 Edit refusedBuiltIn(Scene scene, const std::string& pointer) {
     return refused(std::move(scene), "The bolt type " + inQuotes(partsOf(pointer)[1]) +
-                                         " comes with the program. Copy it to change it.");
+                                         " is built in. Copy it to change it.");
 }
 
 /// True when the alternative is the one that the field's kind takes.
@@ -63,10 +63,10 @@ std::string shapeProblem(const Field& field, const FieldValue& value) {
     if (const auto* text = std::get_if<std::string>(&value); text && field.kind == FieldKind::Word) {
         const std::vector<std::string_view> words(field.words.begin(), field.words.end());
         if (std::find(words.begin(), words.end(), *text) == words.end())
-            return inQuotes(*text) + " is none of " + listed(words) + ".";
+            return inQuotes(*text) + " is not one of " + listed(words) + ".";
     }
     if (const auto* text = std::get_if<std::string>(&value); text && text->empty() && field.required)
-        return "A text is needed here.";
+        return "Enter a text.";
     if (const auto* number = std::get_if<double>(&value); number && field.kind == FieldKind::Integer)
         if (*number != std::floor(*number) || std::abs(*number) > 2147483647.0) return "Give a whole number.";
     if (const auto* points = std::get_if<std::vector<Point>>(&value); points && field.kind == FieldKind::PointPair)
@@ -91,7 +91,7 @@ FieldValue withElement(FieldValue list, std::size_t index, const FieldValue& ele
              texts && std::holds_alternative<std::string>(element))
         (*texts)[index] = std::get<std::string>(element);
     else
-        problem = "The value is of another kind.";
+        problem = "The value has the wrong type.";
     return list;
 }
 
@@ -108,8 +108,8 @@ std::optional<FieldValue> valueAt(const Scene& scene, std::string_view pointer) 
 
 std::string valueProblem(const Field& field, const FieldValue& value) {
     if (std::holds_alternative<std::monostate>(value))
-        return field.nullable ? std::string() : "A value is needed here.";
-    if (!hasKind(field, value)) return "The value is of another kind.";
+        return field.nullable ? std::string() : "Enter a value.";
+    if (!hasKind(field, value)) return "The value has the wrong type.";
     if (!isFinite(value)) return "Give a finite number.";
     if (std::string problem = shapeProblem(field, value); !problem.empty()) return problem;
     CheckReport report;
@@ -128,7 +128,7 @@ Edit setValueAt(Scene scene, const std::string& pointer, const FieldValue& value
     if (found->misplaced && value != defaultOf(*found->structure, *found->field))
         return refused(std::move(scene), misplaced(*found->misplaced) + ".");
     if (found->field->key == "like" && !staysLike(scene, pointer, value))
-        return refused(std::move(scene), "There is no such bolt type, or it is itself like this one.");
+        return refused(std::move(scene), "There is no such bolt type, or it is itself derived from this one.");
     Edit edit{std::move(scene)};
     const ScenePlace place = *locate(edit.scene, pointer);
     FieldValue whole = value;
@@ -164,7 +164,8 @@ Edit resetAt(Scene scene, const std::string& pointer) {
     if (!found || !found->field || found->element) return lost(std::move(scene), pointer);
     if (hasChildren(*found->field)) return setNullAt(std::move(scene), pointer);
     if (!found->field->get) return lost(std::move(scene), pointer);
-    if (found->field->required) return refused(std::move(scene), "This has no default: a scene always says it.");
+    if (found->field->required)
+        return refused(std::move(scene), "This field has no default; every scene must give it.");
     return setValueAt(std::move(scene), pointer, defaultOf(*found->structure, *found->field));
 }
 

@@ -66,7 +66,7 @@ TEST(Rename, FollowsEverywhere) {
 
 TEST(Rename, RefusesWhatWouldMeanTwoThings) {
     const Scene scene = drawn();
-    EXPECT_NE(renameAt(scene, "/joint_sets/0", "J2").refusal.find("Free is 'J3'"), std::string::npos);
+    EXPECT_NE(renameAt(scene, "/joint_sets/0", "J2").refusal.find("A free name is 'J3'"), std::string::npos);
     EXPECT_FALSE(renameAt(scene, "/joint_sets/0", "fault").done()) << "a dilation would open either";
     EXPECT_FALSE(renameAt(scene, "/bolts/0", "roof").done());
     EXPECT_FALSE(renameAt(scene, "/bolts/0", "").done());
@@ -103,7 +103,7 @@ TEST(Remove, ClearsWhatHasAMeaningWithout) {
     ASSERT_TRUE(region.done());
     EXPECT_FALSE(region.scene.jointSets[0].region);
     ASSERT_EQ(region.told.size(), 1u);
-    EXPECT_EQ(region.told[0], "The joint set J1 no longer names the region top.");
+    EXPECT_EQ(region.told[0], "The joint set J1 no longer refers to the region top.");
     const Edit material = removeAt(scene, "/joint_materials/joint");
     EXPECT_FALSE(material.scene.domain->jointMaterial);
     EXPECT_TRUE(material.scene.stages[4].set.empty());
@@ -111,7 +111,7 @@ TEST(Remove, ClearsWhatHasAMeaningWithout) {
     ASSERT_TRUE(rock.done());
     EXPECT_EQ(rock.scene.domain->material, "granite");
     EXPECT_TRUE(hasErrors(checkScene(rock.scene)));
-    EXPECT_EQ(rock.told.at(0), "The domain still names the material granite: give it another.");
+    EXPECT_EQ(rock.told.at(0), "The domain still refers to the material granite. Choose another one.");
 }
 
 TEST(Remove, SeveralAtOnceAndPointersFollow) {

@@ -121,7 +121,7 @@ TEST(Snap, ComesByRelevance) {
     EXPECT_EQ(end->place, Point(12, 3));
     const auto meeting = snapAt(scene, {5.1, 2.1});
     EXPECT_EQ(meeting->kind, SnapKind::Intersection);
-    EXPECT_EQ(meeting->name, "crossing of joint J1 and joint J2");
+    EXPECT_EQ(meeting->name, "intersection of joint J1 and joint J2");
     EXPECT_EQ(meeting->place, Point(5, 2));
     const auto middle = snapAt(scene, {15.2, 3.1});
     EXPECT_EQ(middle->kind, SnapKind::Middle);
@@ -146,7 +146,7 @@ TEST(Snap, ComesByRelevance) {
 TEST(Snap, TakesCornersOfTunnelsAndNoneOfTheirArcs) {
     const Scene scene = crossed();
     EXPECT_EQ(snapAt(scene, {13.1, 5.1})->name, "corner of tunnel drift");
-    EXPECT_EQ(snapAt(scene, {15.1, 7.1})->name, "middle of tunnel drift");
+    EXPECT_EQ(snapAt(scene, {15.1, 7.1})->name, "centre of tunnel drift");
     const auto crown = snapAt(scene, {15.3, 9.0});
     EXPECT_EQ(crown->kind, SnapKind::OnLine) << "edges that stand for an arc have no ends";
     EXPECT_EQ(snapAt(scene, {0.1, 0.1})->name, "corner of domain");

@@ -50,14 +50,15 @@ TEST(TypedNumber, SaysWhatItMeans) {
 
 TEST(TypedNumber, TellsWhatIsWrong) {
     const std::pair<const char*, const char*> table[] = {
-        {"", "Nothing is typed"}, {"   ", "Nothing is typed"}, {"=", "Nothing is typed"}, {"abc", "is no number"},
-        {"1.2.3", "is no number"}, {"1.234,5", "is no number"}, {"5 kN", "does not fit: type a length"},
-        {"5 qq", "is not a unit"}, {"5 m/", "too early"}, {"=5/0", "no finite value"}, {"=(2+3", "not closed"},
-        {"=2+3)", "bracket too many"}, {"=2+", "too early"}, {"=2,5+1", "follow a point"}, {"=foo(2)", "is not known"},
-        {"5 > 3", "is no"}, {"=a=5", "is no part"}, {"=sqrt(-1)", "no finite value"}, {"1e999", "no number"},
-        {"--", ""}, {"5 5", ""}, {"=\"a\"", "is no part"}, {"=2 ? 3", "is no part"}, {"m", "is no number"},
-        {"=1;2", "is no part"}, {"\xff\xfe", ""}, {"=sin()", ""}, {"=1e400", "no number"}, {"nan", "is no number"},
-        {"inf", "is no number"}, {"0x10", ""}};
+        {"", "Enter a number"}, {"   ", "Enter a number"}, {"=", "Enter a number"}, {"abc", "is not a valid number"},
+        {"1.2.3", "is not a valid number"}, {"1.234,5", "is not a valid number"},
+        {"5 kN", "wrong kind of unit. Enter a length"}, {"5 qq", "is not a known unit"}, {"5 m/", "incomplete"},
+        {"=5/0", "no finite value"}, {"=(2+3", "not closed"}, {"=2+3)", "bracket too many"}, {"=2+", "incomplete"},
+        {"=2,5+1", "use a decimal point"}, {"=foo(2)", "is not a known name"}, {"5 > 3", "is not"},
+        {"=a=5", "is not allowed in"}, {"=sqrt(-1)", "no finite value"}, {"1e999", "not a valid number"}, {"--", ""},
+        {"5 5", ""}, {"=\"a\"", "is not allowed in"}, {"=2 ? 3", "is not allowed in"}, {"m", "is not a valid number"},
+        {"=1;2", "is not allowed in"}, {"\xff\xfe", ""}, {"=sin()", ""}, {"=1e400", "not a valid number"},
+        {"nan", "is not a valid number"}, {"inf", "is not a valid number"}, {"0x10", ""}};
     for (const auto& [text, said] : table) {
         const TypedNumber typed = typedNumber(text, "m");
         EXPECT_FALSE(typed.value) << text << " gave " << typed.value.value_or(0.0);
@@ -115,18 +116,18 @@ TEST(TypedPoint, TellsWhatIsWrong) {
     const TypingContext nothing{std::nullopt, Point(4.0, 5.0)};
     const TypingContext onMouse{Point(4.0, 5.0), Point(4.0, 5.0)};
     const auto said = [](const char* text, const TypingContext& context) { return typedPoint(text, context).problem; };
-    EXPECT_NE(said("@2,0", nothing).find("no point yet"), std::string::npos);
-    EXPECT_NE(said("@2<30", nothing).find("no point yet"), std::string::npos);
+    EXPECT_NE(said("@2,0", nothing).find("no previous point yet"), std::string::npos);
+    EXPECT_NE(said("@2<30", nothing).find("no previous point yet"), std::string::npos);
     EXPECT_NE(said("3<45", onMouse).find("@3<45"), std::string::npos);
     EXPECT_NE(said("5", nothing).find("x and y"), std::string::npos);
     EXPECT_NE(said("5", onMouse).find("Move the mouse"), std::string::npos);
-    EXPECT_NE(said("1,2,3", onMouse).find("3 numbers"), std::string::npos);
-    EXPECT_NE(said("@5", onMouse).find("both"), std::string::npos);
+    EXPECT_NE(said("1,2,3", onMouse).find("not 3"), std::string::npos);
+    EXPECT_NE(said("@5", onMouse).find("two coordinates"), std::string::npos);
     EXPECT_NE(said("a,2", onMouse).find("x: "), std::string::npos);
     EXPECT_NE(said("1,2 kN", onMouse).find("y: "), std::string::npos);
     EXPECT_NE(said("2e9,0", onMouse).find("too far"), std::string::npos);
     EXPECT_NE(said("@1<2<3", onMouse).find("angle"), std::string::npos);
-    EXPECT_NE(said("", onMouse).find("Nothing"), std::string::npos);
+    EXPECT_NE(said("", onMouse).find("coordinates"), std::string::npos);
     EXPECT_FALSE(typedPoint("1,", onMouse).place);
     EXPECT_FALSE(typedPoint(",", onMouse).place);
 }

@@ -131,7 +131,7 @@ TEST(SceneTree, ARefusedNameIsTold) {
     QObject::connect(&bench.document, &Document::told, [&](const QString& text) { said = text; });
     const QString taken = QString::fromStdString(bench.document.scene()->jointSets[0].name);
     bench.model().setData(bench.at("/joint_sets/1"), taken, Qt::EditRole);
-    EXPECT_TRUE(said.contains("is taken")) << said.toStdString();
+    EXPECT_TRUE(said.contains("is already used")) << said.toStdString();
     EXPECT_EQ(bench.document.undo().count(), 0);
 }
 
