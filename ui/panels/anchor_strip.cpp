@@ -215,7 +215,7 @@ void AnchorStrip::refresh() {
     const double length = bolt ? lengthOf(*bolt) : pattern->length;
     const bool sound = type && std::isfinite(length) && length > 0.0;
     line_->setVisible(sound);
-    if (!sound) return hint_->setText(tr("Needs a type and a length"));
+    if (!sound) return hint_->setText(tr("Give the bolt a type and a length first"));
     const std::size_t index = bolt ? static_cast<std::size_t>(bolt - scene.bolts.data()) : 0;
     const int patternIndex = pattern ? static_cast<int>(pattern - scene.boltPatterns.data()) : -1;
     const std::optional<int> divisions = bolt ? bolt->divisions : pattern->divisions;
@@ -227,9 +227,9 @@ void AnchorStrip::refresh() {
     count_->setText(tr("%1 bonded · %2 intermediate").arg(count).arg(rest));
     const PlateKind plate = bolt ? bolt->plate : pattern->plate;
     line_->present(std::move(nodes), std::move(real), plate != PlateKind::None, bolt != nullptr);
-    hint_->setText(pattern ? tr("Those of the type. Bolts given one by one have anchored points of their own")
-                   : bolt->anchors ? tr("Chosen for this bolt. Click or drag along it to change them")
-                                   : tr("Those of the type. Click or drag along the bolt to choose others"));
+    hint_->setText(pattern ? tr("Set by the bolt type. Only single bolts can have their own anchored points")
+                   : bolt->anchors ? tr("Set for this bolt. Click or drag along the bolt to change them")
+                                   : tr("Set by the bolt type. Click or drag along the bolt to change them"));
 }
 
 void AnchorStrip::apply(std::size_t first, std::size_t last, bool real) {
@@ -244,7 +244,7 @@ void AnchorStrip::apply(std::size_t first, std::size_t last, bool real) {
     bolt.anchors =
         withNodes(bolt.anchors ? *bolt.anchors : type->anchors, line_->nodes(), first, last, real, otherwise);
     const QString name = QString::fromStdString(bolt.name);
-    const QString step = real ? tr("Anchor nodes of %1") : tr("Free nodes of %1");
+    const QString step = real ? tr("Bond nodes of %1") : tr("Unbond nodes of %1");
     context_.document.apply(step.arg(name), std::move(after));
 }
 

@@ -51,7 +51,7 @@ CensusPanel::CensusPanel(Document& document, const Commands& commands, const The
     : QWidget(parent), document_(document), commands_(commands), themes_(themes), counting_(new Background(this)),
       calm_(new QTimer(this)) {
     setObjectName("censusPanel");
-    setAccessibleName(tr("Census"));
+    setAccessibleName(tr("Model summary"));
     setAttribute(Qt::WA_StyledBackground);
     setMinimumWidth(leastWidth);
     auto* row = new QHBoxLayout(this);
@@ -127,7 +127,7 @@ void CensusPanel::placeCosts() {
 
 void CensusPanel::makeRunButton() {
     run_ = new QPushButton(costs_);
-    run_->setAccessibleName(tr("Run from the census"));
+    run_->setAccessibleName(tr("Run from the model summary"));
     run_->setEnabled(false);
     const auto name = [this] {
         const QString keys = commands_.has("run.start") ? keysOf(*commands_.action("run.start")) : QString();
@@ -192,7 +192,7 @@ void CensusPanel::ask() {
         return [this, stop, census] {
             if (*stop) return;
             census_ = census;
-            census_ ? present() : tell(tr("The census could not be taken: make the scene smaller."));
+            census_ ? present() : tell(tr("The model summary could not be made. Reduce the size of the scene."));
             Q_EMIT taken();
         };
     });
@@ -241,7 +241,7 @@ void CensusPanel::present() {
     grid_->setColumnMinimumWidth(0, 80);
     state_->hide();
     int row = 0;
-    addRow(row++, {tr("Modelled"), tr("Count"), tr("Unknowns"), tr("Why")}, "detail", false);
+    addRow(row++, {tr("Modelled"), tr("Count"), tr("Unknowns"), tr("Remarks")}, "detail", false);
     bool told = false;
     for (const CensusRow& part : censusRows(*census_)) {
         if (part.leftOut && !told) {

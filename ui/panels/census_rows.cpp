@@ -26,10 +26,10 @@ QString rough(double value) {
 }
 
 QString whyBlocks(const CensusCounts& counts) {
-    const QString strains = counts.cells == 0             ? Texts::tr("one strain state each, no sub-blocks asked")
-                            : counts.cells < counts.blocks ? Texts::tr("%1 of them cells").arg(number(counts.cells))
+    const QString strains = counts.cells == 0             ? Texts::tr("constant strain in each block; no sub-blocks")
+                            : counts.cells < counts.blocks ? Texts::tr("%1 of them are cells").arg(number(counts.cells))
                                                            : Texts::tr("cells, each with its own strain");
-    return counts.fixed > 0 ? Texts::tr("%1; %2 held whole").arg(strains, number(counts.fixed)) : strains;
+    return counts.fixed > 0 ? Texts::tr("%1; %2 fixed").arg(strains, number(counts.fixed)) : strains;
 }
 
 QString boltCount(const CensusCounts& counts) {
@@ -48,19 +48,20 @@ std::vector<CensusRow> censusRows(const Census& census) {
          number(counts.blockUnknowns), whyBlocks(counts)}};
     if (counts.bolts > 0)
         rows.push_back({Texts::tr("Bolts"), boltCount(counts), number(counts.boltUnknowns),
-                        Texts::tr("%1 nodes are real anchors, the rest hold across").arg(number(counts.realAnchors))});
+                        Texts::tr("%1 bonded nodes; the others act only across the bolt")
+                            .arg(number(counts.realAnchors))});
     if (counts.plates > 0)
         rows.push_back({Texts::tr("Plates"), number(counts.plates), number(counts.plateUnknowns),
-            Texts::tr("blocks of their own")});
+            Texts::tr("each is a separate block")});
     rows.push_back({Texts::tr("Contacts"), QString::fromUtf8("≈ ") + number(counts.contacts), "0",
-        Texts::tr("at the start; springs, no unknowns")});
+        Texts::tr("at the start; springs add no unknowns")});
     if (counts.gluedEdges > 0)
         rows.push_back({Texts::tr("Glued edges"), number(counts.gluedEdges), "0", Texts::tr("between cells")});
     if (counts.heldPoints > 0)
-        rows.push_back({Texts::tr("Held points"), number(counts.heldPoints), "0", Texts::tr("supports")});
+        rows.push_back({Texts::tr("Supported points"), number(counts.heldPoints), "0", Texts::tr("from the supports")});
     rows.push_back({Texts::tr("Total"), {}, number(counts.unknowns()),
                     census.estimate.stages.empty() ? Texts::tr("no stages to run")
-                    : census.estimate.stages.size() == 1 ? Texts::tr("in its one stage")
+                    : census.estimate.stages.size() == 1 ? Texts::tr("in the only stage")
                                                          : Texts::tr("all %1 stages").arg(census.estimate.stages.size()),
                     false, true});
     for (const LeftOut& part : census.leftOut)
@@ -89,11 +90,11 @@ QString memoryText(double bytes) {
 QString estimateDetails(const CostEstimate& estimate) {
     QStringList lines;
     for (const StageCost& stage : estimate.stages)
-        lines << Texts::tr("%1: %2 steps, %3 passes (%4 to %5)")
+        lines << Texts::tr("%1: %2 steps, %3 iterations (%4 to %5)")
                      .arg(QString::fromStdString(stage.name), rough(stage.steps), rough(stage.passes),
                           rough(stage.least),
                           rough(stage.most));
-    lines << Texts::tr("A pass takes %1 ms, what is around it %2 ms")
+    lines << Texts::tr("Each iteration takes %1 ms plus %2 ms for the rest of the step")
                  .arg(rough(1e3 * estimate.passSeconds), rough(1e3 * estimate.stepSeconds));
     for (const std::string& sentence : estimate.assumes) lines << QString::fromStdString(sentence);
     return lines.join('\n');

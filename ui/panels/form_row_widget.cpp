@@ -128,7 +128,7 @@ void FormRowWidget::showTarget() {
     target_->setIcon(context_.themes.icon("chevron-right"));
     const QString tip = tr("Show the properties of %1").arg(QString::fromStdString(nameOfTarget(row_)));
     target_->setToolTip(leads ? tip : QString());
-    target_->setAccessibleName(leads ? tip : tr("Show what this field names"));
+    target_->setAccessibleName(leads ? tip : tr("Show the object named here"));
 }
 
 void FormRowWidget::setRefusal(const QString& why) {
@@ -147,7 +147,7 @@ void FormRowWidget::showProblem() {
 }
 
 FormHeading::FormHeading(const FormGroup& group, bool open, const FormContext& context, QWidget* parent)
-    : QWidget(parent), context_(context), open_(open), fold_(smallButton(this, tr("Open or close"), "fold")),
+    : QWidget(parent), context_(context), open_(open), fold_(smallButton(this, tr("Expand or collapse"), "fold")),
       title_(new ElidedLabel(this)), detail_(new QLabel(this)), add_(smallButton(this, tr("Add"), "add")),
       remove_(smallButton(this, tr("Remove"), "remove")) {
     setObjectName("formHeading");
@@ -182,7 +182,7 @@ void FormHeading::present(const FormGroup& group) {
     add_->setAccessibleName(tr("Add to %1").arg(group.title));
     remove_->setVisible(!group.remove.empty());
     remove_->setAccessibleName(tr("Remove %1").arg(group.title));
-    fold_->setAccessibleName(tr("Open or close %1").arg(group.title));
+    fold_->setAccessibleName(tr("Expand or collapse %1").arg(group.title));
     add_->setIcon(context_.themes.icon("plus"));
     remove_->setIcon(context_.themes.icon("delete"));
     paintFold();

@@ -111,7 +111,7 @@ private:
         FormGroup head = absent(owner, field, path, depth);
         head.detail = count == 0 ? QString() : QString::number(count);
         if (field.children.isNull(owner.at.object))
-            head.detail = QCoreApplication::translate("FormRows", "of the type");
+            head.detail = QCoreApplication::translate("FormRows", "from the bolt type");
         if (field.nullable && !field.children.isNull(owner.at.object)) head.remove = under(owner.pointer, field.key);
         groups_.push_back(std::move(head));
         for (std::size_t i = 0; i < count; ++i) addItem(owner, field, i, path, depth + 1);
@@ -154,8 +154,8 @@ private:
 
 /// Things in a map have no field for their name; people look for it all the same.
 void addNameOfMapEntry(std::vector<FormGroup>& groups, const Shown& shown) {
-    static const Field nameField{.key = "name", .kind = FieldKind::Text, .help = "Name by which others refer to it.",
-                                 .required = true};
+    static const Field nameField{.key = "name", .kind = FieldKind::Text,
+                                 .help = "Name used by other objects to refer to this one.", .required = true};
     if (!shown.at.holder || shown.at.holder->kind != FieldKind::Map || groups.empty()) return;
     FormRow row;
     row.path = "name";

@@ -76,7 +76,7 @@ LibraryPanel::LibraryPanel(const FormContext& context, Selection& selection, QWi
     column->setContentsMargins(12, 6, 8, 0);
     column->setSpacing(4);
     column->addWidget(makeHead());
-    numbers_ = makeTree(middle, tr("Numbers of the type"));
+    numbers_ = makeTree(middle, tr("Values of the bolt type"));
     numbers_->setObjectName("libraryNumbers");
     numbers_->setHeaderLabels({tr("Field"), tr("Value"), tr("Source")});
     numbers_->setColumnWidth(0, 150);
@@ -145,7 +145,7 @@ QWidget* LibraryPanel::makeHead() {
     source_ = new ElidedLabel(head);
     source_->setProperty("role", "detail");
     copy_ = new QPushButton(tr("Copy into scene"), head);
-    copy_->setToolTip(tr("Puts a copy into the scene, whose numbers can be changed"));
+    copy_->setToolTip(tr("Adds an editable copy to the scene"));
     assign_ = new QPushButton(head);
     auto* row = new QHBoxLayout;
     row->addWidget(source_, 1);

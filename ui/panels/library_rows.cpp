@@ -27,8 +27,8 @@ QString groupOf(const BoltType& type) {
     switch (type.boltClass) {
         case BoltClass::CMC: return Texts::tr("Grouted bars");
         case BoltClass::CFC: return Texts::tr("Friction bolts");
-        case BoltClass::DMC: return Texts::tr("Bolts with anchors");
-        case BoltClass::DFC: return Texts::tr("Bolts that yield");
+        case BoltClass::DMC: return Texts::tr("Mechanically anchored bolts");
+        case BoltClass::DFC: return Texts::tr("Yielding bolts");
     }
     return {};
 }
@@ -116,7 +116,7 @@ bool sameLaw(Anchor a, const Anchor& b) {
 
 QString lawTitle(const Anchor& anchor) {
     const QString law = fromUtf8(anchorLawWords[static_cast<std::size_t>(anchor.law)]);
-    return anchor.at || anchor.per == Per::Node ? Texts::tr("Bond of a node, %1").arg(law)
+    return anchor.at || anchor.per == Per::Node ? Texts::tr("Bond per node, %1").arg(law)
         : Texts::tr("Bond per metre, %1").arg(law);
 }
 

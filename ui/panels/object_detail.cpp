@@ -103,7 +103,7 @@ struct Teller {
         return m.point ? place(*m.point) : QString();
     }
     QString of(const InSituStress& s) const {
-        if (s.sxx == 0.0 && s.syy == 0.0 && !(s.gradientY == StressGradient{})) return Texts::tr("stress with depth");
+        if (s.sxx == 0.0 && s.syy == 0.0 && !(s.gradientY == StressGradient{})) return Texts::tr("varies with depth");
         const double sign = display.compressionPositive() ? -1.0 : 1.0;
         return QString("%1 / %2").arg(numberText(sign * s.sxx, "Pa", display, 3), stress(sign * s.syy));
     }

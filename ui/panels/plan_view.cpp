@@ -48,7 +48,7 @@ int PlanModel::columnCount(const QModelIndex& parent) const { return parent.isVa
 QVariant PlanModel::data(const QModelIndex& index, int role) const {
     const PlanRow& row = planRow(index.row());
     const PlanCell& cell = row.cells[static_cast<std::size_t>(index.column())];
-    const QString there = cell.there ? tr("there") : row.isBolt ? tr("not there") : tr("open");
+    const QString there = cell.there ? tr("in place") : row.isBolt ? tr("not in place") : tr("open");
     const QString word = eventWord(cell).isEmpty() ? there : eventWord(cell);
     if (role == Qt::AccessibleTextRole)
         return QString("%1 %2: %3").arg(QString::fromStdString(row.name), stages_[index.column()], word);
@@ -105,7 +105,7 @@ void PlanCells::paint(QPainter* painter, const QStyleOptionViewItem& option, con
 
 PlanView::PlanView(const Themes& themes, QWidget* parent) : QTableView(parent), plan_(new PlanModel(this)) {
     setObjectName("stagePlan");
-    setAccessibleName(tr("What is there in which stage"));
+    setAccessibleName(tr("Excavation and support by stage"));
     setModel(plan_);
     setItemDelegate(new PlanCells(themes, this));
     setShowGrid(false);

@@ -43,7 +43,7 @@ std::optional<Remedy> renameTaken(const Problem& problem, const ScenePlace& plac
     const bool taken = problem.message.find("is taken by an earlier") != std::string::npos;
     if (!taken || place.field->key != "name") return std::nullopt;
     const std::string object = parentOf(problem.pointer);
-    return Remedy{Texts::tr("Give it a free name"), [object](const Scene& now) {
+    return Remedy{Texts::tr("Rename it"), [object](const Scene& now) {
                       return renameAt(now, object, nameOfCopy(now, parentOf(object), nameAt(now, object)));
                   }};
 }
@@ -57,7 +57,7 @@ std::optional<Remedy> leaveOut(const Problem& problem, const ScenePlace& place) 
         return Remedy{Texts::tr("Leave it out"), [pointer](const Scene& now) { return resetAt(now, pointer); }};
     }
     if (problem.remedy.ends_with("leave it to the program") && place.field->nullable)
-        return Remedy{Texts::tr("Leave it to the program"),
+        return Remedy{Texts::tr("Set automatically"),
             [pointer](const Scene& now) { return setNullAt(now, pointer); }};
     return std::nullopt;
 }
@@ -66,7 +66,7 @@ std::optional<Remedy> takePlateOff(const Problem& problem) {
     if (problem.remedy.find("\"plate\": \"none\"") == std::string::npos) return std::nullopt;
     std::string object = problem.pointer;
     if (object.ends_with("/head")) object = parentOf(object);
-    return Remedy{Texts::tr("Take the plate off"), [plate = object + "/plate"](const Scene& now) {
+    return Remedy{Texts::tr("Remove the plate"), [plate = object + "/plate"](const Scene& now) {
                       return setValueAt(now, plate, std::string("none"));
                   }};
 }
@@ -110,7 +110,9 @@ Slivers sliversOf(const Scene& scene, const SceneCut& cut) {
 }
 
 Remedy mergeSlivers(const Slivers& slivers) {
-    return {Texts::tr("Merge %1 slivers").arg(slivers.count), [](const Scene& now) {
+    const QString text =
+        slivers.count == 1 ? Texts::tr("Merge the sliver") : Texts::tr("Merge %1 slivers").arg(slivers.count);
+    return {text, [](const Scene& now) {
                 Edit edit = setNullAt(now, "/cutting/min_area");
                 return edit.done() ? setNullAt(edit.scene, "/cutting/min_width") : edit;
             }};

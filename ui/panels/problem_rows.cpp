@@ -123,7 +123,8 @@ private:
         row.sign = ProblemRow::Sign::Warning;
         row.title = slivers.count == 1 ? Texts::tr("A sliver is kept")
                                        : Texts::tr("%1 slivers are kept").arg(slivers.count);
-        row.detail = Texts::tr("Narrower than %1, %2 in all: they slow every step. The default limits merge them.")
+        row.detail = Texts::tr("Narrower than %1; total area %2. Slivers slow down every step. "
+                               "The default limits merge them.")
                          .arg(measure(slivers.width, "m"), measure(slivers.area, "m²"));
         row.box = slivers.box;
         row.where = where(row.box, Texts::tr("cut"));

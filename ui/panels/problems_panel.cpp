@@ -127,7 +127,7 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, const Dis
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(view_);
-    none_ = new QLabel(tr("No problems. The scene is checked at every edit."), this);
+    none_ = new QLabel(tr("No problems. The scene is checked after every edit."), this);
     none_->setProperty("role", "detail");
     none_->setContentsMargins(inset, 12, inset, 0);
     none_->setAlignment(Qt::AlignTop);

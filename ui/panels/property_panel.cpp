@@ -101,7 +101,7 @@ QWidget* PropertyPanel::makeHeader() {
     pin_ = new QToolButton(header);
     pin_->setCheckable(true);
     pin_->setFixedSize(22, 22);
-    pin_->setToolTip(tr("Keep showing these, whatever is selected"));
+    pin_->setToolTip(tr("Keep these properties shown when the selection changes"));
     pin_->setAccessibleName(tr("Pin properties"));
     connect(pin_, &QToolButton::toggled, this, &PropertyPanel::follow);
     line->addWidget(title_, 1);
@@ -171,7 +171,7 @@ void PropertyPanel::showFoot() {
     if (!at) return;
     if (!subject_.isEmpty() && pinned_.isEmpty()) {
         helpTitle_->clear();
-        return helpText_->setText(tr("Results at the moment shown. Drag along the timeline to see others."));
+        return helpText_->setText(tr("Results at the time shown. Drag along the timeline to see other times."));
     }
     if (!form_->hasRows()) {
         helpTitle_->clear();
@@ -204,7 +204,7 @@ void PropertyPanel::showHeader() {
     const QIcon icon = context_.themes.icon("pin");
     pin_->setIcon(icon);
     if (!at) {
-        title_->setText(tr("Nothing here any more"));
+        title_->setText(tr("The selected object no longer exists"));
         return detail_->clear();
     }
     if (pointers.size() > 1) {

@@ -260,7 +260,7 @@ void SceneTree::moveStage(const QString& pointer, int to) {
 QString SceneTree::chosenTitle() const {
     const QStringList& chosen = selection_.pointers();
     if (chosen.size() == 1) return QString::fromStdString(titleAt(*document_.scene(), chosen.front().toStdString()));
-    return tr("%n things", nullptr, chosen.size());
+    return tr("%n objects", nullptr, chosen.size());
 }
 
 void SceneTree::duplicate() {

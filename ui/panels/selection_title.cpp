@@ -38,7 +38,7 @@ Counts countsOf(const Scene& scene, const std::vector<std::string>& pointers) {
 SelectionTitle selectionTitle(const Scene& scene, const std::vector<std::string>& pointers) {
     const Counts counts = countsOf(scene, pointers);
     if (counts.size() == 1)
-        return {countedOf(*counts.front().first, counts.front().second), Texts::tr("Edits change all of them")};
+        return {countedOf(*counts.front().first, counts.front().second), Texts::tr("Edits apply to all of them")};
     int all = 0;
     QStringList kinds;
     for (const auto& [structure, count] : counts) {

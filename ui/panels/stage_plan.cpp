@@ -134,7 +134,7 @@ Edit toggled(const Scene& scene, const PlanRow& row, std::size_t stage) {
 
 QString toggledName(const Scene& scene, const PlanRow& row, std::size_t stage) {
     const QString name = QString::fromStdString(row.name), in = QString::fromStdString(scene.stages[stage].name);
-    if (row.cells[stage].event != PlanCell::Event::None) return Texts::tr("Leave %1 as it is in %2").arg(name, in);
+    if (row.cells[stage].event != PlanCell::Event::None) return Texts::tr("Keep %1 unchanged in %2").arg(name, in);
     if (!row.isBolt) return Texts::tr("Excavate %1 in %2").arg(name, in);
     const bool everInstalled =
         std::ranges::any_of(scene.stages, [&](const Stage& s) { return names(s.install, row.name); });
@@ -147,7 +147,7 @@ QStringList stageDeeds(const Stage& stage, const Display& display) {
     QStringList deeds;
     if (!stage.excavate.empty()) deeds << Texts::tr("excavates %1").arg(listed(stage.excavate));
     if (stage.relaxation)
-        deeds << Texts::tr("releases walls to %1 %").arg(numberText(100.0 * *stage.relaxation, {}, display, 4));
+        deeds << Texts::tr("relaxes wall forces to %1 %").arg(numberText(100.0 * *stage.relaxation, {}, display, 4));
     if (!stage.install.empty()) deeds << Texts::tr("installs %1").arg(listed(stage.install));
     if (!stage.remove.empty()) deeds << Texts::tr("removes %1").arg(listed(stage.remove));
     for (const StrengthChange& change : stage.set) deeds << changeText(change, display);
@@ -159,19 +159,21 @@ QStringList stageDeeds(const Stage& stage, const Display& display) {
     for (const Dilation& dilation : stage.dilations)
         deeds << Texts::tr("opens %1").arg(QString::fromStdString(dilation.joint));
     if (!stage.initialVelocities.empty())
-        deeds << counted(stage.initialVelocities.size(), QT_TRANSLATE_NOOP("Stages", "block thrown"),
-                         QT_TRANSLATE_NOOP("Stages", "blocks thrown"));
+        deeds << counted(stage.initialVelocities.size(), QT_TRANSLATE_NOOP("Stages", "initial velocity"),
+                         QT_TRANSLATE_NOOP("Stages", "initial velocities"));
     if (stage.baseAcceleration) deeds << Texts::tr("shakes the ground");
     if (stage.bodyAcceleration) deeds << bodyAccelerationText(*stage.bodyAcceleration, display);
-    if (stage.zeroDisplacements) deeds << Texts::tr("counts displacements anew");
+    if (stage.zeroDisplacements) deeds << Texts::tr("resets displacements");
     return deeds;
 }
 
 QString stageEnd(const Stage& stage, const Display& display) {
     if (stage.kind == StageKind::Dynamic) return QString("%1 s").arg(numberText(stage.duration, "s", display, 4));
-    if (stage.increments) return Texts::tr("%1 increments").arg(*stage.increments);
-    if (stage.until.unbalanced) return Texts::tr("balance %1").arg(numberText(*stage.until.unbalanced, {}, display, 2));
-    return Texts::tr("in balance");
+    if (stage.increments)
+        return *stage.increments == 1 ? Texts::tr("1 increment") : Texts::tr("%1 increments").arg(*stage.increments);
+    if (stage.until.unbalanced)
+        return Texts::tr("unbalanced < %1").arg(numberText(*stage.until.unbalanced, {}, display, 2));
+    return Texts::tr("at equilibrium");
 }
 
 }  // namespace keyblock

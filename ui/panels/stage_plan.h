@@ -47,7 +47,7 @@ QString toggledName(const Scene& scene, const PlanRow& row, std::size_t stage);
 /// What the stage does, a few words each: `excavates drift`, `2 loads`.
 QStringList stageDeeds(const Stage& stage, const Display& display);
 
-/// When it ends: `in balance`, `10 increments`, `0.5 s`.
+/// When it ends: `at equilibrium`, `10 increments`, `0.5 s`.
 QString stageEnd(const Stage& stage, const Display& display);
 
 }  // namespace keyblock

@@ -38,7 +38,7 @@ StagesPanel::StagesPanel(const FormContext& context, Selection& selection, QWidg
     list_->setAccessibleName(tr("Stages"));
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
-    list_->setHeaderLabels({tr("Stage"), tr("Kind"), tr("Ends"), tr("What happens")});
+    list_->setHeaderLabels({tr("Stage"), tr("Kind"), tr("Ends"), tr("Actions")});
     list_->header()->setStretchLastSection(true);
     list_->setColumnWidth(NameColumn, 150);
     list_->setColumnWidth(KindColumn, 96);
@@ -94,8 +94,8 @@ QWidget* StagesPanel::makeButtons() {
     column->addWidget(button(bar, "plus", tr("Add a static stage"), &StagesPanel::addStatic));
     column->addWidget(button(bar, "shake", tr("Add a dynamic stage"), &StagesPanel::addDynamic));
     column->addWidget(button(bar, "copy", tr("Duplicate the stage"), &StagesPanel::duplicate));
-    column->addWidget(button(bar, "up", tr("Earlier"), &StagesPanel::moveUp));
-    column->addWidget(button(bar, "down", tr("Later"), &StagesPanel::moveDown));
+    column->addWidget(button(bar, "up", tr("Move the stage earlier"), &StagesPanel::moveUp));
+    column->addWidget(button(bar, "down", tr("Move the stage later"), &StagesPanel::moveDown));
     column->addWidget(button(bar, "delete", tr("Remove the stage"), &StagesPanel::remove));
     column->addStretch(1);
     return bar;

@@ -27,11 +27,11 @@ enum Index { Surface, Weight, Ratio, Major, Minor, Angle };  // of the fields
 StressStrip::StressStrip(const FormContext& context, QWidget* parent)
     : QWidget(parent), context_(context), way_(new CalmBox(this)), form_(new QFormLayout), problem_(new QLabel(this)) {
     setObjectName("stressStrip");
-    auto* heading = new QLabel(tr("Fill in from"), this);
+    auto* heading = new QLabel(tr("Calculate from"), this);
     heading->setProperty("role", "title");
     way_->addItems({tr("Depth and K0"), tr("σ1, σ3 and angle")});
     way_->setObjectName("stress.way");
-    way_->setAccessibleName(tr("Way to give the in-situ stress"));
+    way_->setAccessibleName(tr("Input method of the in-situ stress"));
     form_->setContentsMargins(0, 0, 0, 0);
     form_->setVerticalSpacing(4);
     addField(Way::Depth, "stress.surface", "m");

@@ -130,7 +130,7 @@ Typed<FieldValue> TableEditor::readPairs(const std::vector<QStringList>& rows) c
         double pair[2] = {0.0, 0.0};
         for (int column = 0; column < 2; ++column) {
             const QString& text = rows[i][column];
-            if (text.isEmpty()) return {{}, tr("Row %1 lacks its second number").arg(i + 1)};
+            if (text.isEmpty()) return {{}, tr("Row %1: enter both numbers").arg(i + 1)};
             const Typed<double> number = readNumber(text, unit(column), context_.display);
             if (!number.value) return {{}, tr("Row %1: %2").arg(i + 1).arg(number.problem)};
             pair[column] = *number.value;
@@ -139,7 +139,7 @@ Typed<FieldValue> TableEditor::readPairs(const std::vector<QStringList>& rows) c
         table.emplace_back(pair[0], pair[1]);
     }
     if (row_.field->kind == FieldKind::Pairs) return {FieldValue(table), {}};
-    if (row_.field->kind == FieldKind::PointPair && points.size() != 2) return {{}, tr("Two points are asked for")};
+    if (row_.field->kind == FieldKind::PointPair && points.size() != 2) return {{}, tr("Enter two points")};
     return {FieldValue(points), {}};
 }
 
@@ -195,7 +195,7 @@ void NamesEditor::present(const FormRow& row) {
 }
 
 void NamesEditor::addNothing() {
-    auto* none = new QLabel(tr("Nothing to choose from yet"), this);
+    auto* none = new QLabel(tr("No objects to choose from yet"), this);
     none->setProperty("role", "hint");
     ticks_->addWidget(none);
 }

@@ -59,7 +59,7 @@ Typed<std::vector<double>> readNumbers(QString text, int count, std::string_view
     const QStringList parts = text.split(text.contains(';') ? ';' : ',');
     const QString example = count == 2 ? "2.5, 0.25" : "1, 2, 3";
     if (parts.size() != count)
-        return {{}, Texts::tr("%1 numbers are asked for, as in %2; between decimal commas write a semicolon")
+        return {{}, Texts::tr("Enter %1 numbers, as in %2; with decimal commas, separate them by semicolons")
                         .arg(count).arg(example)};
     std::vector<double> numbers;
     for (const QString& part : parts) {
@@ -91,7 +91,7 @@ Typed<FieldValue> readAxis(const QString& text, const Display& display) {
     if (text.compare("x", Qt::CaseInsensitive) == 0) return {FieldValue(Point(1.0, 0.0)), {}};
     if (text.compare("y", Qt::CaseInsensitive) == 0) return {FieldValue(Point(0.0, 1.0)), {}};
     auto typed = readPoint(text, {}, display);
-    if (!typed.value) typed.problem = Texts::tr("Write x, y, or a direction as two numbers: 1, 0.5");
+    if (!typed.value) typed.problem = Texts::tr("Enter x, y, or a direction as two numbers: 1, 0.5");
     return typed;
 }
 
@@ -106,7 +106,7 @@ Typed<FieldValue> readInteger(const QString& text, std::string_view unit, const 
     const Typed<double> number = readNumber(text, unit, display);
     if (!number.value) return {{}, number.problem};
     if (*number.value != std::floor(*number.value) || std::abs(*number.value) > 2147483647.0)
-        return {{}, Texts::tr("A whole number is asked for")};
+        return {{}, Texts::tr("Enter a whole number")};
     return {FieldValue(*number.value), {}};
 }
 
@@ -171,9 +171,9 @@ Typed<FieldValue> readValue(const QString& typedText, const Field& field, std::s
 QString summaryOf(const FieldValue& value, const Field& field, std::string_view unit, const Display& display) {
     if (const auto* flag = std::get_if<bool>(&value)) return *flag ? Texts::tr("yes") : Texts::tr("no");
     if (const auto* points = std::get_if<std::vector<Point>>(&value))
-        return Texts::tr("%n points").replace("%n", QString::number(points->size()));
+        return points->size() == 1 ? Texts::tr("1 point") : Texts::tr("%1 points").arg(points->size());
     if (const auto* table = std::get_if<Table>(&value))
-        return Texts::tr("%n rows").replace("%n", QString::number(table->size()));
+        return table->size() == 1 ? Texts::tr("1 row") : Texts::tr("%1 rows").arg(table->size());
     if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
         QStringList list;
         for (const std::string& text : *texts) list << QString::fromStdString(text);

@@ -92,7 +92,7 @@ TEST(StagesPanel, StagesAreAddedMovedDuplicatedAndRemovedAndUndoLeadsBack) {
     EXPECT_EQ(document.scene()->stages[3].kind, StageKind::Dynamic);
     EXPECT_GT(document.scene()->stages[3].duration, 0.0);  // it can be run as it is
     EXPECT_EQ(selection.pointers(), QStringList{"/stages/3"});
-    press("Earlier");
+    press("Move the stage earlier");
     EXPECT_EQ(document.scene()->stages[2].kind, StageKind::Dynamic);
     press("Duplicate the stage");
     ASSERT_EQ(document.scene()->stages.size(), 5u);
