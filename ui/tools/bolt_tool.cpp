@@ -15,13 +15,14 @@ constexpr double wallReach = 24.0;  // [px]
 }  // namespace
 
 QString BoltTool::prompt() const {
-    if (!head_) return tr("pick its head, on a wall or in the rock");
-    return headWall_ ? tr("pick its far end; Enter goes square into the rock") : tr("pick its far end");
+    if (!head_) return tr("pick the head, on a wall or in the rock");
+    return headWall_ ? tr("pick the far end; Enter places the bolt perpendicular to the wall")
+                     : tr("pick the far end");
 }
 
 QString BoltTool::detail() const {
     if (head_ && cursor_) return lengthText((*cursor_ - *head_).norm());
-    if (wall_) return tr("%1 square to the %2").arg(lengthText(length_), QString::fromStdString(wall_->name));
+    if (wall_) return tr("%1 perpendicular to the %2").arg(lengthText(length_), QString::fromStdString(wall_->name));
     return {};
 }
 
@@ -35,7 +36,8 @@ std::vector<ToolField> BoltTool::fields() {
         return rowField("bolts", key, &bolt_, label, tell, choices);
     };
     const ToolField length =
-        numberField("length", tr("Length"), tr("Length square to a wall."), "m", {0.0, 1e4, true}, length_, tell);
+        numberField("length", tr("Length"), tr("Length of a bolt perpendicular to a wall."), "m", {0.0, 1e4, true},
+                    length_, tell);
     std::vector<ToolField> fields{row("type", tr("Type"), types), length, row("plate", tr("Plate")),
                                   row("spacing_out_of_plane", tr("Out of plane")), row("pretension", tr("Pretension"))};
     fields[3].none = lengthText(scene().analysis.thickness).section(' ', 0, 0);

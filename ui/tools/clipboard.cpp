@@ -33,18 +33,18 @@ Clipboard::Clipboard(Workbench& bench, SelectTool& select, Commands& commands, Q
         return commands.add({id, text, "Edit", icon, help, {key}, false, group}, [this, run] { (this->*run)(); });
     };
     copying_ = {
-        add("edit.cut", tr("Cut"), "", tr("Takes out what is selected, to be pasted."), QKeySequence::Cut,
+        add("edit.cut", tr("Cut"), "", tr("Moves the selection to the clipboard."), QKeySequence::Cut,
             &Clipboard::cut),
-        add("edit.copy", tr("Copy"), "copy", tr("Keeps what is selected, to be pasted."), QKeySequence::Copy,
+        add("edit.copy", tr("Copy"), "copy", tr("Copies the selection to the clipboard."), QKeySequence::Copy,
             &Clipboard::copy)};
-    paste_ = add("edit.paste", tr("Paste"), "", tr("Adds what was copied, under free names."), QKeySequence::Paste,
+    paste_ = add("edit.paste", tr("Paste"), "", tr("Adds the copied objects, with new names."), QKeySequence::Paste,
                  &Clipboard::paste);
-    copying_ << add("edit.duplicate", tr("Duplicate"), "", tr("Adds a copy beside what is selected."),
+    copying_ << add("edit.duplicate", tr("Duplicate"), "", tr("Adds a copy next to the selection."),
                     QKeySequence("Ctrl+D"), &Clipboard::duplicate);
     delete_ = add("edit.delete", tr("Delete"), "delete",
-                  tr("Takes out what is selected, and what means nothing without it."), QKeySequence::Delete,
+                  tr("Deletes the selection and the objects that depend on it."), QKeySequence::Delete,
                   &Clipboard::remove);
-    all_ = add("edit.selectAll", tr("Select all"), "", tr("Selects everything on the section that is not locked."),
+    all_ = add("edit.selectAll", tr("Select all"), "", tr("Selects all objects in the section that are not locked."),
                QKeySequence::SelectAll, &Clipboard::selectAll);
     connect(&bench.selection(), &Selection::changed, this, &Clipboard::showWhatCan);
     connect(&bench.document(), &Document::changed, this, &Clipboard::showWhatCan);

@@ -33,18 +33,20 @@ double dipOf(const Point& way) {
 
 QString JointSetTool::prompt() const {
     if (!scene().domain) return tr("draw the outline of the rock first");
-    return picked_ ? tr("pick the direction of its traces") : tr("pick a place that a trace runs through, or Enter");
+    return picked_ ? tr("pick the direction of the traces") : tr("pick a point on a trace, or press Enter");
 }
 
 QString JointSetTool::detail() const {
     if (!scene().domain) return {};
     if (const auto problem = jointSetProblem(jointSetOf(set_))) return QString::fromStdString(problem->message);
-    if (traces_.empty()) return tr("too many traces to draw, or none in its region");
-    return tr("%n traces", nullptr, static_cast<int>(traces_.size())) + ", " + tr("seed %1").arg(set_.seed);
+    if (traces_.empty()) return tr("too many traces to draw, or none in the region");
+    return traces_.size() == 1 ? tr("1 trace, seed %1").arg(set_.seed)
+                               : tr("%1 traces, seed %2").arg(traces_.size()).arg(set_.seed);
 }
 
 QString JointSetTool::commitText() const {
-    return traces_.empty() ? QString() : tr("Place %n traces", nullptr, static_cast<int>(traces_.size()));
+    if (traces_.empty()) return {};
+    return traces_.size() == 1 ? tr("Place 1 trace") : tr("Place %1 traces").arg(traces_.size());
 }
 
 std::vector<ToolField> JointSetTool::fields() {

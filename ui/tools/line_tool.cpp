@@ -29,8 +29,8 @@ QString LineTool::prompt() const {
     if (isRectangle()) return points_.empty() ? tr("pick the first corner") : tr("pick the opposite corner");
     if (points_.empty()) return isOutline() ? tr("pick the first corner") : tr("pick the first point");
     if (points_.size() < needed()) return isOutline() ? tr("pick the next corner") : tr("pick the next point");
-    return isOutline() ? tr("pick the next corner; Enter or the first corner closes it")
-                       : tr("pick the next point; Enter ends it");
+    return isOutline() ? tr("pick the next corner; Enter or the first corner closes the polygon")
+                       : tr("pick the next point; Enter ends the line");
 }
 
 QString LineTool::detail() const {
@@ -43,7 +43,8 @@ QString LineTool::detail() const {
     if (isOutline() && line.size() > 2) {
         return tr("%1 corners, %2").arg(points_.size()).arg(areaText(std::abs(signedArea(line))));
     }
-    return tr("%1 points, %2").arg(points_.size()).arg(lengthText(lengthOf(line)));
+    const QString length = lengthText(lengthOf(line));
+    return points_.size() == 1 ? tr("1 point, %1").arg(length) : tr("%1 points, %2").arg(points_.size()).arg(length);
 }
 
 QString LineTool::commitText() const {

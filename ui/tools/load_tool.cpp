@@ -14,8 +14,8 @@ namespace keyblock {
 
 QString LoadTool::prompt() const {
     if (scene().stages.empty()) return tr("add a stage first");
-    if (what_ == AtPoint) return tr("pick the point that it acts at");
-    if (what_ == OnBlock) return tr("pick a place in the block");
+    if (what_ == AtPoint) return tr("pick the point of application");
+    if (what_ == OnBlock) return tr("pick a point in the block");
     return first_ ? tr("pick the other end of the loaded line") : tr("pick one end of the loaded line");
 }
 
@@ -27,7 +27,7 @@ std::vector<ToolField> LoadTool::fields() {
     const QStringList stages = stageNames(scene());
     stage_ = std::clamp(stage_, 0, std::max(static_cast<int>(stages.size()) - 1, 0));
     std::vector<ToolField> fields{choiceField(
-        "what", tr("As"), {tr("force at a point"), tr("force on a block"), tr("pressure on a line")}, what_, tell)};
+        "what", tr("Type"), {tr("force at a point"), tr("force on a block"), tr("pressure on a line")}, what_, tell)};
     if (!stages.isEmpty()) fields.push_back(choiceField("stage", tr("In stage"), stages, stage_, tell));
     const auto add = [&](const char* id, const QString& label, const char* unit, double& value) {
         fields.push_back(numberField(id, label, {}, unit, {}, value, [this] { Q_EMIT changed(); }));

@@ -35,7 +35,7 @@ QString MeasureTool::detail() const {
     if (measured.size() == 2) return text;
     double all = 0.0;
     for (std::size_t i = 0; i + 1 < measured.size(); ++i) all += (measured[i + 1] - measured[i]).norm();
-    text += tr(" · all %1, enclosed %2").arg(lengthText(all), areaText(std::abs(signedArea(measured))));
+    text += tr(" · total %1, enclosed area %2").arg(lengthText(all), areaText(std::abs(signedArea(measured))));
     return text;
 }
 

@@ -27,8 +27,8 @@ Point axisBetween(const Point& a, const Point& b) {
 }  // namespace
 
 QString MonitorTool::prompt() const {
-    if (what_ == AtPoint) return tr("pick the point that is followed");
-    if (what_ == OnBolt) return tr("pick a place on a bolt");
+    if (what_ == AtPoint) return tr("pick the point to monitor");
+    if (what_ == OnBolt) return tr("pick a point on a bolt");
     return first_ ? tr("pick the point on the other side") : tr("pick the point on one side");
 }
 
@@ -38,7 +38,7 @@ std::vector<ToolField> MonitorTool::fields() {
         Q_EMIT changed();
     };
     std::vector<ToolField> fields{
-        choiceField("what", tr("Watches"), {tr("a point"), tr("an opening"), tr("a bolt")}, what_, tell)};
+        choiceField("what", tr("Target"), {tr("a point"), tr("an opening"), tr("a bolt")}, what_, tell)};
     QStringList quantities;
     for (const std::string_view word : boltQuantityWords)
         quantities << QString::fromUtf8(word.data(), static_cast<int>(word.size())).replace('_', ' ');
@@ -82,7 +82,7 @@ void MonitorTool::press(const Pointed& at) {
         monitor.axis = axisBetween(*first_, at.place);
     } else {
         const auto bolt = boltAt(at.raw);
-        if (!bolt) return bench().say(tr("There is no bolt at this place."), true);
+        if (!bolt) return bench().say(tr("There is no bolt at this point."), true);
         monitor = *bolt;
         monitor.quantity = static_cast<BoltQuantity>(quantity_);
     }

@@ -12,7 +12,7 @@
 namespace keyblock {
 
 QString MotionTool::prompt() const {
-    return scene().stages.empty() ? tr("add a stage first") : tr("pick a place in the block that moves");
+    return scene().stages.empty() ? tr("add a stage first") : tr("pick a point in the block to move");
 }
 
 std::vector<ToolField> MotionTool::fields() {
@@ -22,8 +22,8 @@ std::vector<ToolField> MotionTool::fields() {
     std::vector<ToolField> fields;
     if (!stages.isEmpty()) fields.push_back(choiceField("stage", tr("In stage"), stages, stage_, tell));
     fields.push_back(choiceField("axis", tr("Along"), {"x", "y"}, axis_, tell));
-    fields.push_back(numberField("displacement", tr("By"), tr("Displacement at the end of the stage."), "m", {},
-                                 displacement_, tell));
+    fields.push_back(numberField("displacement", tr("Displacement"), tr("Displacement at the end of the stage."), "m",
+                                 {}, displacement_, tell));
     return fields;
 }
 

@@ -7,7 +7,8 @@
 namespace keyblock {
 
 std::vector<ToolField> OutlineTool::fields() {
-    return {choiceField("what", tr("Of"), {tr("rock"), tr("region")}, what_, [this] { Q_EMIT changed(); }), shapeField()};
+    return {choiceField("what", tr("Outline of"), {tr("rock"), tr("region")}, what_, [this] { Q_EMIT changed(); }),
+            shapeField()};
 }
 
 Edit OutlineTool::make(const std::vector<Point>& points) const {

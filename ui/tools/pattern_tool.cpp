@@ -30,20 +30,21 @@ const SceneTunnel& PatternTool::tunnel() const { return scene().tunnels[static_c
 
 QString PatternTool::prompt() const {
     if (scene().tunnels.empty()) return tr("draw a tunnel first");
-    if (!from_) return tr("pick the beginning on the wall");
-    return to_ ? tr("Enter places the bolts; a click takes another end") : tr("pick the end on the wall");
+    if (!from_) return tr("pick the first point on the wall");
+    return to_ ? tr("Enter places the bolts; click to pick another end") : tr("pick the last point on the wall");
 }
 
 QString PatternTool::detail() const {
     if (!from_ || !runEnd()) return {};
     if (const auto problem = boltPatternProblem(patternOf(pattern_))) return QString::fromStdString(problem->message);
-    const QString bolts = tr("%n bolts", nullptr, static_cast<int>(bolts_.size()));
+    const QString bolts = bolts_.size() == 1 ? tr("1 bolt") : tr("%1 bolts").arg(bolts_.size());
     const QString apart = bolts_.size() > 1 ? ' ' + tr("%1 apart").arg(lengthText(pattern_.spacing)) : QString();
     return bolts + apart + ' ' + tr("along %1 of %2").arg(lengthText(run_), QString::fromStdString(tunnel().name));
 }
 
 QString PatternTool::commitText() const {
-    return bolts_.empty() ? QString() : tr("Place %n bolts", nullptr, static_cast<int>(bolts_.size()));
+    if (bolts_.empty()) return {};
+    return bolts_.size() == 1 ? tr("Place 1 bolt") : tr("Place %1 bolts").arg(bolts_.size());
 }
 
 std::vector<ToolField> PatternTool::fields() {
@@ -77,14 +78,14 @@ std::vector<ToolField> PatternTool::fields() {
     }
     fields.push_back(row("length", tr("Length")));
     fields.push_back(choiceField("fit", tr("Layout"), {tr("from the start"), tr("centred"), tr("end to end")}, fit_, tell));
-    fields.back().help = tr("From the start at the spacing, with equal distances to both ends, or a number of bolts from "
-                            "end to end.");
+    fields.back().help = tr("From the start at the given spacing, centred with equal distances to both ends, or a given "
+                            "number of bolts from end to end.");
     fields.push_back(row("angle_from_wall", tr("Angle from wall")));
     fields.push_back(row("plate", tr("Plate")));
     if (fit() == PatternFit::FromStart) fields.push_back(given("offset", tr("Offset"), given_.offset));
     fields.push_back(row("spacing_out_of_plane", tr("Out of plane")));
     fields.back().none = lengthText(scene().analysis.thickness).section(' ', 0, 0);
-    fields.push_back(rowField("bolt_patterns", "way", &pattern_, tr("Way"), [this] {
+    fields.push_back(rowField("bolt_patterns", "way", &pattern_, tr("Direction"), [this] {
         wayChosen_ = true;
         changedOptions();
     }));

@@ -16,9 +16,10 @@ namespace keyblock {
 
 QString SupportTool::prompt() const {
     switch (what_) {
-        case Side: return scene().domain ? tr("pick a side of the outline") : tr("draw the outline first, or hold a point");
-        case Place: return tr("pick the point that is held");
-        default: return tr("pick a place in the block that is held");
+        case Side:
+            return scene().domain ? tr("pick a side of the outline") : tr("draw the outline first, or support a point");
+        case Place: return tr("pick the point to support");
+        default: return tr("pick a point in the block to support");
     }
 }
 
@@ -32,7 +33,7 @@ QString SupportTool::detail() const {
 std::vector<ToolField> SupportTool::fields() {
     const auto tell = [this] { Q_EMIT changed(); };
     std::vector<ToolField> fields{
-        choiceField("what", tr("Holds"), {tr("a side"), tr("a point"), tr("a block")}, what_, tell)};
+        choiceField("what", tr("Supports"), {tr("a side"), tr("a point"), tr("a block")}, what_, tell)};
     if (what_ != Whole) fields.push_back(choiceField("fix", tr("Fixed"), {"x, y", "x", "y"}, fix_, tell));
     return fields;
 }
@@ -64,7 +65,7 @@ void SupportTool::press(const Pointed& at) {
     const Support support = supportAt(at.place);
     if (what_ == Side && !support.boundary) return bench().say(tr("There is no outline with sides yet."), true);
     const Edit edit = withSupport(scene(), support);
-    bench().add(edit, tr("Hold %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))));
+    bench().add(edit, tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))));
 }
 
 void SupportTool::paint(QPainter& painter, const CanvasMap& map) const {

@@ -41,31 +41,31 @@ struct Row {
 
 constexpr Row rows[] = {
     {"select", QT_TRANSLATE_NOOP("tools", "Select"),
-     QT_TRANSLATE_NOOP("tools", "Chooses, drags and changes things."), "S", false},
+     QT_TRANSLATE_NOOP("tools", "Selects, moves and edits objects."), "S", false},
     {"outline", QT_TRANSLATE_NOOP("tools", "Outline"),
      QT_TRANSLATE_NOOP("tools", "Draws the outline of the rock, or of a region."), "", false},
     {"block", QT_TRANSLATE_NOOP("tools", "Block"),
-     QT_TRANSLATE_NOOP("tools", "Draws a block beside the rock that is cut."), "B", false},
+     QT_TRANSLATE_NOOP("tools", "Draws a single block, separate from the rock that is cut."), "B", false},
     {"joint", QT_TRANSLATE_NOOP("tools", "Joint"),
      QT_TRANSLATE_NOOP("tools", "Draws a joint along a line."), "J", false},
     {"joint-set", QT_TRANSLATE_NOOP("tools", "Joint set"),
      QT_TRANSLATE_NOOP("tools", "Fills the rock with parallel joints."), "", false},
     {"tunnel", QT_TRANSLATE_NOOP("tools", "Tunnel"),
-     QT_TRANSLATE_NOOP("tools", "Places an opening."), "T", false},
+     QT_TRANSLATE_NOOP("tools", "Places a tunnel."), "T", false},
     {"bolt", QT_TRANSLATE_NOOP("tools", "Bolt"),
-     QT_TRANSLATE_NOOP("tools", "Places a bolt, square to a wall where one is near."), "K", true},
+     QT_TRANSLATE_NOOP("tools", "Places a bolt, perpendicular to a wall if one is near."), "K", true},
     {"pattern", QT_TRANSLATE_NOOP("tools", "Bolt pattern"),
      QT_TRANSLATE_NOOP("tools", "Places bolts along the wall of a tunnel."), "P", false},
     {"support", QT_TRANSLATE_NOOP("tools", "Support"),
-     QT_TRANSLATE_NOOP("tools", "Holds a side, a point or a block."), "", true},
+     QT_TRANSLATE_NOOP("tools", "Supports a side, a point or a block."), "", true},
     {"load", QT_TRANSLATE_NOOP("tools", "Load"),
-     QT_TRANSLATE_NOOP("tools", "Places a force or a pressure in a stage."), "", false},
+     QT_TRANSLATE_NOOP("tools", "Adds a force or a pressure to a stage."), "", false},
     {"motion", QT_TRANSLATE_NOOP("tools", "Motion"),
-     QT_TRANSLATE_NOOP("tools", "Moves a block over a stage."), "", false},
+     QT_TRANSLATE_NOOP("tools", "Prescribes the displacement of a block in a stage."), "", false},
     {"monitor", QT_TRANSLATE_NOOP("tools", "Monitor"),
-     QT_TRANSLATE_NOOP("tools", "Watches a point, an opening or a bolt."), "", false},
+     QT_TRANSLATE_NOOP("tools", "Monitors a point, an opening or a bolt during a run."), "", false},
     {"measure", QT_TRANSLATE_NOOP("tools", "Measure"),
-     QT_TRANSLATE_NOOP("tools", "Tells lengths and angles."), "M", true},
+     QT_TRANSLATE_NOOP("tools", "Measures lengths and angles."), "M", true},
 };
 
 struct ModeRow {
@@ -78,13 +78,15 @@ struct ModeRow {
 
 constexpr ModeRow modeRows[] = {
     {"draw.objectSnap", QT_TRANSLATE_NOOP("tools", "Object snap"),
-     QT_TRANSLATE_NOOP("tools", "Takes ends, crossings and middles near the mouse."), "F3", &PointingModes::objectSnap},
+     QT_TRANSLATE_NOOP("tools", "Snaps to end points, intersections and midpoints near the mouse."), "F3",
+     &PointingModes::objectSnap},
     {"draw.ortho", QT_TRANSLATE_NOOP("tools", "Ortho"),
-     QT_TRANSLATE_NOOP("tools", "Draws level and upright; Shift does the other for once."), "F8", &PointingModes::ortho},
+     QT_TRANSLATE_NOOP("tools", "Restricts drawing to horizontal and vertical; hold Shift to invert."), "F8",
+     &PointingModes::ortho},
     {"draw.grid", QT_TRANSLATE_NOOP("tools", "Grid"),
-     QT_TRANSLATE_NOOP("tools", "Shows a grid of round distances."), "G", &PointingModes::gridShown},
+     QT_TRANSLATE_NOOP("tools", "Shows a grid with round spacing."), "G", &PointingModes::gridShown},
     {"draw.gridSnap", QT_TRANSLATE_NOOP("tools", "Grid snap"),
-     QT_TRANSLATE_NOOP("tools", "Takes places of the grid where nothing else is near."), "F9", &PointingModes::gridSnap},
+     QT_TRANSLATE_NOOP("tools", "Snaps to grid points where no object is near."), "F9", &PointingModes::gridSnap},
 };
 
 }  // namespace

@@ -26,12 +26,12 @@ SceneTunnel withoutOthers(SceneTunnel tunnel) {
 }  // namespace
 
 QString TunnelTool::prompt() const {
-    if (!isDrawn()) return tr("pick its middle");
-    return corners_.size() < 3 ? tr("pick the next corner") : tr("pick the next corner; Enter closes it");
+    if (!isDrawn()) return tr("pick the centre");
+    return corners_.size() < 3 ? tr("pick the next corner") : tr("pick the next corner; Enter closes the profile");
 }
 
 QString TunnelTool::detail() const {
-    if (isDrawn()) return tr("%n corners", nullptr, static_cast<int>(corners_.size()));
+    if (isDrawn()) return corners_.size() == 1 ? tr("1 corner") : tr("%1 corners").arg(corners_.size());
     if (const auto problem = profileProblem(shapeOf(placed({0.0, 0.0})))) return QString::fromStdString(problem->message);
     return cursor_ ? placeText(*cursor_) : QString();
 }
