@@ -25,7 +25,7 @@ CanvasCaption::CanvasCaption(Canvas& canvas, const Themes& themes, bool canClose
     if (canClose) {
         close_ = new QToolButton(this);
         close_->setObjectName("endComparing");
-        close_->setAccessibleName(tr("End comparing"));
+        close_->setAccessibleName(tr("Close the comparison"));
         close_->setToolTip(close_->accessibleName());
         close_->setFixedSize(20, 20);
         row->addWidget(close_);

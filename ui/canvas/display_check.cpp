@@ -21,16 +21,16 @@ struct Texts {
 std::optional<QString> tryContext() {
     QOpenGLContext context;
     context.setFormat(sectionFormat());
-    if (!context.create()) return Texts::tr("This display has no OpenGL.");
+    if (!context.create()) return Texts::tr("OpenGL is not available on this display.");
     QOffscreenSurface surface;
     surface.setFormat(context.format());
     surface.create();
     if (!surface.isValid() || !context.makeCurrent(&surface))
-        return Texts::tr("OpenGL does not start on this display.");
+        return Texts::tr("OpenGL cannot be started on this display.");
     const QPair<int, int> version = context.format().version();
     context.doneCurrent();
     if (version >= qMakePair(3, 2)) return std::nullopt;
-    return Texts::tr("This display has OpenGL %1.%2; the section takes 3.2 or newer.")
+    return Texts::tr("This display has OpenGL %1.%2; the section needs 3.2 or newer.")
         .arg(version.first)
         .arg(version.second);
 }

@@ -60,14 +60,16 @@ QStringList notesOf(const ArrowField& field, double width) {
     QStringList notes;
     if (isCross) notes += broken(Texts::tr("Compression; tension in red"), width);
     else for (const std::string& note : field.notes) notes += broken(beginning(qt(note)), width);
-    return notes + broken(Texts::tr("Largest now %1 %2").arg(qt(numberText(field.largest)), qt(field.unit)), width);
+    const QString largest =
+        Texts::tr("Largest in this frame: %1 %2").arg(qt(numberText(field.largest)), qt(field.unit));
+    return notes + broken(largest, width);
 }
 
 QStringList notesOf(const ContactField& field, double width) {
-    QStringList notes = broken(Texts::tr("Now up to %1 %2 over %3 m of thickness")
+    QStringList notes = broken(Texts::tr("This frame: up to %1 %2 over a thickness of %3 m")
                                    .arg(qt(numberText(field.largest)), qt(field.unit), qt(numberText(field.thickness))),
                                width);
-    if (field.scale.largest > field.scale.longest) notes += broken(Texts::tr("Longer ones are cut"), width);
+    if (field.scale.largest > field.scale.longest) notes += broken(Texts::tr("Longer lines are clipped"), width);
     for (const std::string& note : field.notes) notes += broken(beginning(qt(note)), width);
     return notes;
 }

@@ -58,7 +58,7 @@ void paintEntry(QPainter& painter, const Theme& theme, const Entry& entry, const
     painter.setFont(screenFont(11));
     painter.setPen(theme.text);
     painter.drawText(QRectF(at.x() + 22.0, at.y(), column - 22.0, row), Qt::AlignVCenter,
-                     entry ? markName(*entry) : QCoreApplication::translate("Marks", "Culprit"));
+                     entry ? markName(*entry) : QCoreApplication::translate("Marks", "Marked block"));
 }
 
 double paintGroup(QPainter& painter, const Theme& theme, const std::vector<Entry>& entries, const QPointF& at) {

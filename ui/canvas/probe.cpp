@@ -90,7 +90,7 @@ void Probe::showMenu(const Pin& pin, const QPoint& global) {
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const int number = pin.number;
     menu->addAction(tr("Unpin %1").arg(number), this, [this, number] { Q_EMIT unpinAsked(number); });
-    menu->addAction(tr("Keep as monitor"), this, [this, number] { Q_EMIT keepAsked(number); });
+    menu->addAction(tr("Save as monitor"), this, [this, number] { Q_EMIT keepAsked(number); });
     if (pins_.size() > 1) menu->addAction(tr("Unpin all"), this, &Probe::unpinAllAsked);
     menu->popup(global);
 }
