@@ -22,7 +22,7 @@ std::shared_ptr<const Checked> checkedOf(const std::shared_ptr<const Scene>& sce
             checked->picture = std::make_shared<const SectionPicture>(drawingPicture(solved));
     } catch (const std::exception& error) {
         checked->problems.push_back({Severity::Error, {}, 0, {}, std::string("the check failed: ") + error.what(),
-                                     "undo the last edit, or make the scene smaller"});
+                                     "undo the last edit, or reduce the size of the scene"});
     }
     return checked;
 }

@@ -53,7 +53,8 @@ private:
         if (document_.isRestoring_) return;
         if (to.get()) return document_.take(from.get() ? *from.get() : *document_.scene_, to.get(), pointers);
         document_.undo_->resetClean();
-        Q_EMIT document_.told(Document::tr("The scene at “%1” cannot be read from the journal; the drawing stays as it is.")
+        Q_EMIT document_.told(Document::tr("The scene at “%1” cannot be read from the journal; the drawing is not "
+                                           "changed.")
                                   .arg(text()), true);
     }
 
@@ -173,7 +174,7 @@ bool Document::openPart(const QString& path) {
     reading.leftOut = rescue.leftOut.size();
     reading.isOpen = rescue.scene.has_value();
     if (rescue.scene)
-        startNew(std::move(*rescue.scene), tr("%1 (in part)").arg(QFileInfo(path).completeBaseName()), true);
+        startNew(std::move(*rescue.scene), tr("%1 (partial)").arg(QFileInfo(path).completeBaseName()), true);
     Q_EMIT readInPart(reading);
     return reading.isOpen;
 }

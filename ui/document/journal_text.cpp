@@ -164,7 +164,8 @@ Journalled readJournal(std::string_view text, std::optional<std::size_t> mostCha
         const bool isChange = body && findMember(*body, "at") && !findMember(*body, "saved");
         if (isChange && mostChanges && journal.changes >= *mostChanges) break;
         if (!body || !apply(journal, *body)) {
-            journal.damage = "line " + std::to_string(line) + " of the journal is damaged; what stands before it is kept";
+            journal.damage =
+                "line " + std::to_string(line) + " of the journal is damaged; the lines before it are kept";
             break;
         }
         text.remove_prefix(end + 1);

@@ -156,7 +156,9 @@ std::vector<Abandoned> abandonedJournals(const QString& folder, QStringList* unu
 
 QString recover(const Abandoned& abandoned, Recover what, Document& document, Journal& journal) {
     const Held held(abandoned.journal);
-    if (!held.isFree()) return Document::tr("Another window recovers %1, or its journal is gone.").arg(abandoned.title);
+    if (!held.isFree())
+        return Document::tr("%1 is being recovered in another window, or its journal no longer exists.")
+            .arg(abandoned.title);
     const bool withoutLast = what == Recover::WithoutLastCommand && abandoned.changes > 0;
     const std::optional<QByteArray> content = contentOf(abandoned.journal);
     if (!content) return Document::tr("The journal of %1 cannot be read.").arg(abandoned.title);

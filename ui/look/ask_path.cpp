@@ -15,7 +15,7 @@ QString askSavePath(QWidget& window, const QString& title, const QString& start,
     if (typed.isEmpty() || typed.endsWith('.' + ending)) return typed;
     const QString path = typed + '.' + ending;
     if (!QFileInfo::exists(path)) return path;
-    const auto answer = ask(window, title, QWidget::tr("%1 exists already.").arg(QFileInfo(path).fileName()), {},
+    const auto answer = ask(window, title, QWidget::tr("%1 already exists.").arg(QFileInfo(path).fileName()), {},
                             {{QMessageBox::Cancel, {}}, {QMessageBox::Yes, QWidget::tr("Replace")}});
     return answer == QMessageBox::Yes ? path : QString();
 }
