@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One bolt straightened in the property panel: which of its nodes are real anchors
-// and which artificial. A click or a drag along it changes them, one step of undo.
+// One bolt drawn straight in the property panel, showing which of its nodes are
+// bonded and which are intermediate. A click or a drag along it changes nodes in one
+// undo step.
 #pragma once
 
 #include "ui/panels/value_editor.h"
@@ -26,11 +27,11 @@ public:
     const std::vector<double>& nodes() const { return nodes_; }
     const std::vector<bool>& real() const { return real_; }
 
-    /// Where node `i` stands [px].
+    /// Position of node `i` [px].
     QPointF placeOf(std::size_t i) const;
 
 Q_SIGNALS:
-    void painted(std::size_t first, std::size_t last, bool real);  // nodes that a person went over
+    void painted(std::size_t first, std::size_t last, bool real);  // nodes that the drag has crossed
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -48,7 +49,7 @@ private:
     std::vector<double> nodes_;
     std::vector<bool> real_;
     bool plate_ = false, editable_ = false;
-    std::optional<std::size_t> from_, to_;  // while a person drags
+    std::optional<std::size_t> from_, to_;  // during a drag
 };
 
 class AnchorStrip : public QWidget {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A choice that the wheel does not change while a person scrolls past it: a wheel
-// gives Qt's own the focus first, and turns it then.
+// A combo box that ignores the mouse wheel while the user scrolls past it. Qt's own
+// combo box takes the focus from a wheel event and then changes its value.
 #pragma once
 
 #include <QComboBox>

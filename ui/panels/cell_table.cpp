@@ -129,7 +129,7 @@ void CellTable::copy() const {
     QApplication::clipboard()->setText(lines.join('\n'));
 }
 
-/// Cells of a spreadsheet come between tabs; of other tables, between semicolons.
+/// Spreadsheets separate cells by tabs, other tables by semicolons.
 void CellTable::paste() {
     const QString text = QApplication::clipboard()->text();
     const QChar between = text.contains('\t') ? '\t' : ';';

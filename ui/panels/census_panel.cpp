@@ -35,7 +35,7 @@ QLabel* labelOf(QWidget* parent, const char* role, const QString& text = {}) {
     return label;
 }
 
-/// Null where it was stopped, or memory ran out.
+/// Null if it was stopped or memory ran out.
 std::shared_ptr<const Census> censusOf(const Scene& solved, const SceneCut* cut, const std::atomic<bool>& stop) {
     try {
         std::optional<Census> census = takeCensus(solved, cut, &stop);
@@ -98,7 +98,7 @@ QWidget* CensusPanel::makeCosts() {
     return costs_;
 }
 
-/// One below the other; in a low panel names and values share lines, so that the button is never cut.
+/// One below the other; in a low panel names and values share lines so that the button is never clipped.
 void CensusPanel::placeCosts() {
     delete costs_->layout();
     auto* grid = new QGridLayout(costs_);
@@ -166,7 +166,7 @@ void CensusPanel::setBusy(bool busy) {
     run_->setEnabled(false);
 }
 
-/// What is counted is no longer wanted: it ends soon, and its answer is dropped.
+/// Cancels the count in progress and drops its result.
 void CensusPanel::cancel() {
     if (stop_) *stop_ = true;
     stop_.reset();
@@ -180,7 +180,7 @@ void CensusPanel::askLater() {
 
 void CensusPanel::ask() {
     const Checked& checked = document_.checked();
-    if (!document_.checkIsCurrent() || document_.isPreviewing() || !isVisible()) return;  // asked again then
+    if (!document_.checkIsCurrent() || document_.isPreviewing() || !isVisible()) return;  // requested again then
     if (hasErrors(checked.problems))
         return tell(tr("Fix the errors under Problems to see the model summary."));
     const Scene& solved = checked.cut ? checked.cut->scene : *checked.scene;

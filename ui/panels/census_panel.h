@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The dock that says before a run what it would model, why, and what it may cost.
+// The dock with the model summary: what a run would model and why, with the
+// estimated time and memory.
 #pragma once
 
 #include "solver/run/census.h"
@@ -30,10 +31,10 @@ public:
     CensusPanel(Document& document, const Commands& commands, const Themes& themes, QWidget* parent = nullptr);
     ~CensusPanel() override;
 
-    /// While something runs, nothing is counted: the estimate would be wrong and take the run's time.
+    /// Nothing is counted during a run: the estimate would be wrong and would slow the run down.
     void setBusy(bool busy);
 
-    /// The newest census; null while it is taken or where none can be.
+    /// The newest summary; null while it is being counted or if it cannot be made.
     const std::shared_ptr<const Census>& census() const { return census_; }
 
 Q_SIGNALS:
@@ -59,7 +60,7 @@ private:
     const Commands& commands_;
     const Themes& themes_;
     Background* counting_;
-    std::shared_ptr<std::atomic<bool>> stop_;  // of the newest question; null: none is open
+    std::shared_ptr<std::atomic<bool>> stop_;  // of the newest request; null: none is open
     QTimer* calm_;
     std::shared_ptr<const Census> census_;
     bool busy_ = false;

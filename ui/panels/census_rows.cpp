@@ -19,7 +19,7 @@ struct Texts {
 
 QString number(double value) { return Display::number(value, 12); }
 
-/// Two digits are more than an estimate has.
+/// Two digits: an estimate is no more accurate than that.
 QString rough(double value) {
     const double size = value > 0.0 ? std::pow(10.0, std::floor(std::log10(value)) - 1.0) : 1.0;
     return Display::number(std::round(value / size) * size, 12);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A census in words: what a run would model and why, what it leaves out, what it
-// may cost.
+// The texts of the model summary: what a run would model and why, what it leaves
+// out, and the estimated time and memory.
 #pragma once
 
 #include "solver/run/census.h"
@@ -27,7 +27,7 @@ QString costText(double seconds);
 /// `210 MB`.
 QString memoryText(double bytes);
 
-/// On what the estimate rests: stages, passes, assumptions; a line each.
+/// What the estimate is based on: stages, iterations, assumptions; one line each.
 QString estimateDetails(const CostEstimate& estimate);
 
 }  // namespace keyblock

@@ -40,7 +40,7 @@ Names boltTypes(const Scene& scene) {
     return names;
 }
 
-/// Single bolts, then those of patterns as they are laid out: `P1.1`, `P1.2`, …
+/// Single bolts, then the bolts of patterns: `P1.1`, `P1.2`, …
 Names bolts(const Scene& scene) {
     Names names = namesIn(scene.bolts);
     for (const ScenePattern& pattern : scene.boltPatterns) {

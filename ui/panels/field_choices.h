@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fields that hold names of other objects: which names there are to choose from.
+// Fields that name other objects: the names to choose from.
 #pragma once
 
 #include "solver/scene/field.h"
@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// Names that the field may hold in this scene, as the person meets them in the tree; none where it holds no name.
+/// Names that the field may hold in this scene, in the order of the tree; none if the field holds no name.
 std::optional<std::vector<std::string>> choicesOf(const Scene& scene, const Structure& structure, const Field& field);
 
 }  // namespace keyblock

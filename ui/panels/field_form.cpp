@@ -24,7 +24,7 @@ namespace keyblock {
 
 namespace {
 
-/// Two shapes are the same when no widget needs to come or go.
+/// Two shapes are equal if no widget must be added or removed.
 QStringList shapeOf(const std::vector<FormGroup>& groups) {
     QStringList shape;
     for (const FormGroup& group : groups) {
@@ -90,7 +90,7 @@ void FieldForm::setFilter(const QString& text) {
 
 void FieldForm::refresh() {
     later_->stop();
-    const auto before = std::exchange(shown_, context_.document.scene());  // rows look into it until they are told anew
+    const auto before = std::exchange(shown_, context_.document.scene());  // rows refer to it until they are updated
     const auto groups = matching(formGroups(*shown_, pointers_), filter_);
     const QStringList shape = shapeOf(groups);
     if (!content_ || shape != shape_) {
@@ -166,14 +166,14 @@ void FieldForm::addGroup(const FormGroup& group) {
     bodies_.push_back(body);
 }
 
-/// What only tells about the scene begins closed, as do the items of long lists.
+/// Groups with descriptive fields of the scene are closed at first, as are the items of long lists.
 bool FieldForm::isOpen(const FormGroup& group) const {
     if (!filter_.isEmpty()) return true;
     const bool closed = group.closedAtFirst || (group.id.starts_with("about/") && group.depth == 0);
     return closed == toggled_.contains(QString::fromStdString(group.id));
 }
 
-/// A closed group closes those that stand in it, too.
+/// A closed group also hides the groups inside it.
 void FieldForm::showOpen() {
     int closedAt = std::numeric_limits<int>::max();
     for (std::size_t i = 0; i < headings_.size(); ++i) {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A form over one or several objects of the scene, made from the field table. Every
-// edit in it is one step of undo; it follows the scene, whoever changes it.
+// A form over one or several objects of the scene, generated from the field table.
+// Every edit in it is one undo step. The form follows all changes of the scene,
+// including those made elsewhere.
 #pragma once
 
 #include "ui/panels/form_rows.h"
@@ -29,14 +30,14 @@ class FieldForm : public QWidget {
 public:
     explicit FieldForm(const FormContext& context, QWidget* parent = nullptr);
 
-    /// The objects that the form shows; pointers that lead nowhere are left out.
+    /// The objects that the form shows; invalid pointers are left out.
     void setObjects(std::vector<std::string> pointers);
     const std::vector<std::string>& objects() const { return pointers_; }
     bool hasRows() const { return !rows_.empty(); }
 
     void setFilter(const QString& text);
 
-    /// Puts the cursor in the field of that path (`spacing`, `until/unbalanced`); false where it is not shown.
+    /// Puts the cursor in the field of that path (`spacing`, `until/unbalanced`); false if it is not shown.
     bool focusField(const QString& path);
 
     /// Shows the scene as it is now, without waiting for the next round of events.
@@ -44,7 +45,7 @@ public:
 
 Q_SIGNALS:
     void rowFocused(const keyblock::FormRow& row);
-    void targetAsked(const QString& pointer);  // the object that a field names
+    void targetAsked(const QString& pointer);  // the object named in a field
 
 private:
     void schedule();
@@ -62,10 +63,10 @@ private:
 
     FormContext context_;
     std::vector<std::string> pointers_;
-    std::shared_ptr<const Scene> shown_;  // kept while rows look into it
+    std::shared_ptr<const Scene> shown_;  // kept alive while rows refer to it
     QString filter_;
-    QSet<QString> toggled_;  // groups that are not as they begin
-    QStringList shape_;  // headings and rows as they stand
+    QSet<QString> toggled_;  // groups not in their initial state
+    QStringList shape_;  // headings and rows as shown
     QWidget* content_ = nullptr;
     std::vector<FormHeading*> headings_;
     std::vector<QWidget*> bodies_;  // one for each heading

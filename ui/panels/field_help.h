@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the foot of a panel says of a field: name, range, default, help, source.
+// The help on a field at the bottom of a panel: name, range, default, help text,
+// source.
 #pragma once
 
 #include "ui/panels/value_editor.h"
@@ -20,10 +21,10 @@ struct FieldHelp {
 
 FieldHelp helpOf(const FormRow& row, const FormContext& context);
 
-/// Why the value cannot stand in the field, in the units shown; empty where its numbers are in range.
+/// Why the value is out of range, in the units shown; empty if it is in range.
 QString outOfRange(const FormRow& row, const FieldValue& value, const FormContext& context);
 
-/// A help text of the table without the marks of the reference page; null is called automatic.
+/// A help text of the field table without the markup of the reference page; "null" becomes "automatic".
 QString plainHelp(std::string_view help);
 
 }  // namespace keyblock

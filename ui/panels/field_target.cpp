@@ -11,7 +11,7 @@ namespace keyblock {
 
 namespace {
 
-/// The map of the scene that holds what the field names; empty: the field is no such name.
+/// The map of the scene that holds the named object; empty: the field names no object.
 std::string_view listOf(const FormRow& row) {
     if (row.field->kind != FieldKind::Text) return {};
     const std::string_view key = row.field->key;

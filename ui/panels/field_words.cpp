@@ -16,7 +16,7 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(FieldWords)
 };
 
-/// Labels that the key does not give.
+/// Labels that cannot be derived from the key.
 const QHash<QString, QString>& ownLabels() {
     static const QHash<QString, QString> labels{
         {"youngs_modulus", Texts::tr("Young's modulus")}, {"poissons_ratio", Texts::tr("Poisson's ratio")},
@@ -43,7 +43,7 @@ struct Heading {
     std::vector<std::string_view> keys;
 };
 
-/// Long structures fall into groups; keys named in none stand under the structure's own title.
+/// Groups of long structures; keys that are in no group appear under the title of the structure.
 const std::vector<Heading>& headings() {
     static const std::vector<Heading> list{
         {"bolt pattern", QT_TRANSLATE_NOOP("FieldWords", "Bolt"),
@@ -86,7 +86,7 @@ std::string wordIn(const Structure& structure, const void* object, std::string_v
 
 std::string wordOf(const ObjectAt& at, std::string_view key) { return wordIn(*at.structure, at.object, key); }
 
-/// Motions, loads and the like have the time of the stage that they belong to.
+/// The time of motions, loads etc. is that of their stage.
 bool inStaticStage(const ObjectAt& at) {
     return at.owner && at.ownerStructure->name == "stage" && wordIn(*at.ownerStructure, at.owner, "kind") == "static";
 }
@@ -95,7 +95,7 @@ bool isGiven(const ObjectAt& at, std::string_view key) {
     return !std::holds_alternative<std::monostate>(valueOf(*at.structure, at.object, key));
 }
 
-/// True where the second of two units holds.
+/// True if the second of two units applies.
 bool takesSecond(const ObjectAt& at, const Field& field) {
     if (at.structure->name == "anchor") return !isGiven(at, "at") && wordOf(at, "per") == "length";
     if (at.structure->name == "bolt type")

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The field table in words for people: labels, headings, and the unit that a
-// number has beside the other fields of its object.
+// Texts for the field table: labels, headings, and the unit of a number, which may
+// depend on the other fields of its object.
 #pragma once
 
 #include "ui/look/display.h"
@@ -19,7 +19,7 @@ namespace keyblock {
 /// `Spacing out of plane`, `Young's modulus`.
 QString labelOf(const Field& field);
 
-/// The same beside its value: of a stress with the sign that is positive.
+/// The same with the sign convention for stresses.
 QString labelOf(const Field& field, const Display& display);
 
 /// `Joint set`.
@@ -28,13 +28,13 @@ QString titleOf(const Structure& structure);
 /// `3 joint sets`, `1 bolt`.
 QString countedOf(const Structure& structure, int count);
 
-/// The heading under which a field of the object itself stands; most structures have one, their title.
+/// The heading above a field of the object; most structures have a single one, their title.
 QString headingOf(const Structure& structure, const Field& field);
 
-/// The heading of a group of numerical settings, which few users change; empty: the field is in no such group.
+/// The heading of the numerical settings, which few users change; empty: the field is not one of them.
 QString numericalHeading(const Structure& structure, const Field& field);
 
-/// SI unit of the field's number in this object, where the table leaves a choice (`N/m, or N/m per m`).
+/// SI unit of the field in this object; the table may allow two (`N/m, or N/m per m`).
 std::string unitOf(const ObjectAt& at, const Field& field);
 
 /// SI units of the columns of a table of pairs; `–` becomes empty.

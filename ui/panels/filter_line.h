@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lines whose hint is dimmed while they are empty, and one to search with.
+// Line edits with a dimmed hint while they are empty, and one for searching.
 #pragma once
 
 #include <QLineEdit>
@@ -10,7 +10,7 @@ namespace keyblock {
 
 class Themes;
 
-/// Dims the hint of an empty line; a style sheet would give it the colour of typed text.
+/// Dims the hint of an empty line; with a style sheet it would have the colour of typed text.
 void dimHint(QLineEdit& line);
 
 class FilterLine : public QLineEdit {

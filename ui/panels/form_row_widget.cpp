@@ -79,11 +79,11 @@ void FormRowWidget::layOut() {
         grid->addWidget(editor_, 1, 0, 1, 4);
     } else {
         const int span = acrossUnit ? 2 : 1;
-        const bool flag = row_.field->kind == FieldKind::Flag;  // leaves its room to the label
+        const bool flag = row_.field->kind == FieldKind::Flag;  // leaves its space to the label
         const int further = acrossUnit ? gap + unitWidth : unitWidth - forUnit;
         const bool leads = namesObject(row_);
         const int forTarget = leads ? gap + arrowSize : 0;
-        const bool isStress = row_.field->isStress && row_.field->kind == FieldKind::Number;  // its label says the sign
+        const bool isStress = row_.field->isStress && row_.field->kind == FieldKind::Number;  // sign in its label
         editor_->setFixedWidth(flag ? flagWidth : (isStress ? stressWidth : valueWidth) + further - forTarget);
         auto* value = new QHBoxLayout;
         value->setSpacing(gap);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One line of a form: label, value, unit, reset arrow, and below it what is wrong.
-// Also the heading of a group of them.
+// One row of a form: label, value, unit, reset arrow, and below it the error
+// message. Also the heading of a group of rows.
 #pragma once
 
 #include "ui/panels/value_editor.h"
@@ -18,20 +18,20 @@ class FormRowWidget : public QWidget {
 public:
     FormRowWidget(const FormRow& row, const FormContext& context, QWidget* parent);
 
-    /// The row anew, and what the check says of it.
+    /// Shows the new state of the row and the messages of the check.
     void present(const FormRow& row, const QString& problems, bool error);
 
     const FormRow& row() const { return row_; }
     ValueEditor& editor() const { return *editor_; }
 
-    /// Says at the field why what was typed is not taken; empty: takes that back.
+    /// Shows at the field why the input is refused; empty: removes the message.
     void setRefusal(const QString& why);
 
 Q_SIGNALS:
     void entered(const keyblock::FieldValue& value);
     void resetAsked();
     void focused();
-    void targetAsked();  // the object that the field names
+    void targetAsked();  // the object named in the field
 
 private:
     void layOut();

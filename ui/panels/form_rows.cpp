@@ -20,7 +20,7 @@ struct Shown {
     ObjectAt at;
 };
 
-/// Parts of the scene that are objects of their own to a person.
+/// Parts of the scene that have their own row in the tree.
 bool standsInTree(const Field& field) { return field.kind != FieldKind::Object || field.nullable; }
 
 bool appliesToAll(const std::vector<Shown>& objects, const Field& field) {
@@ -63,7 +63,7 @@ class Groups {
 public:
     explicit Groups(std::vector<FormGroup>& groups) : groups_(groups) {}
 
-    /// Rows of the objects' own fields, then groups for what stands inside.
+    /// Rows of the objects' own fields, then groups for nested objects.
     void addObjects(const std::vector<Shown>& objects, const std::string& prefix, const QString& title, int depth) {
         const Structure& structure = *objects.front().at.structure;
         std::vector<FormGroup> own;
@@ -152,7 +152,7 @@ private:
     std::vector<FormGroup>& groups_;
 };
 
-/// Things in a map have no field for their name; people look for it all the same.
+/// Entries of a map have no field for their name, but users look for one.
 void addNameOfMapEntry(std::vector<FormGroup>& groups, const Shown& shown) {
     static const Field nameField{.key = "name", .kind = FieldKind::Text,
                                  .help = "Name used by other objects to refer to this one.", .required = true};
@@ -168,7 +168,7 @@ void addNameOfMapEntry(std::vector<FormGroup>& groups, const Shown& shown) {
     groups.front().rows.insert(groups.front().rows.begin(), std::move(row));
 }
 
-/// Several objects never have one name.
+/// Several objects cannot share one name.
 void withoutNames(std::vector<FormGroup>& groups) {
     for (FormGroup& group : groups)
         std::erase_if(group.rows, [](const FormRow& row) { return row.path == "name"; });
@@ -187,7 +187,7 @@ std::vector<FormGroup> formGroups(const Scene& scene, const std::vector<std::str
     for (const std::string& pointer : pointers) {
         const auto at = objectAt(scene, pointer);
         if (!at) continue;
-        if (!objects.empty() && at->structure != objects.front().at.structure) return {};  // they share no fields
+        if (!objects.empty() && at->structure != objects.front().at.structure) return {};  // they have no common fields
         objects.push_back({pointer, *at});
     }
     std::vector<FormGroup> groups;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The dock of the bolt library: what each type is, where its numbers come from, and
-// how it holds. Built-in types are copied into the scene to be changed.
+// The dock of the bolt library: each bolt type with its values, their sources, and
+// its strength curves. Built-in types are copied into the scene before they are
+// edited.
 #pragma once
 
 #include "ui/panels/library_rows.h"
@@ -29,14 +30,14 @@ class LibraryPanel : public QWidget {
 public:
     LibraryPanel(const FormContext& context, Selection& selection, QWidget* parent = nullptr);
 
-    /// Shows the type of that name.
+    /// Shows the type with that name.
     void choose(const QString& name);
     QString chosen() const { return chosen_; }
 
-    /// Puts a copy under a free name into the scene and selects it there.
+    /// Adds a copy with a free name to the scene and selects it.
     void copyIntoScene();
 
-    /// Gives the type to the selected bolts and patterns.
+    /// Assigns the type to the selected bolts and patterns.
     void assign();
 
     void refresh();

@@ -106,7 +106,7 @@ private:
     std::vector<LibraryNumber> rows_;
 };
 
-/// The same law with other places.
+/// The same law at other positions.
 bool sameLaw(Anchor a, const Anchor& b) {
     a.at = b.at;
     a.from = b.from;

@@ -42,7 +42,7 @@ void setBold(QWidget& widget, bool bold) {
 
 bool isText(const FormRow& row) { return row.field->kind == FieldKind::Text; }
 
-/// Sentences; they get the whole line below their label.
+/// Sentences get the whole line below their label.
 bool isLong(const FormRow& row) {
     static constexpr std::array<std::string_view, 5> keys{"title", "shows", "source", "quantity", "file"};
     return isText(row) && std::ranges::count(keys, row.field->key);
@@ -90,12 +90,12 @@ void LineEditor::enter() {
     if (row_.mixed && text.trimmed().isEmpty()) return showText(false);
     const auto typed = readValue(text, *row_.field, unitOf(row_.at, *row_.field), context_.display);
     if (!typed.value) return Q_EMIT refused(typed.problem);
-    shown_ = text;  // entered once, whether by Enter or by leaving
+    shown_ = text;  // entered once, by Enter or on losing the focus
     Q_EMIT entered(*typed.value);
 }
 
 void LineEditor::setRefused(bool refused) {
-    if (refused) shown_.clear();  // asked again at the next Enter
+    if (refused) shown_.clear();  // read again at the next Enter
     refused_ = refused;
     line_->setProperty("invalid", refused);
     line_->style()->unpolish(line_);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Values that fit a line (numbers, points, texts), choices and flags.
+// Editors for values that fit on one line (numbers, points, texts), for choices and
+// for flags.
 #pragma once
 
 #include "ui/panels/value_editor.h"
@@ -12,7 +13,7 @@ class QLineEdit;
 
 namespace keyblock {
 
-/// Numbers, points, directions, places and texts. Shown rounded, edited exactly.
+/// Numbers, points, directions, positions and texts. Shown rounded, edited exactly.
 class LineEditor : public ValueEditor {
     Q_OBJECT
 
@@ -33,7 +34,7 @@ private:
     FormContext context_;
     FormRow row_;
     QLineEdit* line_;
-    QString shown_;  // as last put there by the program
+    QString shown_;  // as last set by the program
     bool wide_, isText_;
     bool refused_ = false;
 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An object of a scene with its table and what holds it: what the panels walk to
-// show fields without knowing the structs.
+// An object of a scene with its field table and its parent. Panels use it to show
+// fields without knowing the structs.
 #pragma once
 
 #include "solver/scene/field.h"
@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// Lives as long as the scene that it was asked of.
+/// Valid as long as the scene that it belongs to.
 struct ObjectAt {
     const Structure* structure = nullptr;
     const void* object = nullptr;
@@ -21,10 +21,10 @@ struct ObjectAt {
     const void* owner = nullptr;
 };
 
-/// What stands at `pointer`; none where no object of the scene has it. The empty pointer is the scene.
+/// The object at `pointer`, if there is one. The empty pointer is the scene.
 std::optional<ObjectAt> objectAt(const Scene& scene, std::string_view pointer);
 
-/// The value of another field of the object; nothing where it has no such field.
+/// The value of another field of the object; null if it has no such field.
 FieldValue valueOf(const Structure& structure, const void* object, std::string_view key);
 
 }  // namespace keyblock

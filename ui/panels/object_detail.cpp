@@ -24,7 +24,7 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(ObjectDetail)
 };
 
-/// Says something of one kind of object.
+/// Describes objects of one kind.
 struct Teller {
     const Document& document;
     const Display& display;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A few words beside a name that tell one thing from the next: `35° · 1.2 m`.
+// A short text after a name that distinguishes objects: `35° · 1.2 m`.
 #pragma once
 
 #include <QString>
@@ -13,7 +13,7 @@ namespace keyblock {
 class Display;
 class Document;
 
-/// Of the object at `pointer`, in the units shown; empty where nothing is worth saying.
+/// For the object at `pointer`, in the units shown; may be empty.
 QString detailOf(const Document& document, const Display& display, const std::string& pointer);
 
 /// Icon of the object's kind, by name.

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The plan of stages: a bar for each thing over the stages in which it is there,
-// with a mark where it comes or goes. A click or Enter changes a cell.
+// The stage plan: a bar for each object over the stages in which it is present, with
+// a mark where it is excavated, installed or removed. A click or Enter changes a
+// cell.
 #pragma once
 
 #include "ui/panels/stage_plan.h"

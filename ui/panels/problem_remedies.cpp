@@ -21,7 +21,7 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(Remedies)
 };
 
-/// Lists to which a name that is missing can be added as it is.
+/// Lists to which a missing name can be added directly.
 std::string listNamed(std::string_view key) {
     if (key == "material") return "/materials";
     if (key == "joint_material") return "/joint_materials";
@@ -48,7 +48,7 @@ std::optional<Remedy> renameTaken(const Problem& problem, const ScenePlace& plac
                   }};
 }
 
-/// Fields and corners that the check asks to leave out.
+/// Fields and corners that the check suggests to leave out.
 std::optional<Remedy> leaveOut(const Problem& problem, const ScenePlace& place) {
     const std::string pointer = problem.pointer;
     if (problem.remedy.starts_with("Leave it out")) {

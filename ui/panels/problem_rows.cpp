@@ -20,7 +20,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostNotes = 200;  // of a kind, one by one
+constexpr std::size_t mostNotes = 200;  // listed for each kind
 
 struct Texts {
     Q_DECLARE_TR_FUNCTIONS(Problems)
@@ -31,7 +31,7 @@ QString capitalised(QString text) {
     return text;
 }
 
-/// The part of the work that a pointer belongs to.
+/// The part of the scene that a pointer belongs to.
 QString roomOf(const std::string& pointer) {
     const QString key = QString::fromStdString(pointer).section('/', 1, 1);
     static const std::map<QString, const char*> rooms{

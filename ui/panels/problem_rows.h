@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the check and the cut have to say, row by row as people read it.
+// The rows of the Problems panel: messages of the check and the report of the cut.
 #pragma once
 
 #include "ui/panels/problem_remedies.h"
@@ -22,19 +22,19 @@ struct ProblemRow {
 
     Sign sign = Sign::Note;
     QString title, detail, where;
-    QString link;  // what a click on it does: mend, show, open
+    QString link;  // what a click on it does: fix, show, open
     std::optional<Remedy> remedy;
-    QString pointer;  // of what it is about, down to the field; empty: the whole section
-    std::optional<Box> box;  // where it lies [m]
+    QString pointer;  // of the object or field concerned; empty: the whole section
+    std::optional<Box> box;  // its location [m]
     bool opensReport = false;
     int depth = 0;
 };
 
-/// Errors, warnings and notes of the newest check, then slivers and the report of the cut; where that is open, its
-/// notes follow one by one.
+/// Errors, warnings and notes of the newest check, then slivers and the cut report; if the report is open, its
+/// notes follow.
 std::vector<ProblemRow> problemRows(const Document& document, const Display& display, bool reportIsOpen);
 
-/// Of these, errors and warnings.
+/// Number of errors and warnings among them.
 int urgentCount(const std::vector<ProblemRow>& rows);
 
 }  // namespace keyblock

@@ -69,7 +69,7 @@ QSize ProblemRowPaint::sizeHint(const QStyleOptionViewItem&, const QModelIndex& 
 }
 
 QRect ProblemRowPaint::linkOf(const QRect& row, const QString& link, const QFont& font) {
-    // Some more than it takes, for the rounding of elision.
+    // Slightly wider than necessary, because elision rounds.
     const int width = QFontMetrics(fontOf(font, 12, QFont::DemiBold)).horizontalAdvance(link) + 4;
     return {row.right() - inset - width, row.top(), width, row.height()};
 }
@@ -159,7 +159,7 @@ void ProblemsPanel::follow(int row) {
         return refresh();
     }
     if (!chosen.remedy) return showRow(row);
-    // What an older check says may be meant of another thing by now.
+    // Messages of an older check may refer to other objects by now.
     if (document_.checkIsCurrent()) document_.apply(chosen.remedy->text, chosen.remedy->edit(*document_.scene()));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The dock of problems: what is wrong, where, and a link that mends or shows it.
+// The Problems dock: what is wrong, where, and a link that fixes or shows it.
 #pragma once
 
 #include "ui/panels/problem_rows.h"
@@ -42,7 +42,7 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
-    /// Where the link of a row stands.
+    /// Rectangle of the link of a row.
     static QRect linkOf(const QRect& row, const QString& link, const QFont& font);
 
 private:
@@ -59,10 +59,10 @@ public:
     /// Errors and warnings, for the badge of the dock.
     int urgent() const { return urgentCount(list_->rows()); }
 
-    /// Does what the link of the row says.
+    /// Performs the action of the row's link.
     void follow(int row);
 
-    /// Selects what the row is about and asks for it to be seen.
+    /// Selects the object of the row and requests to show it.
     void showRow(int row);
 
     const ProblemList& list() const { return *list_; }
@@ -72,7 +72,7 @@ public:
 
 Q_SIGNALS:
     void placeAsked(const keyblock::Box& box);
-    void fieldAsked(const QString& pointer);  // of a field of what was just selected
+    void fieldAsked(const QString& pointer);  // of a field of the object just selected
     void countChanged(int urgent);
 
 protected:

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The right of the window: what is selected, field by field, with the help of the
-// field in hand at the foot. Nothing selected: the settings of the scene.
+// The Properties panel at the right of the window: the fields of the selection, with
+// the help on the focused field at the bottom. Without a selection: the settings of
+// the scene.
 #pragma once
 
 #include "ui/panels/form_rows.h"
@@ -30,22 +31,22 @@ class PropertyPanel : public QWidget {
 public:
     PropertyPanel(const FormContext& context, Selection& selection, QWidget* parent = nullptr);
 
-    /// Puts the cursor in a field of what is selected; false where it is not shown.
+    /// Puts the cursor in a field of the selection; false if it is not shown.
     bool focusField(const QString& path);
 
-    /// The same by the pointer of the field, in whatever object is shown.
+    /// The same by the pointer of the field, in any object shown.
     void focusPointer(const QString& pointer);
 
     FieldForm& form() const { return *form_; }
 
-    /// Puts a widget above the fields.
+    /// Places a widget above the fields.
     void addAbove(QWidget* widget);
-    /// Title and second line in place of those of what is selected; without a selection there are no fields then.
+    /// Title and second line instead of those of the selection; without a selection no fields are shown then.
     /// Empty: none.
     void setSubject(const QString& title, const QString& detail);
 
 Q_SIGNALS:
-    void libraryAsked(const QString& type);  // the type is of the program's library, not of the scene
+    void libraryAsked(const QString& type);  // the type is built in, not part of the scene
 
 private:
     void follow();
@@ -61,7 +62,7 @@ private:
     Selection& selection_;
     QLabel *title_, *detail_, *helpTitle_, *helpText_;
     QToolButton* pin_;
-    QStringList pinned_;  // what is shown
+    QStringList pinned_;  // the objects shown
     FilterLine* filter_;
     QScrollArea* scroll_;
     FieldForm* form_;

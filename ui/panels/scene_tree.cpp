@@ -29,7 +29,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int openByItself = 12;  // rows; headings with more stay closed until somebody opens them
+constexpr int openByItself = 12;  // rows; headings with more rows are closed at first
 
 QToolButton* headerButton(QWidget* header, const QString& name) {
     auto* button = new QToolButton(header);
@@ -109,7 +109,7 @@ void SceneTree::makeHeader() {
     header_->setAttribute(Qt::WA_StyledBackground);
     header_->setFixedHeight(30);
     auto* row = new QHBoxLayout(header_);
-    row->setContentsMargins(12, 4, 6, 4);  // a dock asks what it holds, not how high it is
+    row->setContentsMargins(12, 4, 6, 4);  // a dock uses the size hint of its content, not its height
     row->setSpacing(4);
     auto* title = new QLabel(tr("Scene"), header_);
     title->setObjectName("dockTitle");
@@ -136,7 +136,7 @@ void SceneTree::makeHeader() {
     });
 }
 
-/// What is drawn comes from the commands; the rest is added ready to use.
+/// Drawn objects come from the commands; other objects are added with default values.
 void SceneTree::fillAddMenu() {
     addMenu_->clear();
     for (QAction* action : commands_.all())
@@ -195,7 +195,7 @@ void SceneTree::refresh() {
     showSelection();
 }
 
-/// The row of an object, with the lists above it opened.
+/// The row of an object; opens the lists above it.
 QModelIndex SceneTree::openTo(const QString& pointer) {
     QModelIndex found = model_->indexOf(pointer);
     if (found.isValid()) return found;
@@ -207,7 +207,7 @@ QModelIndex SceneTree::openTo(const QString& pointer) {
     return model_->indexOf(pointer);
 }
 
-/// Thousands of rows that follow each other are one range. Only a new selection is scrolled to.
+/// Consecutive rows form one range. Only a new selection is scrolled to.
 void SceneTree::showSelection() {
     const QScopedValueRollback<bool> following(follows_, true);
     QItemSelection chosen;
@@ -300,7 +300,7 @@ void SceneTree::openMenu(const QPoint& place) {
         if (node.hasPlace) menu.addAction(tr("Zoom to"), this, [this] { Q_EMIT zoomAsked(selection_.pointers()); });
         if (node.canRename)
             menu.addAction(tr("Rename\tF2"), this, [this, at = QPersistentModelIndex(index)] {
-                if (at.isValid()) view_->edit(at);  // the tree may have been made anew under the menu
+                if (at.isValid()) view_->edit(at);  // the tree may have been rebuilt while the menu was open
             });
         if (id != "/analysis") {
             if (id.count('/') > 1) menu.addAction(withKeys(tr("Duplicate"), "edit.duplicate"), this, &SceneTree::duplicate);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The left of the window: everything that the scene holds, by kind. What is chosen
-// here is chosen everywhere.
+// The tree at the left of the window: all objects of the scene by kind. It shares
+// the selection with the other panels.
 #pragma once
 
 #include "ui/panels/tree_nodes.h"
@@ -42,7 +42,7 @@ public:
 
     TreeView& view() const { return *view_; }
 
-    /// Gives the scene a stress in situ, if it has none, and selects it.
+    /// Adds an in-situ stress to the scene if it has none, and selects it.
     void addInSituStress();
 
     /// Shows the scene as it is now, without waiting for the next round of events.
@@ -82,8 +82,8 @@ private:
     std::vector<RunRow> runs_;
     QString filter_;
     QSet<QString> open_, seen_;  // headings
-    bool follows_ = false;  // the tree is being brought in line with the selection
-    bool sought_ = false;  // the selection is new and not in sight yet
+    bool follows_ = false;  // the tree is being updated from the selection
+    bool sought_ = false;  // the selection is new and not scrolled to yet
     QWidget* header_;
     FilterLine* line_;
     QToolButton *filterButton_, *addButton_;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the header of the property panel says of several objects.
+// The header of the Properties panel for several objects.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -15,7 +15,7 @@ namespace keyblock {
 
 struct SelectionTitle {
     QString title;  // "3 bolts"; "8 objects" of several kinds
-    QString detail;  // what edits do, or how many objects there are of each kind
+    QString detail;  // the effect of edits, or the number of objects of each kind
 };
 
 /// \pre several pointers.

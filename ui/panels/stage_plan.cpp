@@ -27,7 +27,7 @@ PlanRow rockRow(const Scene& scene, const std::string& name, const char* icon, b
     PlanRow row{name, false, icon, {}};
     const bool everExcavated =
         std::ranges::any_of(scene.stages, [&](const Stage& s) { return names(s.excavate, name); });
-    bool there = !isTunnel || everExcavated;  // a tunnel that nothing excavates is open from the start
+    bool there = !isTunnel || everExcavated;  // a tunnel that no stage excavates is open from the start
     for (const Stage& stage : scene.stages) {
         const bool goes = names(stage.excavate, name);
         there = there && !goes;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which tunnel, block, bolt and pattern is there in which stage, as a table that a
-// person reads at one glance and changes by clicks; and what else a stage does.
+// In which stages each tunnel, block, bolt and pattern is present, as a table that
+// the user can change by clicks, and the other actions of a stage.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -18,7 +18,7 @@ namespace keyblock {
 
 class Display;
 
-/// What happens to a thing at the start of a stage, and whether it is there afterwards.
+/// Change of an object at the start of a stage, and whether it is present afterwards.
 struct PlanCell {
     enum class Event { None, Excavated, Installed, Removed };
     Event event = Event::None;
@@ -27,7 +27,7 @@ struct PlanCell {
 
 struct PlanRow {
     std::string name;
-    bool isBolt = false;  // comes and goes; else rock, which only goes
+    bool isBolt = false;  // may be installed and removed; else rock, which can only be excavated
     QString icon;
     std::vector<PlanCell> cells;  // one for each stage
 };
@@ -37,14 +37,14 @@ std::vector<PlanRow> stagePlan(const Scene& scene);
 
 inline constexpr std::size_t mostPlanBlocks = 40;
 
-/// The cell the other way: rock is excavated in this stage (and in no other) or stays; a bolt that is not there yet is
-/// installed, one that is there is removed, and what happens here already is taken back.
+/// Toggles a cell: rock is excavated in this stage (and in no other) or stays; an absent bolt is installed,
+/// a present one is removed, and a change that is already in this stage is undone.
 Edit toggled(const Scene& scene, const PlanRow& row, std::size_t stage);
 
 /// `Excavate drift in excavate`.
 QString toggledName(const Scene& scene, const PlanRow& row, std::size_t stage);
 
-/// What the stage does, a few words each: `excavates drift`, `2 loads`.
+/// The actions of the stage in a few words each: `excavates drift`, `2 loads`.
 QStringList stageDeeds(const Stage& stage, const Display& display);
 
 /// When it ends: `at equilibrium`, `10 increments`, `0.5 s`.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The dock of stages: what happens, one after another, and what is there in which
-// stage. A stage that is chosen here shows its loads and tables in the properties.
+// The Stages dock: the stages in order, and the stage plan. A stage selected here
+// shows its loads and tables in the Properties panel.
 #pragma once
 
 #include "ui/panels/value_editor.h"

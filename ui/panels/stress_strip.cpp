@@ -83,7 +83,7 @@ void StressStrip::setObject(const std::string& pointer) {
     if (isShown) fill();
 }
 
-/// With what the scene has, in units and sign as shown.
+/// Fills the inputs from the scene, with the units and sign shown.
 void StressStrip::fill() {
     const Scene& scene = *context_.document.scene();
     const DepthStress depth = suggestedDepthStress(scene);

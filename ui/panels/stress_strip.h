@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Above the fields of the in-situ stress: depth and K0, or principal stresses and
-// their direction, which fill these fields as one edit.
+// Input above the fields of the in-situ stress: depth and K0, or principal stresses
+// and their direction, from which these fields are filled in one edit.
 #pragma once
 
 #include "ui/panels/form_rows.h"
@@ -26,13 +26,13 @@ class StressStrip : public QWidget {
 public:
     StressStrip(const FormContext& context, QWidget* parent);
 
-    /// Shows for the in-situ stress; hides for anything else.
+    /// Visible for the in-situ stress only.
     void setObject(const std::string& pointer);
 
 private:
     enum class Way { Depth, Principal };
 
-    /// A field whose number has a unit as the display shows it.
+    /// A field with a number in the display unit.
     struct Field {
         QLineEdit* editor;
         QLabel* name;

@@ -23,7 +23,7 @@ QFont tickFont() {
     return font;
 }
 
-/// Room round the curve: from zero where that is near, 8 % above.
+/// Margin around the curve: from zero if that is near, 8 % above.
 QCPRange roomFor(double least, double most) {
     if (least > 0.0 && least < 0.5 * most) least = 0.0;
     if (most < 0.0 && most > 0.5 * least) most = 0.0;

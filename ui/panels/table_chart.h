@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A curve of a table beside it, small and without tools: steel, bonds, loads over
-// time.
+// A small chart next to a table: steel and bond curves, loads over time.
 #pragma once
 
 #include "solver/scene/scene.h"

@@ -26,7 +26,7 @@ bool holdsNumbers(const FormRow& row) {
     return kind == FieldKind::Points || kind == FieldKind::PointPair || kind == FieldKind::Pairs;
 }
 
-/// A check box that shortens a long name in its middle instead of widening the panel; its tooltip has all of it.
+/// A check box that elides a long name in the middle instead of widening the panel; the tooltip shows the full name.
 class NameTick : public QCheckBox {
 public:
     NameTick(const QString& name, QWidget* parent) : QCheckBox(parent), name_(name) {
@@ -112,7 +112,7 @@ void TableEditor::present(const FormRow& row) {
     row_ = row;
     table_->setHeadings(headings());
     std::vector<QStringList> texts = row.mixed ? std::vector<QStringList>{} : textsOf(row.value);
-    // What is typed and not yet a value stays; what stands there anyway is not written again under the cursor.
+    // Keeps input that is not a value yet, and does not rewrite an unchanged text under the cursor.
     if (other || (!refused_ && texts != table_->rows())) table_->setRows(texts);
     shown_ = std::move(texts);
     if (!chart_) return;
@@ -171,7 +171,7 @@ NamesEditor::NamesEditor(const FormContext& context, QWidget* parent)
     ticks_->setSpacing(2);
 }
 
-/// Boxes of the same names stay, and with them the cursor.
+/// Keeps the boxes, and with them the focus, if the names are the same.
 void NamesEditor::present(const FormRow& row) {
     row_ = row;
     const auto* chosen = std::get_if<std::vector<std::string>>(&row.value);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Values with many parts: corners, curves, lists of texts, and names to tick.
+// Editors for values with many parts: corners, curves, lists of texts, and names to
+// tick.
 #pragma once
 
 #include "ui/panels/value_editor.h"
@@ -61,8 +62,8 @@ private:
     FormContext context_;
     FormRow row_;
     QVBoxLayout* ticks_;
-    std::vector<std::string> names_;  // one a box, in order
-    std::size_t known_ = std::string::npos;  // so many of them there are to choose; npos: nothing is shown yet
+    std::vector<std::string> names_;  // one per box, in order
+    std::size_t known_ = std::string::npos;  // number of them that exist; npos: nothing is shown yet
 };
 
 }  // namespace keyblock

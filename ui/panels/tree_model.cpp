@@ -12,7 +12,7 @@ namespace {
 
 const QString draggedType = QStringLiteral("application/x-keyblock-row");
 
-/// A long list that was opened has the rows that still wait in a new one, if it has as many.
+/// A long list that was opened keeps its rows for the deferred ones of a new tree if their number is equal.
 bool sameRows(const TreeNode& a, const TreeNode& b) {
     if (a.id != b.id) return false;
     if (b.waiting > 0) return a.waiting == b.waiting || static_cast<int>(a.children.size()) == b.waiting;
@@ -148,7 +148,7 @@ bool TreeModel::canDropMimeData(const QMimeData* dragged, Qt::DropAction, int ro
     return dragged->hasFormat(draggedType) && row >= 0 && nodeAt(parent).id == "/stages";
 }
 
-/// The row goes where the line between two others was; the view must not take the old one out by itself.
+/// Moves the row to the drop position; the view must not remove the old row itself.
 bool TreeModel::dropMimeData(const QMimeData* dragged, Qt::DropAction action, int row, int column,
                              const QModelIndex& parent) {
     if (!canDropMimeData(dragged, action, row, column, parent) || !move_) return false;

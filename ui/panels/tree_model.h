@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The scene tree for Qt's views. A new scene with the same rows changes their texts
-// in place; else everything is made anew and the view opens again what was open.
+// The scene tree as a Qt model. A new scene with the same rows only changes their
+// texts; otherwise the tree is rebuilt and the view reopens the rows that were open.
 #pragma once
 
 #include "ui/panels/tree_nodes.h"
@@ -24,17 +24,17 @@ public:
 
     explicit TreeModel(QObject* parent = nullptr);
 
-    /// Shows the tree; true when rows came or went.
+    /// Shows the tree; true if rows were added or removed.
     bool show(std::unique_ptr<TreeNode> root);
 
-    /// Makes the children that wait in a row.
+    /// Creates the deferred children of a row.
     void setFetch(Fetch fetch) { fetch_ = std::move(fetch); }
     void setRename(Rename rename) { rename_ = std::move(rename); }
     void setMove(Move move) { move_ = std::move(move); }
 
     const TreeNode& nodeAt(const QModelIndex& index) const;
 
-    /// The row of that id; invalid where there is none, also where it waits in a closed list.
+    /// The row with that id; invalid if there is none or if it is still deferred in a closed list.
     QModelIndex indexOf(const QString& id) const;
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -58,7 +58,7 @@ public:
 private:
     TreeNode* nodeOf(const QModelIndex& index) const;
     QModelIndex indexOfNode(const TreeNode& node) const;
-    void list(const TreeNode& node);  // what stands below it
+    void list(const TreeNode& node);  // its children
 
     std::unique_ptr<TreeNode> root_;
     QHash<QString, const TreeNode*> nodes_;  // by id

@@ -18,7 +18,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int longList = 60;  // entries; longer ones wait until they are opened
+constexpr int longList = 60;  // entries; longer lists are filled when opened
 
 struct Texts {
     Q_DECLARE_TR_FUNCTIONS(SceneTree)
@@ -110,7 +110,7 @@ private:
         return node;
     }
 
-    /// Puts the heading in, unless a filter leaves nothing of it.
+    /// Adds the heading unless the filter removes all of it.
     void addHeading(TreeNode& root, std::unique_ptr<TreeNode> node) {
         if (!source_.filter.isEmpty() && node->children.empty() && !matches(*node)) return;
         addChild(root, std::move(node));
@@ -143,7 +143,7 @@ private:
         addHeading(root, std::move(node));
     }
 
-    /// Blocks that the scene gives, and how many the cut makes.
+    /// Blocks given in the scene, and the number of blocks after cutting.
     void addBlocks(TreeNode& geometry) {
         auto blocks = heading("/blocks", Texts::tr("Blocks"), "block", true);
         const auto& cut = source_.document.checked().cut;

@@ -26,7 +26,7 @@ QFont fontOf(const QFont& base, int pixels, QFont::Weight weight) {
     return font;
 }
 
-/// Things that the mouse could take hold of.
+/// Objects that can be picked with the mouse.
 bool canLock(const TreeNode& node) { return node.isObject && node.hasPlace; }
 
 }  // namespace
@@ -42,7 +42,7 @@ QRect TreeRows::lockOf(const QRect& row) { return eyeOf(row).translated(-iconSiz
 
 QSize TreeRows::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const { return {80, rowHeight}; }
 
-/// Eye, lock and badge from the right; gives the x that is left for texts.
+/// Paints eye, lock and badge from the right; returns the right limit for texts.
 int TreeRows::paintRight(QPainter& painter, const QRect& row, const TreeNode& node, bool selected) const {
     const Theme& t = themes_.current();
     const bool hidden = visibility_.isHidden(node.id);

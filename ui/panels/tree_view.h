@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How the scene tree is painted and clicked: rows of 24 px with icon, name, detail,
-// and at the right badge, lock and eye.
+// Painting and mouse input of the scene tree: rows of 24 px with icon, name and
+// detail, and at the right badge, lock and eye.
 #pragma once
 
 #include <QStyledItemDelegate>
@@ -42,7 +42,7 @@ class TreeView : public QTreeView {
 public:
     TreeView(const Themes& themes, const Visibility& visibility, TreeModel& model, QWidget* parent);
 
-    /// True while a person types a name.
+    /// True while a name is being edited.
     bool isEditing() const { return state() == EditingState; }
 
 Q_SIGNALS:

@@ -16,7 +16,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostTicks = 40;  // names to tick; more are typed
+constexpr std::size_t mostTicks = 40;  // names to tick; longer lists are typed
 
 QString number(double value, const FormRow& row, const FormContext& context) {
     return numberText(value, unitOf(row.at, *row.field), context.display, 3);
@@ -26,7 +26,7 @@ QString firstJointMaterial(const Scene& scene) {
     return scene.jointMaterials.empty() ? QString() : QString::fromStdString(scene.jointMaterials.front().first);
 }
 
-/// Joints and sets take the domain's; the domain and blocks the first of the scene.
+/// Joints and sets use that of the domain; the domain and blocks the first of the scene.
 QString automaticJointMaterial(const FormRow& row, const Scene& scene) {
     const bool ownFaces = row.structure->name == "domain" || row.structure->name == "block";
     if (!ownFaces && scene.domain && scene.domain->jointMaterial)
@@ -34,7 +34,7 @@ QString automaticJointMaterial(const FormRow& row, const Scene& scene) {
     return firstJointMaterial(scene);
 }
 
-/// Of the cut that was made last.
+/// From the last cut.
 QString cutLimit(const FormRow& row, const FormContext& context) {
     const auto& cut = context.document.checked().cut;
     if (!cut) return {};

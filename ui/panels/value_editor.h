@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The widget in which a person edits one field, of a kind that fits the field. What
-// is typed wrong stays in it, marked, until it is mended or taken back.
+// The widget that edits one field, of a kind that fits the field. Invalid input
+// stays in it, marked, until it is corrected or discarded.
 #pragma once
 
 #include "ui/panels/form_rows.h"
@@ -15,7 +15,7 @@ class Display;
 class Document;
 class Themes;
 
-/// What editors and forms need of the window.
+/// What editors and forms need from the window.
 struct FormContext {
     Document& document;
     const Display& display;
@@ -28,29 +28,29 @@ class ValueEditor : public QWidget {
 public:
     using QWidget::QWidget;
 
-    /// Shows the row's value anew, but leaves what a person is just typing.
+    /// Updates the value shown, but keeps text that is being typed.
     virtual void present(const FormRow& row) = 0;
 
-    /// Takes a line of its own below the label.
+    /// Needs its own line below the label.
     virtual bool isWide() const { return false; }
 
-    /// The unit is told inside, not in the unit column.
+    /// Shows the unit itself, not in the unit column.
     virtual bool tellsUnit() const { return false; }
 
-    /// Marks what stands in it as not taken, or takes the mark off.
+    /// Marks the content as refused, or removes the mark.
     virtual void setRefused(bool refused) = 0;
 
 Q_SIGNALS:
     void entered(const keyblock::FieldValue& value);
-    void refused(const QString& why);  // what was typed has no value
-    void takenBack();  // what was refused is no longer there
+    void refused(const QString& why);  // the input has no value
+    void takenBack();  // the refused input is gone
     void focused();
 };
 
-/// The editor for the row's field, named for people who cannot see it.
+/// The editor for the row's field, with an accessible name.
 ValueEditor* makeValueEditor(const FormRow& row, const FormContext& context, QWidget* parent);
 
-/// What the program takes where the field is null, in the units shown; empty where it decides only in a run.
+/// The value used if the field is null, in the units shown; empty if it is only known in a run.
 QString automaticText(const FormRow& row, const FormContext& context);
 
 }  // namespace keyblock

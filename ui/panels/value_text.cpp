@@ -18,7 +18,7 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(ValueText)
 };
 
-/// Of 736.8 kN/m a person means 736800 N/m, not what is left of it after a product of two rounded numbers.
+/// 736.8 kN/m means exactly 736800 N/m, without the round-off of the product with a factor.
 double withoutRoundOff(double value) {
     return std::isfinite(value) ? QString::number(value, 'g', 15).toDouble() : value;
 }
@@ -27,7 +27,7 @@ double fromShown(double shown, double factor) {
     return factor == 1.0 ? shown : withoutRoundOff(shown * (1.0 / factor));
 }
 
-/// −1 for a stress that is shown with compression positive.
+/// −1 for a stress shown with compression positive.
 double signOf(const Field& field, const Display& display) {
     return field.isStress && display.compressionPositive() ? -1.0 : 1.0;
 }
@@ -51,7 +51,7 @@ QString axisText(const Point& axis, const Display& display, bool exact) {
     return pointText(axis, {}, display, exact);
 }
 
-/// Numbers between semicolons, or between commas; brackets round them are taken off.
+/// Numbers separated by semicolons or commas; surrounding brackets are ignored.
 Typed<std::vector<double>> readNumbers(QString text, int count, std::string_view unit, const Display& display) {
     text = text.trimmed();
     if ((text.startsWith('(') && text.endsWith(')')) || (text.startsWith('[') && text.endsWith(']')))
@@ -76,7 +76,7 @@ Typed<FieldValue> readPoint(const QString& text, std::string_view unit, const Di
     return {FieldValue(Point((*numbers.value)[0], (*numbers.value)[1])), {}};
 }
 
-/// `sign` times what is typed; a zero keeps none.
+/// `sign` times the value typed; zero has no sign.
 double withSign(double sign, double typed) { return typed == 0.0 ? 0.0 : sign * typed; }
 
 Typed<FieldValue> readTriple(const QString& text, double sign, std::string_view unit, const Display& display) {
