@@ -65,7 +65,7 @@ void BoltTool::press(const Pointed& at) {
         place(wall->place, wall->place + length_ * wall->inward);
         return;
     }
-    head_ = wall ? wall->place : at.place;  // with Ctrl the far end is picked, too
+    head_ = wall ? wall->place : at.place;  // with Ctrl the far end is picked as well
     headWall_ = wall;
     wall_.reset();
 }
@@ -91,7 +91,7 @@ bool BoltTool::back() {
 
 bool BoltTool::accepts(const Snap& snap) const {
     if (head_ || !wallAt(scene(), snap.place, bench().metres(wallReach))) return true;
-    return wallAt(scene(), snap.place, bench().metres(2.0)).has_value();  // a place beside the wall is not meant
+    return wallAt(scene(), snap.place, bench().metres(2.0)).has_value();  // a point off the wall is ignored
 }
 
 void BoltTool::paint(QPainter& painter, const CanvasMap& map) const {

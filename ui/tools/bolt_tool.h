@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A single bolt. Near a wall its head lies on it and its length goes square into
-// the rock; away from walls head and far end are picked.
+// Places a single bolt. Near a wall its head lies on the wall and the bolt is
+// perpendicular to it; elsewhere head and far end are picked.
 #pragma once
 
 #include "ui/edit/wall.h"
@@ -42,7 +42,7 @@ private:
     Bolt bolt_;
     double length_ = 2.4;  // [m]
     std::optional<WallPlace> wall_;  // under the mouse
-    std::optional<WallPlace> headWall_;  // that the picked head lies on
+    std::optional<WallPlace> headWall_;  // wall on which the picked head lies
     std::optional<Point> head_, cursor_;
 };
 

@@ -13,10 +13,10 @@ namespace keyblock {
 QStringList materialNames(const Scene& scene);
 QStringList jointMaterialNames(const Scene& scene);
 QStringList regionNames(const Scene& scene);
-QStringList boltTypeNames(const Scene& scene);  // the scene's own, then those that come with the program
+QStringList boltTypeNames(const Scene& scene);  // the scene's own, then the built-in ones
 QStringList stageNames(const Scene& scene);
 
-/// A choice made in another scene, or of what has gone since, becomes the first one, or none.
+/// A name that does not exist in this scene becomes the first one, or none.
 void keepAmong(std::string& name, const QStringList& names);
 void keepAmong(std::optional<std::string>& name, const QStringList& names);
 

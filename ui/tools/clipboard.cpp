@@ -15,12 +15,12 @@
 namespace keyblock {
 namespace {
 
-constexpr double shift = 24.0;  // [px] that a copy lies off its original
+constexpr double shift = 24.0;  // [px] offset of a copy from its original
 
-/// One of several of its kind; of others there can be no copy.
+/// True for an object of a list; others cannot be copied.
 bool isOfList(const QString& pointer) { return pointer.count('/') > 1; }
 
-/// The scene and its settings stay.
+/// The scene and its settings cannot be deleted.
 bool mayGo(const QString& pointer) { return !pointer.isEmpty() && pointer != "/analysis"; }
 
 }  // namespace
@@ -52,7 +52,7 @@ Clipboard::Clipboard(Workbench& bench, SelectTool& select, Commands& commands, Q
     showWhatCan();
 }
 
-/// Among results nothing of the scene is taken out or added unseen.
+/// While results are shown, nothing of the scene is deleted or added.
 void Clipboard::showWhatCan() {
     const bool drawing = bench_.isDrawing();
     const QStringList& chosen = bench_.selection().pointers();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cut, copy, paste, duplicate, delete and select all, on what is selected.
+// Cut, copy, paste, duplicate, delete and select all for the selection.
 #pragma once
 
 #include <QList>
@@ -42,7 +42,7 @@ private:
     QAction *delete_, *paste_, *all_;
     std::shared_ptr<const Scene> source_;  // null: nothing was copied
     QStringList pointers_;
-    int pasted_ = 0;  // times since the copy: each lies a little further
+    int pasted_ = 0;  // pastes since the copy: each has a larger offset
 };
 
 }  // namespace keyblock

@@ -19,7 +19,7 @@ constexpr int fieldWidth = 106, fieldHeight = 25;
 
 QString shown(double number) { return QString::number(number, 'f', 3).replace('-', QChar(0x2212)); }
 
-/// A comma stands for a decimal point where x and y have fields of their own.
+/// A comma is a decimal comma if x and y have separate fields.
 bool saysWholePlace(const QString& text) { return text.contains('@') || text.contains('<') || text.contains(';'); }
 
 }  // namespace
@@ -159,7 +159,7 @@ bool CoordinateBox::eventFilter(QObject* watched, QEvent* event) {
         frame->style()->polish(frame);
         const auto reason = static_cast<QFocusEvent*>(event)->reason();
         if (event->type() == QEvent::FocusOut && reason == Qt::MouseFocusReason && typing_) {
-            typing_ = both_ = false;  // a click elsewhere takes over
+            typing_ = both_ = false;  // a click elsewhere takes the focus
             showPlace();
         }
     }

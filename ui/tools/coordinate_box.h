@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The box at the cursor: it shows where the mouse is, and takes places as they are
-// typed. The mouse goes through it.
+// The box at the cursor: it shows the coordinates of the mouse and accepts typed
+// coordinates. Mouse events pass through it.
 #pragma once
 
 #include "geometry/point.h"
@@ -26,10 +26,10 @@ class CoordinateBox : public QFrame {
 public:
     CoordinateBox(QWidget& canvas, const Themes& themes);
 
-    /// Shows the place beside `pixel`, unless a person is typing. `previous` is what relative places go by.
+    /// Shows the point next to `pixel`, unless text is being typed. `previous` is the base of relative coordinates.
     void follow(const Point& place, const QPointF& pixel, const std::optional<Point>& previous, bool belowTag);
 
-    /// Begins to take a place, with the first key typed.
+    /// Starts the input of a point with the first key typed.
     void begin(const QString& text, const std::optional<Point>& previous);
     bool isTyping() const { return typing_; }
     void stop();
@@ -54,7 +54,7 @@ private:
     QLabel* hint_;
     Point mouse_{0.0, 0.0};
     std::optional<Point> previous_;
-    bool typing_ = false, both_ = false;  // both_: Tab said that x and y are meant
+    bool typing_ = false, both_ = false;  // both_: Tab was pressed, so x and y are separate
 };
 
 }  // namespace keyblock

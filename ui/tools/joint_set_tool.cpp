@@ -19,9 +19,9 @@
 namespace keyblock {
 namespace {
 
-constexpr std::size_t mostDashed = 150;  // traces; dashes of more are slow and cannot be told apart
+constexpr std::size_t mostDashed = 150;  // traces; more dashed lines are slow to paint and cannot be distinguished
 
-/// The dip of a line, −90° < dip <= 90°: its two directions are one.
+/// The dip of a line, −90° < dip <= 90°: both directions are equivalent.
 double dipOf(const Point& way) {
     double dip = std::atan2(way.y(), way.x()) / radiansPerDegree;
     if (dip > 90.0) dip -= 180.0;
@@ -77,7 +77,7 @@ void JointSetTool::next() {
     const Edit fresh = appendAt(scene(), "/joint_sets");
     const SceneJointSet before = set_;
     set_ = fresh.scene.jointSets.back();
-    if (before.spacing > 0.0) {  // as the one before, only its direction is another
+    if (before.spacing > 0.0) {  // as the previous set, with another direction
         set_.spacing = before.spacing, set_.spacingDeviation = before.spacingDeviation;
         set_.dipDeviation = before.dipDeviation, set_.jointMaterial = before.jointMaterial;
     }
@@ -110,7 +110,7 @@ bool JointSetTool::enter() {
     SceneJointSet set = set_;
     set.name.clear();
     if (!bench().add(withJointSet(scene(), set))) return false;
-    bench().selection().clear();  // its traces would hide the ghosts of the next set
+    bench().selection().clear();  // its traces would hide the preview of the next set
     picked_.reset();
     next();
     return true;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A joint set: its traces stand as a ghost while spacing, dip and scatter are set;
-// a place that a trace runs through and its direction may be picked.
+// Adds a joint set: its traces are shown as a preview while spacing, dip and scatter
+// are set; a point on a trace and the direction may be picked.
 #pragma once
 
 #include "ui/tools/tool.h"
@@ -41,7 +41,7 @@ private:
 
     SceneJointSet set_;
     std::vector<ObjectLine> traces_;  // of `set_`
-    std::optional<Point> picked_;  // where a trace runs through; its direction is to come
+    std::optional<Point> picked_;  // a point on a trace; the direction is picked next
     std::optional<Point> cursor_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What outlines, blocks and joints share: a line of points drawn one by one, or a
-// rectangle by two of its corners.
+// Base of the outline, block and joint tools: a line of points drawn one by one, or
+// a rectangle by two of its corners.
 #pragma once
 
 #include "ui/tools/tool.h"

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A force at a point, a force on a block, or a pressure along a line, in a stage.
+// Adds a force at a point, a force on a block, or a pressure along a line to a
+// stage.
 #pragma once
 
 #include "ui/tools/tool.h"
@@ -26,7 +27,7 @@ public:
     bool back() override;
     bool undoPoint() override { return back(); }
     std::optional<Point> previous() const override { return first_; }
-    bool accepts(const Snap&) const override { return what_ != OnBlock; }  // inside a block nothing snaps: what does lies on its faces
+    bool accepts(const Snap&) const override { return what_ != OnBlock; }  // snap points lie on faces, not inside
     void paint(QPainter& painter, const CanvasMap& map) const override;
 
 private:

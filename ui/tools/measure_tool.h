@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tells lengths and angles; it changes nothing.
+// Measures lengths and angles; it changes nothing.
 #pragma once
 
 #include "ui/tools/tool.h"
@@ -32,7 +32,7 @@ public:
 private:
     std::vector<Point> line() const;
 
-    std::vector<Point> points_;  // one or more of a line, until it ended
+    std::vector<Point> points_;  // points of the current line
     bool ended_ = false;
     std::optional<Point> cursor_;
 };

@@ -30,7 +30,7 @@ public:
         const auto show = [this] {
             setChecked(action_->isChecked());
             setToolTip(action_->toolTip());
-            updateGeometry();  // it may have another key
+            updateGeometry();  // its shortcut may have changed
         };
         QObject::connect(action, &QAction::changed, this, show);
         QObject::connect(this, &QAbstractButton::clicked, action, [this, action] {

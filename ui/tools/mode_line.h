@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Object snap, ortho and grid snap with their keys, as switches in the status bar.
+// Switches for object snap, ortho and grid snap with their keys in the status bar.
 #pragma once
 
 #include <QWidget>

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double boltReach = 14.0;  // [px]
 
-/// The axis that the two points lie apart on, mostly.
+/// The axis along which the distance of the two points is larger.
 Point axisBetween(const Point& a, const Point& b) {
     const Point way = (b - a).cwiseAbs();
     return way.x() >= way.y() ? Point(1.0, 0.0) : Point(0.0, 1.0);

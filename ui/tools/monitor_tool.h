@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Watches a point, an opening between two points, or a bolt.
+// Adds a monitor of a point, an opening between two points, or a bolt.
 #pragma once
 
 #include "ui/tools/tool.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Moves a block by a given way over a stage.
+// Prescribes the displacement of a block in a stage.
 #pragma once
 
 #include "ui/tools/tool.h"
@@ -22,7 +22,7 @@ public:
     void press(const Pointed& at) override;
     void move(const Pointed& at) override { cursor_ = at.place; }
     void leave() override { cursor_.reset(); }
-    bool accepts(const Snap&) const override { return false; }  // inside a block nothing snaps: what does lies on its faces
+    bool accepts(const Snap&) const override { return false; }  // snap points lie on faces, not inside
     void paint(QPainter& painter, const CanvasMap& map) const override;
 
 private:

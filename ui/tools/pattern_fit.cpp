@@ -9,10 +9,10 @@ namespace keyblock {
 
 namespace {
 
-constexpr double step = 1e-6;  // [m] spacings and offsets are whole numbers of it, so that files have short numbers
+constexpr double step = 1e-6;  // [m] spacings and offsets are multiples of it, so that files have short numbers
 constexpr double together = 1e-9;  // of the run
 
-/// Never more: the last bolt must not fall past the end.
+/// Rounded down: the last bolt must not be beyond the end.
 double roundedDown(double metres) { return std::floor(metres / step) * step; }
 
 }  // namespace
@@ -25,7 +25,7 @@ PatternPlaces fitted(PatternFit fit, const PatternPlaces& given, int bolts, doub
         return {given.spacing, std::max(0.0, roundedDown(0.5 * (run - intervals * given.spacing)))};
     }
     const int intervals = isClosed ? bolts : bolts - 1;
-    if (intervals < 1) return {run, roundedDown(0.5 * run)};  // one bolt, in the middle
+    if (intervals < 1) return {run, roundedDown(0.5 * run)};  // one bolt, centred
     return {std::max(step, roundedDown(run / intervals)), 0.0};
 }
 

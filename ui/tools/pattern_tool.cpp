@@ -20,7 +20,7 @@ namespace keyblock {
 namespace {
 
 constexpr double roomForNumbers = 80.0;  // [px] of a bolt
-constexpr double firstReach = 60.0;  // [px] from the wall at which it is meant
+constexpr double firstReach = 60.0;  // [px] largest distance from the wall for a pick
 constexpr double samePlace = 1e-9;  // [m]
 constexpr double mostBolts = 1000.0;
 
@@ -54,7 +54,7 @@ std::vector<ToolField> PatternTool::fields() {
     const auto row = [&](const char* key, const QString& label, const QStringList& choices = {}) {
         return rowField("bolt_patterns", key, &pattern_, label, tell, choices);
     };
-    // What the user wants is kept: another end of the wall is fitted from it again.
+    // The values set by the user are kept: a new end point is fitted from them again.
     const auto given = [&](const char* key, const QString& label, double& value) {
         ToolField field = rowField("bolt_patterns", key, &pattern_, label, [] {});
         field.get = [&value] { return FieldValue(value); };
@@ -96,7 +96,7 @@ void PatternTool::begin() {
     from_.reset(), to_.reset(), hover_.reset();
     wayChosen_ = false;
     bolts_.clear();
-    if (pattern_.spacing > 0.0) return;  // as the one before
+    if (pattern_.spacing > 0.0) return;  // as the previous pattern
     const Edit fresh = appendAt(scene(), "/bolt_patterns");
     pattern_ = fresh.scene.boltPatterns.back();
     given_ = {pattern_.spacing, pattern_.offset};
@@ -130,7 +130,7 @@ void PatternTool::move(const Pointed& at) {
         }
     }
     layOut();
-    if (bolts_.size() != before) Q_EMIT changed();  // the number stands on the button
+    if (bolts_.size() != before) Q_EMIT changed();  // the number is on the button
 }
 
 void PatternTool::press(const Pointed& at) {
@@ -198,7 +198,7 @@ void PatternTool::paint(QPainter& painter, const CanvasMap& map) const {
     const std::vector<NodeAhead> nodes = nodesAhead(scene(), pattern_.type, pattern_.length, pattern_.divisions);
     for (const ObjectLine& bolt : bolts_) ink.bolt(bolt.points[0], bolt.points[1], plates, nodes);
     const double scale = map.pixelsPerMetre();
-    const bool roomy = scale * pattern_.length > roomForNumbers;  // else numbers would lie on each other
+    const bool roomy = scale * pattern_.length > roomForNumbers;  // else the numbers would overlap
     if (bolts_.size() > 1 && roomy && scale * pattern_.spacing > 0.5 * roomForNumbers) {
         const bool left = pattern_.way == Way::CounterClockwise;
         const std::size_t middle = (bolts_.size() - 1) / 2;

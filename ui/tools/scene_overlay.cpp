@@ -18,7 +18,7 @@
 namespace keyblock {
 namespace {
 
-/// True for what the picture of a cut scene shows itself.
+/// True for objects that the picture of a cut scene shows itself.
 bool isInPicture(ObjectKind kind) {
     switch (kind) {
         case ObjectKind::Domain:
@@ -89,7 +89,7 @@ void SceneOverlay::paintLines(QPainter& painter, const CanvasMap& map) const {
     }
 }
 
-/// All that is seen but the openings.
+/// All visible objects except openings.
 QPainterPath SceneOverlay::rock(const CanvasMap& map) const {
     QPainterPath all, openings;
     all.addRect(QRectF(QPointF(), map.size()));
@@ -105,7 +105,7 @@ QPainterPath SceneOverlay::rock(const CanvasMap& map) const {
     return all - openings;
 }
 
-/// Where lines end at openings, they are clipped; the clip costs much, so those come last, together.
+/// Lines that end at openings are clipped; clipping is slow, so they are painted last, together.
 void SceneOverlay::paintSelected(QPainter& painter, const CanvasMap& map) const {
     std::set<std::string> holders;
     for (const QString& pointer : bench_.selection().pointers())

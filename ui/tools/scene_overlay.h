@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the picture of blocks and bolts does not show while a person draws: what is
-// held, loads, monitors, regions; lines that are not cut yet; and what is selected.
+// Painted above the picture of blocks and bolts while drawing: supports, loads,
+// monitors, regions, lines that are not cut yet, and the selection.
 #pragma once
 
 #include "ui/canvas/canvas_tool.h"
@@ -33,7 +33,7 @@ private:
     void paintSelected(QPainter& painter, const CanvasMap& map) const;
 
     const Workbench& bench_;
-    mutable std::shared_ptr<const Scene> shown_;  // what `objects_` are of, a preview included
+    mutable std::shared_ptr<const Scene> shown_;  // the scene of `objects_`, which may be a preview
     mutable std::vector<SceneObject> objects_;
 };
 

@@ -22,7 +22,7 @@ namespace keyblock {
 namespace {
 
 constexpr double hitReach = 7.0, handleReach = 8.0, dragStart = 4.0, wallReach = 24.0;  // [px]
-constexpr std::size_t mostNear = 100;  // lines of one thing
+constexpr std::size_t mostNear = 100;  // lines of one object
 
 }  // namespace
 
@@ -52,7 +52,7 @@ QString SelectTool::objectAt(const Point& place) const {
     std::vector<std::size_t> found = objectsAt(bench().objects(), place, bench().metres(hitReach));
     std::erase_if(found, [&](std::size_t index) { return bench().isLocked(bench().objects()[index].pointer); });
     if (found.empty()) return {};
-    // A thing that is chosen already is meant again: it may be dragged through others.
+    // A selected object takes precedence, so that it can be dragged across others.
     for (const std::size_t index : found) {
         const QString pointer = QString::fromStdString(bench().objects()[index].pointer);
         if (bench().selection().contains(pointer) && bench().objects()[index].area.empty()) return pointer;
@@ -61,7 +61,7 @@ QString SelectTool::objectAt(const Point& place) const {
 }
 
 void SelectTool::press(const Pointed& at) {
-    if (!bench().isDrawing()) return;  // results are chosen by the window
+    if (!bench().isDrawing()) return;  // the window selects results
     pressed_ = at;
     single_ = false;
     hot_ = handleAt(at.pixel);
@@ -115,7 +115,7 @@ void SelectTool::beginDrag() {
         grab_ = all[*hot_].place;
         return;
     }
-    // The place of the thing itself that was taken hold of comes to lie where the mouse snaps.
+    // The point at which the object was grabbed moves to the snap point.
     const Pointed held = bench().pointAt(pressed_.raw, pressed_.pixel, {}, std::nullopt, {});
     grab_ = held.snap && held.snap->kind != SnapKind::Grid ? held.place : pressed_.raw;
 }
@@ -262,7 +262,7 @@ void SelectTool::paint(QPainter& painter, const CanvasMap& map) const {
     ToolInk ink(painter, map, bench().theme());
     const SceneObject* over = hover_.isEmpty() || doing_ != Doing::Nothing ? nullptr : bench().object(hover_);
     if (over && !bench().selection().contains(hover_)) {
-        // Of a set with thousands of traces the one under the mouse says enough, and is painted in time.
+        // For a set with thousands of traces, only the trace under the mouse is painted.
         const bool all = over->lines.size() <= mostNear;
         for (const ObjectLine& line : over->lines)
             if (all || distanceToSegment(line.points.front(), line.points.back(), mouse_) < bench().metres(hitReach))

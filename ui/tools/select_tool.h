@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Chooses things by clicks and boxes, drags them and their handles with snap, and
-// inserts and takes out corners. The tool that all others come back to.
+// Selects objects by clicks and boxes, drags them and their handles with snap, and
+// inserts and deletes corners. All other tools return to it.
 #pragma once
 
 #include "ui/edit/handles.h"
@@ -39,14 +39,14 @@ public:
     void paint(QPainter& painter, const CanvasMap& map) const override;
     QCursor cursor() const override;
 
-    /// Takes out what is selected, or the corner under the mouse.
+    /// Deletes the selection, or the corner under the mouse.
     void removeSelected();
 
 private:
     enum class Doing { Nothing, Presses, Moves, Shapes, Boxes };
 
     std::vector<std::string> selected() const;
-    std::vector<Handle> handles() const;  // of the one thing that is selected
+    std::vector<Handle> handles() const;  // of the only selected object
     std::optional<std::size_t> handleAt(const QPointF& pixel) const;
     QString objectAt(const Point& place) const;
     void choose(const QString& pointer, Qt::KeyboardModifiers modifiers);
@@ -60,13 +60,13 @@ private:
 
     Doing doing_ = Doing::Nothing;
     Pointed pressed_;
-    Point grab_{0.0, 0.0};  // the place that is dragged [m]
+    Point grab_{0.0, 0.0};  // the point that is dragged [m]
     QPointF boxEnd_;
     Point mouse_{0.0, 0.0};  // [m]
     std::optional<std::size_t> hot_;  // handle under the mouse, or dragged
-    std::string shaped_;  // pointer of what has the dragged handle
+    std::string shaped_;  // pointer of the object with the dragged handle
     QString hover_;  // pointer of the object under the mouse
-    bool single_ = false;  // a click without a drag chooses this alone
+    bool single_ = false;  // a click without a drag selects only this
 };
 
 }  // namespace keyblock

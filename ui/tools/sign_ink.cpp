@@ -17,7 +17,7 @@ namespace keyblock {
 namespace {
 
 constexpr double spacing = 22.0, tick = 7.0, arrowLength = 34.0, mostName = 150.0;  // [px]
-constexpr double leastForNames = 15.0;  // [px per m] below it they would lie on bolts
+constexpr double leastForNames = 15.0;  // [px per m] below it they would overlap bolts
 
 template <typename Item>
 const Item* itemAt(const Scene& scene, const std::string& pointer) {
@@ -25,7 +25,7 @@ const Item* itemAt(const Scene& scene, const std::string& pointer) {
     return place && place->isObject() ? static_cast<const Item*>(place->object()) : nullptr;
 }
 
-/// The part of a line that can be seen, so that signs along it stay few.
+/// The visible part of a line, which limits the number of signs.
 bool clip(QLineF& line, const QRectF& room) {
     double begin = 0.0, end = 1.0;
     const QPointF way = line.p2() - line.p1();
@@ -141,7 +141,7 @@ void SignInk::pressure(const Point& from, const Point& to, bool pulls, const QCo
     if (!clip(line, QRectF(QPointF(), map_.size()).adjusted(-20, -20, 20, 20)) || line.length() < 2.0) return;
     const QPointF along = (line.p2() - line.p1()) / line.length();
     QPointF into(-along.y(), along.x());
-    if (into.y() < 0.0) into = -into;  // drawn from above; which side presses is told by the edges
+    if (into.y() < 0.0) into = -into;  // drawn from above; the edges decide which side is loaded
     const int count = std::clamp(static_cast<int>(line.length() / spacing), 1, 400);
     painter_.setPen(QPen(colour, 1.2));
     painter_.drawLine(line.translated(-20.0 * into));

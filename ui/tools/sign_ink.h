@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Signs of structural drawings for what holds and moves the rock: hatching of held
-// sides, rollers, arrows of loads and motions, targets of monitors.
+// Symbols of structural drawings for supports, loads, motions and monitors: hatching
+// of fixed sides, rollers, arrows, targets.
 #pragma once
 
 #include "ui/edit/scene_objects.h"
@@ -22,13 +22,13 @@ class SignInk {
 public:
     SignInk(QPainter& painter, const CanvasMap& map, const Theme& theme);
 
-    /// The sign of the object, where it has one.
+    /// The symbol of the object, if it has one.
     void paint(const Scene& scene, const SceneObject& object);
 
-    // The signs by themselves, for previews.
+    // Single symbols, for previews.
     void side(const Point& from, const Point& to, Fix fix, const QColor& colour);
     void held(const Point& place, Fix fix, const QColor& colour);
-    /// An arrow of `pixels` that ends at the place, in the direction of `way`.
+    /// An arrow of length `pixels` that ends at the point, in the direction `way`.
     void arrow(const Point& place, const Point& way, double pixels, const QColor& colour);
     void pressure(const Point& from, const Point& to, bool pulls, const QColor& colour);
     void motion(const Point& place, const Point& axis, const QColor& colour);

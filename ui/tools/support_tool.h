@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Holds a side of the domain, a point, or a whole block.
+// Supports a side of the domain, a point, or a whole block.
 #pragma once
 
 #include "ui/tools/tool.h"
@@ -22,7 +22,7 @@ public:
     void press(const Pointed& at) override;
     void move(const Pointed& at) override { cursor_ = at.place; }
     void leave() override { cursor_.reset(); }
-    bool accepts(const Snap&) const override { return what_ != Whole; }  // inside a block nothing snaps: what does lies on its faces
+    bool accepts(const Snap&) const override { return what_ != Whole; }  // snap points lie on faces, not inside
     void paint(QPainter& painter, const CanvasMap& map) const override;
 
 private:

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A tool is a way of working on the section, one at a time. The desk tells it what
-// the mouse and the keys mean (a place, enter, back); the tool says what it waits
-// for, what can be set, and paints what would come of it. Nothing reaches the
-// document before it is committed as one step of undo.
+// A tool is a mode of working on the section, one at a time. The desk translates
+// mouse and key events for it (a point, enter, back); the tool provides the prompt
+// and its options, and paints a preview. Nothing reaches the document before it is
+// committed as one undo step.
 #pragma once
 
 #include "ui/tools/tool_field.h"
@@ -31,15 +31,15 @@ class Tool : public QObject {
 public:
     explicit Tool(Workbench& bench) : bench_(bench) {}
 
-    virtual QString id() const = 0;  // joint; its icon and its command tool.joint are called so
+    virtual QString id() const = 0;  // joint; also the name of its icon and of its command tool.joint
     virtual QString title() const = 0;  // Joint
-    virtual QString prompt() const = 0;  // what it waits for: `pick the next point`
-    virtual QString detail() const { return {}; }  // what has been given so far: `3 points, 12.4 m`
+    virtual QString prompt() const = 0;  // the next input: `pick the next point`
+    virtual QString detail() const { return {}; }  // the input so far: `3 points, 12.4 m`
     virtual std::vector<ToolField> fields() { return {}; }
     virtual QString commitText() const { return {}; }  // `Place 8 bolts`; empty: not ready
 
     virtual void begin() {}  // was chosen
-    virtual void end() {}  // another one is; drops what is not committed
+    virtual void end() {}  // another tool is active; drops what is not committed
     virtual void refresh() {}  // the document changed
 
     // the mouse, snapped
@@ -56,12 +56,12 @@ public:
     virtual bool key(QKeyEvent&) { return false; }
     virtual void fillMenu(QMenu&, const Pointed&) {}
 
-    virtual bool changes() const { return true; }  // false: it only looks
-    virtual bool wantsPlaces() const { return true; }  // shows snaps and the box for typed places
+    virtual bool changes() const { return true; }  // false: it is read-only
+    virtual bool wantsPlaces() const { return true; }  // shows snaps and the coordinate box
     virtual bool snaps() const { return wantsPlaces(); }
-    virtual bool accepts(const Snap&) const { return true; }  // false: what snaps there is not meant by this tool
-    virtual std::optional<Point> previous() const { return {}; }  // what @ and ortho go by [m]
-    virtual std::vector<std::string> unsnapped() const { return {}; }  // pointers that are not snapped to
+    virtual bool accepts(const Snap&) const { return true; }  // false: no snap there for this tool
+    virtual std::optional<Point> previous() const { return {}; }  // base of @ and ortho [m]
+    virtual std::vector<std::string> unsnapped() const { return {}; }  // pointers excluded from snapping
 
     virtual void paint(QPainter&, const CanvasMap&) const {}
     virtual QCursor cursor() const { return Qt::CrossCursor; }

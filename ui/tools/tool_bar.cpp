@@ -20,7 +20,7 @@ namespace {
 
 constexpr int barHeight = 36, gap = 8;
 
-/// A button that tells its key behind its text: in a frame, or plain on the primary one.
+/// A button with its key after its text: in a frame, or plain on the primary one.
 class KeyButton : public QPushButton {
 public:
     KeyButton(const QString& key, bool primary, const Themes& themes, QWidget* parent)
@@ -79,7 +79,7 @@ private:
     const Themes& themes_;
 };
 
-/// The next chip that is shown, or the one before; null where there is none.
+/// The next or previous visible chip; null if there is none.
 ToolChip* beside(const std::vector<ToolChip*>& chips, const QString& id, bool forwards) {
     const auto isIt = [&](const ToolChip* chip) { return chip->id() == id; };
     auto at = std::distance(chips.begin(), std::find_if(chips.begin(), chips.end(), isIt));
@@ -164,7 +164,7 @@ void ToolBar::rebuild(Tool& tool) {
     }
     for (ToolChip* chip : chips_) {
         chip->hide();
-        chip->deleteLater();  // one of them may be what a person just used
+        chip->deleteLater();  // one of them may be in use
     }
     chips_.clear();
     for (ToolField& field : fields) {
@@ -178,7 +178,7 @@ void ToolBar::rebuild(Tool& tool) {
     }
 }
 
-/// Chips from the left as far as there is room; the others wait behind a button.
+/// Chips from the left as far as they fit; the others are in a popup.
 void ToolBar::layOut() {
     const int forMore = more_->sizeHint().width() + layout()->spacing();
     int room = options_->width() + (more_->isVisible() ? forMore : 0), all = -gap;

@@ -53,7 +53,7 @@ void ToolChip::makeChoice() {
     choice_->installEventFilter(this);
     layout()->addWidget(choice_);
     connect(choice_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
-        const bool none = !field_.none.isEmpty() && index == 0;  // a name may be the same word
+        const bool none = !field_.none.isEmpty() && index == 0;  // a name may be equal to it
         field_.set(none ? FieldValue{} : FieldValue(choice_->currentText().toStdString()));
         Q_EMIT done();
     });
@@ -112,7 +112,7 @@ void ToolChip::showValue() {
     if (choice_) {
         const auto* text = std::get_if<std::string>(&value);
         choice_->setCurrentIndex(text ? field_.choices.lastIndexOf(QString::fromStdString(*text)) : 0);
-        // As wide as what is chosen; the list is as wide as it needs.
+        // As wide as the current choice; the list is as wide as necessary.
         choice_->setFixedWidth(std::min(choice_->fontMetrics().horizontalAdvance(choice_->currentText()) + 30, mostOfChoice));
         QFontMetrics metrics = choice_->fontMetrics();
         int widest = choice_->width();
@@ -168,7 +168,7 @@ void ToolChip::enter() {
     edit_->selectAll();
 }
 
-/// Tab walks from field to field; Qt's own would leave the bar, as none of them takes the keys by Tab from elsewhere.
+/// Tab moves from field to field; Qt's own order would leave the bar, as the fields do not accept focus by Tab.
 bool ToolChip::isPassing(QEvent& event) {
     if (event.type() != QEvent::KeyPress && event.type() != QEvent::ShortcutOverride) return false;
     const int key = static_cast<QKeyEvent&>(event).key();
@@ -176,7 +176,7 @@ bool ToolChip::isPassing(QEvent& event) {
     event.accept();
     if (event.type() == QEvent::ShortcutOverride) return true;
     if (edit_) take(true);
-    if (property("wrong").toBool()) enter();  // what is typed next replaces it
+    if (property("wrong").toBool()) enter();  // the next input replaces it
     else Q_EMIT passed(key == Qt::Key_Tab);
     return true;
 }

@@ -23,14 +23,14 @@ public:
     ToolChip(ToolField field, const Display& display, const Themes& themes, QWidget* parent);
 
     const QString& id() const { return field_.id; }
-    /// Shows the value again, of the field as the tool gives it now; not what a person is typing.
+    /// Updates the value from the tool's field, unless it is being edited.
     void refresh(ToolField field);
-    /// Puts the cursor into it, with all of its text selected.
+    /// Gives it the focus and selects all of its text.
     void enter();
 
 Q_SIGNALS:
-    void done();  // Enter or Esc: the keys belong to the canvas again
-    void passed(bool forwards);  // Tab, or Shift+Tab: what was typed is taken, the next field has the keys
+    void done();  // Enter or Esc: the canvas receives the keys again
+    void passed(bool forwards);  // Tab, or Shift+Tab: the input is accepted and the next field has the focus
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -62,7 +62,7 @@ ToolDesk::ToolDesk(Canvas& canvas, Document& document, Selection& selection, con
     });
     connect(&document, &Document::checkedChanged, this, &ToolDesk::showSelected);
     connect(&selection, &Selection::changed, this, &ToolDesk::showSelected);
-    // Under a mouse that rests the wheel brings another place.
+    // Zooming by the wheel moves the section under a resting mouse.
     connect(&canvas, &Canvas::viewChanged, this, [this, &canvas] {
         if (at_) move({canvas.map().toPlace(at_->pixel), at_->pixel, Qt::NoButton, Qt::NoButton, at_->modifiers});
     });
@@ -84,7 +84,7 @@ void ToolDesk::choose(const QString& id) {
     box_->stop();
     tool_ = found->get();
     tool_->begin();
-    if (id != "select" && tool_->changes()) bench_->selection().clear();  // it would shine through the ghosts
+    if (id != "select" && tool_->changes()) bench_->selection().clear();  // it would show through the preview
     for (QAction* action : actions_) action->setChecked(action->objectName() == "tool." + id);
     showTool();
     bench_->canvas().setFocus();

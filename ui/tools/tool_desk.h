@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Stands between the canvas and the tool at work: turns mouse and keys into places
-// and steps, paints snaps and the prompt, and owns palette, bar and box.
+// Between the canvas and the active tool: translates mouse and keys into points and
+// steps, paints snaps and the prompt, and owns palette, bar and coordinate box.
 #pragma once
 
 #include "ui/canvas/canvas_tool.h"
@@ -41,7 +41,7 @@ public:
     Tool& tool() const { return *tool_; }
     void choose(const QString& id);
 
-    /// Off: the canvas shows results. What is chosen then is what is seen, and nothing is drawn or dragged.
+    /// Off: the canvas shows results. Only what is shown can be selected, and nothing is drawn or dragged.
     void setDrawing(bool drawing);
 
     void press(const CanvasEvent& event) override;
@@ -56,8 +56,8 @@ public:
 
 Q_SIGNALS:
     void chosen(const QString& id);
-    void said(const QString& text, bool warns);  // for the status bar too
-    void drawingAsked();  // a tool to draw was chosen while results are shown
+    void said(const QString& text, bool warns);  // also for the status bar
+    void drawingAsked();  // a drawing tool was chosen while results are shown
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -65,7 +65,7 @@ protected:
 private:
     void showTool();
     void showSelected();
-    void showRoomToDraw();  // where nothing is drawn yet
+    void showRoomToDraw();  // while the scene is empty
     void stepBack();
     void enter();
     void take(const Point& typed);
@@ -83,7 +83,7 @@ private:
     ToolBar* bar_;
     CoordinateBox* box_;
     std::vector<QAction*> actions_;  // of the tools
-    std::optional<Pointed> at_;  // where the mouse is; none: not over the canvas
+    std::optional<Pointed> at_;  // position of the mouse; none: not over the canvas
     QString message_;
     bool warns_ = false;
     QTimer* forget_;  // the message

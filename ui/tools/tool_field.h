@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // An option of a tool as the bar above the canvas shows it. Most are rows of the
-// field table over the thing that the tool is about to make, so that unit, range
-// and help are those of the file.
+// field table for the object that the tool is about to make, so that unit, range and
+// help are those of the file.
 #pragma once
 
 #include "solver/scene/field.h"
@@ -21,26 +21,26 @@ struct ToolField {
     QString label;
     QString help;
     QString unit;  // SI, as in the table; empty: none
-    QStringList choices{};  // not empty: one of these texts
+    QStringList choices{};  // not empty: the allowed texts
     bool isInteger = false;
-    QString none{};  // what an empty field means, where it may be empty
+    QString none{};  // meaning of an empty field, if it may be empty
     std::function<FieldValue()> get;
-    std::function<QString(const FieldValue&)> set;  // empty, or why not
+    std::function<QString(const FieldValue&)> set;  // empty, or why the value is refused
 };
 
-/// The row `key` of the entries of the scene's list `list` (`bolts`, `joint_sets`, …), over `object`, which is one.
-/// `choices` are the names that a text may be. `changed` follows every change.
+/// The row `key` of the entries of the scene's list `list` (`bolts`, `joint_sets`, …) for the entry `object`.
+/// `choices` are the names allowed for a text. `changed` is called after every change.
 ToolField rowField(const char* list, const char* key, void* object, const QString& label, std::function<void()> changed,
                    const QStringList& choices = {});
 
-/// True when the row applies to the object as it is (the width of a circle does not).
+/// True if the row applies to the object (the width of a circle does not).
 bool rowApplies(const char* list, const char* key, const void* object);
 
-/// An option that is a number and no row; `set` refuses what is not in the range.
+/// A numerical option that is not in the table; `set` refuses values out of the range.
 ToolField numberField(const QString& id, const QString& label, const QString& help, const QString& unit,
                       const Range& range, double& value, std::function<void()> changed);
 
-/// An option that is no row: one of `choices`, by index.
+/// An option that is not in the table: one of `choices`, by index.
 ToolField choiceField(const QString& id, const QString& label, const QStringList& choices, int& chosen,
                       std::function<void()> changed);
 

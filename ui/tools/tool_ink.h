@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How tools look on the canvas: ghosts, snap marks, dimensions, the prompt. In
+// How tools look on the canvas: previews, snap marks, dimensions, the prompt. In
 // pixels, in the colours of the theme.
 #pragma once
 
@@ -28,25 +28,25 @@ class ToolInk {
 public:
     ToolInk(QPainter& painter, const CanvasMap& map, const Theme& theme);
 
-    /// What is not committed yet: accent, dashed 7–4.
+    /// Not committed yet: accent, dashed 7–4.
     void ghost(const std::vector<Point>& points, bool closed = false, double width = 1.6);
     void ghostFill(const std::vector<Point>& outline);
-    /// What is chosen: accent, full.
+    /// Selected: accent, solid.
     void chosen(const std::vector<Point>& points, bool closed, double width = 2.0);
-    /// What the mouse is over.
+    /// Under the mouse.
     void near(const std::vector<Point>& points, bool closed);
     /// A wall that is picked.
     void wall(const std::vector<Point>& points);
-    /// A ghost bolt: shank dashed, nodes as they would be, hollow plate at the head.
+    /// Preview of a bolt: dashed shank, its nodes, hollow plate at the head.
     void bolt(const Point& head, const Point& farEnd, bool plate, const std::vector<NodeAhead>& nodes);
 
     void corner(const Point& place);  // 9 px square of a handle
     void handle(const Point& place, bool hot);
     void dot(const Point& place);
 
-    /// A length between two places, `off` pixels to the left of the way, in a white box.
+    /// A length between two points, `off` pixels to the left of the line, in a white box.
     void dimension(const Point& from, const Point& to, const QString& text, double off);
-    /// A small text in a panel beside a place.
+    /// A small text in a panel next to a point.
     void label(const QPointF& at, const QString& text);
 
     /// The mark of a snap with its name on a dark tag.
@@ -66,13 +66,13 @@ private:
     const Theme& theme_;
 };
 
-/// A length for people: `1.00 m`, `12.35 m`, `0.125 m`.
+/// A length as text: `1.00 m`, `12.35 m`, `0.125 m`.
 QString lengthText(double metres);
-/// An angle for people: `35.0°`.
+/// An angle as text: `35.0°`.
 QString angleText(double degrees);
-/// A number as it stands in a field of a tool: few digits, true minus.
+/// A number in a field of a tool: few digits, true minus.
 QString fieldText(double number);
-/// An area for people: `15.59 m²`.
+/// An area as text: `15.59 m²`.
 QString areaText(double squareMetres);
 /// `−2.50, 0.25`
 QString placeText(const Point& place);

@@ -70,7 +70,7 @@ void ToolPalette::addLine() {
     layOut();
 }
 
-/// Down from the top, and again from the top where the height ends.
+/// In columns from the top.
 void ToolPalette::layOut() {
     int x = 3, y = rim;
     for (QWidget* item : items_) {

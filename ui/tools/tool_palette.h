@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The tools as a column of buttons at the left of the canvas, each with the letter
-// of its key. On a low window they go on in a second column.
+// of its key. If the window is low, they continue in a second column.
 #pragma once
 
 #include <QWidget>
@@ -35,7 +35,7 @@ private:
     void layOut();
 
     const Themes& themes_;
-    std::vector<QWidget*> items_, lines_;  // the lines are among the items
+    std::vector<QWidget*> items_, lines_;  // including the separators
 };
 
 }  // namespace keyblock

@@ -36,7 +36,7 @@ struct Row {
     const char* text;
     const char* help;
     const char* key;  // empty: none
-    bool begins;  // a group of the palette
+    bool begins;  // starts a group in the palette
 };
 
 constexpr Row rows[] = {

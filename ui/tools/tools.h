@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The list of all tools, their commands, and what the selection means for bolts.
+// The list of all tools, their commands, and the bolts in the selection.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ class ToolDesk;
 class ToolPalette;
 class Workbench;
 
-/// One of each, Select first.
+/// One instance of each tool, Select first.
 std::vector<std::unique_ptr<Tool>> makeAllTools(Workbench& bench);
 
 /// A command, a key and a button for each tool.
@@ -26,7 +26,7 @@ void addToolCommands(Commands& commands, ToolDesk& desk, ToolPalette& palette, s
 /// Object snap, ortho, grid and grid snap.
 void addModeCommands(Commands& commands, Workbench& bench);
 
-/// Rows of the bolts of the scene as cut, of the selected bolts and patterns.
+/// Rows of the bolts of the cut scene that belong to the selected bolts and patterns.
 std::vector<int> selectedBolts(const Workbench& bench);
 
 }  // namespace keyblock

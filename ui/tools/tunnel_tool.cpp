@@ -10,7 +10,7 @@
 namespace keyblock {
 namespace {
 
-/// Numbers that another profile used are no part of this one.
+/// Clears the values that only another profile uses.
 SceneTunnel withoutOthers(SceneTunnel tunnel) {
     const SceneTunnel none;
     if (!rowApplies("tunnels", "diameter", &tunnel)) tunnel.diameter = none.diameter;
@@ -57,7 +57,7 @@ std::vector<ToolField> TunnelTool::fields() {
 
 void TunnelTool::begin() {
     corners_.clear();
-    if (tunnel_.width > 0.0) return;  // as the one before
+    if (tunnel_.width > 0.0) return;  // as the previous tunnel
     tunnel_.profile = ProfileKind::DShape;
     tunnel_.width = tunnel_.height = tunnel_.diameter = 5.0;
     tunnel_.wallHeight = 3.0, tunnel_.rise = 1.5;
@@ -73,7 +73,7 @@ SceneTunnel TunnelTool::placed(const Point& center) const {
 bool TunnelTool::place(const SceneTunnel& tunnel) {
     if (!bench().add(withTunnel(scene(), tunnel))) return false;
     corners_.clear();
-    Q_EMIT finished("select");  // where its handles are
+    Q_EMIT finished("select");  // at its handles
     return true;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A tunnel by a few numbers, placed by its middle; once placed, handles change it.
+// Places a tunnel, given by a few numbers, at its centre; handles change it
+// afterwards.
 #pragma once
 
 #include "ui/tools/tool.h"

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What every tool works with: document, selection and canvas, the place that is
-// meant under the mouse (snap, ortho, grid), and the way by which an edit becomes a
-// step of undo.
+// What every tool works with: document, selection and canvas, the point under the
+// mouse (with snap, ortho, grid), and the way in which an edit becomes an undo step.
 #pragma once
 
 #include "ui/edit/edit.h"
@@ -28,9 +27,9 @@ class Themes;
 class Visibility;
 struct Theme;
 
-/// A place that the mouse or the keyboard gives a tool.
+/// A point given to a tool by the mouse or the keyboard.
 struct Pointed {
-    Point place{0.0, 0.0};  // the one that is meant [m]
+    Point place{0.0, 0.0};  // after snapping [m]
     Point raw{0.0, 0.0};  // under the mouse [m]
     std::optional<Snap> snap{};
     QPointF pixel{};
@@ -38,7 +37,7 @@ struct Pointed {
     bool typed = false;
 };
 
-/// How places are found; switched by keys.
+/// Snapping modes, switched by keys.
 struct PointingModes {
     bool objectSnap = true, ortho = false, gridSnap = false, gridShown = false;
 
@@ -59,12 +58,12 @@ public:
     const Theme& theme() const;
 
     const Scene& scene() const;  // the document's, without a preview
-    const std::vector<SceneObject>& objects() const;  // of that scene, without what is hidden
+    const std::vector<SceneObject>& objects() const;  // of that scene, without hidden objects
     bool isHidden(const std::string& pointer) const;
     bool isLocked(const std::string& pointer) const;  // against the mouse
-    const SceneObject* object(const QString& pointer) const;  // null: it has no shape, or is not there
+    const SceneObject* object(const QString& pointer) const;  // null: it has no shape or does not exist
     double metres(double pixels) const;
-    double gridSpacing() const;  // of the grid as it is shown at this zoom [m]
+    double gridSpacing() const;  // of the grid at this zoom [m]
 
     const PointingModes& modes() const { return modes_; }
     void setModes(const PointingModes& modes);
@@ -73,7 +72,7 @@ public:
     bool isDrawing() const { return drawing_; }
     void setDrawing(bool drawing);
 
-    /// The place that is meant where the mouse is. `previous` is what ortho and feet go by; `except` are pointers that
+    /// The snapped point at the mouse. `previous` is the base of ortho and perpendiculars; `except` are pointers that
     /// are not snapped to.
     template <typename Accepts>
     Pointed pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
@@ -86,15 +85,15 @@ public:
     Pointed pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
                     const std::optional<Point>& previous, const std::vector<std::string>& except) const;
 
-    /// The same without things to snap to.
+    /// The same without object snap.
     Pointed freePointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
                         const std::optional<Point>& previous) const;
 
-    /// Makes the edit a step of undo called `step`. Says why where it was refused.
+    /// Makes the edit an undo step called `step`. Shows the reason if it was refused.
     bool commit(const QString& step, const Edit& edit);
-    /// Makes what a tool made a step, as `Add joint J3` where none is given, and selects it.
+    /// Makes the new object an undo step, by default called e.g. `Add joint J3`, and selects it.
     bool add(const Edit& edit, const QString& step = {});
-    /// Tells a person something beside the prompt.
+    /// Shows a message next to the prompt.
     void say(const QString& text, bool warns = false);
 
 Q_SIGNALS:
@@ -115,7 +114,7 @@ private:
     const Themes& themes_;
     PointingModes modes_;
     bool drawing_ = true;
-    mutable std::shared_ptr<const Scene> seen_;  // what `objects_` and `snaps_` are of
+    mutable std::shared_ptr<const Scene> seen_;  // the scene of `objects_` and `snaps_`
     mutable std::vector<SceneObject> objects_;
     mutable std::unique_ptr<SnapIndex> snaps_;
 };
