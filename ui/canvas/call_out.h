@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Panels over the canvas and the call-outs that point from one to a place: a bold
-// line, a line of details, an edge in the colour of the state.
+// Panels over the canvas, and call-outs that point from a panel to a location: a
+// bold line, a line of details, an edge in the colour of the state.
 #pragma once
 
 #include "geometry/point.h"
@@ -28,15 +28,15 @@ void paintPanel(QPainter& painter, const Theme& theme, const QRectF& rect);
 struct CallOut {
     QString head, detail;  // the detail may be empty
     QColor edge;
-    Point at{0.0, 0.0};  // that it points to [px]
-    Point first{0.0, -1.0};  // where it is best placed from there
-    bool hasFoot = false;  // a dot at the place
+    Point at{0.0, 0.0};  // target point [px]
+    Point first{0.0, -1.0};  // preferred direction from there
+    bool hasFoot = false;  // a dot at the target
 };
 
 QSizeF sizeOf(const CallOut& callOut);
 void paintCallOut(QPainter& painter, const Theme& theme, const CallOut& callOut, const QRectF& rect);
 
-/// Text over lines: with a rim in the colour of casings. `at` is on the line that the letters stand on.
+/// Text over lines, outlined in the casing colour. `at` is on the baseline.
 void paintCased(QPainter& painter, const Theme& theme, const QPointF& at, const QString& text, const QColor& colour);
 
 }  // namespace keyblock

@@ -21,8 +21,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr double rimOfRoom = 12.0;  // between what is fitted and the edge [px]
-constexpr double stepOfFitted = 0.08;  // of its extent, by which what is fitted grows at least
+constexpr double rimOfRoom = 12.0;  // margin of a fitted view [px]
+constexpr double stepOfFitted = 0.08;  // fraction of its extent by which a fitted view grows at least
 constexpr double reachOfPick = 6.0;  // [px]
 
 }  // namespace
@@ -56,15 +56,15 @@ void Canvas::show(std::shared_ptr<const SectionPicture> picture) {
     if (isFirst) kept_ = picture_->window;
     fitsAlone_ = fitsAlone_ || isFirst;
     const bool grew = growFitted();
-    if (isFirst || grew || (kept_ && room() != before)) {  // a legend takes room from what was fitted
+    if (isFirst || grew || (kept_ && room() != before)) {  // a legend reduces the room of the fitted view
         layOut();
         Q_EMIT viewChanged();
     }
     sceneChanged();
 }
 
-/// What was fitted without the user's doing grows with what the picture shows, by steps, so that nothing that moves away
-/// goes below the legend. \return true where it did.
+/// A view that was fitted automatically grows in steps with the picture, so that nothing that moves away
+/// is hidden by the legend. \return true if it grew.
 bool Canvas::growFitted() {
     if (!picture_ || !kept_ || !fitsAlone_) return false;
     const Box &shown = picture_->window, &kept = *kept_;
@@ -202,14 +202,14 @@ void Canvas::schedule() {
     if (section_ && !timer_->isActive()) timer_->start();
 }
 
-/// What waits for the timer, before it is painted.
+/// Applies pending changes before painting.
 void Canvas::renderOwed() {
     if (!timer_->isActive()) return;
     timer_->stop();
     renderNow();
 }
 
-/// All that changed since the last time at once, so that ten wheel steps cost one picture.
+/// Applies all changes since the last call at once, so that ten wheel steps cost one picture.
 void Canvas::renderNow() {
     if (!section_ || !isVisible()) return;
     const ViewColours colours = viewColoursOf(themes_.current(), style_.drawing);
@@ -224,7 +224,7 @@ void Canvas::renderNow() {
 
 bool Canvas::event(QEvent* event) {
     if (event->type() == QEvent::Show || event->type() == QEvent::ScreenChangeInternal) sceneChanged();
-    // Space would be taken by a shortcut of the window before it could begin a pan.
+    // Otherwise a shortcut of the window would take Space before it could start a pan.
     if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space &&
         static_cast<QKeyEvent*>(event)->modifiers() == Qt::NoModifier)
         event->accept();

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The section in the window: VTK below, and above it a transparent sheet for what
-// stands in pixels and in words. It pans and zooms; all else that a mouse can do
-// is the business of tools. Shows a plain panel where the display has no OpenGL.
+// The section in the window: VTK below, and above it a transparent sheet for
+// everything in pixels and in text. It pans and zooms; all other mouse input belongs
+// to the tools. Shows a plain panel if the display has no OpenGL.
 #pragma once
 
 #include "ui/canvas/canvas_map.h"
@@ -35,46 +35,46 @@ public:
     explicit Canvas(const Themes& themes, QWidget* parent = nullptr);
     ~Canvas() override;
 
-    /// Null: nothing is there, and a hint stands in the middle. The first picture after that is fitted, and what was
-    /// fitted is fitted again next to a legend that appears; other pictures are shown where the view is.
+    /// Null: empty, with a hint in the middle. The first picture after that is fitted, and a fitted view is fitted
+    /// again if a legend appears; other pictures keep the view.
     void show(std::shared_ptr<const SectionPicture> picture);
     using QWidget::show;
     const std::shared_ptr<const SectionPicture>& picture() const { return picture_; }
 
-    /// Neither is owned; a tool or overlay must be taken out before it goes.
+    /// Neither is owned; remove a tool or overlay before it is deleted.
     void setTool(CanvasTool* tool);
     CanvasTool* tool() const { return tool_; }
     void addOverlay(const CanvasOverlay* overlay);
     void removeOverlay(const CanvasOverlay* overlay);
 
-    /// Plain rock with lighter joints while a person draws; coloured results otherwise.
+    /// Plain rock with lighter joints while drawing; coloured results otherwise.
     void setDrawing(bool drawing);
     void setSelectedBolts(const std::vector<int>& bolts);  // rows of the scene's bolts
-    /// Off: another canvas beside has one that counts for both.
+    /// Off: a neighbouring canvas has one that applies to both.
     void setLegend(bool legend);
     void setCulprit(const std::optional<Culprit>& culprit);
-    /// Where nothing is shown: in the middle, or aside at the foot where a drawing is to be seen behind it.
+    /// Position of the hint: in the middle, or at the bottom if a drawing is visible behind it.
     void setHint(const QString& title, const QString& text, bool aside = false);
 
     /// What `fit` shows while there is no picture.
     void setExtent(const std::optional<Box>& extent) { extent_ = extent; }
 
     const CanvasMap& map() const { return map_; }
-    /// What the picture is about (round tunnels and bolts); all of the model where that is seen already.
+    /// Zooms to tunnels and bolts, or to the whole model if they are fitted already.
     void fit();
-    /// Stays so when the canvas gets another size, until somebody pans or zooms; so does what was fitted.
+    /// Kept when the canvas is resized, until the user pans or zooms; so is a fitted view.
     void zoomTo(const Box& box);
     void zoomBy(double factor, const QPointF& pixel);
     void panBy(const QPointF& pixels);
-    /// The same camera as another canvas has.
+    /// Copies the camera of another canvas.
     void lookAs(const CanvasMap& other);
 
-    /// The next box that is drawn with the left button is shown as large as there is room.
+    /// Zooms to the next box drawn with the left button.
     void startZoomBox();
-    /// Whether there was one to let go.
+    /// True if there was one to cancel.
     bool endZoomBox();
 
-    /// What lies under a pixel of the canvas, as drawn.
+    /// The object drawn under a pixel of the canvas.
     std::optional<Pick> pickAt(const QPointF& pixel) const;
 
     /// Paints tool and overlays again, not the section.
@@ -85,7 +85,7 @@ public:
 Q_SIGNALS:
     void hovered(const keyblock::Point& place, bool inside);
     void viewChanged();
-    /// Space was pressed and let go without a drag.
+    /// Space was pressed and released without a drag.
     void spaceTapped();
     /// The bar of a quantity in the legend was clicked; the point is to the left of it, on the screen.
     void legendClicked(keyblock::LegendPart part, const QPoint& global);
@@ -126,7 +126,7 @@ private:
     CanvasSheet* sheet_;
     QTimer* timer_;
     std::shared_ptr<const SectionPicture> picture_;
-    mutable std::unique_ptr<PickIndex> index_;  // of the picture, once asked
+    mutable std::unique_ptr<PickIndex> index_;  // of the picture, computed on demand
     CanvasMap map_;
     ViewStyle style_;
     std::optional<Culprit> culprit_;
@@ -136,11 +136,11 @@ private:
     bool hintAside_ = false, hasLegend_ = true;
     bool shapesChanged_ = true;
     std::optional<Box> extent_;
-    std::optional<Box> kept_;  // what was fitted and stays in sight when the size changes, until somebody pans or zooms
-    bool fitsAlone_ = false;  // what is kept was not chosen by the user
+    std::optional<Box> kept_;  // fitted box, kept when the size changes until the user pans or zooms
+    bool fitsAlone_ = false;  // the kept box was not chosen by the user
     bool spaceDown_ = false, spacePanned_ = false;
     std::optional<QPointF> panFrom_;
-    Qt::MouseButtons held_ = Qt::NoButton;  // whose release the tool is to hear of
+    Qt::MouseButtons held_ = Qt::NoButton;  // whose release is passed to the tool
     bool boxWanted_ = false;
     std::optional<QPointF> boxFrom_, boxTo_;
 };

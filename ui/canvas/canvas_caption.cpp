@@ -21,7 +21,7 @@ CanvasCaption::CanvasCaption(Canvas& canvas, const Themes& themes, bool canClose
     text_->setObjectName("canvasCaptionText");
     text_->setTextFormat(Qt::PlainText);
     row->addWidget(text_);
-    setMinimumHeight(30);  // as high with the button as without
+    setMinimumHeight(30);  // same height with and without the button
     if (canClose) {
         close_ = new QToolButton(this);
         close_->setObjectName("endComparing");

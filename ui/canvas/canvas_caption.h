@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which of two runs a canvas shows, on a small panel in its corner; with a cross where
-// it can be taken away.
+// A small panel in the corner that says which of two runs a canvas shows, with a
+// close button for the one that can be removed.
 #pragma once
 
 #include <QFrame>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which place of the section lies under which pixel. Pixels are those of the
-// widget, device-independent, with y downwards; places are metres, y upwards.
+// The mapping between points of the section and pixels. Pixels are those of the
+// widget, device-independent, with y downwards; points are in metres, y upwards.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -18,19 +18,19 @@ public:
     QPointF toPixel(const Point& place) const;
     Point toPlace(const QPointF& pixel) const;
     double pixelsPerMetre() const { return scale_; }
-    /// What of the section is seen [m].
+    /// The visible part of the section [m].
     Box window() const;
     QSizeF size() const { return size_; }
     Point centre() const { return centre_; }
 
-    /// The place in the middle stays there.
+    /// Keeps the point in the middle.
     void resize(const QSizeF& size) { size_ = size; }
-    /// All of the box, as large as `room` of the widget allows, in its middle. A box without extent gets a metre.
+    /// Fits the box in `room` of the widget, centred. A box without extent becomes a metre large.
     void show(const Box& box, const QRectF& room);
-    /// The same place in the middle, at the same scale.
+    /// Keeps the point in the middle and the scale.
     void lookAs(const CanvasMap& other);
     void panBy(const QPointF& pixels);
-    /// The place under `pixel` stays there. The scale stays between 1e-4 and 1e7 px/m.
+    /// Keeps the point under `pixel`. The scale stays between 1e-4 and 1e7 px/m.
     void zoomBy(double factor, const QPointF& pixel);
 
 private:

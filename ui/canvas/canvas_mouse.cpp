@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What mouse and keys do to the canvas itself, and what it hands on to the tool.
+// Mouse and key input of the canvas itself, and what it passes on to the tool.
 #include "ui/canvas/canvas.h"
 
 #include "ui/canvas/canvas_sheet.h"
@@ -20,7 +20,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double leastBox = 4.0;  // of a box that is meant [px]
+constexpr double leastBox = 4.0;  // smallest size of a box [px]
 constexpr double zoomOfNotch = 1.2, degreesOfNotch = 15.0;
 
 }  // namespace

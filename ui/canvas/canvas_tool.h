@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What others hang into the canvas: a tool gets what the mouse does over the
-// section, an overlay paints above it. The canvas itself zooms with the wheel and
-// pans with the middle button or with Space and the left one; a tool sees none of
-// that.
+// Extensions of the canvas: a tool receives the mouse input over the section, an
+// overlay paints above it. The canvas itself zooms with the wheel and pans with the
+// middle button or with Space and the left one; a tool does not see those events.
 #pragma once
 
 #include "ui/canvas/canvas_map.h"
@@ -35,15 +34,15 @@ public:
     virtual void move(const CanvasEvent&) {}
     virtual void release(const CanvasEvent&) {}
     virtual void leave() {}
-    /// True when the key was for the tool.
+    /// True if the tool used the key.
     virtual bool key(QKeyEvent&) { return false; }
     virtual void contextMenu(const CanvasEvent&, QPoint /*global*/) {}
-    /// Above the section and what overlays paint, in pixels.
+    /// Painted above the section and the overlays, in pixels.
     virtual void paint(QPainter&, const CanvasMap&) const {}
     /// The same above the legend and other panels.
     virtual void paintAbovePanels(QPainter&, const CanvasMap&) const {}
     virtual QCursor cursor() const { return Qt::ArrowCursor; }
-    /// True once it has a point of what it draws: hints on how to begin are then in its way.
+    /// True once it has a first point: hints on how to start are then hidden.
     virtual bool isDrawing() const { return false; }
 };
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The block that keeps a run from going on, or that a person asked for.
+// A block outlined with a call-out: one that limits the convergence of a run, or one
+// that the user asked to see.
 #pragma once
 
 #include <QString>

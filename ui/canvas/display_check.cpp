@@ -17,7 +17,7 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(DisplayCheck)
 };
 
-/// A context as the section takes it, on a surface that nobody sees.
+/// A context as the section needs it, on an off-screen surface.
 std::optional<QString> tryContext() {
     QOpenGLContext context;
     context.setFormat(sectionFormat());

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether this display can show what VTK paints, asked before any of VTK's widgets
-// is made: on a display without OpenGL those end the program or stay black.
+// Checks whether this display can show VTK's rendering before any VTK widget is
+// created: without OpenGL these end the program or stay black.
 #pragma once
 
 #include <QString>
@@ -12,10 +12,10 @@
 
 namespace keyblock {
 
-/// The OpenGL that VTK paints the section with.
+/// The OpenGL version and profile that VTK needs for the section.
 QSurfaceFormat sectionFormat();
 
-/// What is missing, as one sentence; nothing where OpenGL 3.2 works. Asks once per process.
+/// What is missing, as one sentence; empty if OpenGL 3.2 works. Checked once per process.
 const std::optional<QString>& missingOpenGl();
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Alone in its file, as the headers of X define macros with the names of everything.
+// In a separate file because the X headers define macros with common names.
 #include "ui/canvas/glx_check.h"
 
 #include <GL/glx.h>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether an X display offers OpenGL, asked of X itself: Qt ends the program on a
-// display that has GLX by name but nothing to draw with.
+// Asks X directly whether a display offers OpenGL: Qt ends the program on a display
+// that lists GLX but cannot draw with it.
 #pragma once
 
 namespace keyblock {
 
-/// True when the display named by DISPLAY can draw direct OpenGL into windows.
+/// True if the display named by DISPLAY can draw direct OpenGL into windows.
 bool glxWorks();
 
 }  // namespace keyblock

@@ -29,7 +29,7 @@ struct Texts {
 QString qt(const std::string& word) { return QString::fromStdString(word); }
 double widthOf(const QString& word, int size) { return QFontMetricsF(screenFont(size)).horizontalAdvance(word); }
 
-/// Which values the colours span.
+/// The range that the colours span.
 QString scaleText(const LegendBar& bar) {
     const QString clipped = bar.clips() ? Texts::tr(" (extreme 2 % clipped)") : QString();
     switch (bar.scale.of) {
@@ -40,7 +40,7 @@ QString scaleText(const LegendBar& bar) {
     return {};
 }
 
-/// What the values are now, with the sign convention on the same line where both fit.
+/// The range of this frame, with the sign convention on the same line if both fit.
 QStringList notesOf(const LegendBar& bar, double width) {
     QStringList notes;
     const bool large = std::max(std::abs(bar.range.low), std::abs(bar.range.high)) >= 1e4;
@@ -58,7 +58,7 @@ QStringList notesOf(const LegendBar& bar, double width) {
     return notes << scaleText(bar);
 }
 
-/// With a triangle at ends beyond which there are values.
+/// With a triangle at each end that has values beyond it.
 QPolygonF outlineOf(const LegendBar& bar, const QPointF& at, double from, double to) {
     QPolygonF outline;
     outline << at + QPointF(from, 0.0) << at + QPointF(to, 0.0);
@@ -68,7 +68,7 @@ QPolygonF outlineOf(const LegendBar& bar, const QPointF& at, double from, double
     return outline;
 }
 
-/// A small arrow: a click opens the choice of a scale. \param end where it ends, at half its height
+/// A small arrow: a click opens the scale settings. \param end its right end, at half its height
 void paintOpener(QPainter& painter, const Theme& theme, const QPointF& end) {
     painter.save();
     painter.setPen(Qt::NoPen);
@@ -90,10 +90,10 @@ void fillBar(QPainter& painter, const Theme& theme, const LegendBar& bar, const 
 
 struct LimitLabel {
     QString text;
-    double place = 0.0, left = 0.0;  // of its tick, and where it begins [px]
+    double place = 0.0, left = 0.0;  // of its tick, and its start [px]
 };
 
-/// Pushes labels apart, to the right and then back from the bar's end. Whether each still stands over its tick.
+/// Pushes labels apart, to the right and then back from the end of the bar. True if each is still over its tick.
 bool spread(std::vector<LimitLabel>& labels, double width) {
     double free = 0.0;
     for (LimitLabel& label : labels) {
@@ -113,7 +113,7 @@ bool spread(std::vector<LimitLabel>& labels, double width) {
     });
 }
 
-/// Limits with their names, else the last ones as numbers alone, else what has room from the left.
+/// Limits with their names, else the last ones as numbers only, else those that fit from the left.
 std::vector<LimitLabel> limitLabels(const LegendBar& bar, double from, double to, double width) {
     std::vector<std::pair<double, std::string>> limits = bar.limits;
     std::sort(limits.begin(), limits.end(), [&](const auto& a, const auto& b) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One quantity of the legend: name and unit, bar of colours with ticks and
-// capacities, what the values are now, and what a positive one means.
+// One quantity of the legend: name and unit, colour bar with ticks and capacities,
+// the range of this frame, and the meaning of the sign.
 #pragma once
 
 #include "ui/picture/legend.h"

@@ -37,7 +37,7 @@ QString nameOf(ContactKind kind) {
     return {};
 }
 
-/// Lines that are no longer than `width`, broken between words.
+/// Lines not longer than `width`, broken between words.
 QStringList broken(const QString& note, double width) {
     const QFontMetricsF metrics(screenFont(noteSize));
     QStringList lines{QString()};
@@ -54,7 +54,7 @@ QString beginning(QString note) {
     return note;
 }
 
-/// Crosses are in the ink of the theme, which is not always dark.
+/// Crosses have the text colour of the theme, which is not always dark.
 QStringList notesOf(const ArrowField& field, double width) {
     const bool isCross = !field.marks.empty() && field.marks.front().shape != ArrowShape::Arrow;
     QStringList notes;

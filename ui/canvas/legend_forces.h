@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the legend says of arrows and of the forces of contacts: how long a line is
-// for which value, which kinds there are, and what is left out.
+// The legend of arrows and contact forces: length scale, kinds, and what is left
+// out.
 #pragma once
 
 #include "ui/picture/section.h"

@@ -20,7 +20,7 @@ namespace {
 constexpr double titleRow = 22.0, row = 20.0, column = 103.0;  // [px]
 constexpr double groupGap = 8.0;  // between points and steel [px]
 
-using Entry = std::optional<MarkKind>;  // nothing: the culprit
+using Entry = std::optional<MarkKind>;  // none: the marked block
 
 struct Groups {
     std::vector<Entry> points, steel;

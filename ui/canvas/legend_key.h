@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The key of marks in the legend: only kinds that the scene holds, in two columns,
+// The key of marks in the legend: only kinds that the scene has, in two columns,
 // points of bolts first, then steel and plates.
 #pragma once
 

@@ -39,7 +39,7 @@ QString deformationText(double factor) {
     return Texts::tr("Deformation drawn ×%1").arg(QString::fromStdString(numberText(factor)));
 }
 
-/// Bars of colours, and what is drawn over blocks in their place.
+/// Colour bars, and the entries of arrows and contact forces.
 std::vector<Item> quantitiesOf(const Theme& theme, const LegendContent& content, double inner) {
     const SectionPicture& picture = content.picture;
     std::vector<Item> items;
@@ -89,7 +89,7 @@ double heightOf(const std::vector<Item>& items) {
 
 bool isNarrow(const QSizeF& canvas) { return canvas.width() < leastCanvas; }
 
-/// Those that have room, from above; on a narrow canvas only the bars of colours.
+/// Those that fit, from the top; on a narrow canvas only the colour bars.
 std::vector<Item> itemsWithin(const Theme& theme, const LegendContent& content, const QSizeF& canvas) {
     if (canvas.width() < leastNarrow) return {};
     std::vector<Item> items = itemsOf(theme, content);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A small numbered flag whose pole stands on what is pinned.
+// A small numbered flag at a pinned point.
 #pragma once
 
 #include <QPointF>

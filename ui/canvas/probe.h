@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The probe: while it is on, what is under the mouse is told beside it, and a click
-// pins it. Pins stand as small numbered flags above the section, whether the probe is
-// on or not, and move with what they are pinned to.
+// The probe: while it is on, the values under the mouse are shown next to it, and a
+// click pins them. Pins are small numbered flags above the section, shown whether
+// the probe is on or off; they move with the point that they are pinned to.
 #pragma once
 
 #include "ui/canvas/canvas_tool.h"
@@ -25,7 +25,7 @@ class Probe : public QObject, public CanvasTool {
     Q_OBJECT
 
 public:
-    /// What the section tells of a pick; nothing where it shows no results.
+    /// The values of a pick; empty if the section shows no results.
     using Reading = std::function<std::optional<ProbeReading>(const Pick&)>;
 
     Probe(Canvas& canvas, const Themes& themes, Reading reading, QObject* parent = nullptr);
@@ -52,7 +52,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    /// Painted below whatever tool is at work.
+    /// Painted below the active tool.
     class Flags : public CanvasOverlay {
     public:
         explicit Flags(const Probe& probe) : probe_(probe) {}
@@ -68,7 +68,7 @@ private:
     Canvas& canvas_;
     const Themes& themes_;
     Reading reading_;
-    CanvasTool* before_ = nullptr;  // the tool that comes back
+    CanvasTool* before_ = nullptr;  // the tool to restore
     bool on_ = false;
     std::optional<QPointF> mouse_;  // over the canvas
     std::vector<Pin> pins_;

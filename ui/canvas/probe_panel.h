@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the probe tells, on a panel beside the mouse.
+// The values of the probe on a panel next to the mouse.
 #pragma once
 
 #include <QPointF>
@@ -14,7 +14,7 @@ namespace keyblock {
 struct ProbeReading;
 struct Theme;
 
-/// Beside `mouse`, where there is room on a canvas of that size [px].
+/// Next to `mouse`, within a canvas of that size [px].
 void paintProbePanel(QPainter& painter, const Theme& theme, const ProbeReading& reading, const QPointF& mouse,
                      const QSizeF& size);
 

@@ -20,7 +20,7 @@ constexpr double leastLength = 58.0, height = 36.0, inset = 12.0, padding = 9.0,
 
 QString label(double shown) { return QString::fromStdString(numberText(shown)); }
 
-/// A round length that is well seen.
+/// A round length of suitable size.
 struct Measure {
     double pixels = 0.0;
     QString middle, last;

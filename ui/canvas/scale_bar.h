@@ -13,7 +13,7 @@ namespace keyblock {
 class CanvasMap;
 struct Theme;
 
-/// The panel that it is painted on [px].
+/// The panel around it [px].
 QRectF scaleBarRect(const CanvasMap& map);
 void paintScaleBar(QPainter& painter, const Theme& theme, const CanvasMap& map);
 

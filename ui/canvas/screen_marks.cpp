@@ -37,7 +37,7 @@ void paintMark(QPainter& painter, MarkKind kind, const QPointF& at, const QPoint
                const MarkTheme& theme) {
     painter.save();
     painter.translate(at);
-    painter.scale(1.0 / unitsPerMm, 1.0 / unitsPerMm);  // a millimetre of the ink is a pixel here
+    painter.scale(1.0 / unitsPerMm, 1.0 / unitsPerMm);  // a millimetre in a figure is a pixel here
     Ink ink(painter);
     drawMark(ink, kind, {0.0, 0.0}, {along.x(), along.y()}, small, theme);
     painter.restore();

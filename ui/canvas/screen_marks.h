@@ -22,7 +22,7 @@ MarkTheme screenMarks(const Theme& theme);
 void paintMark(QPainter& painter, MarkKind kind, const QPointF& at, const QPointF& along, bool small,
                const MarkTheme& theme);
 
-/// What the key of a picture calls it: "Real, bonded".
+/// Its name in the legend: "Bonded".
 QString markName(MarkKind kind);
 
 }  // namespace keyblock

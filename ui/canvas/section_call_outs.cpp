@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What of a section is told in words: grave events, blocks that moved, the culprit,
-// and the ribbon with its largest value and the limit that it meets.
+// The call-outs of a section: severe events, displaced blocks, the marked block, and
+// the force diagram with its largest value and the limit next to it.
 #include "ui/canvas/section_ink.h"
 #include "ui/look/theme.h"
 #include "ui/picture/detail.h"
@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t mostEvents = 6, mostMoved = 3;
 constexpr double ribbonGap = 8.0, pixelsPerKn = 0.195, leastRoom = 9.0, usualRoom = 45.0;  // [px]
 constexpr double hatchEach = 0.1;  // [m]
-constexpr double leastForce = 50.0;  // worth telling [N]
+constexpr double leastForce = 50.0;  // shown [N]
 
 struct Texts {
     Q_DECLARE_TR_FUNCTIONS(SectionInk)
@@ -35,7 +35,7 @@ QPolygonF polygonOf(const std::vector<Point>& points) {
     return polygon;
 }
 
-/// Lines across the band, as many as have room.
+/// Lines across the band, as many as fit.
 void hatch(QPainter& painter, const RibbonShape& shape, const std::vector<double>& s, double scale) {
     const double each = std::max(hatchEach, 4.0 / scale);
     double next = s.front() + each;
@@ -110,7 +110,7 @@ void SectionInk::callOutRibbon(const RibbonShape& shape) {
     callOuts_.push_back(limit);
 }
 
-/// The newest of what lost its hold, and the culprit before them.
+/// The newest failures, and before them the marked block.
 void SectionInk::callOutEvents() {
     for (const BlockShape& block : picture_.blocks)
         if (culprit_ && block.block == culprit_->block)

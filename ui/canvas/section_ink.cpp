@@ -92,7 +92,7 @@ LegendContent SectionInk::legendContent() const {
     return {picture_, contacts_ ? &*contacts_ : nullptr, kindsOf(marks_), culprit_.has_value(), map_.pixelsPerMetre()};
 }
 
-/// Panels take their room before anything else, and are painted over everything.
+/// Panels are placed first and painted over everything.
 void SectionInk::keepOffPanels() {
     for (const QRectF& panel : panels()) placement_.keepOff(grown(boxOf(panel), 4.0));
 }
@@ -139,7 +139,7 @@ void SectionInk::paintCulprit(QPainter& painter) const {
     }
 }
 
-/// Dashes within the bar where its force is compression, as colours say only how large it is.
+/// Dashes within the bar where its force is compression, as colours show only the magnitude.
 void SectionInk::paintDashes(QPainter& painter) const {
     if (!picture_.boltLegend || picture_.boltLegend->dashed.empty()) return;
     QPen pen(theme_.markCasing, std::max(1.2, 0.36 * shankWidth(picture_, map_.pixelsPerMetre())));
@@ -162,7 +162,7 @@ void SectionInk::paintDashes(QPainter& painter) const {
     }
 }
 
-/// Where steel is gone, a thin dashed line says where it was.
+/// A thin dashed line where the steel is lost.
 void SectionInk::paintBroken(QPainter& painter) const {
     QPen pen(theme_.text2, 1.0);
     pen.setDashPattern({4.0, 3.0});
@@ -218,7 +218,7 @@ void SectionInk::paintName(QPainter& painter, const BoltShape& bolt, const QStri
     paintCased(painter, theme_, {box.center().x() - 0.5 * width, box.bottom() - 3.0}, name, theme_.text);
 }
 
-/// A place in a block for the foot of a leader: its centroid, or half way to a corner where a bolt lies there.
+/// Point in a block for the end of a leader: its centroid, or half way to a corner if a bolt crosses there.
 Point SectionInk::footWithin(const std::vector<Point>& outline) const {
     const Point centroid = moments(outline).centroid, room(8.0, 8.0);
     if (placement_.isFree(boxAbout(centroid, room))) return centroid;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a picture of a section has above the card: marks and names of bolts, the
-// ribbon, call-outs, legend and scale bar. What explains takes its room first, then
+// What is painted above the rendering of a section: marks and names of bolts, the
+// force diagram, call-outs, legend and scale bar. Legends are placed first, then
 // names, then call-outs where they cover nothing.
 #pragma once
 
@@ -26,15 +26,15 @@ struct Theme;
 
 class SectionInk {
 public:
-    /// All must outlive it. `selected` are rows of the scene's bolts.
+    /// All arguments must outlive it. `selected` are rows of the scene's bolts.
     SectionInk(const SectionPicture& picture, const CanvasMap& map, const Theme& theme, bool hasLegend,
                const std::vector<int>& selected, const std::optional<Culprit>& culprit);
 
     void paint(QPainter& painter);
 
-    /// Legend and scale bar [px], as far as they are shown.
+    /// Legend and scale bar, if they are shown [px].
     std::vector<QRectF> panels() const;
-    /// The bar of a quantity in the legend [px]; empty where it is not shown.
+    /// The bar of a quantity in the legend [px]; empty if it is not shown.
     QRectF legendPart(LegendPart part) const;
 
 private:
@@ -68,11 +68,11 @@ private:
     bool hasLegend_;
     const std::vector<int>& selected_;
     const std::optional<Culprit>& culprit_;
-    std::optional<ContactField> contacts_;  // those in view
+    std::optional<ContactField> contacts_;  // those in the view
     std::vector<double> spacing_;  // of each bolt [px]
     std::vector<std::vector<Mark>> marks_;  // of each bolt, thinned
     std::vector<const BlockShape*> moved_;
-    std::vector<CallOut> callOuts_;  // the first has the first choice
+    std::vector<CallOut> callOuts_;  // in order of precedence
     Placement placement_;
 };
 

@@ -18,7 +18,7 @@ namespace keyblock {
 
 namespace {
 
-// Of OpenGL 1.2, which Qt's headers for OpenGL ES lack.
+// From OpenGL 1.2; missing in Qt's headers for OpenGL ES.
 constexpr GLenum blueFirst = 0x80E1, wordsOfFourBytes = 0x8367;
 
 }  // namespace
@@ -53,7 +53,7 @@ void SectionWidget::render(const Point& centre, double pixelsPerMetre, const Sec
     if (size.isEmpty() || !context_.makeCurrent(&surface_)) return;
     window_->SetSize(size.width(), size.height());
     view_.look(centre, 1.0 / (pixelsPerMetre * ratio), Point(width(), height()) * ratio, picture);
-    // As VTK takes for granted: else pieces of one line cut each other.
+    // As VTK expects: otherwise pieces of one line clip each other.
     context_.functions()->glDepthFunc(GL_LEQUAL);
     window_->Render();
     readPixels(size);

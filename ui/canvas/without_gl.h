@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What stands in place of the section where the display has no OpenGL: what is
-// missing and how to go on. All else of the window works.
+// Shown in place of the section if the display has no OpenGL: what is missing and
+// how to get it. The rest of the window works.
 #pragma once
 
 class QString;
