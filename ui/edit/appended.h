@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How a drawn thing gets into its list under a name of its own.
+// Appends a drawn object to its list under its own name.
 #pragma once
 
 #include "solver/scene/pointer.h"
@@ -10,7 +10,7 @@
 
 namespace keyblock {
 
-/// Adds `item` at the end of a list whose entries may have names: the item's own, or a free one.
+/// Adds `item` at the end of a list. A named entry keeps its name or gets a free one.
 template <typename Item>
 Edit appended(const Scene& scene, std::vector<Item> Scene::*list, const std::string& pointer, const Item& item) {
     Edit edit{scene};

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Things as tools draw them, added to a scene under a free name. What is no such
-// thing is refused with the reason.
+// Adds objects drawn with the tools to a scene under a free name. Invalid objects
+// are refused with the reason.
 #pragma once
 
 #include "ui/edit/edit.h"
@@ -15,10 +15,10 @@ Edit withJoint(const Scene& scene, const SceneJoint& joint);
 Edit withJointSet(const Scene& scene, const SceneJointSet& set);
 Edit withMonitor(const Scene& scene, const Monitor& monitor);
 
-/// A side that is held already is held as this support says.
+/// Replaces the support of a side that is supported already.
 Edit withSupport(const Scene& scene, const Support& support);
 
-/// Into the stage of that index.
+/// Adds it to the stage of that index.
 Edit withLoad(const Scene& scene, std::size_t stage, const Load& load);
 Edit withMotion(const Scene& scene, std::size_t stage, const Motion& motion);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The door to all edits, for those who use several.
+// Includes all edits.
 #pragma once
 
 #include "ui/edit/drawn.h"

@@ -24,7 +24,7 @@ const Item* itemAt(const std::vector<Item>& items, const std::vector<std::string
     return index < items.size() ? &items[index] : nullptr;
 }
 
-/// The list of corners of the object, and whether its last joins the first.
+/// The list of corners of the object, and whether the last joins the first.
 struct Corners {
     std::string pointer;
     const std::vector<Point>* points = nullptr;
@@ -78,7 +78,7 @@ void addPlaces(const Scene& scene, const std::string& pointer, std::vector<Handl
     }
 }
 
-/// Sizes of a tunnel from where a handle of it is.
+/// Dimensions of a tunnel from the position of one handle.
 Edit sized(const Scene& scene, const SceneTunnel& tunnel, const Handle& handle, const std::string& pointer,
            const Point& place) {
     constexpr double least = 0.01;  // [m]
@@ -122,7 +122,7 @@ std::vector<Handle> handlesOf(const Scene& scene, const std::string& pointer) {
     addPlaces(scene, pointer, out);
     const auto* pattern = itemAt(scene.boltPatterns, parts, "bolt_patterns");
     const int tunnel = pattern ? findTunnel(scene, pattern->tunnel) : -1;
-    for (Handle& handle : out)  // a pattern's ends are shown where they act
+    for (Handle& handle : out)  // the ends of a pattern are on the wall
         if (const auto wall = wallOfTunnel(scene, tunnel, handle.place)) handle.place = wall->place;
     std::erase_if(out, [](const Handle& handle) { return !isUsable(handle.place); });
     return out;

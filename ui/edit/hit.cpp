@@ -12,10 +12,10 @@ namespace keyblock {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
-constexpr double step = 0.3;  // of the radius, that a kind stands back behind the one before
-constexpr double inside = 10.0;  // insides come after all lines
+constexpr double step = 0.3;  // penalty from one kind to the next, over the radius
+constexpr double inside = 10.0;  // interiors come after all lines
 
-/// How far a kind stands back: what is small or lies above others comes first.
+/// Penalty of a kind: small objects and those drawn above others come first.
 double rankOf(ObjectKind kind) {
     switch (kind) {
         case ObjectKind::Monitor:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What lies under the mouse, and what a box drawn with it chooses.
+// The objects under the mouse, and those selected by a box.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -12,16 +12,17 @@
 
 namespace keyblock {
 
-/// Indices of objects within `radius` [m] of a place, the likeliest meant first: small things before large ones that lie
-/// about as near, insides of openings and blocks last. A domain or a region is met on its outline only, joints not in openings.
+/// Indices of objects within `radius` [m] of a point, the most likely target first: small objects before large ones
+/// at a similar distance, interiors of openings and blocks last. A domain or a region is hit on its outline only, joints
+/// not inside openings.
 std::vector<std::size_t> objectsAt(std::span<const SceneObject> objects, const Point& place, double radius);
 
 enum class BoxRule {
-    Encloses,  // all of the object lies in the box
-    Crosses  // some of it does
+    Encloses,  // the whole object is in the box
+    Crosses  // part of it is in the box
 };
 
-/// Indices of the objects that the box chooses, in their order.
+/// Indices of the objects selected by the box, in their order.
 std::vector<std::size_t> objectsIn(std::span<const SceneObject> objects, const Box& box, BoxRule rule);
 
 }  // namespace keyblock

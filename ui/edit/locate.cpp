@@ -31,7 +31,7 @@ std::size_t elementCount(const FieldValue& value) {
     return 0;
 }
 
-/// One part further; false where it leads to nothing.
+/// Follows one part of the pointer; false if it leads nowhere.
 bool step(ScenePlace& place, const std::string& part) {
     if (place.element) return false;
     if (place.isObject()) {

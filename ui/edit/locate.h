@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a JSON pointer to the row of the field table and the struct that holds it.
+// From a JSON pointer to the row of the field table and the struct that contains it.
 #pragma once
 
 #include "solver/scene/field.h"
@@ -15,26 +15,26 @@ namespace keyblock {
 /// Where a pointer leads: the row `field` of `owner`, an entry of that row's list or map, or an element of its value.
 struct ScenePlace {
     const Structure* structure = nullptr;  // of `owner`
-    const void* owner = nullptr;  // in the scene that was asked
+    const void* owner = nullptr;  // in the given scene
     const Field* field = nullptr;  // null: the whole scene
     std::optional<std::size_t> entry{};  // of a List or Map
     std::optional<std::size_t> element{};  // of Points, a PointPair or a TextList
-    const Field* misplaced = nullptr;  // the first on the way here that does not belong to its owner; null: all do
+    const Field* misplaced = nullptr;  // the first field on the path that does not apply to its owner; null: all apply
 
-    /// True when the pointer leads to a struct: the scene, an Object that is there, or an entry.
+    /// True if the pointer leads to a struct: the scene, an existing Object, or an entry.
     bool isObject() const;
     const Structure& objectStructure() const;  // \pre isObject()
     const void* object() const;  // \pre isObject()
 };
 
-/// None where the pointer leads to nothing in this scene. A null Object is found as the row of its owner.
+/// None if the pointer leads nowhere in this scene. A null Object is found as the row of its owner.
 std::optional<ScenePlace> locate(const Scene& scene, std::string_view pointer);
 
-/// The pointer of the object that holds what `pointer` leads to, or of it itself: `/bolts/3` for `/bolts/3/head`. Empty
-/// for what the scene itself holds, and for what is not there.
+/// The pointer of the object that contains `pointer`, or `pointer` itself: `/bolts/3` for `/bolts/3/head`. Empty
+/// for fields of the scene itself and for invalid pointers.
 std::string objectPointer(const Scene& scene, std::string_view pointer);
 
-/// The same place in a scene of which the caller has the only copy.
+/// The same address, writable; the caller must own the only copy of the scene.
 void* changeable(const void* owner);
 
 }  // namespace keyblock

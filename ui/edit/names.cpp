@@ -35,7 +35,7 @@ void append(std::vector<std::string>& names, const std::vector<Item>& items) {
     for (const Item& item : items) names.push_back(item.name);
 }
 
-/// Names that must differ from those in the list: its own, and those that stages could take for them.
+/// Names that a new name in the list must differ from: those of the list, and others that stages could confuse with it.
 std::vector<std::string> namesBeside(const Scene& scene, std::string_view list) {
     std::vector<std::string> names;
     if (list == "/stages") {
@@ -55,7 +55,7 @@ std::vector<std::string> namesBeside(const Scene& scene, std::string_view list) 
     return names;
 }
 
-/// The number behind the stem; −1 where `name` is not the stem with a number.
+/// The number after the stem; −1 if `name` is not the stem with a number.
 long numberBehind(std::string_view stem, std::string_view name) {
     if (!name.starts_with(stem)) return -1;
     long number = -1;
@@ -92,7 +92,7 @@ std::string freeName(std::string_view stem, const std::vector<std::string>& take
 
 std::string newName(const Scene& scene, std::string_view list) {
     const std::string_view stem = stemOf(list);
-    if (list == "/stages") {  // the fourth is stage 4, whatever the others are called
+    if (list == "/stages") {  // the fourth is stage 4, whatever the names of the others
         const std::string place = std::string(stem) + std::to_string(scene.stages.size() + 1);
         const std::vector<std::string> taken = namesBeside(scene, list);
         return std::find(taken.begin(), taken.end(), place) == taken.end() ? place : freeName(stem, taken);
@@ -151,7 +151,7 @@ std::string refusal(const Scene& scene, const std::string& pointer, const std::s
 }
 
 void follow(Scene& scene, Named kind, const std::string& from, const std::string& to) {
-    // Several names may stand in one text; from behind, so that places before stay what they are.
+    // One text may contain several names; from the end, so that earlier positions stay valid.
     std::vector<Reference> references = referencesOf(scene);
     for (auto at = references.rbegin(); at != references.rend(); ++at)
         if (at->kind == kind && at->name() == from) at->text->replace(at->at, at->length, to);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Moving and copying what a person chose, as a whole.
+// Moving and copying the selection as a whole.
 #pragma once
 
 #include "ui/edit/edit.h"
@@ -11,14 +11,14 @@
 
 namespace keyblock {
 
-/// Shifts every place of the objects by `offset` [m]: corners, ends, middles, what a load or a monitor looks at. Patterns
-/// go with their tunnel. Refused where a place would come to lie too far away, or nothing has a place.
+/// Shifts every point of the objects by `offset` [m]: corners, ends, centres, points of loads and monitors. Patterns
+/// move with their tunnel. Refused if a point would be too far away or no object has a point.
 Edit moveAll(const Scene& scene, const std::vector<std::string>& pointers, const Point& offset);
 
-/// Adds copies of objects of `source` (the same scene or another), shifted by `offset` [m], under free names. Copies are
-/// excavated, installed and removed in the stages where the originals are, if it is the same scene; they name each other
-/// where the originals do. Materials and types that `scene` lacks come along. `Edit::told` names what has no copy.
-/// \param made takes the pointers of the copies.
+/// Adds copies of objects of `source` (the same scene or another), shifted by `offset` [m], with free names. Copies are
+/// excavated, installed and removed in the stages of the originals if it is the same scene; they refer to each other
+/// as the originals do. Materials and types missing in `scene` are added. `Edit::told` lists what was not copied.
+/// \param made receives the pointers of the copies.
 Edit copyAll(const Scene& scene, const Scene& source, const std::vector<std::string>& pointers, const Point& offset,
              std::vector<std::string>& made);
 

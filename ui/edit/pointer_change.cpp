@@ -14,7 +14,7 @@ std::vector<std::string> partsOf(std::string_view pointer) {
         if (pointer[i] == '/')
             parts.emplace_back();
         else if (parts.empty())
-            parts.emplace_back(1, pointer[i]);  // no slash at the front: taken as it is
+            parts.emplace_back(1, pointer[i]);  // no leading slash: kept as it is
         else if (pointer[i] == '~' && i + 1 < pointer.size() && (pointer[i + 1] == '0' || pointer[i + 1] == '1'))
             parts.back() += pointer[++i] == '0' ? '~' : '/';
         else

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where things went when a list lost, moved or renamed an entry: pointers of
-// before lead to the same things afterwards, so that a selection stays on what a
-// person chose.
+// How pointers change when entries of a list are removed, moved or renamed: earlier
+// pointers are mapped to the same objects, so that the selection is kept.
 #pragma once
 
 #include <functional>
@@ -16,43 +15,43 @@
 
 namespace keyblock {
 
-/// The parts of a JSON pointer, `~0` and `~1` read. The pointer of the whole scene has none.
+/// The parts of a JSON pointer, with `~0` and `~1` decoded. The pointer of the whole scene has none.
 std::vector<std::string> partsOf(std::string_view pointer);
 
 /// The pointer without its last part; empty for the whole scene.
 std::string parentOf(std::string_view pointer);
 
-/// Where what a pointer led to is now; none: it is gone.
+/// The new pointer for an earlier one; none: the object is gone.
 using WhereNow = std::function<std::optional<std::string>(const std::string& pointer)>;
 
-/// True when the pointer, or one above it, is among them.
+/// True if the pointer, or a parent of it, is in the set.
 bool liesIn(const std::set<std::string>& pointers, std::string pointer);
 
-/// What became of the entries of some lists and maps.
+/// Changes of the entries of some lists and maps.
 class PointerChange {
 public:
-    /// The entries of `list` (a pointer) that had these places are gone; of `count` before, the others closed up.
+    /// The entries of `list` (a pointer) at these indices, of `count`, were removed; the others moved up.
     void removed(const std::string& list, const std::vector<std::size_t>& indices, std::size_t count);
 
-    /// The entry at `from` stands at `to`, those between moved up or down.
+    /// The entry at `from` is now at `to`; those between moved up or down.
     void moved(const std::string& list, std::size_t from, std::size_t to);
 
-    /// Something else that `pointer` leads to has gone: no list closes up.
+    /// The object at `pointer`, which is not in a list, was removed.
     void removed(const std::string& pointer);
 
-    /// The entry of a map has another name.
+    /// The entry of a map was renamed.
     void renamed(const std::string& map, const std::string& from, const std::string& to);
 
-    /// Where what `pointer` led to is now; none: it is gone.
+    /// The new pointer for `pointer`; none: the object is gone.
     std::optional<std::string> now(std::string_view pointer) const;
 
-    /// The way back, for undo.
+    /// The inverse, for undo.
     PointerChange reversed() const;
 
     bool empty() const { return parts_.empty(); }
 
 private:
-    std::map<std::string, std::optional<std::string>> parts_;  // pointer before → last part now; none: gone
+    std::map<std::string, std::optional<std::string>> parts_;  // earlier pointer → new last part; none: gone
 };
 
 }  // namespace keyblock

@@ -35,7 +35,7 @@ bool has(const std::vector<std::string>& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Collects references while the scene is walked.
+/// Collects references while the scene is traversed.
 class Collector {
 public:
     explicit Collector(Scene& scene) : scene_(scene) {}
@@ -121,7 +121,7 @@ private:
         for (std::size_t i = 0; i < names.size(); ++i) bolt(names[i], 0, under(pointer, i), WhenGone::Entry);
     }
 
-    /// A bolt's name, a pattern's, or that of a bolt of a pattern (`P1.3`) from `at` on.
+    /// The name of a bolt, a pattern, or a bolt of a pattern (`P1.3`) starting at `at`.
     void bolt(std::string& text, std::size_t at, const std::string& pointer, WhenGone whenGone) {
         const std::string_view name = std::string_view(text).substr(at);
         Named kind = Named::Bolt;
@@ -133,7 +133,7 @@ private:
         add(kind, pointer, text, at, length, whenGone);
     }
 
-    /// Length of the longest of the names that `text` begins with, ending there or before a dot; 0: none.
+    /// Length of the longest name that `text` starts with, followed by the end or a dot; 0: none.
     static std::size_t longestName(std::string_view text, const std::vector<std::string>& names) {
         std::size_t longest = 0;
         for (const std::string& name : names)

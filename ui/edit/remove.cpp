@@ -17,7 +17,7 @@
 namespace keyblock {
 namespace {
 
-/// True when nothing of that kind and name is left.
+/// True if no other object of that kind has the name.
 bool isLastOfName(const Scene& scene, Named kind, const std::string& name, const std::set<std::string>& going) {
     const std::string list = listOf(kind);
     if (locate(scene, list)->field->kind == FieldKind::Map) return true;
@@ -27,10 +27,10 @@ bool isLastOfName(const Scene& scene, Named kind, const std::string& name, const
     return true;
 }
 
-/// What goes, found from what is asked for.
+/// Everything that is deleted with the given objects.
 struct Departure {
     std::set<std::string> objects;  // pointers of entries, elements and objects
-    std::set<std::string> nulls;  // of fields that are left out
+    std::set<std::string> nulls;  // of fields that become null
     std::vector<std::string> told;
 };
 
@@ -56,7 +56,7 @@ void goWith(const Scene& scene, const Reference& reference, const std::string& g
     }
 }
 
-/// References by what they name.
+/// References by kind and name.
 using ByName = std::multimap<std::pair<Named, std::string>, Reference>;
 
 ByName byName(const std::vector<Reference>& references) {
@@ -94,7 +94,7 @@ Departure departureOf(Scene& scene, const std::vector<std::string>& pointers) {
     return out;
 }
 
-/// Things of one list by falling index, so that taking one out moves none that is still to go.
+/// Entries of one list by decreasing index, so that a removal does not shift the remaining ones.
 using Groups = std::map<std::string, std::vector<std::size_t>>;
 
 void eraseElements(Scene& scene, const std::string& list, const std::vector<std::size_t>& indices) {
@@ -127,7 +127,7 @@ void erase(Edit& edit, const Scene& before, const std::set<std::string>& objects
             edit.pointers.removed(pointer);
         }
     }
-    // Deeper lists first: a pointer into a stage holds as long as the stage stands where it stood.
+    // Deeper lists first: a pointer into a stage is valid only until the stage moves.
     std::vector<std::pair<std::string, std::vector<std::size_t>>> order(groups.begin(), groups.end());
     std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
         return partsOf(a.first).size() > partsOf(b.first).size();
@@ -145,7 +145,7 @@ void erase(Edit& edit, const Scene& before, const std::set<std::string>& objects
     }
 }
 
-/// A line or an outline keeps what makes it one.
+/// A line or an outline keeps its minimum number of points.
 std::string tooShort(const Scene& scene, const std::set<std::string>& objects) {
     std::map<std::string, std::size_t> going;
     for (const std::string& pointer : objects)

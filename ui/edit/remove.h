@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Taking things out of a scene together with what means nothing without them.
+// Deletes objects of a scene together with the objects that depend on them.
 //
-// What named them follows one rule, told in `Edit::told`: where nothing given has a
-// meaning of its own (the joint material of a joint, the region of a set) the name
-// is left out; a name in a list (excavate, install) goes from it; an object that
-// exists for what it names (a pattern along a tunnel, a monitor of a bolt) goes
-// along; where a name is needed (the material of a block) it stays, and the check
-// tells what is missing.
+// References to a deleted object follow one rule; `Edit::told` reports the changes.
+// If null is a valid value (the joint material of a joint, the region of a set), the
+// reference becomes null; a name in a list (excavate, install) is removed; an object
+// that is meaningless without the deleted one (a pattern along a tunnel, a monitor
+// of a bolt) is deleted too; if a name is required (the material of a block), it
+// stays, and the check reports what is missing.
 #pragma once
 
 #include "ui/edit/edit.h"
@@ -18,8 +18,8 @@
 
 namespace keyblock {
 
-/// Takes out what the pointers lead to: entries of lists and maps, single points of a line, objects such as `/domain`.
-/// Pointers that lead nowhere are passed over; without any left the edit is refused.
+/// Deletes what the pointers lead to: entries of lists and maps, single points of a line, objects such as `/domain`.
+/// Invalid pointers are skipped; if none is left, the edit is refused.
 Edit removeAll(const Scene& scene, const std::vector<std::string>& pointers);
 
 Edit removeAt(const Scene& scene, const std::string& pointer);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a scene from elsewhere, an imported drawing for example, needs before it can
-// be run: supports and stages, the same as a drawn outline, tunnel and bolts get.
+// What a scene from another source, such as an imported drawing, needs before it can
+// be run: the same supports and stages that a drawn outline, tunnel and bolts get.
 #pragma once
 
 #include "ui/edit/edit.h"
@@ -10,7 +10,7 @@
 namespace keyblock {
 
 /// Adds supports to an outline without any, and stages to a scene without any: they settle the rock, excavate its
-/// tunnels and install the bolts on their walls. What the scene has already stays as it is.
+/// tunnels and install the bolts on their walls. Existing supports and stages are not changed.
 Edit withRunSetup(const Scene& scene);
 
 }  // namespace keyblock

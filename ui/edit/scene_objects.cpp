@@ -26,7 +26,7 @@ bool isOutline(const std::vector<Point>& points) {
     return !crossesItself(points, 1e-9 * (box.max - box.min).norm());
 }
 
-/// Where traces may lie; null where that is no outline.
+/// The area in which traces may lie; null if it is not an outline.
 const std::vector<Point>* regionOf(const Scene& scene, const std::optional<std::string>& name) {
     const SceneRegion* region = name ? findRegion(scene, *name) : nullptr;
     const std::vector<Point>* points = region ? &region->points : !name && scene.domain ? &scene.domain->boundary : nullptr;

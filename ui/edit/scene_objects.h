@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Everything of a scene that a person can point at, with the shape that it has on
-// the section. What is drawn by a few numbers (sets, cells, patterns) has the lines
-// that the cut will draw; where these are too many or cannot be drawn, a sign at
-// its place stands for it.
+// All objects of a scene that can be picked, with their shape on the section.
+// Parametric objects (sets, cells, patterns) have the lines that the cut will draw;
+// if these are too many or cannot be drawn, a symbol represents them.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -25,38 +24,38 @@ enum class ObjectKind {
 struct ObjectLine {
     std::vector<Point> points;  // [m]
     bool closed = false;  // the last joins the first
-    bool curved = false;  // stands for an arc: its inner points are no corners
+    bool curved = false;  // approximates an arc: its inner points are not corners
 };
 
 struct SceneObject {
     std::string pointer;  // JSON pointer
     ObjectKind kind = ObjectKind::Joint;
-    std::string title;  // for people: `joint J12`
+    std::string title;  // shown to the user: `joint J12`
     std::vector<ObjectLine> lines;
-    std::vector<Point> marks;  // places without extent [m]
-    std::vector<Point> middles;  // of shapes drawn round a middle [m]
-    std::vector<Point> area;  // outline of what belongs to it [m]; empty: only lines and marks do
+    std::vector<Point> marks;  // isolated points [m]
+    std::vector<Point> middles;  // centres of shapes [m]
+    std::vector<Point> area;  // outline of its area [m]; empty: it has only lines and marks
 };
 
-/// True for what lies in rock and is not seen where an opening has taken the rock away.
+/// True for objects inside rock, which are not visible in openings.
 bool endsAtOpenings(ObjectKind kind);
 
-/// Round all that has a place; none: nothing has [m].
+/// Bounding box of all points; none: there are none [m].
 std::optional<Box> boxOf(const SceneObject& object);
 
-/// True when the place lies in one of the tunnels among the objects, and not on its wall.
+/// True if the point is inside one of the tunnels among the objects, not on its wall.
 bool isInOpening(std::span<const SceneObject> objects, const Point& place);
 
-/// In the order of the scene's parts. Bears any scene; what has no usable place is left out.
+/// In the order of the scene's parts. Accepts any scene; objects without usable points are left out.
 std::vector<SceneObject> objectsOf(const Scene& scene);
 
-/// The traces of one set in the region that it names, as `objectsOf` shows them: for a preview. Empty where it cannot be
+/// The traces of one set in the region that it names, as `objectsOf` shows them, for a preview. Empty if it cannot be
 /// drawn, or would give more than `mostShownTraces`.
 std::vector<ObjectLine> tracesOfSet(const Scene& scene, const SceneJointSet& set);
 
 inline constexpr double mostShownTraces = 10000.0;  // as the check allows
 
-/// A bolt of a pattern each, head first; empty where it cannot be laid out.
+/// The bolts of a pattern, head first; empty if it cannot be laid out.
 std::vector<ObjectLine> boltsOfPattern(const Scene& scene, const ScenePattern& pattern);
 
 }  // namespace keyblock

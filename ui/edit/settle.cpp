@@ -12,9 +12,9 @@
 namespace keyblock {
 namespace {
 
-constexpr int longestChain = 32;  // of types that are like one another, as a reader takes
+constexpr int longestChain = 32;  // of derived types, as in the file reader
 
-/// Gives a field that does not apply the value that it has where nobody says it. True where it had another.
+/// Resets a field that does not apply to its default. True if its value changed.
 bool leaveOut(const Structure& structure, const Field& field, void* object) {
     if (applies(structure, field, object) || sameValue(field, object, structure.defaults)) return false;
     if (hasChildren(field)) field.children.setNull(object);
@@ -22,7 +22,7 @@ bool leaveOut(const Structure& structure, const Field& field, void* object) {
     return true;
 }
 
-/// A field that goes may be the one that others are for.
+/// Other fields may depend on a field that is reset.
 void leaveOutMisplaced(const Structure& structure, void* object) {
     for (bool changed = true; changed;) {
         changed = false;
@@ -37,7 +37,7 @@ void leaveOutMisplaced(const Structure& structure, void* object) {
     }
 }
 
-/// True when the types that this one is like, one after another, end at one that stands by itself.
+/// True if the chain of types from which this one is derived has an end.
 bool likeEnds(const Scene& scene, const BoltType& type) {
     const BoltType* at = &type;
     for (int link = 0; link < longestChain; ++link) {

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What every edit ends with, so that a scene in the window can always be written
-// and is read back as the same: a file is refused where a field stands that does
-// not apply, or where types of bolts are like one another in a circle.
+// Applied at the end of every edit so that a scene in the window can always be
+// written and read back unchanged: a file is refused if a field does not apply, or
+// if bolt types are derived from each other in a circle.
 #pragma once
 
 #include "solver/scene/scene.h"
 
 namespace keyblock {
 
-/// Leaves out what does not apply (`increments` of a dynamic stage, say), and of types of bolts who they are like where
-/// nobody is; their numbers stay. Drops built-in types that nothing names any more and adds those that something does.
+/// Resets fields that do not apply (`increments` of a dynamic stage, for example), and clears `like` of bolt types that
+/// cannot be resolved; their values stay. Removes unused built-in types and adds those that are used.
 void settle(Scene& scene);
 
 }  // namespace keyblock

@@ -10,9 +10,9 @@
 namespace keyblock {
 namespace {
 
-constexpr std::size_t mostCrossed = 200;  // lines near the mouse whose crossings are looked for
+constexpr std::size_t mostCrossed = 200;  // lines near the mouse that are intersected with each other
 
-/// By how much of the radius a kind stands back behind ends. Points come before lines whatever the distances.
+/// Penalty of a kind relative to ends, over the radius. Points come before lines at any distance.
 double rankOf(SnapKind kind) {
     switch (kind) {
         case SnapKind::End: return 0.0;
@@ -32,7 +32,7 @@ bool hasCorners(ObjectKind kind) {
 
 }  // namespace
 
-/// One question: keeps the best answer so far.
+/// One query: keeps the best candidate so far.
 class SnapIndex::Search {
 public:
     Search(const SnapIndex& index, const Point& place, const SnapWish& wish) : index_(index), place_(place), wish_(wish) {}
@@ -92,7 +92,7 @@ private:
     }
 
     void meet(const Line& one, const Line& two) {
-        if (one.a == two.a || one.a == two.b || one.b == two.a || one.b == two.b) return;  // a corner, no crossing
+        if (one.a == two.a || one.a == two.b || one.b == two.a || one.b == two.b) return;  // a corner
         if (const auto crossed = crossing(one.a, one.b, two.a, two.b))
             offer(crossed->place, SnapKind::Intersection, one.object, two.object, "intersection of ");
     }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The place that a person means near the mouse. What is nearest is often not what
-// is meant: an end a few pixels away is meant before a line just under the mouse.
-// So kinds come by relevance, and distance decides among what is about as relevant.
+// The snap point near the mouse. The nearest candidate is often not the intended
+// one: an end a few pixels away takes precedence over a line just under the mouse.
+// Candidates are ranked by kind, and by distance among similar kinds.
 #pragma once
 
 #include "geometry/grid.h"
@@ -20,25 +20,25 @@ enum class SnapKind { End, Intersection, Middle, Foot, OnLine, Grid };
 struct Snap {
     Point place{0.0, 0.0};  // [m]
     SnapKind kind = SnapKind::Grid;
-    std::string name;  // for people: `end of joint J12`
+    std::string name;  // shown to the user: `end of joint J12`
     std::string pointer;  // of the object; empty: the grid
 };
 
-/// What may be snapped to.
+/// The options of a snap.
 struct SnapWish {
-    double radius = 0.0;  // how far from the mouse [m]
+    double radius = 0.0;  // largest distance from the mouse [m]
     bool objects = true;
-    std::optional<double> grid{};  // spacing [m]; the grid is taken from any distance
-    std::optional<Point> previous{};  // the last point drawn, from which a foot is dropped
-    std::vector<std::string> except{};  // pointers of what is being drawn or dragged, left out
+    std::optional<double> grid{};  // spacing [m]; the grid snaps at any distance
+    std::optional<Point> previous{};  // the last point drawn, the base of perpendiculars
+    std::vector<std::string> except{};  // pointers of objects being drawn or dragged, left out
 };
 
-/// The lines of a scene, ready for many questions.
+/// The lines of a scene, indexed for many queries.
 class SnapIndex {
 public:
     explicit SnapIndex(const std::vector<SceneObject>& objects);
 
-    /// The best snap near `place`; none where nothing is near and there is no grid.
+    /// The best snap near `place`; none if nothing is near and there is no grid.
     std::optional<Snap> at(const Point& place, const SnapWish& wish) const;
 
 private:
@@ -54,7 +54,7 @@ private:
     };
     struct Name {
         std::string pointer, title;
-        bool hasCorners = false, inRock = false;  // inRock: not seen in openings
+        bool hasCorners = false, inRock = false;  // inRock: not visible in openings
     };
     class Search;
 

@@ -17,7 +17,7 @@ namespace {
 constexpr double usualDensity = 2700.0;  // [kg/m³]
 constexpr double degree = std::numbers::pi / 180.0;
 
-/// Round the outline, or all blocks; nothing without rock.
+/// Bounding box of the outline, or of all blocks; none without rock.
 std::optional<Box> rockBox(const Scene& scene) {
     std::vector<Point> corners;
     if (scene.domain) corners = scene.domain->boundary;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// In-situ stress as engineers know it, by depth and K0 or by principal stresses,
-// written into the fields of the scene in one edit.
+// In-situ stress from depth and K0 or from principal stresses, written into the
+// fields of the scene in one edit.
 #pragma once
 
 #include "ui/edit/edit.h"
@@ -22,17 +22,17 @@ struct PrincipalStresses {
     double angle = 0.0;  // of σ1 from the x axis, counter-clockwise [°]
 };
 
-/// Stress that increases with depth, given at the middle of the rock. Refused: rock without size or partly above the
+/// Stress that increases with depth, given at mid-height of the rock. Refused: rock without size or partly above the
 /// surface, a unit weight or ratio below zero.
 Edit withDepthStress(const Scene& scene, const DepthStress& stress);
 
 /// Refused: σ1 below σ3.
 Edit withPrincipalStresses(const Scene& scene, const PrincipalStresses& stress);
 
-/// What to begin with: the surface at the upper edge of the rock, the weight of its first material.
+/// Initial values: the surface at the upper edge of the rock, the unit weight of its first material.
 DepthStress suggestedDepthStress(const Scene& scene);
 
-/// Of the stress that the scene has, without its gradient.
+/// From the stress of the scene, without its gradient.
 PrincipalStresses principalStressesOf(const Scene& scene);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The only file that knows muParser. It would take comparisons, assignments and
-// lists too, which no number is; so characters are looked at first.
+// The only file that uses muParser. muParser also accepts comparisons, assignments
+// and lists, so the characters are checked first.
 #include "ui/edit/sums.h"
 
 #include <muParser.h>
@@ -50,17 +50,17 @@ void prepare(mu::Parser& parser) {
     parser.DefineFun("atan", arcTangent);
 }
 
-/// What no sum holds; none when all characters may stand.
+/// The first character not allowed in an expression; none if all are allowed.
 std::optional<std::string> strangeCharacter(const std::string& text) {
     constexpr std::string_view allowed = "0123456789.+-*/^(), \tabcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
     const std::size_t at = text.find_first_not_of(allowed);
     if (at == std::string::npos) return std::nullopt;
-    std::size_t end = at + 1;  // the whole of a character of several bytes
+    std::size_t end = at + 1;  // include all bytes of a multi-byte character
     while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) ++end;
     return text.substr(at, end - at);
 }
 
-/// True where a comma stands outside the brackets of a function.
+/// True if a comma is outside the brackets of a function.
 bool hasLooseComma(const std::string& text) {
     int depth = 0;
     for (const char c : text) {

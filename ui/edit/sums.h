@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sums typed into a number field: + − * / ^, brackets, roots and angles in
-// degrees, as engineers type them. Numbers stand with a point here; units and
-// commas have been settled before.
+// Expressions typed into a number field: + − * / ^, brackets, roots, and angles in
+// degrees. Numbers have a decimal point here; units and commas were converted
+// before.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace keyblock {
 
-/// A value, or what keeps the text from having one.
+/// A value, or why the text has none.
 struct SumResult {
     std::optional<double> value;  // finite
     std::string problem;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A text is cut into numbers, each with the unit behind it, and what stands
-// between. Every number is told in the unit of the field; one alone is the answer,
-// several with signs between are a sum.
+// A text is split into numbers, each with its unit, and the signs between. Every
+// number is converted to the unit of the field; a single one is the result, several
+// with signs between are an expression.
 #include "ui/edit/typed_number.h"
 
 #include "solver/scene/number_text.h"
@@ -34,7 +34,7 @@ bool separatesThousands(std::string_view text, std::size_t at) {
     return three && (at + 4 == text.size() || !isDigit(text[at + 4]));
 }
 
-/// How many bytes from `at` are a number with a decimal point or comma and an exponent.
+/// Number of bytes from `at` that are a number with a decimal point or comma and an exponent.
 std::size_t numberLength(std::string_view text, std::size_t at, bool commaToo) {
     std::size_t end = at;
     bool point = false;
@@ -53,7 +53,7 @@ std::size_t numberLength(std::string_view text, std::size_t at, bool commaToo) {
     return end - at;
 }
 
-/// How many bytes from `at` are a unit: letters and signs, `/` and `·` only where more of it follows.
+/// Number of bytes from `at` that are a unit: letters and signs, `/` and `·` only if more of the unit follows.
 std::size_t unitLength(std::string_view text, std::size_t at) {
     std::size_t end = at;
     while (end < text.size()) {
@@ -67,7 +67,7 @@ std::size_t unitLength(std::string_view text, std::size_t at) {
     return end - at;
 }
 
-/// The text in one unit, as far as it has been read.
+/// Reads the text and converts it to one unit.
 class Reader {
 public:
     Reader(std::string_view text, std::string_view unit) : text_(text), unitText_(unit), unit_(readUnit(unit)) {}
@@ -86,7 +86,7 @@ public:
     }
 
 private:
-    /// True where a sign stands that is not the number's own or that of its exponent.
+    /// True if there is an operator besides the sign of the number and of its exponent.
     bool hasSigns() const {
         for (std::size_t i = 1; i < text_.size(); ++i) {
             const char c = text_[i];
@@ -144,7 +144,7 @@ private:
         while (at_ < text_.size() && text_[at_] == ' ') ++at_;
     }
 
-    /// The unit that stands here; none where none does, or where it is wrong and `problem_` says so.
+    /// The unit at this position; none if there is none, or if it is wrong and `problem_` is set.
     std::optional<Unit> takeUnit() {
         const std::size_t length = unitLength(text_, at_);
         if (length == 0) return std::nullopt;
@@ -152,7 +152,7 @@ private:
         at_ += length;
         std::optional<Unit> unit = readUnit(typed);
         if (unit && unit_ && typed == "g" && unit_->powers == std::array<int, 4>{1, 0, -2, 0})
-            unit = Unit{9.80665, 1.0, unit_->powers};  // grams accelerate nothing
+            unit = Unit{9.80665, 1.0, unit_->powers};  // g as an acceleration, not grams
         if (unit && unit_ && sameKind(*unit, *unit_)) return unit;
         problem_ = wrongUnit(typed, unit.has_value());
         return std::nullopt;
@@ -166,7 +166,7 @@ private:
                      : "'" + typed + "' is not a known unit. Enter " + wanted + ".";
     }
 
-    /// \pre no sum.
+    /// \pre the text is not an expression.
     TypedNumber single() {
         std::string_view digits = out_;
         if (digits.starts_with("(")) digits = digits.substr(1, digits.size() - 2);

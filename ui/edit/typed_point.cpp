@@ -12,7 +12,7 @@
 namespace keyblock {
 namespace {
 
-/// The parts of a text between separators that stand in no brackets.
+/// The parts of a text between separators outside brackets.
 std::vector<std::string_view> partsBetween(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
     int depth = 0;

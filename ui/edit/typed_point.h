@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Places as a person types them while drawing: absolute, relative to the last
-// point, polar, or so far in the direction of the mouse.
+// Points as typed by the user while drawing: absolute, relative to the last point,
+// polar, or a distance in the direction of the mouse.
 #pragma once
 
 #include "geometry/point.h"
@@ -13,21 +13,21 @@
 
 namespace keyblock {
 
-/// What is known when a place is typed.
+/// The state when a point is typed.
 struct TypingContext {
-    std::optional<Point> previous;  // the last point of what is drawn [m]
-    Point mouse{0.0, 0.0};  // where the mouse (with snap and ortho) is [m]
+    std::optional<Point> previous;  // the last point drawn [m]
+    Point mouse{0.0, 0.0};  // position of the mouse, with snap and ortho [m]
 };
 
-/// A place, or what is wrong with the text and what to type.
+/// A point, or what is wrong with the text and what to type.
 struct TypedPoint {
     std::optional<Point> place;  // [m], usable
-    std::string problem;  // a sentence; empty when there is a place
+    std::string problem;  // a sentence; empty if there is a point
 };
 
 /// Reads `12.5,3` (absolute), `@2,0` (from the last point), `@3<45` (length and degrees from the last point) or `2.5`
-/// (that far from the last point towards the mouse). Each number may have a unit or be a sum; `unit` is that of bare
-/// lengths. `12,5;3,25` separates by a semicolon where commas are decimals.
+/// (that far from the last point towards the mouse). Each number may have a unit or be an expression; `unit` is that of
+/// bare lengths. With decimal commas, a semicolon separates: `12,5;3,25`.
 TypedPoint typedPoint(std::string_view text, const TypingContext& context, std::string_view unit = "m");
 
 }  // namespace keyblock

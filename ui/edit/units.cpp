@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The table of symbols and the reader of products of them.
+// The table of unit symbols and the reader of products of them.
 #include "ui/edit/units.h"
 
 #include <cctype>
@@ -76,7 +76,7 @@ struct Exponent {
 constexpr Exponent exponents[] = {{"²", 2}, {"³", 3}, {"⁴", 4}, {"^2", 2}, {"^3", 3}, {"^4", 4},
                                   {"2", 2}, {"3", 3},  {"4", 4}, {"⁻¹", -1}, {"^-1", -1}, {"⁻²", -2}, {"^-2", -2}};
 
-/// The exponent at the end of a factor, taken off it; 1 where none stands.
+/// Removes the exponent at the end of a factor and returns it; 1 if there is none.
 int takeExponent(std::string_view& factor) {
     for (const Exponent& exponent : exponents)
         if (factor.size() > exponent.text.size() && factor.ends_with(exponent.text)) {
@@ -107,7 +107,7 @@ bool apply(std::string_view factor, bool divide, Unit& unit) {
     return true;
 }
 
-/// Where the next factor begins behind `from`, and how long the sign before it is.
+/// Start of the next factor after `from`, and the length of the sign before it.
 struct Sign {
     std::size_t at, length;
     bool divides;
@@ -146,7 +146,7 @@ bool sameKind(const Unit& a, const Unit& b) { return a.powers == b.powers; }
 double converted(double number, const Unit& from, const Unit& to) {
     const double up = from.up * to.down, down = from.down * to.up;
     if (up == down) return number;
-    // A whole factor in one step, so that no digit is lost on the way.
+    // One multiplication by an integer factor, so that no digit is lost.
     if (up > down && std::floor(up / down) == up / down) return number * (up / down);
     if (down > up && std::floor(down / up) == down / up) return number / (down / up);
     return number * up / down;

@@ -15,8 +15,8 @@ namespace keyblock {
 namespace {
 
 constexpr Material granite{.density = 2700.0, .youngsModulus = 50e9, .poissonsRatio = 0.2};
-constexpr double share = 0.5;  // of the walls' forces that go before bolts come
-constexpr double usualDuration = 0.1;  // [s] of a burst, and of what lets go after it
+constexpr double share = 0.5;  // relaxation of the walls before bolts are installed
+constexpr double usualDuration = 0.1;  // [s] of a burst and the failures after it
 constexpr const char* usualBolt = "d-bolt-20";
 
 void makeMaterial(const Scene&, void* made) { *static_cast<Material*>(made) = granite; }
@@ -28,7 +28,7 @@ void makeDomain(const Scene& scene, void* made) {
 }
 void makeSet(const Scene& scene, void* made) {
     auto& set = *static_cast<SceneJointSet*>(made);
-    constexpr double dips[] = {60.0, -60.0, 0.0, 90.0};  // no set lies on the one before
+    constexpr double dips[] = {60.0, -60.0, 0.0, 90.0};  // different for each new set
     set.dip = dips[(std::max<std::size_t>(scene.jointSets.size(), 1) - 1) % 4];
     set.spacing = 2.0;
     if (scene.domain && scene.domain->boundary.size() >= 3) {
@@ -73,7 +73,7 @@ bool excavates(const Stage& stage, const std::string& name) {
     return std::find(stage.excavate.begin(), stage.excavate.end(), name) != stage.excavate.end();
 }
 
-/// The last stage that excavates, else one called so; none: −1.
+/// The last stage that excavates, else the first whose name contains "excavat"; none: −1.
 int excavatingStage(const Scene& scene) {
     int found = -1;
     for (std::size_t i = 0; i < scene.stages.size(); ++i)
@@ -83,7 +83,7 @@ int excavatingStage(const Scene& scene) {
     return found;
 }
 
-/// The stage that takes out the tunnel; of an empty name, of any. −1: none.
+/// The stage that excavates the tunnel, or for an empty name any tunnel. −1: none.
 int excavatingStage(const Scene& scene, const std::string& tunnel) {
     if (tunnel.empty()) return excavatingStage(scene);
     for (std::size_t i = 0; i < scene.stages.size(); ++i)
@@ -114,7 +114,7 @@ void installAfter(Edit& edit, int excavating, const std::string& name) {
     stages.insert(behind, std::move(bolts));
 }
 
-/// The tunnel that the bolt's head is on the wall of, or in; empty: none.
+/// The tunnel that contains the bolt's head inside or on its wall; empty: none.
 std::string tunnelAt(const Scene& scene, const Point& head) {
     for (const SceneTunnel& tunnel : scene.tunnels) {
         if (profileProblem(shapeOf(tunnel))) continue;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a new thing begins with: usual numbers of hard jointed rock, and the stages
-// that an engineer expects. Nothing here is better than what a person knows of
-// their rock; it only makes that a new thing can be looked at and run at once.
+// Defaults of new objects: typical values of hard jointed rock, and the stages that
+// an engineer expects. They only make a new object usable at once; measured values
+// of the rock should replace them.
 #pragma once
 
 #include "solver/scene/field.h"
@@ -14,37 +14,37 @@
 
 namespace keyblock {
 
-/// A scene to begin drawing in: granite, a joint of 30°, gravity, stages that settle and excavate; no rock yet.
+/// An initial scene: granite, a joint material of 30°, gravity, stages `settle` and `excavate`; no rock yet.
 Scene newScene();
 
-/// Gives a default-made struct of that structure what a file would have to say.
+/// Fills the required fields of a default-constructed struct of that structure.
 void makeUsual(const Scene& scene, const Structure& structure, void* made);
 
-/// What keeps corners from being the outline of something; empty when nothing does.
+/// Why the corners are not a valid outline; empty if they are.
 std::string outlineProblem(const std::vector<Point>& points);
 
-/// The outline of the rock. Where nothing holds the scene yet, its bottom is held and its sides move only downward.
+/// Sets the outline of the rock. If the scene has no supports, its bottom is fixed and its sides move only vertically.
 /// Refused: an outline without area, or one that crosses itself.
 Edit withDomain(const Scene& scene, const std::vector<Point>& boundary);
 
 /// Fixes the bottom of the outline and lets its sides move only vertically. \pre the scene has an outline, no supports.
 void supportSides(Edit& edit);
 
-/// Installs a bolt of the scene, whose head is on the wall of a tunnel that a stage excavates, after that stage.
+/// Installs a bolt whose head is on the wall of a tunnel after the stage that excavates the tunnel.
 void installOnWall(Edit& edit, const Bolt& bolt);
 
-/// A tunnel, taken out by the last stage that excavates something or is called so; open from the start without one.
+/// Adds a tunnel. The last stage that excavates, by content or by name, excavates it; else it is open from the start.
 Edit withTunnel(const Scene& scene, const SceneTunnel& tunnel);
 
-/// A pattern or a bolt. Where a stage excavates its tunnel and none after it installs bolts, a stage that does is put
-/// behind, and the walls are let go half before it and half in it: bolts that came after all movement would hold nothing.
+/// Adds a pattern or a bolt. If a stage excavates its tunnel and no later one installs bolts, a stage for them is
+/// inserted after it, and half of the relaxation is moved there: bolts installed after all movement carry no load.
 Edit withPattern(const Scene& scene, const ScenePattern& pattern);
 Edit withBolt(const Scene& scene, const Bolt& bolt);
 
-/// The kind of a stage; a dynamic one that has no duration yet gets a usual one.
+/// Sets the kind of a stage; a dynamic stage without a duration gets a default.
 Edit withStageKind(const Scene& scene, std::size_t stage, StageKind kind);
 
-/// The first entry's name of these lists; empty without any.
+/// The name of the first entry of these lists; empty if there is none.
 std::string firstMaterial(const Scene& scene);
 std::string firstJointMaterial(const Scene& scene);
 
