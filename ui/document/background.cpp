@@ -37,7 +37,7 @@ void Background::work() {
             overtaken_ = false;
         }
         Result result = job();
-        job = nullptr;  // what it held goes here, not in the window
+        job = nullptr;  // frees its data on this thread, not in the window
         if (result) QMetaObject::invokeMethod(this, std::move(result), Qt::QueuedConnection);
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Work that takes longer than the window may wait, on one thread, always the newest:
-// what was asked for meanwhile and overtaken is never begun.
+// Slow work on one background thread. Only the newest request is run: a waiting
+// request that is overtaken is never started.
 #pragma once
 
 #include <QObject>
@@ -20,20 +20,20 @@ class Background : public QObject {
 
 public:
     explicit Background(QObject* parent = nullptr);
-    /// Waits for the job that runs; its result is dropped.
+    /// Waits for the running job; its result is dropped.
     ~Background() override;
 
-    /// What is left to do in the window with a job's result; may be empty.
+    /// Delivers the result of a job in the window's thread; may be empty.
     using Result = std::function<void()>;
 
-    /// Does the job on the thread, in place of one that still waits; its result runs in this object's thread. A job
-    /// tells its errors by its result.
+    /// Runs the job on the thread, replacing a waiting one; its result runs in this object's thread. A job
+    /// reports errors through its result.
     void ask(std::function<Result()> job);
 
-    /// From within a job: another one waits in its place, or nobody does any more.
+    /// For use in a job: it was overtaken or is no longer wanted.
     bool isOvertaken() const { return overtaken_; }
 
-    /// From within a job whose result is wanted even where it is overtaken: true once nobody waits any more.
+    /// For use in a job whose result is wanted even if it is overtaken: true once it is no longer wanted.
     const std::atomic<bool>& ends() const { return ends_; }
 
 private:

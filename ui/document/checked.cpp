@@ -7,7 +7,7 @@
 
 namespace keyblock {
 
-// Whatever a check throws (memory that ran out, say) is a problem to be told, never the end of the program.
+// Exceptions of a check (out of memory, for example) are reported as problems and do not end the program.
 std::shared_ptr<const Checked> checkedOf(const std::shared_ptr<const Scene>& scene,
                                          const std::atomic<bool>* stop) {
     auto checked = std::make_shared<Checked>();

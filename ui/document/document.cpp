@@ -21,7 +21,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostTold = 3;  // sentences of what else changed
+constexpr std::size_t mostTold = 3;  // sentences about other changes
 
 QByteArray contentOf(const QString& path) {
     QFile file(path);
@@ -36,7 +36,7 @@ SceneRescue rescued(const QString& path, const QByteArray& content) {
 
 }  // namespace
 
-/// The one kind of step: the scene before and the scene after.
+/// The only kind of step: the scenes before and after.
 class SceneStep : public QUndoCommand {
 public:
     using Late = std::shared_ptr<const LateScene>;
@@ -48,7 +48,7 @@ public:
     void redo() override { take(*before_, *after_, pointers_); }
 
 private:
-    /// A recovered scene that cannot be read is never shown as an empty one: what stands stays, and is in no file.
+    /// A recovered scene that cannot be read is not shown as an empty one: the current scene stays, marked as unsaved.
     void take(const LateScene& from, const LateScene& to, const PointerChange& pointers) {
         if (document_.isRestoring_) return;
         if (to.get()) return document_.take(from.get() ? *from.get() : *document_.scene_, to.get(), pointers);
@@ -70,7 +70,7 @@ Document::Document(QObject* parent)
 }
 
 Document::~Document() {
-    undo_->disconnect();  // it empties itself when nothing of this document is left to ask
+    undo_->disconnect();  // it clears itself after this document is destroyed
 }
 
 const std::shared_ptr<const Scene>& Document::scene() const { return preview_ ? preview_ : scene_; }
@@ -140,7 +140,7 @@ void Document::restore(const std::vector<RestoredStep>& steps, std::size_t index
     setScene(steps[index].scene->get());
     Q_EMIT replaced();
     {
-        const QSignalBlocker quiet(this);  // one change is told, not one for each step
+        const QSignalBlocker quiet(this);  // one signal instead of one for each step
         isRestoring_ = true;
         for (std::size_t i = 1; i < steps.size(); ++i)
             undo_->push(new SceneStep(*this, steps[i].name, steps[i - 1].scene, steps[i].scene));
@@ -161,7 +161,7 @@ std::vector<Problem> Document::open(const QString& path) {
     }
     SceneRescue rescue = rescued(path, contentOf(path));
     if (!rescue.scene || !rescue.isWhole) return reading.problems;
-    start(std::move(*rescue.scene), QFileInfo(path).absoluteFilePath(), {});  // the check tells the rest
+    start(std::move(*rescue.scene), QFileInfo(path).absoluteFilePath(), {});  // the check reports the rest
     return {};
 }
 
@@ -183,7 +183,7 @@ void Document::save(const QString& path) {
     writeSceneFile(path.toStdString(), *scene_);
     path_ = QFileInfo(path).absoluteFilePath();
     {
-        const QSignalBlocker quiet(this);  // that nothing is modified any more is told with the path
+        const QSignalBlocker quiet(this);  // signalled below, together with the path
         undo_->setClean();
     }
     Q_EMIT fileChanged();
@@ -194,7 +194,7 @@ void Document::fileIsGone() {
         const QSignalBlocker quiet(this);
         undo_->resetClean();
     }
-    Q_EMIT fileChanged();  // also where it was modified, of which the stack says nothing
+    Q_EMIT fileChanged();  // also if it was modified, which the stack does not signal
 }
 
 void Document::setScene(std::shared_ptr<const Scene> scene) {
@@ -203,7 +203,7 @@ void Document::setScene(std::shared_ptr<const Scene> scene) {
     show();
 }
 
-/// What was there and is not any more is gone; what was never there (a bolt among results) is not the scene's to lose.
+/// Objects that existed before and no longer do are gone; others (a bolt of the results) never were in the scene.
 void Document::take(const Scene& from, const std::shared_ptr<const Scene>& to, const PointerChange& pointers) {
     setScene(to);
     Q_EMIT moved([&](const std::string& pointer) {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The document of the window: one scene by value, its undo, its file, and what the
-// check says of it. A step of undo keeps the scenes before and after; so every edit
-// is a function from scene to scene, and none needs a class of its own.
+// The document of the window: one scene by value, its undo stack, its file, and the
+// results of the check. An undo step keeps the scenes before and after, so that
+// every edit is a function from scene to scene and needs no class of its own.
 #pragma once
 
 #include "ui/document/checked.h"
@@ -27,17 +27,17 @@ struct Edit;
 
 /// A scene with the name of the step that led to it.
 struct RestoredStep {
-    QString name;  // of the first empty
+    QString name;  // empty for the first
     std::shared_ptr<const LateScene> scene;
 };
 
-/// What was found in a file that does not open cleanly.
+/// Contents of a file with errors.
 struct PartReading {
     QString path;
     QByteArray text;  // of the file
     std::vector<Problem> problems;  // by line
-    std::size_t leftOut = 0;  // objects that lack something they need
-    bool isOpen = false;  // the document holds what could be read; else it is as it was
+    std::size_t leftOut = 0;  // number of incomplete objects
+    bool isOpen = false;  // the document has the readable part; else it is unchanged
 };
 
 class Document : public QObject {
@@ -47,17 +47,17 @@ public:
     explicit Document(QObject* parent = nullptr);
     ~Document() override;
 
-    /// Never null; what is shown now, a preview included.
+    /// Never null; the scene shown now, including a preview.
     const std::shared_ptr<const Scene>& scene() const;
 
-    /// One step of undo, called `step`; `pointers` say where those of before lead then. An edit that changes nothing
-    /// leaves no trace. Ends a preview.
+    /// Adds an undo step called `step`; `pointers` maps earlier pointers to the new ones. An edit that changes nothing
+    /// adds no step. Ends a preview.
     void apply(const QString& step, Scene after, PointerChange pointers = {});
 
-    /// The same of an edit that may have been refused; tells why, or what else changed. False: refused.
+    /// The same for an edit that may be refused; reports why, or what else changed. False: refused.
     bool apply(const QString& step, Edit edit);
 
-    /// Shows and checks a scene while a person drags, without a step; `endPreview` goes back to the document.
+    /// Shows and checks a scene during a drag, without a step; `endPreview` returns to the document.
     void preview(Scene during);
     void endPreview();
     bool isPreviewing() const { return preview_ != nullptr; }
@@ -67,7 +67,7 @@ public:
 
     QUndoStack& undo() { return *undo_; }
 
-    /// The newest check that is done; of an older scene while a newer one is looked at.
+    /// The newest finished check; it belongs to an older scene while a newer one is being checked.
     const Checked& checked() const { return *checked_; }
     bool checkIsCurrent() const;
 
@@ -75,36 +75,36 @@ public:
     QString title() const;  // name of the file, or `untitled`
     bool isModified() const;
 
-    /// Replaces everything by a scene that no file holds yet. `isWork`: it counts as edited, as an import does.
+    /// Replaces everything by a scene that is not in a file yet. `isWork`: it counts as modified, as after an import.
     void startNew(Scene scene, const QString& name = {}, bool isWork = false);
 
-    /// Replaces everything by a document with its steps of undo, of which `index` stands and the file holds `saved`. The
-    /// other scenes are read when undo or redo comes to them.
-    /// \pre `steps` is not empty, both count within it; every scene can be read.
+    /// Replaces everything by a document with its undo steps: `index` is the current one, `saved` the one in the file.
+    /// The other scenes are read when undo or redo reaches them.
+    /// \pre `steps` is not empty and both are valid indices; every scene can be read.
     void restore(const std::vector<RestoredStep>& steps, std::size_t index, std::optional<std::size_t> saved,
                  const QString& path, const QString& name);
 
-    /// Opens a file. What keeps it from being opened comes back, and the document stays as it was; warnings of a scene
+    /// Opens a file. Returns the errors if it cannot be opened, and leaves the document unchanged; warnings of a scene
     /// that opens come with the check.
     std::vector<Problem> open(const QString& path);
 
-    /// Opens what can be read of a file with errors as a new document without a file, so that saving does not write over
-    /// what is left; tells `readInPart`, also where nothing can be read. False: the document stays as it was.
+    /// Opens the readable part of a file with errors as a new document without a file, so that saving does not overwrite
+    /// the original; emits `readInPart`, also if nothing can be read. False: the document is unchanged.
     bool openPart(const QString& path);
 
-    /// Writes the file whole or not at all. \throws CannotWrite
+    /// Writes the file atomically. \throws CannotWrite
     void save(const QString& path);
 
-    /// What was saved is no longer there, so all of it counts as not saved.
+    /// The saved file is gone, so the document counts as modified.
     void fileIsGone();
 
 Q_SIGNALS:
     void changed();  // the scene
-    void moved(const keyblock::WhereNow& now);  // after a step, done or undone: what pointers of before mean
-    void told(const QString& text, bool warns);  // what a person should know of an edit
+    void moved(const keyblock::WhereNow& now);  // after a step or its undo: maps earlier pointers
+    void told(const QString& text, bool warns);  // a message about an edit
     void checkedChanged();
     void fileChanged();  // path, title, or whether modified
-    void replaced();  // by another document
+    void replaced();  // with another document
     void readInPart(const keyblock::PartReading& reading);
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Stages are set aside: what comes and goes with them is drawn as there, so that it
-// can be seen and pointed at.
+// Stages are ignored: everything that is excavated, installed or removed in a stage
+// is drawn, so that it can be seen and picked.
 #include "ui/document/drawing.h"
 
 #include "solver/run/as_drawn.h"

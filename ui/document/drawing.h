@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the canvas shows while a person draws: blocks as they are cut, openings,
-// bolts with their anchored points.
+// The picture on the canvas while drawing: blocks as they are cut, openings, bolts
+// with their anchored points.
 #pragma once
 
 #include "ui/picture/section.h"
 
 namespace keyblock {
 
-/// The picture of a scene before anything happened to it; empty of one without blocks.
-/// \param solved what `cutScene` makes of the scene. \pre the scene was checked without errors.
+/// The picture of a scene before any stage; empty if it has no blocks.
+/// \param solved result of `cutScene`. \pre the scene was checked without errors.
 SectionPicture drawingPicture(const Scene& solved);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The folder in which dialogs for scenes and drawings begin: that of the document,
-// else the one used last; exports in between do not count.
+// The initial folder of dialogs for scenes and drawings: that of the document, else
+// the last one used; exports in between do not change it.
 #pragma once
 
 #include <QString>
@@ -13,7 +13,7 @@ class Document;
 
 QString fileFolder(const Document& document);
 
-/// Remembers the folder of a file that was chosen.
+/// Remembers the folder of a chosen file.
 void rememberFolderOf(const QString& path);
 
 }  // namespace keyblock

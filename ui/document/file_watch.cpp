@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-/// Empty where the file cannot be read.
+/// Empty if the file cannot be read.
 QByteArray hashOf(const QString& path) {
     QFile file(path);
     QCryptographicHash hash(QCryptographicHash::Sha1);
@@ -36,7 +36,7 @@ FileWatch::FileWatch(Document& document, QObject* parent)
     });
 }
 
-/// A file that is replaced as a whole is no longer watched, its folder is.
+/// Qt stops watching a file that is replaced, so its folder is watched too.
 void FileWatch::follow() {
     const QStringList watched = watcher_->files() + watcher_->directories();
     if (!watched.isEmpty()) watcher_->removePaths(watched);

@@ -21,7 +21,7 @@ namespace keyblock {
 
 namespace {
 
-/// A name that no other window, nor this one before, has given.
+/// A name not used by another window or earlier in this one.
 QString newJournalPath(const QString& folder) {
     static int count = 0;
     const QString time = QDateTime::currentDateTimeUtc().toString("yyyyMMdd-hhmmss-zzz");
@@ -99,7 +99,7 @@ bool Journal::open() {
     return file_ != nullptr;
 }
 
-/// Where there can be no file yet, the next edit tries again, with those before it.
+/// If the file cannot be created yet, the next edit tries again, including the edits before it.
 void Journal::begin() {
     if (file_ || !open()) return;
     file_->begin(savedAs_.toStdString(), document_.title().toStdString(), states_.front()->get(), saved_ == 0);
@@ -110,7 +110,7 @@ void Journal::begin() {
     if (broken_) tell({});
 }
 
-/// \param why empty: nothing is wrong any more.
+/// \param why empty: the error is over.
 void Journal::tell(const QString& why) {
     if (broken_ == !why.isEmpty()) return;
     broken_ = !why.isEmpty();
@@ -125,7 +125,7 @@ void Journal::follow(int index) {
     const auto at = static_cast<std::size_t>(index);
     const bool isKnown = at < states_.size() && states_[at]->known() == now;
     if (isKnown && index == index_) return;
-    if (!isKnown && (at == 0 || at > states_.size())) return;  // another document; it says so itself
+    if (!isKnown && (at == 0 || at > states_.size())) return;  // another document, which signals this itself
     begin();
     index_ = index;
     if (isKnown) {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Follows a document and keeps its edits in a journal, so that a program that ends
-// without being asked costs no work. A document without edits has none, and one
-// that is closed or replaced on purpose leaves none.
+// Follows a document and keeps its edits in a journal, so that a crash loses no
+// work. A document without edits has no journal, and one that is closed or replaced
+// deliberately leaves none.
 #pragma once
 
 #include <QObject>
@@ -21,7 +21,7 @@ class Document;
 class JournalFile;
 class LateScene;
 
-/// Where journals lie: in the program's data folder of this person.
+/// The folder of journals: in the program's data folder of the user.
 QString journalFolder();
 
 class Journal : public QObject {
@@ -29,25 +29,25 @@ class Journal : public QObject {
 
 public:
     explicit Journal(Document& document, const QString& folder = journalFolder(), QObject* parent = nullptr);
-    /// Writes what waits; the journal stays unless `close` was called.
+    /// Writes pending edits; the journal stays unless `close` was called.
     ~Journal() override;
 
-    /// Removes the journal, because the document is saved or given up.
+    /// Removes the journal because the document was saved or discarded.
     void close();
-    /// Waits until all edits are written; false where the disk did not take all of them yet.
+    /// Waits until all edits are written; false if the disk has not accepted all of them yet.
     bool flush();
 
-    /// Keeps on with the lines of a journal that nobody closed, whose steps `restore` makes the document's.
+    /// Continues a journal that was not closed; `restore` makes its steps those of the document.
     void goOn(std::string lines, std::vector<std::shared_ptr<const LateScene>> states,
               const std::function<void()>& restore);
-    /// Calls once every edit until now is on the disk, or the journal is closed; now where they are.
+    /// Calls back when all edits up to now are on the disk or the journal is closed; at once if they are.
     void onceKept(std::function<void()> done);
     /// The file; empty while there is none.
     QString path() const;
 
 Q_SIGNALS:
-    void failed(const QString& why);  // edits are no longer kept
-    void mended();  // they are kept again, those in between too
+    void failed(const QString& why);  // edits cannot be written
+    void mended();  // edits are written again, including those in between
 
 private:
     bool open();
@@ -61,12 +61,12 @@ private:
     QString folder_;
     std::unique_ptr<JournalFile> file_;
     std::vector<std::shared_ptr<const LateScene>> states_;  // by index of the undo stack
-    std::size_t taken_ = 0;  // of these, those that the file has from another's lines
+    std::size_t taken_ = 0;  // of these, those taken over from another journal
     bool isTaking_ = false;
     int index_ = 0, saved_ = 0;
     QString savedAs_;
     bool broken_ = false;
-    std::function<void()> kept_;  // whom to tell; none: nobody waits
+    std::function<void()> kept_;  // callback; none: nothing is waiting
 };
 
 }  // namespace keyblock

@@ -19,7 +19,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::chrono::seconds beforeRetry{2};  // where the disk took nothing
+constexpr std::chrono::seconds beforeRetry{2};  // after a failed write
 
 }  // namespace
 
@@ -27,7 +27,7 @@ JournalFile::JournalFile(const std::filesystem::path& path, std::function<void(s
     : path_(path), told_(std::move(told)),
       file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600)) {
     if (file_ < 0) throw CannotWrite(cannotWriteText(path, errno));
-    ::flock(file_, LOCK_EX);  // another window that looks at it holds it for a moment only
+    ::flock(file_, LOCK_EX);  // another window locks it only briefly to read it
     thread_ = std::thread([this] { work(); });
 }
 
@@ -106,7 +106,7 @@ void JournalFile::write(const std::string& line) {
     }
 }
 
-/// A line that the disk does not take waits, with those after it, until the disk has room.
+/// A line that cannot be written waits, with those after it, until the disk has room.
 void JournalFile::writeUnwritten() {
     try {
         for (; !unwritten_.empty(); unwritten_.pop_front()) {
@@ -116,7 +116,7 @@ void JournalFile::writeUnwritten() {
         if (failing_) told_({});
         failing_ = false;
     } catch (const CannotWrite& error) {
-        if (::ftruncate(file_, static_cast<off_t>(size_)) != 0) broken_ = true;  // a part of a line stays at its end
+        if (::ftruncate(file_, static_cast<off_t>(size_)) != 0) broken_ = true;  // an incomplete line remains at its end
         failing_ = true;
         told_(error.what());
     }

@@ -69,7 +69,7 @@ std::optional<TextChange> changeOf(const JsonNode& node) {
     return TextChange{*begin, *removed, *text};
 }
 
-/// Journals of before had one stretch in each line, told by what it leaves alone at both ends.
+/// Older journals have one change per line, given by the unchanged lengths at both ends.
 std::optional<std::vector<TextChange>> changesAt(const JsonNode& body, std::size_t before) {
     const JsonNode* member = findMember(body, "changes");
     if (!member) {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A scene that is read only when somebody wants to see it: of a thousand steps that
-// are recovered a person looks at a few.
+// A lazily loaded scene: of a thousand recovered steps the user looks at a few.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -18,7 +17,7 @@ public:
     explicit LateScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {}
     explicit LateScene(std::function<std::shared_ptr<const Scene>()> read) : read_(std::move(read)) {}
 
-    /// Reads it the first time; null where it cannot be read.
+    /// Reads it at the first call; null if it cannot be read.
     const std::shared_ptr<const Scene>& get() const {
         if (scene_ || !read_) return scene_;
         scene_ = read_();
@@ -26,7 +25,7 @@ public:
         return scene_;
     }
 
-    /// Null while nobody wanted it.
+    /// Null until the first call.
     const std::shared_ptr<const Scene>& known() const { return scene_; }
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Scenes that were opened or saved last, kept in the person's settings.
+// The scenes opened or saved last, kept in the user's settings.
 #pragma once
 
 #include <QDateTime>
@@ -23,10 +23,10 @@ class RecentFiles : public QObject {
     Q_OBJECT
 
 public:
-    /// Follows the document: what it opens or saves comes first.
+    /// Follows the document: the file opened or saved last is first.
     explicit RecentFiles(Document& document, QObject* parent = nullptr);
 
-    /// Newest first; files that are gone too, so that a person sees what became of them.
+    /// Newest first; includes missing files, so that the user sees that they are gone.
     const std::vector<RecentFile>& files() const { return files_; }
     void add(const QString& path);
     void forget(const QString& path);

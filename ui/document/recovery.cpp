@@ -25,10 +25,10 @@ namespace keyblock {
 
 namespace {
 
-constexpr qint64 secondsToBegin = 10;  // an empty journal younger than this is about to be written
-constexpr std::size_t fewSteps = 32;  // between two texts that are kept
+constexpr qint64 secondsToBegin = 10;  // an empty journal younger than this may still be written
+constexpr std::size_t fewSteps = 32;  // between two cached texts
 
-/// A journal that is nobody's, held while it is looked at.
+/// A journal that is not in use, locked while it is read.
 class Held {
 public:
     explicit Held(const QString& path) : file_(::open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC)) {
@@ -47,7 +47,7 @@ private:
     bool isFree_;
 };
 
-/// None where not all of it can be read now: that says nothing of what is in it.
+/// None if it cannot be read completely at the moment, which does not mean that it is damaged.
 std::optional<QByteArray> contentOf(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
@@ -80,12 +80,12 @@ Abandoned abandonedOf(const QFileInfo& file, const Journalled& journal) {
     return abandoned;
 }
 
-/// The scenes of a journal, each made of the text of one before it.
+/// The scenes of a journal, each built from the text of an earlier one.
 class JournalledScenes {
 public:
     explicit JournalledScenes(const Journalled& journal) : steps_(journal.steps), path_(journal.path) {}
 
-    /// Null where this program cannot read it.
+    /// Null if this program cannot read it.
     std::shared_ptr<const Scene> scene(std::size_t step) {
         SceneRescue rescue = rescueSceneText(text(step), path_, std::filesystem::path(path_).parent_path());
         if (!rescue.scene) return nullptr;
@@ -109,10 +109,10 @@ private:
 
     std::vector<JournalStep> steps_;
     std::string path_;
-    std::map<std::size_t, std::string> kept_;  // texts after some of the steps
+    std::map<std::size_t, std::string> kept_;  // cached texts after some of the steps
 };
 
-/// Empty where the scene that stood at the end cannot be read. With it all can: one program wrote them.
+/// Empty if the scene at the end cannot be read. If it can, all can: the same program wrote them.
 std::vector<RestoredStep> stepsOf(const Journalled& journal) {
     if (journal.steps.empty()) return {};
     const auto scenes = std::make_shared<JournalledScenes>(journal);

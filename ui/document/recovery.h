@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Journals that nobody closed, and the way back from one to a document.
+// Finds journals that were not closed and recovers their documents.
 #pragma once
 
 #include "ui/document/journal.h"
@@ -23,21 +23,21 @@ struct Abandoned {
     QString title;
     std::size_t changes = 0;  // edits, undos and redos
     QString lastStep;
-    QDateTime last;  // when the last was written
-    QString damage;  // for people; empty: none
+    QDateTime last;  // time of the last edit
+    QString damage;  // message for the user; empty: none
 };
 
-/// What can be recovered, newest first. Journals of windows that are open are left alone, those without anything to
-/// recover are removed; what cannot be read at all is put aside under another name and told in `unusable`.
+/// Documents that can be recovered, newest first. Journals of open windows are skipped, those without anything to
+/// recover are removed; unreadable ones are renamed and listed in `unusable`.
 std::vector<Abandoned> abandonedJournals(const QString& folder = journalFolder(), QStringList* unusable = nullptr);
 
 enum class Recover { Everything, WithoutLastCommand };
 
-/// Makes the document what the journal tells, with its steps of undo; the old journal goes once `journal` holds all of
-/// it. What keeps it from being recovered comes back; empty: nothing did.
+/// Restores the document with its undo steps from the journal; the old journal is removed once `journal` has all of
+/// it. Returns why it cannot be recovered; empty: it was.
 QString recover(const Abandoned& abandoned, Recover what, Document& document, Journal& journal);
 
-/// Gives its edits up.
+/// Discards its edits.
 void giveUp(const Abandoned& abandoned);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is selected, as JSON pointers into the scene: tree, canvas and property panel
-// all read and write this one list.
+// The selection as JSON pointers into the scene, shared by tree, canvas and property
+// panel.
 #pragma once
 
 #include "ui/edit/pointer_change.h"
@@ -15,7 +15,7 @@ namespace keyblock {
 
 class Document;
 
-/// Pointers of before a step, of what is still there.
+/// Maps pointers from before a step; drops deleted objects.
 QStringList whereNow(const QStringList& pointers, const WhereNow& now);
 
 class Selection : public QObject {
@@ -24,7 +24,7 @@ class Selection : public QObject {
 public:
     using QObject::QObject;
 
-    /// Stays on its things whatever becomes of the scene.
+    /// Follows its objects through all changes of the scene.
     void follow(const Document& document);
 
     const QStringList& pointers() const { return pointers_; }
@@ -51,7 +51,7 @@ Q_SIGNALS:
 
 private:
     QStringList pointers_;
-    QSet<QString> members_;  // the same, to be asked of thousands
+    QSet<QString> members_;  // the same, for fast lookup
 };
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lines that stand once in each text are where both meet, as many as keep their
-// order; what lies between two of them is looked at again in the same way.
+// Lines that occur exactly once in each text are matched, as many as keep their
+// order; the ranges between two matches are compared in the same way.
 #include "ui/document/text_changes.h"
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace keyblock {
 
 namespace {
 
-constexpr int deepest = 8;  // looks at what lies between
-constexpr std::size_t joinedBelow = 32;  // bytes between two changes that are told as one
+constexpr int deepest = 8;  // recursion levels
+constexpr std::size_t joinedBelow = 32;  // bytes between two changes that are merged into one
 
 bool isWithinLetter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
-/// Bytes at the beginning of both that are the same, whole letters of UTF-8 only.
+/// Length of the common beginning in whole UTF-8 characters [bytes].
 std::size_t commonBegin(std::string_view a, std::string_view b) {
     const auto differ = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
     auto same = static_cast<std::size_t>(differ.first - a.begin());
@@ -34,7 +34,7 @@ std::size_t commonEnd(std::string_view a, std::string_view b) {
     return same;
 }
 
-/// A text by lines, each with its end.
+/// A text split into lines, each with its line end.
 struct Lines {
     explicit Lines(std::string_view whole) : text(whole) {
         for (std::size_t at = 0; at < text.size();) {
@@ -61,9 +61,9 @@ struct Stretch {
 
 using Meeting = std::pair<std::size_t, std::size_t>;  // a line of each
 
-/// As many as stand in the same order in both. \pre rising in the first.
+/// The longest subset in the same order in both. \pre increasing in the first.
 std::vector<Meeting> inOrder(const std::vector<Meeting>& all) {
-    std::vector<std::size_t> tails, before(all.size());  // the last of the best way of each length
+    std::vector<std::size_t> tails, before(all.size());  // last element of the best sequence of each length
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto at = std::ranges::lower_bound(tails, all[i].second, {}, [&](std::size_t t) { return all[t].second; });
         before[i] = at == tails.begin() ? i : *(at - 1);
@@ -90,7 +90,7 @@ public:
 
 private:
     struct Place {
-        std::size_t from = 0, removed = 0, to = 0, added = 0;  // bytes of the text before, and of the one after
+        std::size_t from = 0, removed = 0, to = 0, added = 0;  // bytes of the old and of the new text
     };
 
     void compare(Stretch s, int depth) {

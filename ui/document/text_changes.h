@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What differs between two texts, as stretches of lines with what stands in their
-// place, so that an edit in two far corners of a large scene stays as small as it is.
+// The difference of two texts as replaced ranges of lines, so that an edit at two
+// distant positions of a large scene is stored compactly.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,20 @@
 
 namespace keyblock {
 
-/// A stretch of a text and what comes in its place.
+/// A range of a text and its replacement.
 struct TextChange {
-    std::size_t begin = 0, removed = 0;  // in the text before [bytes]
+    std::size_t begin = 0, removed = 0;  // in the old text [bytes]
     std::string text;
 };
 
-/// What makes `after` of `before`, from the front, none upon another. Letters of UTF-8 stay whole. Not always the least
-/// there is, but found in a time that grows with the texts' lengths.
+/// The changes from `before` to `after`, in order and without overlap. UTF-8 characters stay whole. Not always the
+/// smallest set, but found in time proportional to the length of the texts.
 std::vector<TextChange> textChanges(std::string_view before, std::string_view after);
 
-/// Whether they stand in order within a text of that length.
+/// True if they are in order and within a text of that length.
 bool areWithin(const std::vector<TextChange>& changes, std::size_t length);
 
-/// \pre `areWithin` the text before.
+/// \pre `areWithin` the old text.
 std::string changed(std::string_view before, const std::vector<TextChange>& changes);
 
 }  // namespace keyblock

@@ -12,7 +12,7 @@ namespace keyblock {
 
 namespace {
 
-/// Names of a list's entries with their places; empty for what is no list.
+/// Names of a list's entries with their indices; empty if it is not a list.
 QHash<QString, int> namesIn(const Scene& scene, const QString& list) {
     QHash<QString, int> names;
     const auto place = locate(scene, list.toStdString());
@@ -68,8 +68,8 @@ void Visibility::follow(const WhereNow& now) {
     if (!same) Q_EMIT changed();
 }
 
-/// A name that is gone may be another now; what has none goes by its place. What was taken out is hidden again once it
-/// comes back under its name.
+/// A missing name may have been renamed; unnamed objects are found by index. A deleted object is hidden again if it
+/// returns under its name.
 QSet<QString> Visibility::followed(const QSet<QString>& keys, const WhereNow& now) const {
     QHash<QString, QHash<QString, int>> before, after;
     QSet<QString> found;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a person has hidden in the section or locked against the mouse. It belongs
-// to looking, not to the scene: no file says it, no undo changes it. Things are
-// remembered by name, so that they stay hidden when others come or go, and follow a
-// new name.
+// Objects that the user has hidden in the section or locked against the mouse. This
+// is part of the view, not of the scene: it is not saved and not affected by undo.
+// Objects are remembered by name, so that they stay hidden when others are added or
+// removed, and follow a new name.
 #pragma once
 
 #include "ui/edit/pointer_change.h"
@@ -26,7 +26,7 @@ class Visibility : public QObject {
 public:
     explicit Visibility(const Document& document, QObject* parent = nullptr);
 
-    /// Of an object (`/joints/3`) or a whole list (`/joints`). What is in a hidden list is hidden.
+    /// For an object (`/joints/3`) or a whole list (`/joints`). Entries of a hidden list are hidden.
     bool isHidden(const QString& pointer) const { return has(hidden_, pointer); }
     bool isLocked(const QString& pointer) const { return has(locked_, pointer); }
     void setHidden(const QString& pointer, bool hidden);
@@ -48,7 +48,7 @@ private:
 
     const Document& document_;
     QSet<QString> hidden_, locked_;
-    std::shared_ptr<const Scene> seen_;  // whose names they are
+    std::shared_ptr<const Scene> seen_;  // the scene of these names
 };
 
 }  // namespace keyblock

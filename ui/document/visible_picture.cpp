@@ -32,7 +32,7 @@ private:
         return visibility_.isHidden(QString("%1/%2").arg(list).arg(index));
     }
 
-    /// Blocks that the scene gives; those that are cut have no object of their own.
+    /// Blocks given in the scene; cut blocks have no object of their own.
     bool hidesBlock(int block) const {
         const auto index = static_cast<std::size_t>(block);
         return block >= 0 && index < scene_.blocks.size() && isHidden("/blocks", index);
@@ -62,7 +62,7 @@ private:
     const Visibility& visibility_;
     const Scene& scene_;
     const Scene& solved_;
-    std::vector<bool> sources_;  // hidden joints, then joint sets, as faces count them
+    std::vector<bool> sources_;  // hidden joints, then joint sets, in the numbering of faces
 };
 
 }  // namespace

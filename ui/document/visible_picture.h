@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The drawing without what a person has hidden: bolts and patterns, blocks, and the
-// lines of joints and joint sets.
+// The drawing without hidden objects: bolts and patterns, blocks, and the lines of
+// joints and joint sets.
 #pragma once
 
 #include "ui/document/checked.h"
@@ -13,7 +13,7 @@ namespace keyblock {
 
 class Visibility;
 
-/// The picture itself where nothing is hidden; null where there is none.
+/// The same picture if nothing is hidden; null if there is none.
 std::shared_ptr<const SectionPicture> visiblePicture(const Checked& checked, const Visibility& visibility);
 
 }  // namespace keyblock
