@@ -11,7 +11,7 @@ namespace keyblock {
 namespace {
 
 constexpr double arrowWidth = 1.3, rim = 1.2, shortest = 1.5, longestTip = 5.0;  // [px]
-constexpr double contactOpen = 0.3;  // of half a line, between the parts of what is pulled
+constexpr double contactOpen = 0.3;  // gap in the line of a contact in tension, over half its length
 
 class ForceBuilder {
 public:

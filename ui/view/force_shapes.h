@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Arrows, stress crosses and forces of contacts as lines for the card. They have
-// their lengths in pixels, so they are laid anew when the view zooms.
+// Arrows, stress crosses and contact forces as lines for the GPU. Their lengths are
+// in pixels, so they are rebuilt when the view zooms.
 #pragma once
 
 #include "ui/picture/section.h"
@@ -11,13 +11,13 @@
 
 namespace keyblock {
 
-/// Widths of lines are in pixels that do not depend on the display.
+/// Line widths in device-independent pixels.
 struct ForceShapes {
-    LayerShapes rims;  // below the lines, round those of contacts that slide
+    LayerShapes rims;  // below the lines, around those of sliding contacts
     LayerShapes lines;
 };
 
-/// What the picture has of them within a window [m]. \param scale pixels per metre.
+/// Those of the picture within a window [m]. \param scale pixels per metre.
 ForceShapes forceShapes(const SectionPicture& picture, const Point& origin, double scale, const ViewColours& colours,
                         const Box& window);
 

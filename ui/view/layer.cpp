@@ -35,7 +35,7 @@ Layer::Layer(vtkRenderer& renderer, LayerForm form, int height)
     mapper_->StaticOn();
     actor_->SetMapper(mapper_);
     actor_->GetProperty()->LightingOff();
-    actor_->ForceOpaqueOn();  // layers are painted in their order, whatever their opacity
+    actor_->ForceOpaqueOn();  // layers are painted in order regardless of opacity
     actor_->VisibilityOff();
     if (form == LayerForm::Lines) {
         ways_->SetName(strokeWay);
@@ -94,7 +94,7 @@ void Layer::showTriangles(const LayerShapes& shapes) {
     join(shapes.cells);
 }
 
-/// Each line is two corners at either end, which the card moves apart.
+/// Each line has two corners at each end, which the GPU moves apart.
 void Layer::showLines(const LayerShapes& shapes) {
     const std::size_t lines = shapes.cells.size() / 2;
     setCount(4 * lines, !shapes.colours.empty());

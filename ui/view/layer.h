@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One layer of the section on the card: corners joined to lines or to triangles.
-// The next frame of the same run has the same corners elsewhere, so how they are
-// joined goes to the card only when it changes.
+// One layer of the section on the GPU: corners joined to lines or to triangles. The
+// next frame of the same run only moves the corners, so the connectivity is uploaded
+// only when it changes.
 #pragma once
 
 #include "ui/picture/colour.h"
@@ -25,8 +25,8 @@ namespace keyblock {
 
 struct LayerShapes {
     std::vector<float> corners;  // x, y of each [m from the view's origin]
-    std::vector<std::uint8_t> colours;  // red, green, blue of each; empty: all have the layer's
-    std::vector<float> widths;  // of each line over the layer's; empty: all have it
+    std::vector<std::uint8_t> colours;  // red, green, blue of each; empty: colour of the layer
+    std::vector<float> widths;  // of each line over that of the layer; empty: 1
     std::vector<int> cells;  // corners of each line (two) or triangle (three)
 };
 
@@ -40,14 +40,14 @@ public:
     Layer(const Layer&) = delete;
     Layer& operator=(const Layer&) = delete;
 
-    /// Takes the place of what was shown before.
+    /// Replaces the previous shape.
     void show(const LayerShapes& shapes);
     void setColour(const Colour& colour, double opacity = 1.0);
-    /// Of lines, in pixels of the device.
+    /// Width of lines in device pixels.
     void setWidth(double pixels) { width_ = pixels; }
-    /// Before the view is painted: its scale and size, in pixels of the device.
+    /// Set before painting: scale and size of the view, in device pixels.
     void setView(double pixelsPerMetre, double width, double height);
-    /// How often corners were joined anew.
+    /// How often the connectivity was rebuilt.
     int joinings() const { return joinings_; }
 
 private:

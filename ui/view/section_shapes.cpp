@@ -36,7 +36,7 @@ void SectionShapes::addRing(LayerShapes& shapes, const std::vector<Point>& ring,
     }
 }
 
-/// Blocks deform as affine maps do, so that triangles that tile one where it was tile it where it is.
+/// Blocks deform by affine maps, so the triangulation of the initial shape stays valid.
 void SectionShapes::addFilled(LayerShapes& shapes, const std::vector<Point>& outline,
                               const std::vector<Point>& tiledBy) const {
     if (outline.size() < 3 || outline.size() != tiledBy.size()) return;

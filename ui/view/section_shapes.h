@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The layers of a section as plain arrays, before the card sees them. Places are
-// told from an origin near by, as the card counts in single precision.
+// The layers of a section as plain arrays, before upload to the GPU. Points are
+// relative to a nearby origin, because the GPU uses single precision.
 #pragma once
 
 #include "ui/picture/section.h"
@@ -18,16 +18,16 @@ public:
     SectionShapes(const SectionPicture& picture, const Point& origin) : picture_(picture), origin_(origin) {}
 
     LayerShapes openings() const;
-    /// Triangles; corners of each block are its own, so that none shares a colour.
+    /// Triangles; blocks share no corners, so each has its own colour.
     LayerShapes blocks(const ViewColours& colours, bool drawing) const;
-    /// Lines round every block.
+    /// Outlines of all blocks.
     LayerShapes outlines() const;
-    /// Lines round the blocks of these rows of the picture.
+    /// Outlines of the blocks of these rows of the picture.
     LayerShapes outlines(const std::vector<const BlockShape*>& blocks) const;
     LayerShapes lines(const std::vector<LineShape>& lines) const;
-    /// Lines along bolts, but for what is broken; coloured where `colours` are given.
+    /// Lines along the unbroken parts of bolts; coloured if `colours` are given.
     LayerShapes shanks(const ViewColours* colours) const;
-    /// Lines along the bolts of these rows of the scene, whole.
+    /// Lines along the whole length of the bolts of these rows of the scene.
     LayerShapes whole(const std::vector<int>& bolts) const;
 
 private:

@@ -22,7 +22,7 @@ constexpr double seamsOfJoints = 0.8, seamOpacity = 0.35;
 
 }  // namespace
 
-/// From below.
+/// From bottom to top.
 struct SectionView::Layers {
     explicit Layers(vtkRenderer& to)
         : openings(to, LayerForm::Triangles, 0), blocks(to, LayerForm::Triangles, 1), joints(to, LayerForm::Lines, 2),
@@ -105,7 +105,7 @@ void SectionView::look(const Point& centre, double metresPerPixel, const Point& 
 }
 
 void SectionView::laySized(const SectionPicture& picture) {
-    const double scale = 1.0 / (laidAt_ * pixelRatio_);  // pixels of the screen's units per metre
+    const double scale = 1.0 / (laidAt_ * pixelRatio_);  // device-independent pixels per metre
     Layers& on = *layers_;
     on.moved.show(SectionShapes(picture, origin_).outlines(movedBlocks(picture, scale, onTheScreen)));
     const double lines = lineWidth(picture, scale);
@@ -116,7 +116,7 @@ void SectionView::laySized(const SectionPicture& picture) {
     on.casings.setWidth(shank * casingOfShank * pixelRatio_);
 }
 
-/// Forces of contacts are those that the camera sees.
+/// Contact forces are those visible to the camera.
 void SectionView::layForces(const SectionPicture& picture, const Box& window) {
     const ForceShapes forces = forceShapes(picture, origin_, 1.0 / (laidAt_ * pixelRatio_), colours_, window);
     layers_->rims.show(forces.rims);

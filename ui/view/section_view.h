@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A section on the card: its layers from the openings up to the shanks of bolts.
-// What stands in pixels and in words (marks, names, ribbons, legends) is painted
-// above it by whoever owns the window. Decides nothing that the picture does not.
+// A section on the GPU: its layers from the openings up to the shanks of bolts.
+// Everything in pixels and in text (marks, names, force diagrams, legends) is
+// painted above it by the owner of the window. All decisions are in the picture.
 #pragma once
 
 #include "ui/picture/section.h"
@@ -23,18 +23,18 @@ public:
     SectionView(const SectionView&) = delete;
     SectionView& operator=(const SectionView&) = delete;
 
-    /// Lines have their widths in pixels, whatever the camera does. Frames of one run after another are cheap.
-    /// To be followed by `look`.
+    /// Line widths are in pixels, independent of the camera. Successive frames of one run are cheap.
+    /// Call `look` afterwards.
     void show(const SectionPicture& picture, const ViewColours& colours, const ViewStyle& style);
 
-    /// Nothing but the ground.
+    /// Shows only the background.
     void clear(const ViewColours& colours);
 
-    /// Looks at `centre` [m] in the middle of a viewport of `size` [px of the device], and lays what has its size in
+    /// Centres a viewport of `size` [device px] on `centre` [m], and rebuilds the shapes with a size in
     /// pixels. \param picture what is shown, or null.
     void look(const Point& centre, double metresPerPixel, const Point& size, const SectionPicture* picture);
 
-    /// How often corners of blocks were joined anew: once as long as frames of one run follow one another.
+    /// How often the connectivity of blocks was rebuilt: once for successive frames of one run.
     int joinings() const;
 
 private:
@@ -48,8 +48,8 @@ private:
     ViewColours colours_;
     double pixelRatio_ = 1.0;
     Point origin_{0.0, 0.0};
-    Point seenFrom_{0.0, 0.0}, seenSize_{0.0, 0.0};  // camera for which forces of contacts were laid
-    double laidAt_ = 0.0;  // metres per pixel of what has its size in pixels; 0: to be laid
+    Point seenFrom_{0.0, 0.0}, seenSize_{0.0, 0.0};  // camera for which contact forces were built
+    double laidAt_ = 0.0;  // metres per pixel of shapes with a size in pixels; 0: to be built
 };
 
 }  // namespace keyblock

@@ -10,7 +10,7 @@ namespace keyblock {
 
 namespace {
 
-// A place on a line is told by how far it lies along it from its beginning and aside from it, in pixels. Lines thinner
+// A point on a line is given by its distance along the line from the start and across it, in pixels. Lines thinner
 // than a pixel are fainter.
 constexpr const char* cornerValues = R"(//VTK::PositionVC::Dec
 in vec4 strokeWay;

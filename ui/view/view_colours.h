@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The colours of a section on the screen by their roles, and how it is drawn. The
-// window fills them from its theme.
+// window sets them from its theme.
 #pragma once
 
 #include "ui/picture/colour.h"
@@ -12,16 +12,16 @@
 namespace keyblock {
 
 struct ViewColours {
-    bool dark = false;  // which of the colour maps are used
+    bool dark = false;  // which colour maps are used
     Colour ground, opening, rock, joint, wall, ink, casing, accent, slipping, error;
     Colour quiet;  // bolts without values
-    Colour bearing;  // contacts that hold
+    Colour bearing;  // contacts that do not slide
     double jointOpacity = 0.7;
 };
 
 struct ViewStyle {
     bool drawing = false;  // plain rock; false: coloured by results where the picture has any
-    double pixelRatio = 1.0;  // pixels of the device over those that widths are given in
+    double pixelRatio = 1.0;  // device pixels per device-independent pixel
     std::vector<int> selectedBolts;  // rows of the scene's bolts
 };
 
