@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A button that runs a command and is on when the command is. Unlike one that Qt
-// makes of an action it keeps the icon and the words that its place gives it.
+// A button that runs a command and is enabled with it. Unlike Qt's own button of an
+// action it can have its own icon and text.
 #pragma once
 
 #include <QString>
@@ -16,11 +16,11 @@ class QWidget;
 
 namespace keyblock {
 
-/// Lets a button follow the command: a click runs it, and it has the command's tooltip. `text` gives what stands on it,
-/// asked again whenever the command changes; none: it stays as it is.
+/// Connects a button to the command: a click runs it, and it has the command's tooltip. `text` returns its label and is
+/// called again whenever the command changes; none: the label is kept.
 void follow(QAbstractButton& button, QAction& action, std::function<QString()> text = {});
 
-/// A tool button that follows the command, with the command's id as its name.
+/// A tool button connected to the command, with the command's id as its name.
 QToolButton* buttonOf(QAction& action, QWidget* parent, std::function<QString()> text = {});
 
 }  // namespace keyblock

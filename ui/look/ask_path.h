@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Asks where to write a file. The dialog of the desktop knows nothing of the ending
-// that a name gets afterwards, and would let it write over another file unasked.
+// Asks for the path of a file to write. The desktop's dialog does not know the
+// extension added afterwards, and would not ask before another file is overwritten.
 #pragma once
 
 #include <QString>
@@ -11,7 +11,7 @@ class QWidget;
 
 namespace keyblock {
 
-/// A path that ends with `.` and `ending`; empty: a person thought better of it. `start` is what is offered.
+/// A path that ends with `.` and `ending`; empty: cancelled. `start` is the suggestion.
 QString askSavePath(QWidget& window, const QString& title, const QString& start, const QString& filter,
                     const QString& ending);
 

@@ -15,7 +15,7 @@ namespace keyblock {
 
 namespace {
 
-// `icon` is a property that QAction has itself.
+// `icon` is already a property of QAction.
 constexpr char menuKey[] = "menu", groupKey[] = "group", iconKey[] = "iconName", helpKey[] = "help", keysKey[] = "keys",
                whyNotKey[] = "whyNot";
 
@@ -35,7 +35,7 @@ void finishTyping() {
     const QPointer<QLineEdit> line = qobject_cast<QLineEdit*>(QApplication::focusWidget());
     if (!line) return;
     line->clearFocus();
-    if (line && line->isVisible()) line->setFocus();  // the line in a cell of a table goes with its text
+    if (line && line->isVisible()) line->setFocus();  // a line edit in a table cell closes when its text is entered
 }
 
 Commands::Commands(const Themes& themes, QObject* parent) : QObject(parent), themes_(themes) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One registry of everything a person can do by name: menus, keys, tooltips, the
-// palette and the key sheet are made from it. Each room adds its own.
+// The registry of all named commands: menus, shortcuts, tooltips, the palette and
+// the key sheet are made from it. Each part of the window adds its own commands.
 #pragma once
 
 #include <QAction>
@@ -18,22 +18,22 @@ namespace keyblock {
 
 class Themes;
 
-/// The first keys of a command as they are written; empty: none.
+/// The first shortcut of a command as text; empty: none.
 QString keysOf(const QAction& action);
 
 struct CommandText {
-    QString id;  // room.verb, as kept in settings: run.start
+    QString id;  // part.verb, as kept in settings: run.start
     QString text;  // Run
     QString menu;  // File, Edit, View, Insert, Run, Results, Tools, Help; empty: only in the palette
-    QString icon;  // name; empty: none
+    QString icon;  // name of the icon; empty: none
     QString help;  // one sentence, for the tooltip and the palette
     QList<QKeySequence> keys{};
     bool checkable = false;
-    QString group{};  // commands of one group of a menu stand together, a line between groups
+    QString group{};  // groups of a menu are separated by lines
 };
 
-/// Enters what a person is typing in a field, as leaving the field would; the cursor stays there. Every command begins
-/// so: what is run, saved or asked about holds what was typed last.
+/// Commits text being typed in a field, as leaving the field would; the focus stays. Every command starts with this,
+/// so that it uses the text typed last.
 void finishTyping();
 
 class Commands : public QObject {
@@ -42,8 +42,8 @@ class Commands : public QObject {
 public:
     explicit Commands(const Themes& themes, QObject* parent = nullptr);
 
-    /// Adds a command; keys that a person has chosen for it win over the given ones. A checkable one is told by its
-    /// action's `isChecked()`. \pre no other has its id.
+    /// Adds a command; keys chosen by the user override the given ones. The state of a checkable command is its
+    /// action's `isChecked()`. \pre the id is unique.
     QAction* add(const CommandText& text, std::function<void()> run);
 
     /// \pre there is one of that id.
@@ -55,14 +55,14 @@ public:
     QString menuOf(const QAction* action) const;
     QString groupOf(const QAction* action) const;
 
-    /// Switches a command off and tells why it would do nothing, in its tooltip and in the palette; empty: it is on.
+    /// Disables a command and shows the reason in its tooltip and in the palette; empty: enables it.
     void setWhyNot(const QString& id, const QString& why);
     QString whyNot(const QAction* action) const;
 
-    /// How texts call the command: its keys, else its name: `F5`, `“Run”`.
+    /// The command in texts: its keys, else its name: `F5`, `“Run”`.
     QString callOf(const QString& id) const;
 
-    /// Gives the command other keys, kept for the next start; empty: the original ones.
+    /// Sets other keys for the command, kept in the settings; empty: the default ones.
     void setKeys(const QString& id, const QList<QKeySequence>& keys);
 
 Q_SIGNALS:

@@ -17,7 +17,7 @@ struct UnitRow {
     double factor;
 };
 
-// Lengths of a section stay in metres: what is drawn in metres is typed in metres.
+// Lengths of a section stay in metres: they are drawn and typed in metres.
 constexpr std::array engineering{
     UnitRow{Display::modulusUnit, "GPa", 1e-9},
     UnitRow{"Pa", "MPa", 1e-6},          UnitRow{"Pa/m", "MPa/m", 1e-6},    UnitRow{"N", "kN", 1e-3},
@@ -63,7 +63,7 @@ QString Display::summary() const {
 
 QString Display::number(double shown, int digits) {
     if (!std::isfinite(shown)) return QString::fromUtf8("–");
-    QString text = QString::number(shown == 0.0 ? 0.0 : shown, 'g', digits);  // a zero has no sign
+    QString text = QString::number(shown == 0.0 ? 0.0 : shown, 'g', digits);  // zero has no sign
     const bool isWhole = std::abs(shown) >= 1.0 && std::abs(shown) < plainBelow;
     if (isWhole && text.contains('e')) text = QString::number(text.toDouble(), 'f', 0);  // 1000, not 1e3
     const int exponent = text.indexOf('e');

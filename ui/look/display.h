@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How numbers are shown: the system of units and the sign of stress. The document
-// is SI and tension positive whatever stands here.
+// How numbers are shown: the unit system and the sign convention of stress. The
+// document always uses SI and tension positive.
 #pragma once
 
 #include "ui/picture/shown_numbers.h"
@@ -19,7 +19,7 @@ struct ShownUnit {
     double factor = 1.0;  // shown = factor · SI
 };
 
-enum class UnitSystem { Engineering, Si };  // mm · kN · MPa for what is small or large, or plain SI
+enum class UnitSystem { Engineering, Si };  // practical units (mm, kN, MPa), or SI base units
 
 class Display : public QObject {
     Q_OBJECT
@@ -35,7 +35,7 @@ public:
     /// The unit of an elastic modulus, which is shown in GPa where stresses are in MPa.
     static constexpr std::string_view modulusUnit = "Pa (modulus)";
 
-    /// Unit in which a value of that SI unit (as the field table writes it) is shown; itself where no other is usual.
+    /// The display unit for an SI unit as written in the field table; the same unit if there is no other.
     ShownUnit shown(std::string_view siUnit) const;
 
     /// The same for pictures and charts.
@@ -45,7 +45,7 @@ public:
     QString summary() const;
 
     /// A number already in the unit shown, with at most `digits` significant digits, a true minus sign and thin spaces
-    /// between thousands; `–` for what is not a number.
+    /// between thousands; `–` for NaN.
     static QString number(double shown, int digits = 4);
 
 Q_SIGNALS:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A label on one line that gives way to its neighbours: what has no room ends in
-// dots and stands in the tooltip.
+// A single-line label that shrinks in favour of its neighbours: text that does not
+// fit is elided and shown in the tooltip.
 #pragma once
 
 #include <QLabel>
@@ -15,7 +15,7 @@ class ElidedLabel : public QLabel {
 public:
     explicit ElidedLabel(QWidget* parent);
 
-    /// As wide as its text, up to so many pixels, instead of what neighbours leave.
+    /// As wide as its text, up to so many pixels, instead of the space left by neighbours.
     void setMost(int pixels);
 
     QSize sizeHint() const override;
@@ -28,7 +28,7 @@ protected:
 private:
     bool fits() const;
 
-    int most_ = -1;  // [px]; none: what there is
+    int most_ = -1;  // [px]; none: the space available
 };
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Something that a person should know and may answer, over the top of the canvas:
-// it waits as long as it likes and keeps nobody from working.
+// A message over the top of the canvas that the user may answer: it stays as long as
+// necessary and does not block the work.
 #pragma once
 
 #include <QFrame>
@@ -26,10 +26,10 @@ public:
         std::function<void()> run;
     };
 
-    /// `over` is the widget at whose top it lies.
+    /// `over` is the widget whose top it covers.
     NoticeBar(const Themes& themes, QWidget* over);
 
-    /// Says something new; each answer closes the bar.
+    /// Shows a new message; each answer closes the bar.
     void say(const QString& text, const std::vector<Answer>& answers);
 
 protected:

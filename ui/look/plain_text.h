@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names that people give may hold what Qt takes for marks: `<b>` in a tooltip, `&`
-// in a menu. Here they are told as they are written.
+// User-defined names may contain characters that Qt interprets: `<b>` in a tooltip,
+// `&` in a menu. These functions make them appear as written.
 #pragma once
 
 #include <QString>

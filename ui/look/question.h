@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Questions and messages that cannot wait, all of one look: text and buttons,
-// without the icons of another toolkit.
+// Modal questions and messages with a uniform look: text and buttons, without the
+// icons of another toolkit.
 #pragma once
 
 #include <QMessageBox>

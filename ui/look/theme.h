@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every colour of the window by its role, light and dark. Whoever paints asks here
-// and paints again when the theme changes; widgets get theirs by a style sheet in
-// which roles stand as `@role`.
+// Every colour of the window by its role, light and dark. Painting code takes its
+// colours here and repaints when the theme changes; widgets get theirs from a style
+// sheet in which roles are written as `@role`.
 #pragma once
 
 #include <QColor>
@@ -27,7 +27,7 @@ struct Theme {
 const Theme& lightTheme();
 const Theme& darkTheme();
 
-/// The theme in use. Applies palette and style sheet to the application, and keeps the choice.
+/// The current theme. Applies palette and style sheet to the application, and saves the choice.
 class Themes : public QObject {
     Q_OBJECT
 
@@ -50,7 +50,7 @@ private:
     void apply() const;
 
     bool dark_ = false;
-    mutable QHash<QString, QIcon> inked_;  // by name and colour or theme: rows of trees ask at every paint
+    mutable QHash<QString, QIcon> inked_;  // by name and colour or theme: trees need it at every paint
 };
 
 }  // namespace keyblock
