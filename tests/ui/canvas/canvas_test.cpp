@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The canvas as a person has it: real widgets on a screen, real mouse events, and
-// the pixels that come out.
+// The canvas on a screen: real widgets, real mouse events, and the resulting pixels.
 #include "tests/ui/bricks.h"
 #include "tests/ui/screen/screen.h"
 #include "ui/canvas/canvas.h"
@@ -25,7 +24,7 @@ std::shared_ptr<const SectionPicture> pictureOf(const test::BricksRun& bricks, s
     return std::make_shared<SectionPicture>(bricks.picture(frame));
 }
 
-/// A tool that notes what it is given.
+/// A tool that records its input.
 struct NotingTool : CanvasTool {
     void press(const CanvasEvent& event) override { pressed = event; }
     void move(const CanvasEvent&) override { ++moves; }
@@ -87,7 +86,7 @@ TEST_F(OnCanvas, BlocksHaveTheColoursOfTheLegendInBothThemes) {
     themes->choose(false);
 }
 
-TEST_F(OnCanvas, DrawnRockIsPlainAndItsJointsAreWhereTheyAre) {
+TEST_F(OnCanvas, DrawingShowsPlainRockWithItsJoints) {
     NEED_SCREEN();
     open();
     canvas->setDrawing(true);
@@ -118,7 +117,7 @@ TEST_F(OnCanvas, FitsNextToALegendThatAppears) {
     EXPECT_NEAR(canvas->map().pixelsPerMetre(), 3.0 * scale, 1e-6 * scale);  // where the user left it
 }
 
-TEST_F(OnCanvas, ANarrowCanvasHasTheBarsOfTheLegendBelowTheSection) {
+TEST_F(OnCanvas, NarrowCanvasShowsTheColourBarsBelowTheSection) {
     NEED_SCREEN();
     open();
     canvas->resize(440, 500);
@@ -134,7 +133,7 @@ TEST_F(OnCanvas, ANarrowCanvasHasTheBarsOfTheLegendBelowTheSection) {
     EXPECT_FALSE(legendPartRect(themes->current(), content, canvas->size(), LegendPart::Blocks).isEmpty());
 }
 
-TEST_F(OnCanvas, AClickOnTheLegendAsksForItsScale) {
+TEST_F(OnCanvas, ClickOnTheLegendOpensItsScale) {
     NEED_SCREEN();
     open();
     NotingTool tool;
@@ -151,7 +150,7 @@ TEST_F(OnCanvas, AClickOnTheLegendAsksForItsScale) {
     canvas->setTool(nullptr);
 }
 
-TEST_F(OnCanvas, TheWheelKeepsThePlaceUnderTheCursor) {
+TEST_F(OnCanvas, WheelKeepsThePointUnderTheCursor) {
     NEED_SCREEN();
     open();
     canvas->show(pictureOf(bricks, {}));
@@ -165,7 +164,7 @@ TEST_F(OnCanvas, TheWheelKeepsThePlaceUnderTheCursor) {
     EXPECT_NEAR(canvas->map().pixelsPerMetre(), scale, 1e-6 * scale);
 }
 
-TEST_F(OnCanvas, TheMiddleButtonPansAndTheToolSeesOnlyItsOwn) {
+TEST_F(OnCanvas, MiddleButtonPansAndTheToolDoesNotSeeIt) {
     NEED_SCREEN();
     open();
     NotingTool tool;
@@ -185,7 +184,7 @@ TEST_F(OnCanvas, TheMiddleButtonPansAndTheToolSeesOnlyItsOwn) {
     canvas->setTool(nullptr);
 }
 
-TEST_F(OnCanvas, ADragEndsWhereItsButtonIsLetGoEvenWhileTheViewIsPanned) {
+TEST_F(OnCanvas, DragEndsAtItsReleaseEvenDuringAPan) {
     NEED_SCREEN();
     open();
     NotingTool tool;
@@ -196,7 +195,7 @@ TEST_F(OnCanvas, ADragEndsWhereItsButtonIsLetGoEvenWhileTheViewIsPanned) {
     QTest::mouseRelease(canvas.get(), Qt::LeftButton, {}, {330, 300});
     EXPECT_EQ(tool.released, std::vector{Qt::LeftButton});
     QTest::mouseRelease(canvas.get(), Qt::MiddleButton, {}, {340, 300});
-    EXPECT_EQ(tool.released.size(), 1u);  // that one was the view's
+    EXPECT_EQ(tool.released.size(), 1u);  // that release belonged to the pan
     QTest::mousePress(canvas.get(), Qt::LeftButton, {}, {300, 300});
     const int moves = tool.moves;
     QTest::mouseMove(canvas.get(), {320, 300});
@@ -204,7 +203,7 @@ TEST_F(OnCanvas, ADragEndsWhereItsButtonIsLetGoEvenWhileTheViewIsPanned) {
     canvas->setTool(nullptr);
 }
 
-TEST_F(OnCanvas, ABoxIsZoomedToOnceAndNotToldTheTool) {
+TEST_F(OnCanvas, BoxZoomWorksOnceAndTheToolDoesNotSeeIt) {
     NEED_SCREEN();
     open();
     NotingTool tool;
@@ -229,7 +228,7 @@ TEST_F(OnCanvas, ABoxIsZoomedToOnceAndNotToldTheTool) {
     canvas->setTool(nullptr);
 }
 
-TEST_F(OnCanvas, SpaceAndDragPansAndSpaceAloneIsTold) {
+TEST_F(OnCanvas, SpaceDragPansAndSpaceAloneIsSignalled) {
     NEED_SCREEN();
     open();
     canvas->show(pictureOf(bricks, {}));
@@ -247,7 +246,7 @@ TEST_F(OnCanvas, SpaceAndDragPansAndSpaceAloneIsTold) {
     EXPECT_EQ(taps, 1);
 }
 
-TEST_F(OnCanvas, FitShowsWhatThePictureIsAboutThenAllOfIt) {
+TEST_F(OnCanvas, FitShowsTheExcavationThenTheWholeModel) {
     NEED_SCREEN();
     open();
     auto picture = std::make_shared<SectionPicture>(*pictureOf(bricks, {}));
@@ -266,7 +265,7 @@ TEST_F(OnCanvas, FitShowsWhatThePictureIsAboutThenAllOfIt) {
     EXPECT_FALSE(shows(picture->model));
 }
 
-TEST_F(OnCanvas, WhatIsFittedStaysInSightInASmallerCanvasUntilSomebodyPans) {
+TEST_F(OnCanvas, FittedViewIsKeptInASmallerCanvasUntilAPan) {
     NEED_SCREEN();
     open();
     auto picture = pictureOf(bricks, {});
@@ -287,7 +286,7 @@ TEST_F(OnCanvas, WhatIsFittedStaysInSightInASmallerCanvasUntilSomebodyPans) {
     EXPECT_DOUBLE_EQ(canvas->map().pixelsPerMetre(), scale);
 }
 
-TEST_F(OnCanvas, NothingIsNoCrash) {
+TEST_F(OnCanvas, EmptyPictureDoesNotCrash) {
     NEED_SCREEN();
     open();
     EXPECT_FALSE(painted().isNull());

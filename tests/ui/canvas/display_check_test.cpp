@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A display without OpenGL is found out before anything can go wrong on it.
+// A display without OpenGL is detected before any OpenGL widget is created.
 #include "tests/ui/screen/screen.h"
 #include "ui/canvas/display_check.h"
 #include "ui/canvas/glx_check.h"
@@ -18,7 +18,7 @@
 namespace keyblock {
 namespace {
 
-/// Puts a variable of the environment back where it was.
+/// Restores an environment variable.
 class Variable {
 public:
     Variable(const char* name, const QByteArray& value) : name_(name), before_(qgetenv(name)) { qputenv(name, value); }
@@ -29,13 +29,13 @@ private:
     QByteArray before_;
 };
 
-TEST(DisplayCheck, TheTestsOwnScreenHasOpenGl) {
+TEST(DisplayCheck, TestScreenHasOpenGl) {
     NEED_SCREEN();
     EXPECT_TRUE(glxWorks());
     EXPECT_FALSE(missingOpenGl());
 }
 
-TEST(DisplayCheck, AScreenWithoutGlxHasNone) {
+TEST(DisplayCheck, ScreenWithoutGlxHasNoOpenGl) {
     NEED_SCREEN();
     QProcess server;
     server.start("Xvfb", {"-displayfd", "1", "-screen", "0", "320x200x24", "-nolisten", "tcp", "-extension", "GLX"});
@@ -46,12 +46,12 @@ TEST(DisplayCheck, AScreenWithoutGlxHasNone) {
     server.waitForFinished(5000);
 }
 
-TEST(DisplayCheck, NoScreenHasNone) {
+TEST(DisplayCheck, MissingScreenHasNoOpenGl) {
     const Variable display("DISPLAY", ":9987");
     EXPECT_FALSE(glxWorks());
 }
 
-TEST(DisplayCheck, ThePanelSaysWhatToDoAndIsWholeInASmallWindow) {
+TEST(DisplayCheck, PanelShowsAllInstructionsInASmallWindow) {
     NEED_SCREEN();
     const std::unique_ptr<QWidget> panel(makeWithoutGlPanel("This display has no OpenGL.", nullptr));
     panel->resize(700, 420);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Undo by value: an edit is a step, one that changes nothing is none, a preview is
-// none, and going back gives the first scene to the byte.
+// Undo by value: an edit is a step, an edit without change and a preview are not,
+// and undo restores the first scene to the byte.
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 
@@ -27,7 +27,7 @@ Scene titled(const std::string& title) {
     return scene;
 }
 
-TEST(Documents, AnEditIsAStepAndUndoGivesTheSceneBack) {
+TEST(Documents, EditIsAStepAndUndoRestoresTheScene) {
     NEED_SCREEN();
     Document document;
     document.startNew(titled("first"));
@@ -41,7 +41,7 @@ TEST(Documents, AnEditIsAStepAndUndoGivesTheSceneBack) {
     EXPECT_FALSE(document.isModified());
 }
 
-TEST(Documents, WhoGoesTellsNobodyOfTheStepsThatGoWithIt) {
+TEST(Documents, DestroyedDocumentEmitsNothing) {
     NEED_SCREEN();
     int told = 0;
     {
@@ -53,7 +53,7 @@ TEST(Documents, WhoGoesTellsNobodyOfTheStepsThatGoWithIt) {
     EXPECT_EQ(told, 0);
 }
 
-TEST(Documents, ThatItsFileIsGoneIsToldOnceWhereItWasModifiedToo) {
+TEST(Documents, MissingFileIsSignalledOnceAlsoIfModified) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     for (const bool isModified : {false, true}) {
@@ -68,7 +68,7 @@ TEST(Documents, ThatItsFileIsGoneIsToldOnceWhereItWasModifiedToo) {
     }
 }
 
-TEST(Documents, AnEditThatChangesNothingLeavesNoTrace) {
+TEST(Documents, EditWithoutChangeAddsNoStep) {
     NEED_SCREEN();
     Document document;
     document.startNew(titled("first"));
@@ -76,7 +76,7 @@ TEST(Documents, AnEditThatChangesNothingLeavesNoTrace) {
     EXPECT_EQ(document.undo().count(), 0);
 }
 
-TEST(Documents, WhatIsOpenedAfterWorkThatWasNeverSavedIsNotModified) {
+TEST(Documents, SceneOpenedAfterUnsavedWorkIsNotModified) {
     NEED_SCREEN();
     Document document;
     document.startNew(titled("imported"), "imported", true);
@@ -88,7 +88,7 @@ TEST(Documents, WhatIsOpenedAfterWorkThatWasNeverSavedIsNotModified) {
     EXPECT_FALSE(document.isModified());
 }
 
-TEST(Documents, APreviewIsShownAndForgotten) {
+TEST(Documents, PreviewIsShownAndDiscarded) {
     NEED_SCREEN();
     Document document;
     document.startNew(titled("first"));
@@ -100,7 +100,7 @@ TEST(Documents, APreviewIsShownAndForgotten) {
     EXPECT_EQ(document.undo().count(), 0);
 }
 
-TEST(Documents, ASampleOpensChecksAndIsCut) {
+TEST(Documents, SampleIsOpenedCheckedAndCut) {
     NEED_SCREEN();
     Document document;
     EXPECT_TRUE(document.open(KEYBLOCK_SAMPLES_DIR "/drift-bolted.json").empty());
@@ -110,15 +110,15 @@ TEST(Documents, ASampleOpensChecksAndIsCut) {
     EXPECT_FALSE(hasErrors(document.checked().problems));
 }
 
-TEST(Documents, ADrawingShowsOpeningsAndEveryBolt) {
+TEST(Documents, DrawingShowsOpeningsAndAllBolts) {
     NEED_SCREEN();
     Document document;
     ASSERT_TRUE(document.open(KEYBLOCK_SAMPLES_DIR "/drift-bolted.json").empty());
     ASSERT_TRUE(waitFor([&] { return document.checkIsCurrent(); }));
     const Checked& checked = document.checked();
     ASSERT_TRUE(checked.picture);
-    EXPECT_EQ(checked.picture->bolts.size(), checked.cut->scene.bolts.size());  // some come with a later stage
-    EXPECT_LT(checked.picture->blocks.size(), checked.cut->scene.blocks.size());  // the rock in the tunnel is out
+    EXPECT_EQ(checked.picture->bolts.size(), checked.cut->scene.bolts.size());  // some are installed in a later stage
+    EXPECT_LT(checked.picture->blocks.size(), checked.cut->scene.blocks.size());  // the rock in the tunnel is not drawn
     EXPECT_FALSE(checked.picture->walls.empty());
     for (const BoltShape& bolt : checked.picture->bolts)
         EXPECT_TRUE(std::ranges::any_of(bolt.marks, [](const Mark& mark) { return mark.kind == MarkKind::Bonded; }))
@@ -135,7 +135,7 @@ TEST(Documents, EverySampleThatHasBlocksIsDrawn) {
     }
 }
 
-TEST(Documents, WhatDoesNotOpenIsToldAndChangesNothing) {
+TEST(Documents, FailedOpeningIsReportedAndChangesNothing) {
     NEED_SCREEN();
     Document document;
     document.startNew(titled("kept"));
@@ -144,7 +144,7 @@ TEST(Documents, WhatDoesNotOpenIsToldAndChangesNothing) {
     EXPECT_EQ(document.scene()->title, "kept");
 }
 
-TEST(Documents, OfAFileWithErrorsWhatCanBeReadIsOpenedAsANewScene) {
+TEST(Documents, ReadablePartOfAFileWithErrorsOpensAsANewScene) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const std::filesystem::path file = scratch.path() / "half.json";
@@ -165,7 +165,7 @@ TEST(Documents, OfAFileWithErrorsWhatCanBeReadIsOpenedAsANewScene) {
     EXPECT_EQ(told.text.size(), int(whole.size() / 2));
 }
 
-TEST(Documents, ASceneThatMakesNoSenseYetOpensAsItIs) {
+TEST(Documents, SceneWithCheckErrorsOpensUnchanged) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const QString path = QString::fromStdString((scratch.path() / "unfinished.json").string());
@@ -183,7 +183,7 @@ TEST(Documents, ASceneThatMakesNoSenseYetOpensAsItIs) {
     EXPECT_EQ(document.scene()->bolts.size(), 1u);
 }
 
-TEST(Documents, ANameThatLeadsNowhereIsNoReasonToOpenInPart) {
+TEST(Documents, UnknownNameDoesNotMakeTheOpeningPartial) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const QString path = QString::fromStdString((scratch.path() / "type-gone.json").string());
@@ -199,7 +199,7 @@ TEST(Documents, ANameThatLeadsNowhereIsNoReasonToOpenInPart) {
     EXPECT_EQ(again.scene()->bolts.at(0).type, "theirs");
 }
 
-TEST(Documents, WhatDoesNotApplyIsNeverHeldNorSaved) {
+TEST(Documents, FieldsThatDoNotApplyAreNeitherKeptNorSaved) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const QString path = QString::fromStdString((scratch.path() / "kind.json").string());
@@ -216,7 +216,7 @@ TEST(Documents, WhatDoesNotApplyIsNeverHeldNorSaved) {
     EXPECT_TRUE(document.open(path).empty());
 }
 
-TEST(Documents, SavingIsToldOnce) {
+TEST(Documents, SavingIsSignalledOnce) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const QString path = QString::fromStdString((scratch.path() / "scene.json").string());
@@ -228,7 +228,7 @@ TEST(Documents, SavingIsToldOnce) {
     EXPECT_EQ(modified, std::vector{false});
 }
 
-TEST(Documents, ACheckThatNobodyWaitsForIsNotGoneOnWith) {
+TEST(Documents, OvertakenCheckIsStopped) {
     const SceneReading reading = readSceneFile(KEYBLOCK_SAMPLES_DIR "/drift-bolted.json");
     ASSERT_TRUE(reading.scene);
     const std::atomic<bool> stop{true};
@@ -236,7 +236,7 @@ TEST(Documents, ACheckThatNobodyWaitsForIsNotGoneOnWith) {
     EXPECT_FALSE(checked->picture);
 }
 
-TEST(Documents, AFileThatIsTakenAwayCountsAsNotSaved) {
+TEST(Documents, DocumentWithRemovedFileIsModified) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const QString path = QString::fromStdString((scratch.path() / "scene.json").string());
@@ -253,7 +253,7 @@ TEST(Documents, AFileThatIsTakenAwayCountsAsNotSaved) {
     EXPECT_FALSE(waitFor([&] { return gone > 1; }, 700));
 }
 
-TEST(Documents, AnotherProgramsWritingIsNoticedAndOursIsNot) {
+TEST(Documents, WritesByOtherProgramsAreNoticedButNotOurOwn) {
     NEED_SCREEN();
     const test::ScratchFolder scratch;
     const QString path = QString::fromStdString((scratch.path() / "scene.json").string());

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A program that edits is killed at random moments; at most the last two seconds
-// may be lost. KEYBLOCK_KILLS says how often (3).
+// A program that edits is killed at random moments; at most the last two seconds of
+// work may be lost. KEYBLOCK_KILLS sets the number of kills (3).
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 
@@ -28,10 +28,10 @@ constexpr char sample[] = KEYBLOCK_SAMPLES_DIR "/tower-100.json";
 struct Said {
     double last = 0.0;  // [s]
     std::size_t states = 0;
-    std::map<std::string, double> stood;  // by hash of the scene, when it last stood [s]
+    std::map<std::string, double> stood;  // by hash of the scene: last time it was current [s]
 };
 
-/// What the editor said until it was killed; a line that broke off counts for nothing.
+/// Output of the editor until it was killed; an incomplete line is ignored.
 Said runAndKill(const QString& folder, int seed, int milliseconds) {
     QProcess editor;
     editor.start(KEYBLOCK_EDITOR, {folder, sample, QString::number(seed)});
@@ -74,7 +74,7 @@ TEST(JournalKills, NothingOlderThanTwoSecondsIsLost) {
         EXPECT_EQ(recover(found[0], Recover::Everything, document, journal), "");
         const auto state = said.stood.find(sceneHash(*document.scene()));
         if (state != said.stood.end()) worst = std::max(worst, said.last - state->second);
-        else EXPECT_GE(found[0].changes, said.states) << "kill " << kill;  // written, and killed before it was said
+        else EXPECT_GE(found[0].changes, said.states) << "kill " << kill;  // written, and killed before it was printed
         document.undo().setIndex(0);
         EXPECT_EQ(sceneHash(*document.scene()), first) << "kill " << kill;
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a journal keeps comes back with its steps of undo; what is damaged is told
-// and does no harm; windows leave each other's journals alone.
+// A document is recovered from its journal with its undo steps; damage is reported
+// and does no harm; windows do not touch each other's journals.
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 
@@ -30,14 +30,14 @@ Scene titled(const std::string& title) {
     return scene;
 }
 
-/// Of the scene after a step.
+/// Text of the scene after a step.
 std::string textOf(const Journalled& journal, std::size_t step) {
     std::string text;
     for (std::size_t i = 0; i <= step; ++i) text = textAfter(journal.steps[i], text);
     return text;
 }
 
-/// A document with its journal, as of a program that ended without closing it.
+/// A document with its journal, as after a crash.
 struct Window {
     explicit Window(const QString& folder) : journal(document, folder) {}
     Document document;
@@ -53,7 +53,7 @@ protected:
     test::ScratchFolder scratch_;
 };
 
-TEST_F(Journals, EditsComeBackWithTheirStepsOfUndo) {
+TEST_F(Journals, EditsAreRecoveredWithTheirUndoSteps) {
     std::string first, last;
     {
         Window window(folder());
@@ -85,7 +85,7 @@ TEST_F(Journals, EditsComeBackWithTheirStepsOfUndo) {
     EXPECT_FALSE(QFile::exists(found[0].journal));
 }
 
-TEST_F(Journals, TheLastCommandCanBeLeftOut) {
+TEST_F(Journals, RecoveryCanLeaveOutTheLastCommand) {
     {
         Window window(folder());
         window.document.startNew(titled("first"));
@@ -101,7 +101,7 @@ TEST_F(Journals, TheLastCommandCanBeLeftOut) {
     EXPECT_FALSE(next.document.undo().canRedo());
 }
 
-TEST_F(Journals, WhatIsRecoveredIsJournalledAgain) {
+TEST_F(Journals, RecoveredDocumentIsJournalledAgain) {
     {
         Window window(folder());
         window.document.startNew(titled("first"));
@@ -122,7 +122,7 @@ TEST_F(Journals, WhatIsRecoveredIsJournalledAgain) {
     EXPECT_EQ(last.document.undo().count(), 2);
 }
 
-TEST_F(Journals, AClosedOrSavedDocumentLeavesNone) {
+TEST_F(Journals, ClosedOrSavedDocumentLeavesNoJournal) {
     {
         Window closed(folder());
         closed.document.apply("Name", titled("second"));
@@ -138,7 +138,7 @@ TEST_F(Journals, AClosedOrSavedDocumentLeavesNone) {
     EXPECT_TRUE(QDir(folder()).entryList({"*.journal"}, QDir::Files).isEmpty());
 }
 
-TEST_F(Journals, EditsAfterSavingAreOfTheFile) {
+TEST_F(Journals, EditsAfterSavingBelongToTheFile) {
     {
         Window window(folder());
         window.document.apply("Name", titled("second"));
@@ -155,7 +155,7 @@ TEST_F(Journals, EditsAfterSavingAreOfTheFile) {
     EXPECT_FALSE(next.document.isModified());
 }
 
-TEST_F(Journals, AnOpenWindowsJournalIsLeftAlone) {
+TEST_F(Journals, JournalOfAnOpenWindowIsSkipped) {
     Window window(folder());
     window.document.apply("Name", titled("second"));
     window.journal.flush();
@@ -163,7 +163,7 @@ TEST_F(Journals, AnOpenWindowsJournalIsLeftAlone) {
     EXPECT_TRUE(QFile::exists(window.journal.path()));
 }
 
-TEST_F(Journals, DamageIsToldAndWhatStandsBeforeItComesBack) {
+TEST_F(Journals, DamageIsReportedAndEarlierLinesAreRecovered) {
     {
         Window window(folder());
         for (const char* title : {"a", "b", "c"}) window.document.apply("Name", titled(title));
@@ -181,7 +181,7 @@ TEST_F(Journals, DamageIsToldAndWhatStandsBeforeItComesBack) {
     EXPECT_TRUE(QFile::exists(journal + ".damaged"));
 }
 
-TEST_F(Journals, AnyBytesAreReadWithoutHarm) {
+TEST_F(Journals, AnyBytesAreReadSafely) {
     {
         Window window(folder());
         for (const char* title : {"a", "b", "c"}) window.document.apply("Name", titled(title));
@@ -203,7 +203,7 @@ TEST_F(Journals, AnyBytesAreReadWithoutHarm) {
     EXPECT_EQ(unusable.size(), 1);
 }
 
-TEST_F(Journals, AFolderThatTakesNothingIsTold) {
+TEST_F(Journals, UnwritableFolderIsReported) {
     test::putContent(file("blocked").toStdString(), "a file where the folder should be");
     Window window(file("blocked"));
     QString why;
@@ -218,7 +218,7 @@ TEST_F(Journals, AFolderThatTakesNothingIsTold) {
     EXPECT_TRUE(mended);
     window.journal.flush();
     const Journalled read = readJournal(test::contentOf(window.journal.path().toStdString()));
-    ASSERT_EQ(read.steps.size(), 3u) << "the one in between too";
+    ASSERT_EQ(read.steps.size(), 3u) << "including the one in between";
     EXPECT_NE(textOf(read, 1).find("second"), std::string::npos);
     EXPECT_NE(textOf(read, 2).find("third"), std::string::npos);
 }
@@ -234,7 +234,7 @@ Scene manyBlocks() {
     return scene;
 }
 
-TEST_F(Journals, AnEditInTwoFarCornersIsAsSmallAsItIs) {
+TEST_F(Journals, EditAtTwoDistantPositionsIsStoredCompactly) {
     Window window(folder());
     window.document.startNew(manyBlocks());
     std::vector<std::string> texts{wholeSceneText(*window.document.scene())};
@@ -264,7 +264,7 @@ TEST_F(Journals, AnEditInTwoFarCornersIsAsSmallAsItIs) {
     for (std::size_t i = 0; i < texts.size(); ++i) EXPECT_EQ(textOf(read, i), texts[i]) << i;
 }
 
-TEST_F(Journals, WhatIsRecoveredGoesOnWhereverItIsUndoneTo) {
+TEST_F(Journals, RecoveredDocumentContinuesAfterAnyUndo) {
     std::vector<std::string> texts;
     {
         Window window(folder());
@@ -305,8 +305,8 @@ TEST_F(Journals, WhatIsRecoveredGoesOnWhereverItIsUndoneTo) {
     EXPECT_EQ(wholeSceneText(*last.document.scene()), texts[0]);
 }
 
-/// As it was written before an edit could have several stretches.
-TEST_F(Journals, JournalsOfBeforeStillOpen) {
+/// In the format used before an edit could have several changes.
+TEST_F(Journals, OlderJournalsCanBeRead) {
     QDir().mkpath(folder());
     const std::string lines =
         R"(742a5d0c276c8dad {"journal": 1, "path": "", "name": "", "scene": "{\n  \"format\": \"keyblock-scene\",\n  \"version\": 1,\n  \"title\": \"first\"\n}\n"}
@@ -327,7 +327,7 @@ de461d952d1d8d9d {"at": 2, "step": "Bad", "begin": 60, "end": 5, "text": "ba"}
     EXPECT_EQ(next.document.scene()->title, "first");
 }
 
-TEST_F(Journals, AJournalStaysUntilAFullDiskCanHoldWhatWasRecovered) {
+TEST_F(Journals, OldJournalIsKeptWhileTheDiskIsFull) {
     std::signal(SIGXFSZ, SIG_IGN);
     {
         Window window(folder());
@@ -346,11 +346,11 @@ TEST_F(Journals, AJournalStaysUntilAFullDiskCanHoldWhatWasRecovered) {
     EXPECT_EQ(why, "");
     EXPECT_EQ(next.document.scene()->title, "second");
     EXPECT_TRUE(QFile::exists(found[0].journal));
-    EXPECT_TRUE(waitFor([&] { return !QFile::exists(found[0].journal); })) << "it is offered beside newer work";
+    EXPECT_TRUE(waitFor([&] { return !QFile::exists(found[0].journal); })) << "it would be offered next to newer work";
     EXPECT_EQ(readJournal(test::contentOf(next.journal.path().toStdString())).changes, 1u);
 }
 
-TEST_F(Journals, ASceneThatCannotBeReadIsNotShownAsAnEmptyOne) {
+TEST_F(Journals, UnreadableSceneIsNotShownAsEmpty) {
     QDir().mkpath(folder());
     const std::string good = wholeSceneText(titled("good")), none = "no scene at all";
     const std::string lines = journalBegin("", "", none, false) + journalStep(1, "Mend", none, good);
@@ -370,8 +370,8 @@ TEST_F(Journals, ASceneThatCannotBeReadIsNotShownAsAnEmptyOne) {
     EXPECT_EQ(readJournal(test::contentOf(next.journal.path().toStdString())).damage, "");
 }
 
-/// A limit on the size of files stands for a disk that is full.
-TEST_F(Journals, WhatAFullDiskDoesNotTakeIsWrittenOnceItHasRoom) {
+/// A limit on the size of files simulates a full disk.
+TEST_F(Journals, EditsAreWrittenOnceAFullDiskHasRoom) {
     std::signal(SIGXFSZ, SIG_IGN);
     rlimit usual{};
     ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &usual), 0);

@@ -17,7 +17,7 @@ Block blockOf(std::vector<Point> points) {
     return block;
 }
 
-TEST(Drawn, ThingsGetNamesAndPointers) {
+TEST(Drawn, ObjectsGetNamesAndPointers) {
     const Scene scene = rock();
     const Edit joint = withJoint(scene, {"", {{1, 1}, {5, 5}}, {}});
     ASSERT_TRUE(joint.done()) << joint.refusal;
@@ -35,7 +35,7 @@ TEST(Drawn, ThingsGetNamesAndPointers) {
     EXPECT_EQ(withMotion(scene, 0, motion).made, "/stages/0/motions/0");
 }
 
-TEST(Drawn, ASideIsHeldOnce) {
+TEST(Drawn, SupportOfASideIsReplaced) {
     Support support;
     support.boundary = BoundarySide::Left;
     support.fix = Fix::XY;
@@ -48,7 +48,7 @@ TEST(Drawn, ASideIsHeldOnce) {
     EXPECT_EQ(withSupport(rock(), support).scene.supports.size(), 4u);
 }
 
-TEST(Drawn, WhatIsNoneIsRefused) {
+TEST(Drawn, InvalidObjectsAreRefused) {
     const Scene scene = rock(), empty = newScene();
     EXPECT_FALSE(withJoint(scene, {"", {{1, 1}}, {}}).done());
     EXPECT_FALSE(withJoint(empty, {"", {{1, 1}, {2, 2}}, {}}).done());

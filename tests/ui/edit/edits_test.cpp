@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names follow, what means nothing alone goes along, pointers stay on their
-// things; every edit leaves the scene that it was given as it was.
+// Names and pointers follow edits, dependent objects are deleted along; every edit
+// leaves the given scene unchanged.
 #include "sample_scenes.h"
 #include "solver/scene/check.h"
 #include "solver/scene/lookup.h"
@@ -26,7 +26,7 @@ Scene drawn() {
     return scene;
 }
 
-TEST(Rename, FollowsEverywhere) {
+TEST(Rename, UpdatesAllReferences) {
     const Scene scene = drawn();
     const Edit material = renameAt(scene, "/joint_materials/joint", "rough");
     ASSERT_TRUE(material.done()) << material.refusal;
@@ -64,26 +64,26 @@ TEST(Rename, FollowsEverywhere) {
         EXPECT_FALSE(hasErrors(checkValues(edit->scene)));
 }
 
-TEST(Rename, RefusesWhatWouldMeanTwoThings) {
+TEST(Rename, RefusesAmbiguousNames) {
     const Scene scene = drawn();
     EXPECT_NE(renameAt(scene, "/joint_sets/0", "J2").refusal.find("A free name is 'J3'"), std::string::npos);
-    EXPECT_FALSE(renameAt(scene, "/joint_sets/0", "fault").done()) << "a dilation would open either";
+    EXPECT_FALSE(renameAt(scene, "/joint_sets/0", "fault").done()) << "a dilation could mean either";
     EXPECT_FALSE(renameAt(scene, "/bolts/0", "roof").done());
     EXPECT_FALSE(renameAt(scene, "/bolts/0", "").done());
     EXPECT_FALSE(renameAt(scene, "/domain", "x").done());
     EXPECT_FALSE(renameAt(scene, "/bolt_types/rebar-20", "mine").done());
     EXPECT_FALSE(renameAt(scene, "/supports/0", "x").done());
-    EXPECT_TRUE(renameAt(scene, "/bolts/0", "B1").done()) << "as it is called";
+    EXPECT_TRUE(renameAt(scene, "/bolts/0", "B1").done()) << "the same name again";
 }
 
-TEST(Remove, TakesAlongWhatMeansNothingAlone) {
+TEST(Remove, DeletesDependentObjects) {
     const Scene scene = drawn();
     const Edit edit = removeAt(scene, "/tunnels/0");
     ASSERT_TRUE(edit.done());
     EXPECT_TRUE(edit.scene.boltPatterns.empty());
     EXPECT_TRUE(edit.scene.stages[1].excavate.empty());
     EXPECT_EQ(edit.scene.stages[2].install, std::vector<std::string>{"B1"});
-    ASSERT_EQ(edit.scene.monitors.size(), 4u) << "the monitor of roof.3 watched nothing more";
+    ASSERT_EQ(edit.scene.monitors.size(), 4u) << "the monitor of roof.3 had no bolt any more";
     EXPECT_EQ(edit.scene.monitors.back().name, "B1 force");
     EXPECT_EQ(edit.scene.quantities.size(), 3u);
     EXPECT_EQ(edit.scene.about.expected.size(), 3u);
@@ -95,7 +95,7 @@ TEST(Remove, TakesAlongWhatMeansNothingAlone) {
     EXPECT_TRUE(findBoltType(edit.scene, "rebar-20"));
 }
 
-TEST(Remove, ClearsWhatHasAMeaningWithout) {
+TEST(Remove, ClearsOptionalReferences) {
     Scene scene = drawn();
     scene.regions.push_back({"top", {{-5, 0}, {5, 0}, {5, 8}}});
     scene.jointSets[0].region = "top";
@@ -114,7 +114,7 @@ TEST(Remove, ClearsWhatHasAMeaningWithout) {
     EXPECT_EQ(rock.told.at(0), "The domain still refers to the material granite. Choose another one.");
 }
 
-TEST(Remove, SeveralAtOnceAndPointersFollow) {
+TEST(Remove, SeveralObjectsAtOnceUpdatePointers) {
     const Scene scene = drawn();
     const Edit edit = removeAll(scene, {"/stages/1", "/stages/3", "/joint_sets/0", "/nothing/5"});
     ASSERT_TRUE(edit.done());
@@ -124,14 +124,14 @@ TEST(Remove, SeveralAtOnceAndPointersFollow) {
     EXPECT_FALSE(edit.pointers.now("/stages/3/duration"));
     EXPECT_EQ(edit.pointers.now("/joint_sets/1"), "/joint_sets/0");
     for (const char* pointer : {"/stages/0", "/stages/4/loads/0", "/joint_sets/1", "/domain"})
-        EXPECT_EQ(edit.pointers.reversed().now(*edit.pointers.now(pointer)), pointer) << "undo leads back";
+        EXPECT_EQ(edit.pointers.reversed().now(*edit.pointers.now(pointer)), pointer) << "undo maps the pointers back";
     EXPECT_FALSE(removeAll(scene, {"/nothing/5"}).done());
     EXPECT_FALSE(removeAll(scene, {}).done());
     EXPECT_FALSE(removeAt(scene, "/bolt_types/d-bolt-20").done());
     EXPECT_TRUE(removeAt(scene, "/domain").done());
 }
 
-TEST(Remove, EveryThingOfEverySampleCanGo) {
+TEST(Remove, EveryObjectOfEverySampleCanBeDeleted) {
     for (const std::string& name : sampleNames()) {
         const Scene scene = sampleScene(name);
         for (const Field& field : sceneStructure().fields) {
@@ -147,7 +147,7 @@ TEST(Remove, EveryThingOfEverySampleCanGo) {
     }
 }
 
-TEST(Move, ShiftsPlacesAndPatternsGoWithTheirTunnel) {
+TEST(Move, ShiftsPointsAndPatternsMoveWithTheirTunnel) {
     const Scene scene = drawn();
     const Point offset(1.5, -0.25);
     const Edit edit = moveAll(scene, {"/tunnels/0", "/joints/0", "/joint_sets/0", "/monitors/0", "/bolts/0"}, offset);
@@ -171,7 +171,7 @@ TEST(Move, ShiftsPlacesAndPatternsGoWithTheirTunnel) {
     EXPECT_FALSE(moveAll(scene, {"/materials/granite"}, offset).done());
 }
 
-TEST(Copy, HasItsOwnNamesAndComesWithItsOriginal) {
+TEST(Copy, GetsNewNamesAndTheStagesOfItsOriginal) {
     const Scene scene = drawn();
     std::vector<std::string> made;
     const Edit edit = copyAll(scene, scene, {"/tunnels/0", "/bolt_patterns/0", "/bolts/0", "/domain"}, {8, 0}, made);
@@ -188,7 +188,7 @@ TEST(Copy, HasItsOwnNamesAndComesWithItsOriginal) {
     EXPECT_FALSE(copyAll(scene, scene, {"/domain"}, {1, 0}, made).done());
 }
 
-TEST(Copy, BringsWhatAnotherSceneLacks) {
+TEST(Copy, AddsMaterialsAndTypesMissingInTheScene) {
     const Scene scene = newScene();
     const Scene source = drawn();
     std::vector<std::string> made;
@@ -200,7 +200,7 @@ TEST(Copy, BringsWhatAnotherSceneLacks) {
     EXPECT_EQ(again.scene.joints[1].name, "fault 2");
 }
 
-TEST(Names, AreFree) {
+TEST(Names, NewNamesAreFree) {
     EXPECT_EQ(freeName("J", {"J1", "J12", "joint"}), "J13");
     EXPECT_EQ(freeName("B", {}), "B1");
     const Scene scene = drawn();
@@ -218,8 +218,8 @@ TEST(Names, AreFree) {
     EXPECT_EQ(titleAt(scene, ""), "scene");
 }
 
-/// What is null has no list to append to before there is one.
-TEST(Append, GivesABoltWithoutAnchorsOfItsOwnTheFirst) {
+/// A null field has no list to append to until one is created.
+TEST(Append, CreatesTheAnchorListOfABolt) {
     Scene scene;
     scene.bolts.resize(1);
     scene.bolts[0].anchors.emplace(3);
@@ -233,7 +233,7 @@ TEST(Append, GivesABoltWithoutAnchorsOfItsOwnTheFirst) {
     }
 }
 
-TEST(NewScene, IsReadyToDrawIn) {
+TEST(NewScene, IsReadyForDrawing) {
     Edit edit = withDomain(newScene(), {{-15, -12}, {15, -12}, {15, 15}, {-15, 15}});
     ASSERT_TRUE(edit.done());
     EXPECT_EQ(edit.scene.supports.size(), 3u);
@@ -261,7 +261,7 @@ TEST(NewScene, IsReadyToDrawIn) {
     EXPECT_EQ(second.scene.stages[2].install, (std::vector<std::string>{"P1", "P2"}));
 }
 
-TEST(NewScene, RefusesShapesThatAreNone) {
+TEST(NewScene, RefusesInvalidShapes) {
     const Scene scene = newScene();
     EXPECT_FALSE(withDomain(scene, {{0, 0}, {1, 0}}).done());
     EXPECT_FALSE(withDomain(scene, {{0, 0}, {1, 0}, {2, 0}}).done());

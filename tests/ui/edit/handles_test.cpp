@@ -10,7 +10,7 @@ namespace {
 
 using namespace keyblock;
 
-TEST(Handles, OfEverySampleMoveWhatTheyShow) {
+TEST(Handles, HandlesOfEverySampleMoveTheirValue) {
     for (const std::string& name : sampleNames()) {
         const Scene scene = sampleScene(name);
         for (const SceneObject& object : objectsOf(scene)) {
@@ -25,8 +25,8 @@ TEST(Handles, OfEverySampleMoveWhatTheyShow) {
     }
 }
 
-TEST(Handles, ATunnelKeepsItsFloorAndItsMiddle) {
-    const Scene scene = sampleScene("drift-bolted");  // 4.5 by 4.5 round the origin
+TEST(Handles, TunnelKeepsItsFloorAndItsCentreLine) {
+    const Scene scene = sampleScene("drift-bolted");  // 4.5 by 4.5 around the origin
     const std::vector<Handle> handles = handlesOf(scene, "/tunnels/0");
     ASSERT_EQ(handles.size(), 3u);
     EXPECT_EQ(handles[1].name, "width");
@@ -55,7 +55,7 @@ TEST(Handles, PatternsAndBoltsStayOnTheWall) {
     EXPECT_NEAR((slid.scene.bolts[0].farEnd - Point(-4.65, -1.0)).norm(), 0.0, 1e-12);
 }
 
-TEST(Handles, ALineTakesCornersAndGivesThem) {
+TEST(Handles, CornersAreInsertedAndDeleted) {
     const Scene scene = sampleScene("drift-bolted");
     const Edit more = withCorner(scene, "/domain", {14.3, 1.0});
     ASSERT_TRUE(more.done());

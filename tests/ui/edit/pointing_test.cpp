@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shapes, hits, boxes, snaps and walls on a drift whose numbers are known.
+// Shapes, hits, boxes, snaps and walls in a drift with known coordinates.
 #include "sample_scenes.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/shapes.h"
@@ -30,7 +30,7 @@ std::optional<Snap> snapAt(const Scene& scene, const Point& place, SnapWish wish
     return SnapIndex(objectsOf(scene)).at(place, wish);
 }
 
-TEST(Objects, OfEverySampleHaveAPointerAndAShape) {
+TEST(Objects, EverySampleHasPointersAndShapes) {
     for (const std::string& name : sampleNames()) {
         const Scene scene = sampleScene(name);
         const std::vector<SceneObject> objects = objectsOf(scene);
@@ -44,7 +44,7 @@ TEST(Objects, OfEverySampleHaveAPointerAndAShape) {
     }
 }
 
-TEST(Objects, SetsAndPatternsAreWhatTheCutDraws) {
+TEST(Objects, SetsAndPatternsEqualThoseOfTheCut) {
     const Scene scene = sampleScene("drift-bolted");
     std::size_t traces = 0;
     for (const CutTrace& trace : tracesOf(scene).traces) traces += trace.source < 2;
@@ -59,7 +59,7 @@ TEST(Objects, SetsAndPatternsAreWhatTheCutDraws) {
     EXPECT_EQ(boltsOfPattern(scene, scene.boltPatterns[0])[0].points[0], cut.bolts[0].head);
 }
 
-TEST(Objects, BearBrokenScenes) {
+TEST(Objects, AcceptBrokenScenes) {
     Scene scene = crossed();
     scene.domain->boundary = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
     scene.jointSets.resize(2);
@@ -81,10 +81,10 @@ TEST(Objects, BearBrokenScenes) {
     const auto huge = std::find_if(repaired.begin(), repaired.end(),
                                    [](const SceneObject& object) { return object.pointer == "/joint_sets/1"; });
     ASSERT_NE(huge, repaired.end());
-    EXPECT_EQ(huge->lines.size(), 1u) << "a sign stands for it";
+    EXPECT_EQ(huge->lines.size(), 1u) << "a symbol represents it";
 }
 
-TEST(Hit, MeansTheSmallThing) {
+TEST(Hit, PrefersSmallObjects) {
     const Scene scene = crossed();
     const std::vector<SceneObject> objects = objectsOf(scene);
     const auto first = [&](const Point& place) {
@@ -92,14 +92,14 @@ TEST(Hit, MeansTheSmallThing) {
         return found.empty() ? std::string() : objects[found.front()].pointer;
     };
     EXPECT_EQ(first({3, 2.1}), "/joints/0");
-    EXPECT_EQ(first({15, 7}), "/tunnels/0") << "its inside";
-    EXPECT_EQ(first({10, 8}), "") << "rock is nothing";
+    EXPECT_EQ(first({15, 7}), "/tunnels/0") << "its interior";
+    EXPECT_EQ(first({10, 8}), "") << "rock is not an object";
     EXPECT_EQ(first({10, 9.9}), "/domain");
-    EXPECT_EQ(first({0.1, 5}), "/supports/1") << "on the held side";
+    EXPECT_EQ(first({0.1, 5}), "/supports/1") << "on the supported side";
     EXPECT_EQ(objectsAt(objects, {0.1, 5}, 0.3).size(), 2u);
 }
 
-TEST(Hit, ABoxEnclosesOrCrosses) {
+TEST(Hit, BoxEnclosesOrCrosses) {
     const Scene scene = crossed();
     const std::vector<SceneObject> objects = objectsOf(scene);
     const Box box{{1, 1}, {9, 4}};
@@ -107,12 +107,12 @@ TEST(Hit, ABoxEnclosesOrCrosses) {
     ASSERT_EQ(enclosed.size(), 1u);
     EXPECT_EQ(objects[enclosed[0]].title, "joint J1");
     EXPECT_EQ(objectsIn(objects, box, BoxRule::Crosses).size(), 2u);
-    EXPECT_EQ(objectsIn(objects, Box{{4, 3}, {6, 4}}, BoxRule::Crosses).size(), 1u) << "it only runs through";
+    EXPECT_EQ(objectsIn(objects, Box{{4, 3}, {6, 4}}, BoxRule::Crosses).size(), 1u) << "it only crosses the box";
     EXPECT_TRUE(objectsIn(objects, Box{{9, 4}, {10, 5}}, BoxRule::Crosses).empty());
     EXPECT_EQ(objectsIn(objects, Box{{-1, -1}, {30, 30}}, BoxRule::Encloses).size(), objects.size());
 }
 
-TEST(Snap, ComesByRelevance) {
+TEST(Snap, PrefersPointsToNearerLines) {
     const Scene scene = crossed();
     const auto end = snapAt(scene, {11.8, 3.05});
     ASSERT_TRUE(end);
@@ -130,7 +130,7 @@ TEST(Snap, ComesByRelevance) {
     EXPECT_EQ(on->kind, SnapKind::OnLine);
     EXPECT_EQ(on->name, "on joint J12");
     const auto foot = snapAt(scene, {13.2, 3.02}, {.radius = 0.3, .previous = Point(13.35, 6)});
-    EXPECT_EQ(foot->kind, SnapKind::Foot) << "a point is meant before the line under the mouse";
+    EXPECT_EQ(foot->kind, SnapKind::Foot) << "a point takes precedence over the line under the mouse";
     EXPECT_NEAR(foot->place.x(), 13.35, 1e-12);
     EXPECT_FALSE(snapAt(scene, {10, 5.5}));
     const auto grid = snapAt(scene, {10.2, 5.4}, {.radius = 0.3, .grid = 0.5});
@@ -143,16 +143,16 @@ TEST(Snap, ComesByRelevance) {
     EXPECT_FALSE(snapAt({}, {0, 0}));
 }
 
-TEST(Snap, TakesCornersOfTunnelsAndNoneOfTheirArcs) {
+TEST(Snap, FindsCornersOfTunnelsButNotPointsOfArcs) {
     const Scene scene = crossed();
     EXPECT_EQ(snapAt(scene, {13.1, 5.1})->name, "corner of tunnel drift");
     EXPECT_EQ(snapAt(scene, {15.1, 7.1})->name, "centre of tunnel drift");
     const auto crown = snapAt(scene, {15.3, 9.0});
-    EXPECT_EQ(crown->kind, SnapKind::OnLine) << "edges that stand for an arc have no ends";
+    EXPECT_EQ(crown->kind, SnapKind::OnLine) << "edges of an arc have no ends";
     EXPECT_EQ(snapAt(scene, {0.1, 0.1})->name, "corner of domain");
 }
 
-TEST(Snap, AndHitsTakeNoJointInAnOpening) {
+TEST(Snap, SnapAndHitIgnoreJointsInOpenings) {
     Scene scene = crossed();
     scene.joints.push_back({"through", {{10, 7}, {19, 7}}, {}});
     EXPECT_FALSE(snapAt(scene, {14.0, 7.05}));
@@ -186,7 +186,7 @@ TEST(Snap, IsFastAmongFiveThousandTraces) {
     EXPECT_LT(seconds / 1000, 2e-3) << "a mouse moves a hundred times a second";
 }
 
-TEST(Wall, IsSnappedToInwardAndSquare) {
+TEST(Wall, NormalPointsIntoTheRock) {
     const Scene scene = crossed();
     const auto side = wallAt(scene, {12.9, 6.0}, 0.5);
     ASSERT_TRUE(side);
@@ -201,7 +201,7 @@ TEST(Wall, IsSnappedToInwardAndSquare) {
     EXPECT_FALSE(wallAt(scene, {10, 5}, 0.5));
 }
 
-TEST(Wall, RunsBothWays) {
+TEST(Wall, LengthDependsOnTheDirection) {
     const Scene scene = crossed();
     const SceneTunnel& tunnel = scene.tunnels[0];
     const double left = wallOfTunnel(scene, 0, {13, 7})->along, right = wallOfTunnel(scene, 0, {17, 7})->along;

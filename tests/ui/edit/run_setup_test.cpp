@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a scene from a drawing gets so that it can be run, and the in-situ stress as
-// engineers give it.
+// What an imported drawing needs before it can be run, and the in-situ stress from
+// depth or principal stresses.
 #include "ui/edit/run_setup.h"
 #include "ui/edit/stress_edit.h"
 #include "ui/edit/usual.h"
@@ -38,7 +38,7 @@ TEST(RunSetup, AddsSupportsStagesAndInstallsBoltsOnWalls) {
     EXPECT_EQ(edit.scene.stages[1].relaxation, 0.5);
 }
 
-TEST(RunSetup, LeavesWhatTheSceneHas) {
+TEST(RunSetup, KeepsExistingSupportsAndStages) {
     Scene scene = withRunSetup(drawnSection()).scene;
     scene.stages.pop_back();
     scene.supports.pop_back();
@@ -46,7 +46,7 @@ TEST(RunSetup, LeavesWhatTheSceneHas) {
     EXPECT_EQ(withRunSetup(Scene{}).scene, Scene{});
 }
 
-TEST(StressEdits, DepthAndK0GiveTheWeightOfTheRockAbove) {
+TEST(StressEdits, DepthAndK0GiveTheOverburdenStress) {
     const Edit edit = withDepthStress(drawnSection(), {110.0, 27e3, 1.5});
     ASSERT_TRUE(edit.done());
     const InSituStress& stress = *edit.scene.inSituStress;
@@ -61,7 +61,7 @@ TEST(StressEdits, DepthAndK0GiveTheWeightOfTheRockAbove) {
     EXPECT_FALSE(withDepthStress(Scene{}, {5.0, 27e3, 1.0}).done());
 }
 
-TEST(StressEdits, PrincipalStressesAreTurnedIntoComponentsAndBack) {
+TEST(StressEdits, PrincipalStressesAreConvertedToComponentsAndBack) {
     const Edit edit = withPrincipalStresses(drawnSection(), {20e6, 8e6, 30.0});
     ASSERT_TRUE(edit.done());
     const InSituStress& stress = *edit.scene.inSituStress;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The samples as scenes, for tests that hold for any of them.
+// The samples as scenes, for tests that apply to any of them.
 #pragma once
 
 #include "solver/files/scene_file.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whatever a person does to a scene, it is written, opens again as itself and says
-// the same to the byte. KEYBLOCK_EDITS says how many random edits each sample gets
-// (40), KEYBLOCK_SEED which.
+// After any edits a scene can be written and read back identical to the byte.
+// KEYBLOCK_EDITS sets the number of random edits of each sample (40), KEYBLOCK_SEED
+// the random seed.
 #include "sample_scenes.h"
 #include "solver/files/bolt_library.h"
 #include "solver/files/scene_rescue.h"
@@ -27,7 +27,7 @@ int numberFrom(const char* name, int otherwise) {
 
 struct Pointers {
     std::vector<std::string> values, objects, lists;
-    std::vector<std::string> deciders;  // of what else applies
+    std::vector<std::string> deciders;  // fields that decide which others apply
 };
 
 void collect(const Structure& structure, const void* object, const std::string& pointer, Pointers& out) {
@@ -48,7 +48,7 @@ void collect(const Structure& structure, const void* object, const std::string& 
     }
 }
 
-/// Somebody who edits at random, mostly what stands under few pointers that decide what else applies.
+/// Random edits, mostly of the few fields that decide which others apply.
 class Editor {
 public:
     explicit Editor(unsigned seed) : random_(seed) {}
@@ -117,7 +117,7 @@ private:
     std::vector<std::string> made_;
 };
 
-/// A bolt may name a type that is gone, an acceleration a file that is; the file says so too.
+/// A bolt may name a missing type, an acceleration a missing file; reading the file reports the same.
 bool isNameOnly(const Problem& problem) {
     return problem.message.starts_with("there is no bolt type") ||
            problem.message.find("the file cannot be opened") != std::string::npos;
@@ -135,7 +135,7 @@ void expectOpensAsItself(const Scene& scene, const std::string& did) {
     ASSERT_TRUE(again == text) << did << "\nwritten: " << text.substr(differ, 200) << "\nread: " << again.substr(differ, 200);
 }
 
-TEST(Saved, AfterAnyEditsASceneOpensAsItself) {
+TEST(Saved, SceneAfterRandomEditsReadsBackEqual) {
     Editor editor(static_cast<unsigned>(numberFrom("KEYBLOCK_SEED", 1)));
     const int edits = numberFrom("KEYBLOCK_EDITS", 40);
     int done = 0;
@@ -156,7 +156,7 @@ TEST(Saved, AfterAnyEditsASceneOpensAsItself) {
     EXPECT_GT(done, edits * 8);
 }
 
-TEST(Saved, WhatDoesNotApplyGoesWithTheKind) {
+TEST(Saved, ChangingTheKindResetsFieldsThatDoNotApply) {
     Scene scene = newScene();
     scene.stages[0].increments = 12;
     scene.stages[0].until.unbalanced = 1e-7;
@@ -170,7 +170,7 @@ TEST(Saved, WhatDoesNotApplyGoesWithTheKind) {
     EXPECT_EQ(round.scene.tunnels[0].center, sampleScene("drift-bolted").tunnels[0].center);
 }
 
-TEST(Saved, TypesOfBoltsAreNotLikeEachOtherInACircle) {
+TEST(Saved, BoltTypesAreNotDerivedInACircle) {
     Scene scene = sampleScene("drift-bolted");
     for (const char* name : {"mine", "yours"}) {
         scene.boltTypes.push_back(*findBuiltInBoltType("rebar-20"));

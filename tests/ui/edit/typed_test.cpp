@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Typed texts in tables: what they mean, and what is said of the bad ones.
+// Typed texts in tables: their values, and the messages for invalid ones.
 #include "ui/edit/typed_number.h"
 #include "ui/edit/typed_point.h"
 #include "ui/edit/units.h"
@@ -20,7 +20,7 @@ struct Good {
     double value;
 };
 
-TEST(TypedNumber, SaysWhatItMeans) {
+TEST(TypedNumber, ReadsNumbersUnitsAndExpressions) {
     const Good table[] = {
         {"12.5", "m", 12.5}, {"12,5", "m", 12.5}, {" −3 ", "m", -3.0}, {"+4", "", 4.0}, {".5", "m", 0.5},
         {",5", "m", 0.5}, {"5.", "m", 5.0}, {"1e3", "N", 1000.0}, {"1e-3", "m", 0.001}, {"2.5E+2", "m", 250.0},
@@ -39,7 +39,7 @@ TEST(TypedNumber, SaysWhatItMeans) {
     };
     for (const Good& row : table) {
         const TypedNumber typed = typedNumber(row.text, row.unit);
-        if (std::string(row.unit) == "N/m per m") {  // a stiffness is none per metre
+        if (std::string(row.unit) == "N/m per m") {  // a stiffness is not a stiffness per metre
             EXPECT_FALSE(typed.value) << row.text;
             continue;
         }
@@ -48,7 +48,7 @@ TEST(TypedNumber, SaysWhatItMeans) {
     }
 }
 
-TEST(TypedNumber, TellsWhatIsWrong) {
+TEST(TypedNumber, ReportsErrors) {
     const std::pair<const char*, const char*> table[] = {
         {"", "Enter a number"}, {"   ", "Enter a number"}, {"=", "Enter a number"}, {"abc", "is not a valid number"},
         {"1.2.3", "is not a valid number"}, {"1.234,5", "is not a valid number"},
@@ -67,7 +67,7 @@ TEST(TypedNumber, TellsWhatIsWrong) {
     }
 }
 
-TEST(TypedNumber, BearsAnyBytes) {
+TEST(TypedNumber, AcceptsAnyBytes) {
     unsigned state = 12345;
     const std::string alphabet = "0123456789.,+-*/^()=@<; eEmkNPa°\"\x01\xc2\xb2_'%";
     for (int run = 0; run < 20000; ++run) {
@@ -97,7 +97,7 @@ struct GoodPoint {
     Point place;
 };
 
-TEST(TypedPoint, SaysWhere) {
+TEST(TypedPoint, ReadsAbsoluteRelativeAndPolarCoordinates) {
     const TypingContext context{Point(1.0, 1.0), Point(4.0, 5.0)};
     const GoodPoint table[] = {
         {"12.5,3", {12.5, 3.0}}, {"12,5;3,25", {12.5, 3.25}}, {"-2, 0", {-2.0, 0.0}}, {"@2,0", {3.0, 1.0}},
@@ -112,7 +112,7 @@ TEST(TypedPoint, SaysWhere) {
     EXPECT_NEAR((*typedPoint("250,100", context, "mm").place - Point(0.25, 0.1)).norm(), 0.0, 1e-15);
 }
 
-TEST(TypedPoint, TellsWhatIsWrong) {
+TEST(TypedPoint, ReportsErrors) {
     const TypingContext nothing{std::nullopt, Point(4.0, 5.0)};
     const TypingContext onMouse{Point(4.0, 5.0), Point(4.0, 5.0)};
     const auto said = [](const char* text, const TypingContext& context) { return typedPoint(text, context).problem; };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every value of every sample can be read and written by its pointer; what a file
-// would refuse is refused here.
+// Every value of every sample can be read and written by its pointer; values that
+// are invalid in a file are refused.
 #include "sample_scenes.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/pointer.h"
@@ -59,7 +59,7 @@ TEST(Values, EverySampleReadsAndWritesEveryValue) {
     }
 }
 
-TEST(Values, AChangedNumberIsThereAndNothingElseIs) {
+TEST(Values, SettingANumberChangesNothingElse) {
     const Scene scene = sampleScene("drift-bolted");
     for (const std::string& pointer : pointersOf(scene)) {
         const auto value = valueAt(scene, pointer);
@@ -79,7 +79,7 @@ TEST(Values, AChangedNumberIsThereAndNothingElseIs) {
     }
 }
 
-TEST(Values, APointOfALineIsAValue) {
+TEST(Values, PointOfALineIsSetAndRemoved) {
     const Scene scene = sampleScene("drift-bolted");
     EXPECT_EQ(valueAt(scene, "/domain/boundary/2"), FieldValue(Point(14, 14)));
     const Edit edit = setValueAt(scene, "/domain/boundary/2", Point(13, 12));
@@ -94,7 +94,7 @@ TEST(Values, APointOfALineIsAValue) {
     EXPECT_FALSE(removeAt(less.scene, "/domain/boundary/0").done()) << "three corners are left";
 }
 
-TEST(Values, WhatAFileWouldRefuseIsRefused) {
+TEST(Values, ValuesInvalidInAFileAreRefused) {
     const Scene scene = sampleScene("drift-bolted");
     const auto refusal = [&](const std::string& pointer, const FieldValue& value) {
         const Edit edit = setValueAt(scene, pointer, value);
@@ -115,7 +115,7 @@ TEST(Values, WhatAFileWouldRefuseIsRefused) {
     EXPECT_FALSE(refusal("/tunnels/0/center", Point(2e9, 0)).empty());
 }
 
-TEST(Values, NullAndDefaultsComeBack) {
+TEST(Values, NullAndDefaultsAreRestored) {
     const Scene scene = sampleScene("drift-bolted");
     const Edit null = setNullAt(scene, "/stages/1/relaxation");
     ASSERT_TRUE(null.done());
@@ -132,7 +132,7 @@ TEST(Values, NullAndDefaultsComeBack) {
     EXPECT_EQ(back.made, "/in_situ_stress");
 }
 
-TEST(Values, EveryListTakesAnEntryThatIsTakenOutAgain) {
+TEST(Values, EntryIsAddedToAndRemovedFromEveryList) {
     const Scene scene = sampleScene("drift-bolted");
     for (const Field& field : sceneStructure().fields) {
         if (field.kind != FieldKind::List && field.kind != FieldKind::Map) continue;
@@ -147,7 +147,7 @@ TEST(Values, EveryListTakesAnEntryThatIsTakenOutAgain) {
     }
 }
 
-TEST(Values, ATypeOfBoltComesAndGoesWithThoseThatNameIt) {
+TEST(Values, BuiltInTypeIsInTheSceneWhileItIsUsed) {
     const Scene scene = sampleScene("drift-bolted");
     const Edit other = setValueAt(scene, "/bolt_patterns/0/type", std::string("rebar-20"));
     ASSERT_TRUE(other.done());
@@ -156,7 +156,7 @@ TEST(Values, ATypeOfBoltComesAndGoesWithThoseThatNameIt) {
     EXPECT_EQ(setValueAt(other.scene, "/bolt_patterns/0/type", std::string("d-bolt-20")).scene, scene);
 }
 
-TEST(Values, AnEntryMovesInItsList) {
+TEST(Values, EntryMovesInItsList) {
     const Scene scene = sampleScene("drift-bolted");
     const Edit edit = moveAt(scene, "/stages/0", 2);
     ASSERT_TRUE(edit.done());
@@ -170,7 +170,7 @@ TEST(Values, AnEntryMovesInItsList) {
     EXPECT_FALSE(moveAt(scene, "/domain", 1).done());
 }
 
-TEST(Pointers, OddOnesLeadNowhere) {
+TEST(Pointers, InvalidPointersLeadNowhere) {
     const Scene scene = sampleScene("drift-bolted");
     for (const char* pointer : {"/", "//", "domain", "/domain/", "/joints/-1", "/joint_sets/00x", "/joint_sets/1e3",
                                 "/materials/", "/materials/~2", "/stages/0/until/x", "/domain/boundary/0/0",

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Anchored points chosen by hand become entries that the program reads back as the
-// same nodes; the library tells its numbers and gives copies that can be changed.
+// Anchored points set by hand become entries that give the same nodes again; the
+// library shows the values of bolt types and makes editable copies.
 #include "tests/ui/panels/form_bench.h"
 
 #include "solver/files/bolt_library.h"
@@ -20,7 +20,7 @@ namespace {
 
 std::vector<Anchor> anchorsOfType(const char* name) { return findBuiltInBoltType(name)->anchors; }
 
-TEST(AnchorEdit, ARangeIsSplitRoundTheNodesThatLetGo) {
+TEST(AnchorEdit, RangeIsSplitAroundRemovedNodes) {
     const auto nodes = evenNodes(2.0, 20);
     const auto anchors = anchorsOfType("rebar-20");
     EXPECT_EQ(std::ranges::count(realNodes(anchors, nodes), true), 21);
@@ -33,7 +33,7 @@ TEST(AnchorEdit, ARangeIsSplitRoundTheNodesThatLetGo) {
     for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_EQ(real[i], i < 5 || i > 7) << i;
 }
 
-TEST(AnchorEdit, SingleAnchorsComeAndGoAtTheirNodes) {
+TEST(AnchorEdit, SingleAnchorsAreAddedAndRemovedAtTheirNodes) {
     const auto nodes = evenNodes(2.0, 60);
     const auto anchors = anchorsOfType("d-bolt-20");
     const auto before = realNodes(anchors, nodes);
@@ -44,7 +44,7 @@ TEST(AnchorEdit, SingleAnchorsComeAndGoAtTheirNodes) {
     EXPECT_EQ(realNodes(withNodes(more, nodes, 30, 30, false, anchors.front()), nodes), before);
 }
 
-TEST(AnchorEdit, AnythingThatIsAskedForIsWhatIsThereAfterwards) {
+TEST(AnchorEdit, AnyRequestedSetOfNodesIsTheResult) {
     std::mt19937 random(7);
     for (const char* type :
          {"rebar-20", "d-bolt-20", "split-set-47", "expansion-shell-17", "cone-bolt-17", "roofex-rx8"}) {
@@ -62,7 +62,7 @@ TEST(AnchorEdit, AnythingThatIsAskedForIsWhatIsThereAfterwards) {
     }
 }
 
-TEST(AnchorStrip, AClickFreesANodeOfTheBoltAndUndoAnchorsItAgain) {
+TEST(AnchorStrip, ClickUnbondsANodeAndUndoBondsItAgain) {
     NEED_SCREEN();
     Themes themes;
     Display display;
@@ -88,7 +88,7 @@ TEST(AnchorStrip, AClickFreesANodeOfTheBoltAndUndoAnchorsItAgain) {
     EXPECT_EQ(*document.scene(), before);
 }
 
-TEST(Library, EveryBuiltInTypeTellsItsNumbersAndCurves) {
+TEST(Library, EveryBuiltInTypeShowsItsValuesAndCurves) {
     NEED_SCREEN();
     Display display;
     const auto entries = libraryEntries(Scene{}, display, {});
@@ -106,7 +106,7 @@ TEST(Library, EveryBuiltInTypeTellsItsNumbersAndCurves) {
     EXPECT_EQ(libraryEntries(Scene{}, display, "split-set").size(), 1u);
 }
 
-TEST(Library, BondsPeakAtTheirStrengthAndKeepTheirResidual) {
+TEST(Library, BondCurvesHavePeakAndResidualStrength) {
     const Anchor bond = anchorsOfType("rebar-20").front();
     const Table curve = bondCurve(bond, 0.002);
     EXPECT_NEAR(curve[1].second, *bond.strength, 1e-9);
@@ -114,7 +114,7 @@ TEST(Library, BondsPeakAtTheirStrengthAndKeepTheirResidual) {
     EXPECT_EQ(curve.back().second, bond.residual);
 }
 
-TEST(AnchorLine, NodesThatChangeUnderTheMouseAreLetGo) {
+TEST(AnchorLine, DragEndsWhenTheNodesChange) {
     NEED_SCREEN();
     Themes themes;
     AnchorLine line(themes, nullptr);
@@ -131,7 +131,7 @@ TEST(AnchorLine, NodesThatChangeUnderTheMouseAreLetGo) {
     EXPECT_EQ(painted, 0);
 }
 
-TEST(Library, ACopyCanBeChangedAndAssigned) {
+TEST(Library, CopyOfATypeCanBeEditedAndAssigned) {
     NEED_SCREEN();
     Themes themes;
     Display display;

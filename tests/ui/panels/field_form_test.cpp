@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fields are shown, typed and taken back as a person expects, and every one of
-// every sample says the value that it has.
+// Fields show, accept and reset values as expected, and every field of every sample
+// reads back its own value.
 #include "tests/ui/panels/form_bench.h"
 
 #include "solver/scene/pointer.h"
@@ -30,7 +30,7 @@ QString problemOf(FormRowWidget& row) {
     return {};
 }
 
-TEST(FieldForm, TypingSetsTheFieldInOneStepThatUndoTakesBack) {
+TEST(FieldForm, TypedValueIsOneUndoStep) {
     NEED_SCREEN();
     FormBench bench(sampleScene("drift-bolted"));
     const Scene before = *bench.document.scene();
@@ -43,7 +43,7 @@ TEST(FieldForm, TypingSetsTheFieldInOneStepThatUndoTakesBack) {
     EXPECT_EQ(*bench.document.scene(), before);
 }
 
-TEST(FieldForm, SumsUnitsAndDecimalCommasAreTaken) {
+TEST(FieldForm, ExpressionsUnitsAndDecimalCommasAreAccepted) {
     NEED_SCREEN();
     FormBench bench(sampleScene("drift-bolted"));
     bench.choose({"/joint_sets/0"});
@@ -56,7 +56,7 @@ TEST(FieldForm, SumsUnitsAndDecimalCommasAreTaken) {
     EXPECT_EQ(bench.line("spacing")->text(), "1.75");
 }
 
-TEST(FieldForm, NumbersAreShownAndTypedInTheUnitsOfTheDisplay) {
+TEST(FieldForm, NumbersAreShownAndTypedInDisplayUnits) {
     NEED_SCREEN();
     FormBench bench(sampleScene("drift-bolted"));
     const std::string material = bench.document.scene()->materials[0].first;
@@ -75,7 +75,7 @@ TEST(FieldForm, NumbersAreShownAndTypedInTheUnitsOfTheDisplay) {
     EXPECT_EQ(Display::number(2.5e7, 3), "2.5e7");
 }
 
-TEST(FieldForm, AnArrowLeadsToTheTypeOfABolt) {
+TEST(FieldForm, ArrowOpensTheTypeOfABolt) {
     NEED_SCREEN();
     FormBench bench(sampleScene("rebar-20"));
     bench.choose({"/bolts/0"});
@@ -85,10 +85,10 @@ TEST(FieldForm, AnArrowLeadsToTheTypeOfABolt) {
     ASSERT_TRUE(arrow && arrow->isVisible());
     QTest::mouseClick(arrow, Qt::LeftButton);
     EXPECT_EQ(asked.toStdString(), "/bolt_types/" + bench.document.scene()->bolts[0].type);
-    EXPECT_FALSE(bench.row("plate")->findChild<QToolButton*>("target")->isVisible()) << "no object is named there";
+    EXPECT_FALSE(bench.row("plate")->findChild<QToolButton*>("target")->isVisible()) << "the field names no object";
 }
 
-TEST(FieldForm, NumericalSettingsBeginClosed) {
+TEST(FieldForm, NumericalSettingsAreClosedAtFirst) {
     NEED_SCREEN();
     FormBench bench(sampleScene("drift-bolted"));
     bench.choose({""});
@@ -99,7 +99,7 @@ TEST(FieldForm, NumericalSettingsBeginClosed) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return bench.row("analysis/penalty_ratio")->isVisible(); }));
 }
 
-TEST(FieldForm, LongNamesLeaveTheFieldsInSight) {
+TEST(FieldForm, LongNamesDoNotHideTheFields) {
     NEED_SCREEN();
     Scene scene = sampleScene("drift-bolted");
     scene.boltPatterns[0].name = "Systematic roof bolting, chainage 1+240 to 1+310, second round & relaxation";
@@ -118,7 +118,7 @@ TEST(FieldForm, LongNamesLeaveTheFieldsInSight) {
     EXPECT_LT(ticks[0]->text().size(), static_cast<int>(scene.boltPatterns[0].name.size()));
 }
 
-TEST(FieldForm, StressesFollowTheSignSwitchInAndOut) {
+TEST(FieldForm, StressInputAndOutputFollowTheSignConvention) {
     NEED_SCREEN();
     Scene scene = sampleScene("drift-bolted");
     scene.inSituStress = InSituStress{};
@@ -153,7 +153,7 @@ TEST(FieldForm, StressesFollowTheSignSwitchInAndOut) {
     bench.display.setCompressionPositive(true);
 }
 
-TEST(PropertyPanel, HeaderFollowsTheSignSwitch) {
+TEST(PropertyPanel, HeaderFollowsTheSignConvention) {
     NEED_SCREEN();
     Scene scene = sampleScene("drift-bolted");
     scene.inSituStress = InSituStress{};
@@ -171,7 +171,7 @@ TEST(PropertyPanel, HeaderFollowsTheSignSwitch) {
     bench.display.setCompressionPositive(true);
 }
 
-TEST(FieldForm, AStressOfSeveralBlocksFollowsTheSignSwitch) {
+TEST(FieldForm, StressOfSeveralBlocksFollowsTheSignConvention) {
     NEED_SCREEN();
     Scene two = sampleScene("rebar-20");
     ASSERT_EQ(two.blocks.size(), 2u);
@@ -183,7 +183,7 @@ TEST(FieldForm, AStressOfSeveralBlocksFollowsTheSignSwitch) {
     EXPECT_EQ(blocks.line("initial_stress")->text(), "1, 2, 0");
 }
 
-TEST(FieldForm, WhatIsOutOfRangeIsRefusedAtTheFieldAndNotLost) {
+TEST(FieldForm, ValueOutOfRangeIsRefusedAndStaysInTheField) {
     NEED_SCREEN();
     FormBench bench(sampleScene("drift-bolted"));
     const Scene before = *bench.document.scene();
@@ -201,7 +201,7 @@ TEST(FieldForm, WhatIsOutOfRangeIsRefusedAtTheFieldAndNotLost) {
     EXPECT_EQ(bench.document.undo().count(), 0);
 }
 
-TEST(FieldForm, ACommandKnowsWhatIsBeingTyped) {
+TEST(FieldForm, CommandUsesTextBeingTyped) {
     NEED_SCREEN();
     FormBench bench(sampleScene("drift-bolted"));
     Commands commands(bench.themes);
@@ -219,19 +219,19 @@ TEST(FieldForm, ACommandKnowsWhatIsBeingTyped) {
     EXPECT_EQ(bench.document.undo().count(), 1);
 }
 
-TEST(FieldForm, TheWheelScrollsPastAChoice) {
+TEST(FieldForm, WheelScrollsPastAComboBox) {
     NEED_SCREEN();
     FormBench bench(sampleScene("drift-bolted"));
     bench.choose({"/tunnels/0"});
     auto* profile = bench.row("profile")->editor().findChild<QComboBox*>();
     ASSERT_TRUE(profile);
-    EXPECT_EQ(profile->focusPolicy() & Qt::WheelFocus & ~Qt::StrongFocus, 0) << "a wheel would give it the focus";
+    EXPECT_EQ(profile->focusPolicy() & Qt::WheelFocus & ~Qt::StrongFocus, 0) << "the wheel must not give it the focus";
     QWheelEvent wheel({5, 5}, profile->mapToGlobal({5, 5}), {}, {0, -120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
     QApplication::sendEvent(profile, &wheel);
     EXPECT_EQ(bench.document.undo().count(), 0);
 }
 
-TEST(FieldForm, TickingByKeysKeepsThePlace) {
+TEST(FieldForm, TickingByKeysKeepsTheFocus) {
     NEED_SCREEN();
     FormBench bench(sampleScene("drift-bolted"));
     bench.choose({"/stages/0"});
@@ -244,7 +244,7 @@ TEST(FieldForm, TickingByKeysKeepsThePlace) {
     EXPECT_TRUE(qobject_cast<QCheckBox*>(QApplication::focusWidget()));
 }
 
-TEST(FieldForm, SeveralObjectsShowMixedAndAreSetTogether) {
+TEST(FieldForm, SeveralObjectsShowMixedValuesAndAreSetTogether) {
     NEED_SCREEN();
     FormBench bench(sampleScene("drift-bolted"));
     bench.choose({"/joint_sets/0", "/joint_sets/1"});
@@ -260,7 +260,7 @@ TEST(FieldForm, SeveralObjectsShowMixedAndAreSetTogether) {
     EXPECT_EQ(bench.document.undo().undoText(), "Set dip of 2 joint sets");
 }
 
-TEST(FieldForm, FieldsThatDoNotApplyAreNotThere) {
+TEST(FieldForm, FieldsThatDoNotApplyAreNotShown) {
     NEED_SCREEN();
     FormBench bench(sampleScene("drift-bolted"));
     bench.choose({"/tunnels/0"});
@@ -281,7 +281,7 @@ TEST(FieldForm, ChangedFieldsHaveAResetArrow) {
     EXPECT_FALSE(reset->isVisible());
 }
 
-TEST(FieldForm, ANameIsChangedWhereverItStands) {
+TEST(FieldForm, RenamingUpdatesReferences) {
     NEED_SCREEN();
     FormBench bench(sampleScene("drift-bolted"));
     const std::string old = bench.document.scene()->materials[0].first;
@@ -295,7 +295,7 @@ TEST(FieldForm, ANameIsChangedWhereverItStands) {
     EXPECT_EQ(selection.pointers(), QStringList{"/materials/gneiss"});
 }
 
-TEST(FieldForm, EmptyMeansAutomaticWhereThatIsAllowed) {
+TEST(FieldForm, EmptyFieldMeansAutomaticIfAllowed) {
     NEED_SCREEN();
     FormBench bench(sampleScene("drift-bolted"));
     bench.choose({"/bolt_patterns/0"});
@@ -306,7 +306,7 @@ TEST(FieldForm, EmptyMeansAutomaticWhereThatIsAllowed) {
     EXPECT_TRUE(bench.line("spacing_out_of_plane")->placeholderText().startsWith("auto ("));
 }
 
-/// All objects of a scene that a form can show, items of lists inside included.
+/// All objects of a scene that a form can show, including items of nested lists.
 void collect(const Structure& structure, const void* object, const std::string& pointer,
              std::vector<std::string>& all) {
     all.push_back(pointer);
@@ -354,7 +354,7 @@ TEST(FieldForm, EveryFieldOfEverySampleReadsBackFromItsOwnText) {
     EXPECT_GT(fields, 2000u);
 }
 
-TEST(FieldForm, EnteringWhatStandsThereChangesNothing) {
+TEST(FieldForm, EnteringTheShownValueChangesNothing) {
     NEED_SCREEN();
     FormBench bench(sampleScene("burst-dbolt"));
     const Scene before = *bench.document.scene();
@@ -379,7 +379,7 @@ struct UnitCase {
     const char* unit;
 };
 
-TEST(FieldForm, UnitsStandBesideTheirNumbers) {
+TEST(FieldForm, UnitsAreShownNextToNumbers) {
     NEED_SCREEN();
     const UnitCase cases[] = {
         {"drift-bolted", "/joint_sets/0", "spacing", "m"},

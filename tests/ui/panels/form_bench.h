@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A scene with a form over it, as the window puts them together.
+// A scene with a form over it, composed as in the window.
 #pragma once
 
 #include "solver/files/scene_file.h"
@@ -58,7 +58,7 @@ struct FormBench {
         return found ? found->editor().findChild<QLineEdit*>() : nullptr;
     }
 
-    /// Types into the field of that path as a person does, and presses Enter.
+    /// Types into the field of that path and presses Enter.
     void type(const QString& path, const QString& text) {
         QLineEdit* field = line(path);
         ASSERT_TRUE(field) << path.toStdString();

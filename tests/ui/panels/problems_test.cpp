@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Problems say what is wrong and where, and their links mend or show it.
+// The Problems panel shows what is wrong and where; its links fix or show it.
 #include "tests/ui/panels/form_bench.h"
 
 #include "ui/document/selection.h"
@@ -37,7 +37,7 @@ struct ProblemsBench {
     }
 };
 
-TEST(Problems, AMaterialThatIsMissingIsAddedByItsLink) {
+TEST(Problems, LinkAddsTheMissingMaterial) {
     NEED_SCREEN();
     Scene scene = sampleScene("drift-bolted");
     scene.domain->material = "marble";
@@ -54,7 +54,7 @@ TEST(Problems, AMaterialThatIsMissingIsAddedByItsLink) {
     EXPECT_EQ(bench.document.scene()->materials.size(), 1u);
 }
 
-TEST(Problems, SliversThatAreKeptAreMergedByTheirLink) {
+TEST(Problems, LinkMergesTheSliversThatWereKept) {
     NEED_SCREEN();
     Scene scene = sampleScene("drift-bolted");
     scene.cutting.minArea = scene.cutting.minWidth = 0.0;
@@ -69,7 +69,7 @@ TEST(Problems, SliversThatAreKeptAreMergedByTheirLink) {
     EXPECT_LT(bench.rowWith("sliver"), 0);
 }
 
-TEST(Problems, ShowSelectsWhatItIsAboutAndAsksForItsPlace) {
+TEST(Problems, ShowSelectsTheObjectAndZoomsToIt) {
     NEED_SCREEN();
     Scene scene = sampleScene("drift-bolted");
     scene.jointSets[1].spacing = -1.0;
@@ -84,7 +84,7 @@ TEST(Problems, ShowSelectsWhatItIsAboutAndAsksForItsPlace) {
     EXPECT_EQ(field, "/joint_sets/1/spacing");
 }
 
-TEST(Problems, TheReportOfTheCutOpensNoteByNote) {
+TEST(Problems, CutReportListsItsNotes) {
     NEED_SCREEN();
     ProblemsBench bench(sampleScene("drift-bolted"));
     const int report = bench.rowWith("Cut report");
@@ -98,7 +98,7 @@ TEST(Problems, TheReportOfTheCutOpensNoteByNote) {
     EXPECT_EQ(bench.panel.list().rows().size(), rows);
 }
 
-TEST(Problems, ANameThatIsTakenIsChangedToAFreeOne) {
+TEST(Problems, LinkRenamesAnObjectWithADuplicateName) {
     NEED_SCREEN();
     Scene scene = sampleScene("drift-bolted");
     scene.jointSets[1].name = scene.jointSets[0].name;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The tree shows what the scene holds and keeps what is open; the selection goes
-// both ways; what is hidden goes from the drawing.
+// The tree shows the objects of the scene and keeps rows open; tree and selection
+// follow each other; hidden objects are not drawn.
 #include "tests/ui/panels/form_bench.h"
 
 #include "ui/document/selection.h"
@@ -62,7 +62,7 @@ Scene wall(int columns, int rows) {
     return scene;
 }
 
-TEST(SceneTree, TheSelectionGoesBothWays) {
+TEST(SceneTree, TreeAndSelectionFollowEachOther) {
     NEED_SCREEN();
     TreeBench bench(sampleScene("drift-bolted"));
     ASSERT_TRUE(bench.at("/joint_sets/1").isValid());
@@ -73,7 +73,7 @@ TEST(SceneTree, TheSelectionGoesBothWays) {
     EXPECT_FALSE(bench.tree.view().selectionModel()->isSelected(bench.at("/joint_sets/1")));
 }
 
-TEST(SceneTree, StressInSituIsGivenOnceAndSelected) {
+TEST(SceneTree, InSituStressIsAddedOnceAndSelected) {
     NEED_SCREEN();
     Scene scene = sampleScene("drift-bolted");
     scene.inSituStress.reset();
@@ -87,7 +87,7 @@ TEST(SceneTree, StressInSituIsGivenOnceAndSelected) {
     EXPECT_EQ(bench.document.undo().count(), 1);
 }
 
-TEST(SceneTree, FiveThousandBlocksWaitUntilTheyAreOpened) {
+TEST(SceneTree, FiveThousandBlocksAreListedOnlyWhenOpened) {
     NEED_SCREEN();
     TreeBench bench(wall(100, 50));
     const QModelIndex blocks = bench.at("/blocks");
@@ -98,12 +98,12 @@ TEST(SceneTree, FiveThousandBlocksWaitUntilTheyAreOpened) {
     timer.start();
     for (int i = 0; i < 20; ++i) bench.tree.refresh();
     EXPECT_LT(timer.elapsed(), 20 * 20);  // a refresh stays below a frame of the screen
-    bench.selection.set({"/blocks/4321"});  // opens what it needs
+    bench.selection.set({"/blocks/4321"});  // opens the lists above it
     EXPECT_EQ(bench.model().rowCount(bench.at("/blocks")), 5000);
     EXPECT_TRUE(bench.tree.view().selectionModel()->isSelected(bench.at("/blocks/4321")));
 }
 
-TEST(SceneTree, WhatIsOpenStaysOpenWhenThingsCome) {
+TEST(SceneTree, OpenListsStayOpenWhenObjectsAreAdded) {
     NEED_SCREEN();
     TreeBench bench(sampleScene("drift-bolted"));
     bench.tree.view().expand(bench.at("/stages"));
@@ -114,7 +114,7 @@ TEST(SceneTree, WhatIsOpenStaysOpenWhenThingsCome) {
     EXPECT_FALSE(bench.tree.view().isExpanded(bench.at("/joint_sets")));
 }
 
-TEST(SceneTree, NamesAreChangedInPlaceWhereverTheyStand) {
+TEST(SceneTree, RenamingInTheTreeUpdatesReferences) {
     NEED_SCREEN();
     TreeBench bench(sampleScene("drift-bolted"));
     const QString pointer = QString::fromStdString("/materials/" + bench.document.scene()->materials[0].first);
@@ -124,7 +124,7 @@ TEST(SceneTree, NamesAreChangedInPlaceWhereverTheyStand) {
     EXPECT_TRUE(bench.at("/materials/gneiss").isValid());
 }
 
-TEST(SceneTree, ARefusedNameIsTold) {
+TEST(SceneTree, RefusedNameIsReported) {
     NEED_SCREEN();
     TreeBench bench(sampleScene("drift-bolted"));
     QString said;
@@ -135,7 +135,7 @@ TEST(SceneTree, ARefusedNameIsTold) {
     EXPECT_EQ(bench.document.undo().count(), 0);
 }
 
-TEST(SceneTree, TheSelectionStaysOnItsThingsThroughUndo) {
+TEST(SceneTree, SelectionKeepsItsObjectsThroughUndo) {
     NEED_SCREEN();
     TreeBench bench(sampleScene("drift-bolted"));
     const std::string second = bench.document.scene()->jointSets[1].name;
@@ -151,10 +151,10 @@ TEST(SceneTree, TheSelectionStaysOnItsThingsThroughUndo) {
     const auto last = static_cast<int>(bench.document.scene()->jointSets.size()) - 1;
     bench.selection.set({QString("/joint_sets/%1").arg(last)});
     bench.document.undo().undo();
-    EXPECT_TRUE(bench.selection.isEmpty()) << "what is selected is not there any more";
+    EXPECT_TRUE(bench.selection.isEmpty()) << "the selected object no longer exists";
 }
 
-TEST(SceneTree, AnOpenListOfThousandsIsKeptAndThousandsAreSelectedAtOnce) {
+TEST(SceneTree, OpenListOfThousandsStaysOpenAndIsSelectedQuickly) {
     NEED_SCREEN();
     TreeBench bench(wall(100, 50));
     bench.selection.set({"/blocks/4321"});
@@ -166,7 +166,7 @@ TEST(SceneTree, AnOpenListOfThousandsIsKeptAndThousandsAreSelectedAtOnce) {
         return scene;
     }());
     bench.tree.refresh();
-    EXPECT_TRUE(row.isValid()) << "rows that stay are not made anew";
+    EXPECT_TRUE(row.isValid()) << "unchanged rows are not rebuilt";
     QStringList all;
     for (int i = 0; i < 5000; ++i) all << QString("/blocks/%1").arg(i);
     QElapsedTimer timer;
@@ -176,7 +176,7 @@ TEST(SceneTree, AnOpenListOfThousandsIsKeptAndThousandsAreSelectedAtOnce) {
     EXPECT_EQ(bench.tree.view().selectionModel()->selectedIndexes().size(), 5000);
 }
 
-TEST(SceneTree, TheFilterLeavesWhatHoldsItsText) {
+TEST(SceneTree, FilterKeepsRowsThatContainItsText) {
     NEED_SCREEN();
     TreeBench bench(sampleScene("drift-bolted"));
     bench.tree.findChild<QLineEdit*>()->setText("J2");
@@ -185,7 +185,7 @@ TEST(SceneTree, TheFilterLeavesWhatHoldsItsText) {
     EXPECT_FALSE(bench.at("/tunnels").isValid());
 }
 
-TEST(SceneTree, DeletingTakesTheSelectionAway) {
+TEST(SceneTree, DeletingRemovesTheSelectedObjects) {
     NEED_SCREEN();
     TreeBench bench(sampleScene("drift-bolted"));
     const Scene before = *bench.document.scene();
@@ -198,7 +198,7 @@ TEST(SceneTree, DeletingTakesTheSelectionAway) {
     EXPECT_EQ(*bench.document.scene(), before);
 }
 
-TEST(Visibility, HiddenThingsAreKnownByNameWhenOthersGo) {
+TEST(Visibility, HiddenObjectsStayHiddenWhenOthersAreDeleted) {
     NEED_SCREEN();
     TreeBench bench(sampleScene("drift-bolted"));
     bench.visibility.setHidden("/joint_sets/1", true);
@@ -207,7 +207,7 @@ TEST(Visibility, HiddenThingsAreKnownByNameWhenOthersGo) {
     EXPECT_FALSE(bench.visibility.isHidden("/joint_sets/1"));
 }
 
-TEST(Visibility, WhatIsHiddenStaysSoUnderAnotherNameAndThroughUndo) {
+TEST(Visibility, HiddenObjectsStayHiddenThroughRenamingAndUndo) {
     NEED_SCREEN();
     TreeBench bench(sampleScene("drift-bolted"));
     bench.visibility.setHidden("/joint_sets/1", true);
@@ -223,10 +223,10 @@ TEST(Visibility, WhatIsHiddenStaysSoUnderAnotherNameAndThroughUndo) {
     EXPECT_TRUE(bench.visibility.isHidden("/joint_sets/0"));
     bench.document.undo().undo();
     EXPECT_TRUE(bench.visibility.isHidden("/joint_sets/1"));
-    EXPECT_TRUE(bench.visibility.isLocked("/joint_sets/0"));  // it came back under its name
+    EXPECT_TRUE(bench.visibility.isLocked("/joint_sets/0"));  // it was restored under its name
 }
 
-TEST(Visibility, WhatIsHiddenGoesFromTheDrawing) {
+TEST(Visibility, HiddenObjectsAreNotDrawn) {
     NEED_SCREEN();
     TreeBench bench(sampleScene("drift-bolted"));
     ASSERT_TRUE(waitFor([&] { return bench.document.checkIsCurrent() && bench.document.checked().picture; }));

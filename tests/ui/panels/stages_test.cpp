@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The plan of stages says what is there when, and clicks change it; the census
-// counts what the command line counts.
+// The stage plan shows what is present in each stage, and clicks change it; the
+// model summary has the same counts as the command line.
 #include "tests/ui/panels/form_bench.h"
 
 #include "ui/document/selection.h"
@@ -40,7 +40,7 @@ const PlanRow& rowNamed(const std::vector<PlanRow>& rows, const std::string& nam
     return *std::ranges::find(rows, name, &PlanRow::name);
 }
 
-TEST(StagePlan, RockGoesAndBoltsComeWhereTheStagesSay) {
+TEST(StagePlan, RockIsExcavatedAndBoltsInstalledByStages) {
     const Scene scene = planned();
     const auto rows = stagePlan(scene);
     const PlanRow& drift = rowNamed(rows, scene.tunnels[0].name);
@@ -62,7 +62,7 @@ TEST(StagePlan, ATunnelIsExcavatedInOneStageOnly) {
     EXPECT_TRUE(back.scene.stages[0].excavate.empty());
 }
 
-TEST(StagePlan, ABoltThatIsThereIsRemovedAndThatTakenBack) {
+TEST(StagePlan, ClickRemovesAnInstalledBoltAndRestoresIt) {
     Scene scene = planned();
     scene.stages.push_back(stageNamed("later"));
     const std::string name = scene.boltPatterns[0].name;
@@ -72,7 +72,7 @@ TEST(StagePlan, ABoltThatIsThereIsRemovedAndThatTakenBack) {
     EXPECT_EQ(back.scene, scene);
 }
 
-TEST(StagesPanel, StagesAreAddedMovedDuplicatedAndRemovedAndUndoLeadsBack) {
+TEST(StagesPanel, ButtonsAddMoveDuplicateAndRemoveStagesWithUndo) {
     NEED_SCREEN();
     Themes themes;
     Display display;
@@ -105,7 +105,7 @@ TEST(StagesPanel, StagesAreAddedMovedDuplicatedAndRemovedAndUndoLeadsBack) {
     EXPECT_EQ(*document.scene(), before);
 }
 
-TEST(CensusPanel, CountsWhatTheCensusCounts) {
+TEST(CensusPanel, ShowsTheCountsOfTheCensus) {
     NEED_SCREEN();
     Themes themes;
     Commands commands(themes);
@@ -130,7 +130,7 @@ TEST(CensusPanel, CountsWhatTheCensusCounts) {
     EXPECT_FALSE(panel.census());
 }
 
-TEST(CensusRows, TimesAndMemoryAreRead) {
+TEST(CensusRows, TimesAndMemoryAreRounded) {
     EXPECT_EQ(costText(0.3), "< 1 s");
     EXPECT_EQ(costText(42.0), "42 s");
     EXPECT_EQ(costText(110.0), "1 min 50 s");

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A person at the canvas: real events go in, steps of undo come out.
+// The tools on the canvas: real mouse and key events, checked by the resulting undo
+// steps.
 #include "../screen/screen.h"
 #include "solver/scene/check.h"
 #include "ui/canvas/canvas.h"
@@ -34,7 +35,7 @@ namespace {
 
 using namespace keyblock;
 
-/// Canvas, desk and what they need, without a window.
+/// Canvas, desk and the objects they need, without a window.
 struct Place {
     Themes themes;
     Display display;
@@ -107,10 +108,10 @@ TEST(Tools, FromAnEmptySceneToAPattern) {
     EXPECT_EQ(place.scene().domain->boundary[2], Point(15, 15));
     EXPECT_EQ(place.scene().supports.size(), 3u);
     ASSERT_EQ(place.scene().tunnels.size(), 1u);
-    EXPECT_EQ(place.desk->tool().id(), "select") << "where its handles are";
+    EXPECT_EQ(place.desk->tool().id(), "select") << "the handles are shown by Select";
     EXPECT_EQ(place.selection.pointers(), QStringList{"/tunnels/0"});
     place.choose("joint-set");
-    EXPECT_FALSE(place.desk->tool().commitText().isEmpty()) << "a set stands as a ghost at once";
+    EXPECT_FALSE(place.desk->tool().commitText().isEmpty()) << "a set is previewed at once";
     place.key(Qt::Key_Return);
     place.click({-5, -5});
     place.click({-3, -4});
@@ -136,7 +137,7 @@ TEST(Tools, FromAnEmptySceneToAPattern) {
     EXPECT_EQ(place.scene(), drawn);
 }
 
-TEST(Tools, EscGoesBackOneLevelAtATime) {
+TEST(Tools, EscGoesBackOneLevel) {
     NEED_SCREEN();
     Place place;
     place.drawDrift();
@@ -179,7 +180,7 @@ TEST(Tools, AJointIsDrawnWithSnapOrthoAndTyping) {
     EXPECT_NEAR(points[2].y(), -6.0, 0.1);
 }
 
-TEST(Tools, AWrongPlaceIsToldAndCanBeCorrected) {
+TEST(Tools, WrongCoordinatesAreReportedAndCanBeCorrected) {
     NEED_SCREEN();
     Place place;
     place.choose("outline");
@@ -191,7 +192,7 @@ TEST(Tools, AWrongPlaceIsToldAndCanBeCorrected) {
     QTest::keyClick(x, Qt::Key_Return);
     EXPECT_EQ(place.desk->tool().previous(), Point(0, 0));
     place.type("0,5");
-    EXPECT_FALSE(place.scene().domain) << "it has no area";
+    EXPECT_FALSE(place.scene().domain) << "the outline has no area";
 }
 
 /// A drift with one joint.
@@ -203,7 +204,7 @@ void drawJoint(Place& place, const Point& from, const Point& to) {
     place.key(Qt::Key_Return);
 }
 
-TEST(Tools, SelectDragsWithSnapAndIsOneStep) {
+TEST(Tools, DragWithSnapIsOneUndoStep) {
     NEED_SCREEN();
     Place place;
     drawJoint(place, {-10, -5}, {-6, -5});
@@ -225,7 +226,7 @@ TEST(Tools, SelectDragsWithSnapAndIsOneStep) {
     EXPECT_LT(place.scene().joints[0].points[1].x(), -15.0);
 }
 
-TEST(Tools, AHandleThatGoesWhileItIsHeldIsLetGo) {
+TEST(Tools, DragEndsWhenItsHandleIsDeleted) {
     NEED_SCREEN();
     Place place;
     place.drawDrift();
@@ -247,7 +248,7 @@ TEST(Tools, AHandleThatGoesWhileItIsHeldIsLetGo) {
     EXPECT_EQ(place.scene(), before);
 }
 
-TEST(Tools, CommandsAreOffWhereTheyWouldDoNothing) {
+TEST(Tools, CommandsWithoutEffectAreDisabled) {
     NEED_SCREEN();
     Place place;
     const auto isOn = [&](const char* id) { return place.commands.action(id)->isEnabled(); };
@@ -261,7 +262,7 @@ TEST(Tools, CommandsAreOffWhereTheyWouldDoNothing) {
     areOn({"edit.cut", "edit.copy", "edit.duplicate", "edit.delete"}, false);
     place.selection.set({"/tunnels/0"});
     areOn({"edit.cut", "edit.copy", "edit.duplicate", "edit.delete"}, true);
-    place.selection.set({"/domain"});  // there is one only
+    place.selection.set({"/domain"});  // there is only one
     areOn({"edit.cut", "edit.copy", "edit.duplicate"}, false);
     EXPECT_TRUE(isOn("edit.delete"));
     place.selection.set({"/analysis"});
@@ -272,7 +273,7 @@ TEST(Tools, CommandsAreOffWhereTheyWouldDoNothing) {
     EXPECT_TRUE(isOn("edit.paste"));
 }
 
-TEST(Tools, AmongResultsNothingIsAddedOrTakenOutUnseen) {
+TEST(Tools, ClipboardCommandsAreDisabledWhileResultsAreShown) {
     NEED_SCREEN();
     Place place;
     place.drawDrift();
@@ -291,7 +292,7 @@ TEST(Tools, AmongResultsNothingIsAddedOrTakenOutUnseen) {
     EXPECT_FALSE(place.selection.contains("/tunnels/0"));
 }
 
-TEST(Tools, AfterTabACommaIsADecimalPoint) {
+TEST(Tools, AfterTabACommaIsADecimalSeparator) {
     NEED_SCREEN();
     Place place;
     place.choose("outline");
@@ -307,7 +308,7 @@ TEST(Tools, AfterTabACommaIsADecimalPoint) {
     EXPECT_EQ(place.scene().domain->boundary[2], Point(1.5, 2.25));
 }
 
-TEST(Tools, ANameMayBeTheWordForNoChoice) {
+TEST(Tools, NameMayEqualTheTextForNoChoice) {
     NEED_SCREEN();
     Place place;
     place.drawDrift();
@@ -326,7 +327,7 @@ TEST(Tools, ANameMayBeTheWordForNoChoice) {
     EXPECT_EQ(place.scene().joints[0].jointMaterial, "default");
 }
 
-TEST(Tools, ABoxEnclosesOrCrossesAndDeleteTellsItsStep) {
+TEST(Tools, BoxEnclosesOrCrossesAndDeleteNamesItsStep) {
     NEED_SCREEN();
     Place place;
     place.drawDrift();
@@ -334,7 +335,7 @@ TEST(Tools, ABoxEnclosesOrCrossesAndDeleteTellsItsStep) {
     place.drag({-4, -4}, {4, 4});
     EXPECT_EQ(place.selection.pointers(), QStringList{"/tunnels/0"});
     place.drag({4, 4}, {1, 1});
-    EXPECT_EQ(place.selection.pointers(), QStringList{"/tunnels/0"}) << "it crosses the wall";
+    EXPECT_EQ(place.selection.pointers(), QStringList{"/tunnels/0"}) << "the box crosses the wall";
     place.drag({5, 5}, {9, 9});
     EXPECT_TRUE(place.selection.isEmpty());
     place.click({-1, 0});
@@ -348,7 +349,7 @@ TEST(Tools, ABoxEnclosesOrCrossesAndDeleteTellsItsStep) {
     EXPECT_TRUE(place.selection.isEmpty());
 }
 
-TEST(Tools, ABoltStandsSquareToTheWall) {
+TEST(Tools, BoltIsPerpendicularToTheWall) {
     NEED_SCREEN();
     Place place;
     place.drawDrift();
@@ -361,7 +362,7 @@ TEST(Tools, ABoltStandsSquareToTheWall) {
     EXPECT_EQ(place.scene().stages[2].install, std::vector<std::string>{"B1"});
 }
 
-TEST(Tools, PointsPlacedByEyeHaveShortNumbers) {
+TEST(Tools, PointsWithoutSnapAreRounded) {
     NEED_SCREEN();
     Place place;
     drawJoint(place, {-9.87654321, -7.654321}, {-6.1234567, -3.3333333});
@@ -372,7 +373,7 @@ TEST(Tools, PointsPlacedByEyeHaveShortNumbers) {
     }
 }
 
-TEST(Tools, OptionsInTheBarChangeTheGhost) {
+TEST(Tools, OptionsInTheBarChangeThePreview) {
     NEED_SCREEN();
     Place place;
     place.drawDrift();
@@ -387,7 +388,7 @@ TEST(Tools, OptionsInTheBarChangeTheGhost) {
     spacing = place.desk->bar().findChild<QLineEdit*>("option.spacing");
     spacing->setText("-1");
     QTest::keyClick(spacing, Qt::Key_Return);
-    EXPECT_TRUE(place.desk->tool().commitText().contains("4")) << "a wrong number changes nothing";
+    EXPECT_TRUE(place.desk->tool().commitText().contains("4")) << "an invalid number changes nothing";
     place.key(Qt::Key_Return);
     ASSERT_EQ(place.scene().boltPatterns.size(), 1u);
     EXPECT_DOUBLE_EQ(place.scene().boltPatterns[0].spacing, 2.0);
@@ -419,7 +420,7 @@ TEST(Tools, APatternIsCentredOrReachesFromEndToEnd) {
     const auto headsOf = [&](std::size_t row) { return boltsOfPattern(place.scene(), place.scene().boltPatterns[row]); };
     const auto centred = headsOf(0);
     ASSERT_GE(centred.size(), 3u);
-    EXPECT_NEAR(centred.front().points[1].y(), centred.back().points[1].y(), 1e-3) << "as far from either end";
+    EXPECT_NEAR(centred.front().points[1].y(), centred.back().points[1].y(), 1e-3) << "same distance from both ends";
     EXPECT_NEAR(centred.front().points[1].x(), -centred.back().points[1].x(), 1e-3);
     place.choose("pattern");
     place.click({2.55, 0.0});
@@ -431,10 +432,10 @@ TEST(Tools, APatternIsCentredOrReachesFromEndToEnd) {
     ASSERT_EQ(place.scene().boltPatterns.size(), 2u);
     const auto even = headsOf(1);
     ASSERT_EQ(even.size(), 5u);
-    EXPECT_NEAR(even.back().points[1].x(), -even.front().points[1].x(), 1e-4) << "the last one is not left out";
+    EXPECT_NEAR(even.back().points[1].x(), -even.front().points[1].x(), 1e-4) << "the last bolt is included";
 }
 
-TEST(Tools, TabWalksThroughTheFieldsOfATool) {
+TEST(Tools, TabMovesThroughTheFieldsOfATool) {
     NEED_SCREEN();
     Place place;
     place.drawDrift();
@@ -461,7 +462,7 @@ TEST(Tools, TabWalksThroughTheFieldsOfATool) {
     typeAndTab("0.4", Qt::Key_Backtab);
     EXPECT_TRUE(field("spacing")->hasFocus());
     typeAndTab("-3", Qt::Key_Tab);
-    EXPECT_TRUE(field("spacing")->hasFocus()) << "what is wrong keeps the cursor";
+    EXPECT_TRUE(field("spacing")->hasFocus()) << "a field with an error keeps the focus";
     typeAndTab("1.6", Qt::Key_Return);
     EXPECT_EQ(field("dip")->text().toDouble(), 52.0);
     EXPECT_EQ(field("spacing")->text().toDouble(), 1.6);
@@ -507,7 +508,7 @@ TEST(Tools, TheContextMenuEndsAndUndoesWhatIsDrawn) {
     EXPECT_TRUE(place.scene().joints.empty());
 }
 
-TEST(Tools, WhatFindsNoRoomInTheBarWaitsBehindAButton) {
+TEST(Tools, OptionsThatDoNotFitAreInAPopup) {
     NEED_SCREEN();
     Place place;
     place.drawDrift();
@@ -536,7 +537,7 @@ TEST(Tools, WhatFindsNoRoomInTheBarWaitsBehindAButton) {
     EXPECT_FALSE(more->isVisible());
 }
 
-TEST(Tools, EveryToolBearsAnyClickInAnEmptyScene) {
+TEST(Tools, EveryToolAcceptsClicksInAnEmptyScene) {
     NEED_SCREEN();
     Place place;
     for (const char* tool : {"select", "outline", "block", "joint", "joint-set", "tunnel", "bolt", "pattern", "support",

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The layers of a section as arrays, and what the card makes of them.
+// The layers of a section as arrays, and their rendering on the GPU.
 #include "tests/ui/bricks.h"
 #include "tests/ui/screen/screen.h"
 #include "ui/view/force_shapes.h"
@@ -42,14 +42,14 @@ SectionPicture hook() {
     return picture;
 }
 
-TEST(SectionShapes, TrianglesTileConcaveBlocksWhereTheyAreNow) {
+TEST(SectionShapes, TrianglesTileConcaveBlocksAfterDisplacement) {
     const SectionPicture picture = hook();
     const LayerShapes blocks = SectionShapes(picture, {0, 0}).blocks({}, false);
     EXPECT_NEAR(areaOf(blocks), 10.0, 1e-4);
     EXPECT_EQ(blocks.colours.size(), 3 * blocks.corners.size() / 2);
 }
 
-TEST(SectionShapes, FarFromTheOriginNothingIsLost) {
+TEST(SectionShapes, PrecisionIsKeptFarFromTheOrigin) {
     SectionPicture picture = hook();
     const Point away(4.5e5, 5.9e6);
     for (BlockShape& block : picture.blocks)
@@ -66,7 +66,7 @@ TEST(SectionShapes, BrokenSteelHasNoShank) {
     EXPECT_EQ(SectionShapes(picture, {0, 0}).whole({0}).cells.size(), 2u * 3u);
 }
 
-TEST(ForceShapes, LinesAreAsLongInPixelsAtEveryScale) {
+TEST(ForceShapes, LengthsInPixelsAreTheSameAtEveryScale) {
     SectionPicture picture;
     picture.arrows = ArrowField{"Velocity", "m/s", {}, {{ArrowShape::Arrow, {0, 0}, {0, 2}}}, 2.0};
     for (const double scale : {10.0, 1000.0}) {
@@ -77,7 +77,7 @@ TEST(ForceShapes, LinesAreAsLongInPixelsAtEveryScale) {
     }
 }
 
-class OnCard : public ::testing::Test {
+class OnGpu : public ::testing::Test {
 protected:
     void open() {
         window->SetOffScreenRendering(1);
@@ -110,7 +110,7 @@ protected:
     std::vector<std::uint8_t> pixels;
 };
 
-TEST_F(OnCard, WallsAreTwoPixelsWideAtEveryScale) {
+TEST_F(OnGpu, WallsAreTwoPixelsWideAtEveryScale) {
     NEED_SCREEN();
     open();
     SectionPicture picture;
@@ -125,18 +125,18 @@ TEST_F(OnCard, WallsAreTwoPixelsWideAtEveryScale) {
     }
 }
 
-TEST_F(OnCard, BlocksAreFilledWhereTheyLie) {
+TEST_F(OnGpu, BlocksAreFilledAtTheirPosition) {
     NEED_SCREEN();
     open();
     SectionPicture picture = hook();
     picture.blocks[0].outline = picture.blocks[0].before;
     paint(picture, 80.0, {1.5, 1.5});
-    EXPECT_EQ(at(200 + 80, 150 - 80), colours.rock);  // in the foot
-    EXPECT_EQ(at(200 - 80, 150 + 80), colours.rock);  // in the arm
-    EXPECT_EQ(at(200 + 80, 150 + 80), colours.ground);  // in the hollow
+    EXPECT_EQ(at(200 + 80, 150 - 80), colours.rock);  // in the horizontal leg
+    EXPECT_EQ(at(200 - 80, 150 + 80), colours.rock);  // in the vertical leg
+    EXPECT_EQ(at(200 + 80, 150 + 80), colours.ground);  // in the notch
 }
 
-TEST_F(OnCard, FramesOfOneRunAreJoinedOnce) {
+TEST_F(OnGpu, FramesOfOneRunReuseTheConnectivity) {
     NEED_SCREEN();
     open();
     const test::BricksRun bricks;
@@ -147,7 +147,7 @@ TEST_F(OnCard, FramesOfOneRunAreJoinedOnce) {
     EXPECT_EQ(view->joinings(), 2);
 }
 
-TEST_F(OnCard, NothingIsTheGround) {
+TEST_F(OnGpu, EmptyPictureShowsTheBackground) {
     NEED_SCREEN();
     open();
     paint(hook(), 80.0, {1.5, 1.5});

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Edits a scene without end, with undo and redo in between, keeps a journal in the
-// folder that is given, and says of each state when it stood: for tests that kill
-// it. `editor FOLDER SCENE SEED`
+// Edits a scene in an endless loop, with undo and redo in between, keeps a journal
+// in the given folder, and prints the time of each state: for tests that kill it.
+// `editor FOLDER SCENE SEED`
 #include "solver/files/scene_file.h"
 #include "ui/document/document.h"
 #include "ui/document/journal.h"
