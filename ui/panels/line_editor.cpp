@@ -3,6 +3,7 @@
 #include "ui/panels/line_editor.h"
 
 #include "ui/document/document.h"
+#include "ui/look/word_text.h"
 #include "ui/panels/calm_box.h"
 #include "ui/panels/field_choices.h"
 #include "ui/panels/field_words.h"
@@ -140,7 +141,7 @@ void ChoiceEditor::present(const FormRow& row) {
         const QString automatic = automaticText(row, context_);
         box_->addItem(automatic.isEmpty() ? tr("automatic") : tr("auto (%1)").arg(automatic));
     }
-    for (const std::string_view word : row.field->words) box_->addItem(fromUtf8(word), fromUtf8(word));
+    for (const std::string_view word : row.field->words) box_->addItem(wordText(word), fromUtf8(word));
     const auto names = choicesOf(*context_.document.scene(), *row.structure, *row.field);
     for (const std::string& name : names.value_or(std::vector<std::string>{}))
         box_->addItem(QString::fromStdString(name), QString::fromStdString(name));

@@ -48,13 +48,13 @@ void ToolChip::makeChoice() {
     choice_ = new QComboBox(this);
     choice_->setObjectName("option." + field_.id);
     choice_->setAccessibleName(field_.label);
-    choice_->addItems(field_.choices);
+    choice_->addItems(field_.shownChoices());
     choice_->setFocusPolicy(Qt::ClickFocus);
     choice_->installEventFilter(this);
     layout()->addWidget(choice_);
     connect(choice_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
         const bool none = !field_.none.isEmpty() && index == 0;  // a name may be equal to it
-        field_.set(none ? FieldValue{} : FieldValue(choice_->currentText().toStdString()));
+        field_.set(none ? FieldValue{} : FieldValue(field_.choices.value(index).toStdString()));
         Q_EMIT done();
     });
 }
@@ -99,10 +99,10 @@ void ToolChip::refresh(ToolField field) {
     if (choice_ && [&] {
             QStringList items;
             for (int i = 0; i < choice_->count(); ++i) items << choice_->itemText(i);
-            return items != field_.choices;
+            return items != field_.shownChoices();
         }()) {
         choice_->clear();
-        choice_->addItems(field_.choices);
+        choice_->addItems(field_.shownChoices());
     }
     if (!edit_ || !edit_->hasFocus()) showValue();
 }
@@ -116,7 +116,8 @@ void ToolChip::showValue() {
         choice_->setFixedWidth(std::min(choice_->fontMetrics().horizontalAdvance(choice_->currentText()) + 30, mostOfChoice));
         QFontMetrics metrics = choice_->fontMetrics();
         int widest = choice_->width();
-        for (const QString& item : field_.choices) widest = std::max(widest, metrics.horizontalAdvance(item) + 32);
+        for (const QString& item : field_.shownChoices())
+            widest = std::max(widest, metrics.horizontalAdvance(item) + 32);
         choice_->view()->setMinimumWidth(std::min(widest, 3 * mostOfChoice));
         return;
     }

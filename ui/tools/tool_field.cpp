@@ -3,6 +3,7 @@
 #include "ui/tools/tool_field.h"
 
 #include "ui/edit/values.h"
+#include "ui/look/word_text.h"
 
 #include <QCoreApplication>
 
@@ -28,12 +29,18 @@ ToolField rowField(const char* list, const char* key, void* object, const QStrin
     const std::string range = rangeText(row->range);
     if (!range.empty()) field.help += " (" + textOf(range) + ")";
     field.unit = textOf(row->unit);
-    field.choices = choices;
-    for (const std::string_view word : row->words) field.choices << textOf(word);
+    field.choices = field.choiceTexts = choices;
+    for (const std::string_view word : row->words) {
+        field.choices << textOf(word);
+        field.choiceTexts << wordText(word);
+    }
     field.isInteger = row->kind == FieldKind::Integer;
     if (row->nullable) field.none = row->kind == FieldKind::Text ? QCoreApplication::translate("tools", "default")
                                                                     : QCoreApplication::translate("tools", "auto");
-    if (row->nullable && !choices.isEmpty()) field.choices.prepend(field.none);
+    if (row->nullable && !choices.isEmpty()) {
+        field.choices.prepend(field.none);
+        field.choiceTexts.prepend(field.none);
+    }
     field.get = [row, object] { return row->get(object); };
     field.set = [row, object, changed = std::move(changed)](const FieldValue& value) {
         const std::string problem = valueProblem(*row, value);

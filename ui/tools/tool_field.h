@@ -26,6 +26,9 @@ struct ToolField {
     QString none{};  // meaning of an empty field, if it may be empty
     std::function<FieldValue()> get;
     std::function<QString(const FieldValue&)> set;  // empty, or why the value is refused
+    QStringList choiceTexts{};  // as shown, one for each choice; empty: the choices themselves
+
+    const QStringList& shownChoices() const { return choiceTexts.isEmpty() ? choices : choiceTexts; }
 };
 
 /// The row `key` of the entries of the scene's list `list` (`bolts`, `joint_sets`, …) for the entry `object`.
