@@ -92,7 +92,7 @@ std::string freeName(std::string_view stem, const std::vector<std::string>& take
 
 std::string newName(const Scene& scene, std::string_view list) {
     const std::string_view stem = stemOf(list);
-    if (list == "/stages") {  // the fourth is stage 4, whatever the names of the others
+    if (list == "/stages") {  // the fourth is stage 4 regardless of the other names
         const std::string place = std::string(stem) + std::to_string(scene.stages.size() + 1);
         const std::vector<std::string> taken = namesBeside(scene, list);
         return std::find(taken.begin(), taken.end(), place) == taken.end() ? place : freeName(stem, taken);

@@ -33,7 +33,12 @@ const QHash<QString, QString>& ownLabels() {
         {"softening_slip", Texts::tr("Softening slip")}, {"min_area", Texts::tr("Min. area")},
         {"min_width", Texts::tr("Min. width")}, {"continue", Texts::tr("Continue after collapse")},
         {"offset", Texts::tr("Offset of first bolt")}, {"tunnel", Texts::tr("Along wall of")},
-        {"trace_length_deviation", Texts::tr("Length deviation")}};
+        {"trace_length_deviation", Texts::tr("Length deviation")}, {"until", Texts::tr("Stop criteria")},
+        {"move", Texts::tr("Max. movement")}, {"smallest", Texts::tr("Min. block area")},
+        {"every", Texts::tr("Frame interval")}, {"spin", Texts::tr("Angular velocity")},
+        {"restick", Texts::tr("Re-stick")}, {"second_moment", Texts::tr("Second moment of area")},
+        {"per", Texts::tr("Values per")}, {"normal_per", Texts::tr("Stiffness per")},
+        {"spacing_out_of_plane", Texts::tr("Out-of-plane spacing")}};
     return labels;
 }
 

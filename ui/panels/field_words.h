@@ -16,7 +16,7 @@
 
 namespace keyblock {
 
-/// `Spacing out of plane`, `Young's modulus`.
+/// `Out-of-plane spacing`, `Young's modulus`.
 QString labelOf(const Field& field);
 
 /// The same with the sign convention for stresses.

@@ -180,7 +180,7 @@ TEST(Saved, BoltTypesAreNotDerivedInACircle) {
     const Edit like = setValueAt(scene, "/bolt_types/yours/like", std::string("mine"));
     ASSERT_TRUE(like.done()) << like.refusal;
     EXPECT_FALSE(setValueAt(like.scene, "/bolt_types/mine/like", std::string("yours")).done());
-    EXPECT_FALSE(setValueAt(like.scene, "/bolt_types/mine/like", std::string("nobody")).done());
+    EXPECT_FALSE(setValueAt(like.scene, "/bolt_types/mine/like", std::string("missing")).done());
     EXPECT_TRUE(setValueAt(like.scene, "/bolt_types/mine/like", std::string("rebar-20")).done());
     Scene circle = like.scene;
     for (BoltType& type : circle.boltTypes)
