@@ -4,7 +4,7 @@
 # Commands for users and developers. Each does its own set-up: missing Debian packages
 # are installed first, and only what has changed is built.
 .DEFAULT_GOAL := help
-.PHONY: help run show pictures test person drifts safety-series kills asan tsan bench fuzz clean packages
+.PHONY: help run show pictures test e2e drifts safety-series kills asan tsan bench fuzz clean packages
 
 SAMPLE := drift-rebar-dbolt
 SHOWN := build/release/$(SAMPLE)
@@ -14,7 +14,7 @@ help:
 	@echo "make show   run the drift on the command line, write figures and an animation, and compare bolts with the paper"
 	@echo "make pictures  regenerate the images of the README"
 	@echo "make test   build and run all tests"
-	@echo "make person test the window with real mouse and keyboard input on a virtual display: draw, bolt, run and export a drift"
+	@echo "make e2e    test the window with real mouse and keyboard input on a virtual display: draw, bolt, run and export a drift"
 	@echo "make drifts run random drifts and check the verdicts against the tables of results, SEED=7 or SEED=1-200"
 	@echo "make safety-series  check factors of safety against closed forms: forty scenes, and thirty factors in each"
 	@echo "make kills  kill a hundred runs at random moments and stop fifty, resume them and compare the bytes; kill the editor thirty times, and the window thirty times while it edits and runs, and recover the edits"
@@ -67,10 +67,10 @@ test: packages
 	$(call build,dev)
 	@ctest --preset dev
 
-person: packages
+e2e: packages
 	@sh resources/install/debian.sh readers
 	$(call build,release)
-	/usr/bin/python3 tests/person/drift.py build/release/keyblock-studio build/release/person
+	/usr/bin/python3 tests/e2e/drift.py build/release/keyblock-studio build/release/e2e
 
 drifts: packages
 	$(call build,release)
@@ -89,7 +89,7 @@ kills: packages
 	    KEYBLOCK_KILLS=30 build/dev/tests/ui_document_tests --gtest_filter='JournalKills.*'; fi
 	@if [ -x build/dev/keyblock-studio ]; then \
 	    sh resources/install/debian.sh readers; \
-	    /usr/bin/python3 tests/person/kills.py build/dev/keyblock-studio build/dev/keyblock samples 30; fi
+	    /usr/bin/python3 tests/e2e/kills.py build/dev/keyblock-studio build/dev/keyblock samples 30; fi
 
 asan tsan: packages
 	$(call build,$@)

@@ -165,7 +165,7 @@ void measureCost(MainWindow& window, double seconds) {
                 100.0 * (on.perStep() / off.perStep() - 1.0));
 }
 
-/// The window as a person has it: it looks as often as it can.
+/// The window as a user has it: it looks as often as it can.
 void measureHeart(MainWindow& window, double seconds) {
     RunSession* session = start(window);
     if (!session) return;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `export --animation` as a person types it: films that another program counts,
+// `export --animation` as a user types it: films that another program counts,
 // pictures that do not jump, and nothing left behind by what went wrong.
 #include "tests/cli/command_line_fixture.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `export --figure` as a person types it; a build without figures says so.
+// `export --figure` as a user types it; a build without figures says so.
 #include "tests/cli/command_line_fixture.h"
 
 namespace keyblock::test {

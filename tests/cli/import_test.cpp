@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `import` as a person uses it: what it answers, what it leaves, and with which
+// `import` as a user runs it: what it answers, what it leaves, and with which
 // exit code. What it makes of drawings is the business of tests/solver/files.
 #include "tests/cli/command_line_fixture.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bolt library and the verification suite as a person at a terminal sees them.
+// The bolt library and the verification suite as a user at a terminal sees them.
 #include "tests/cli/command_line_fixture.h"
 
 #include <nlohmann/json.hpp>

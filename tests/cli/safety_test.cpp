@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The factor of safety as a person asks for it: text, JSON, refusals with their
+// The factor of safety as a user asks for it: text, JSON, refusals with their
 // places, and a bracket that an interruption leaves behind.
 #include "tests/cli/command_line_fixture.h"
 

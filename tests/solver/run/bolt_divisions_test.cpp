@@ -135,7 +135,7 @@ TEST(BoltDivisions, ABarThatBeginsOrEndsOnAJointIsHeldByTheBlockItIsIn) {
     }
 }
 
-/// An anchor whose node comes to lie on a joint holds nothing, which a person must know; on the bar's end it holds.
+/// An anchor whose node comes to lie on a joint carries nothing, which the user must know; on the bar's end it holds.
 TEST(BoltDivisions, WarnOfAnAnchorOnAJoint) {
     for (const double at : {0.5, 0.25, 0.0}) {
         Scene scene = row({0.5, 1.0, 1.5});

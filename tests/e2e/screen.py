@@ -34,7 +34,7 @@ def in_own_session():
     """First line of a script: restarts it with a session bus and a home folder of its own."""
     if os.environ.get("KEYBLOCK_PERSON"):
         return
-    home = tempfile.mkdtemp(prefix="keyblock-person-")
+    home = tempfile.mkdtemp(prefix="keyblock-e2e-")
     os.environ.update(KEYBLOCK_PERSON=home, HOME=home, XDG_RUNTIME_DIR=home, LC_ALL="C.UTF-8")
     for name in ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"):
         os.environ.pop(name, None)

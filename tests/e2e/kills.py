@@ -143,7 +143,7 @@ class Kills:
             print("FAILED", text, flush=True)
         return bool(condition)
 
-    def person(self, *words):
+    def user(self, *words):
         """Runs one action in a process of its own and returns its result."""
         ended = subprocess.run(["/usr/bin/python3", os.path.abspath(__file__), *map(str, words)],
                                capture_output=True, text=True, timeout=600)
@@ -180,7 +180,7 @@ class Kills:
         for button, changes in (("Recover", count), ("Without the last command", count - 1)):
             shutil.copy(self.sample(name), scene_file)
             # Every second time the next start opens a file, as from a file manager.
-            found = self.person("recover", self.studio, scene_file, button, "file" if kill % 2 else "page", home)
+            found = self.user("recover", self.studio, scene_file, button, "file" if kill % 2 else "page", home)
             if not self.expect("place" in found, f"{label}: {button}: {found.get('problem')}"):
                 continue
             if moves[changes] and name not in self.steps:
@@ -214,7 +214,7 @@ class Kills:
         shutil.copy(self.sample(name), scene_file)
         counting = FrameCount(store)
         counting.start()
-        done = self.person("edit", self.studio, scene_file, seed, home)
+        done = self.user("edit", self.studio, scene_file, seed, home)
         counting.ends = True
         counting.join()
         if not self.expect("times" in done, f"{label}: {done.get('problem')}"):
@@ -241,10 +241,10 @@ class Kills:
 def main():
     if missing := needs():
         sys.exit(f"missing: {', '.join(missing)}")
-    persons = {"edit": edit_and_run, "recover": recover}
-    if sys.argv[1] in persons:
+    roles = {"edit": edit_and_run, "recover": recover}
+    if sys.argv[1] in roles:
         in_own_session()
-        print(json.dumps(persons[sys.argv[1]](*sys.argv[2:])))
+        print(json.dumps(roles[sys.argv[1]](*sys.argv[2:])))
         return shutil.rmtree(os.environ["KEYBLOCK_PERSON"], ignore_errors=True)
     kills = int(sys.argv[4]) if len(sys.argv) > 4 else 30
     chance = random.Random(int(os.environ.get("KEYBLOCK_SEED", "1")))
