@@ -5,7 +5,7 @@
 #include "app/cli/text_table.h"
 #include "solver/results/bolt_use.h"
 #include "solver/results/chains.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "solver/scene/number_text.h"
 
 #include <algorithm>

@@ -3,11 +3,11 @@
 //
 // The verb `bolts`: the library at a glance, or one type with every number's source.
 #include "app/cli/bolt_listing.h"
-#include "app/cli/commands.h"
+#include "app/cli/cli_commands.h"
 #include "app/cli/output.h"
 #include "app/cli/text_table.h"
-#include "solver/files/bolt_library.h"
-#include "solver/scene/words.h"
+#include "solver/files/scene/bolt_library.h"
+#include "solver/scene/enum_names.h"
 
 namespace keyblock::cli {
 

@@ -4,10 +4,10 @@
 // The verb `check`: everything that is wrong with a scene, what its domain is cut
 // into and what will be modelled of it, nothing run.
 #include "app/cli/census_listing.h"
-#include "app/cli/commands.h"
+#include "app/cli/cli_commands.h"
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/scene/number_text.h"
 
 #include <algorithm>

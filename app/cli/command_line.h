@@ -4,7 +4,7 @@
 // From the words after `keyblock` to a command.
 #pragma once
 
-#include "app/cli/commands.h"
+#include "app/cli/cli_commands.h"
 
 #include <string>
 #include <variant>

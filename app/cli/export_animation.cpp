@@ -9,7 +9,7 @@
 #include "app/cli/stop_signals.h"
 #include "solver/files/movie_file.h"
 #include "solver/files/part_folder.h"
-#include "solver/files/whole_file.h"
+#include "solver/files/atomic_file.h"
 
 #ifdef KEYBLOCK_HAS_FIGURES
 #include "ui/figure/animation.h"
@@ -122,10 +122,10 @@ void writeFolder(const RunSource& run, const Animation& animation, const fs::pat
     const PartFolder part(folder, isOfPictures);
     const PictureCount count(animation.size());
     for (std::size_t i = 0; i < animation.size(); ++i) {
-        writeWholeFile(part.path() / pictureName(i), [&](std::ostream& out) { out << animation.png(i); });
+        writeAtomically(part.path() / pictureName(i), [&](std::ostream& out) { out << animation.png(i); });
         count.tell(i + 1);
     }
-    writeWholeFile(part.path() / "frames.csv", [&](std::ostream& out) { writePictureList(run, animation, out); });
+    writeAtomically(part.path() / "frames.csv", [&](std::ostream& out) { writePictureList(run, animation, out); });
     part.putInPlace();
 }
 

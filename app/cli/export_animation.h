@@ -4,7 +4,7 @@
 // The part of `export` that writes animations.
 #pragma once
 
-#include "app/cli/commands.h"
+#include "app/cli/cli_commands.h"
 #include "solver/results/run_source.h"
 #include "solver/results/table_filter.h"
 

@@ -3,13 +3,13 @@
 //
 // The verb `export`: one table of a run as a CSV file, a figure, an animation, or a
 // folder for ParaView, whole or not at all.
-#include "app/cli/commands.h"
+#include "app/cli/cli_commands.h"
 #include "app/cli/export_animation.h"
 #include "app/cli/export_figure.h"
 #include "app/cli/output.h"
-#include "solver/files/run_store.h"
-#include "solver/files/vtk_export.h"
-#include "solver/files/whole_file.h"
+#include "solver/files/run_store/run_store.h"
+#include "solver/files/vtk/vtk_export.h"
+#include "solver/files/atomic_file.h"
 #include "solver/results/tables.h"
 
 namespace keyblock::cli {
@@ -90,7 +90,7 @@ ExitCode perform(const ExportOptions& options) {
     const TableKind kind = tableOf(options);
     const RunStore store(options.run);
     const TableFilter filter = filterOf(options, store.scene());
-    writeWholeFile(options.out, [&](std::ostream& out) { writeTable(kind, store, filter, out); });
+    writeAtomically(options.out, [&](std::ostream& out) { writeTable(kind, store, filter, out); });
     return Done;
 }
 

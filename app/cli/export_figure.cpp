@@ -4,8 +4,8 @@
 
 #include "app/cli/figure_words.h"
 #include "app/cli/output.h"
-#include "solver/files/reference_file.h"
-#include "solver/files/whole_file.h"
+#include "solver/files/scene/reference_file.h"
+#include "solver/files/atomic_file.h"
 
 #ifdef KEYBLOCK_HAS_FIGURES
 #include "ui/figure/figure.h"
@@ -91,10 +91,10 @@ ExitCode exportFigure(const ExportOptions& options, const RunSource& run, const 
         return Invalid;
     try {
         const Figure figure = paintFigure(run, request);
-        writeWholeFile(options.out, [&](std::ostream& out) { out << figure.bytes; });
+        writeAtomically(options.out, [&](std::ostream& out) { out << figure.bytes; });
         for (const FigureData& data : figure.data) {
             const std::string name = options.out.stem().string() + data.suffix + ".csv";
-            writeWholeFile(options.out.parent_path() / name, data.write);
+            writeAtomically(options.out.parent_path() / name, data.write);
         }
         tell(figure.warnings);
     } catch (const CannotDraw& problem) {

@@ -3,7 +3,7 @@
 //
 // The verb `import`: what a drawing holds, what became of every part of it, what
 // was guessed and assumed; and the scene, if it is one that can be cut.
-#include "app/cli/commands.h"
+#include "app/cli/cli_commands.h"
 #include "app/cli/output.h"
 #include "app/cli/text_table.h"
 #include "solver/scene/number_text.h"

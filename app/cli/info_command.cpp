@@ -3,10 +3,10 @@
 //
 // The verb `info`: what a run store holds, also while it is written or after its
 // run was killed.
-#include "app/cli/commands.h"
+#include "app/cli/cli_commands.h"
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"
-#include "app/cli/run_summary.h"
+#include "app/cli/summary_text.h"
 
 namespace keyblock::cli {
 

@@ -5,15 +5,15 @@
 // not finite become null; text that is not UTF-8 is repaired.
 #include "app/cli/json_answers.h"
 
-#include "app/cli/run_summary.h"
+#include "app/cli/summary_text.h"
 #include "solver/results/bolt_use.h"
 #include "solver/results/chains.h"
 #include "solver/results/event_groups.h"
 #include "solver/results/verdict.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "solver/run/failed_parts.h"
 #include "solver/scene/solved_blocks.h"
-#include "solver/scene/words.h"
+#include "solver/scene/enum_names.h"
 
 #include <nlohmann/json.hpp>
 

@@ -5,8 +5,8 @@
 // none goes.
 #pragma once
 
-#include "solver/files/run_store.h"
-#include "solver/files/scene_file.h"
+#include "solver/files/run_store/run_store.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/census.h"
 #include "solver/run/safety.h"
 #include "solver/scene/problem.h"

@@ -5,8 +5,8 @@
 // line, with the code that the contract gives it.
 #include "app/cli/command_line.h"
 #include "app/cli/output.h"
-#include "solver/files/errors.h"
-#include "solver/files/run_store_writer.h"
+#include "solver/files/read_error.h"
+#include "solver/files/run_store/run_store_writer.h"
 
 #include <cstring>
 #include <exception>

@@ -7,7 +7,7 @@
 #include "app/cli/output.h"
 #include "app/cli/text_table.h"
 #include "solver/results/run_source.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "solver/scene/collapse_stage.h"
 #include "solver/scene/solved_blocks.h"
 

@@ -5,7 +5,7 @@
 // with the time left, or as one JSON object a line.
 #pragma once
 
-#include "app/cli/commands.h"
+#include "app/cli/cli_commands.h"
 #include "app/cli/json_answers.h"
 #include "solver/run/run.h"
 #include "solver/run/sink.h"

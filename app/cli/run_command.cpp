@@ -3,17 +3,17 @@
 //
 // The verb `run`: read, run into the store, read the store back and sum up. What is
 // printed at the end therefore went through the disk.
-#include "app/cli/commands.h"
+#include "app/cli/cli_commands.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
-#include "app/cli/run_summary.h"
+#include "app/cli/summary_text.h"
 #include "app/cli/stop_signals.h"
-#include "solver/files/resumption.h"
-#include "solver/files/run_store.h"
-#include "solver/files/run_store_writer.h"
-#include "solver/files/scene_file.h"
+#include "solver/files/run_store/resumption.h"
+#include "solver/files/run_store/run_store.h"
+#include "solver/files/run_store/run_store_writer.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/results/verdict.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "solver/run/run.h"
 
 #include <algorithm>

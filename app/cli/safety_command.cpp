@@ -3,21 +3,21 @@
 //
 // The verb `safety`: a line for every run as it is done, then the bracket and how
 // the scene fails. A scene that falls is a result; so is one that nothing brings down.
-#include "app/cli/commands.h"
+#include "app/cli/cli_commands.h"
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/safety_folder.h"
 #include "app/cli/stop_signals.h"
 #include "app/cli/text_table.h"
-#include "solver/files/json_tree.h"
-#include "solver/files/overrides.h"
-#include "solver/files/scene_file.h"
-#include "solver/results/words.h"
+#include "solver/files/json/json_tree.h"
+#include "solver/files/scene/overrides.h"
+#include "solver/files/scene/scene_file.h"
+#include "solver/results/result_names.h"
 #include "solver/run/safety.h"
 #include "solver/run/strength_reduction.h"
 #include "solver/scene/solved_blocks.h"
-#include "solver/scene/words.h"
+#include "solver/scene/enum_names.h"
 
 #include <fstream>
 #include <iterator>

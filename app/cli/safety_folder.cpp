@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/safety_folder.h"
 
-#include "solver/files/run_store_writer.h"
-#include "solver/files/whole_file.h"
+#include "solver/files/run_store/run_store_writer.h"
+#include "solver/files/atomic_file.h"
 #include "solver/results/csv.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "solver/run/checkpoint.h"
 #include "solver/scene/solved_blocks.h"
 
@@ -80,7 +80,7 @@ void SafetyFolder::finish(const Scene& scene) {
     std::error_code ignored;
     fs::remove(probe(), ignored);
     const std::vector<std::string> names = blockNames(scene);
-    writeWholeFile(folder_.path() / "safety.csv", [&](std::ostream& out) {
+    writeAtomically(folder_.path() / "safety.csv", [&](std::ostream& out) {
         CsvWriter csv(out);
         for (const char* column : {"factor", "outcome", "stands", "stage", "block", "moved_m", "solves"}) csv.text(column);
         csv.endRow();

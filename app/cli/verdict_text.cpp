@@ -4,7 +4,7 @@
 
 #include "app/cli/text_table.h"
 #include "solver/results/verdict.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "solver/run/failed_parts.h"
 #include "solver/scene/number_text.h"
 

@@ -4,7 +4,7 @@
 // The verb `verify`: the suite's cases one after another, measured next to expected, or
 // the paper's tables. A case that breaks down is a miss and does not keep the others
 // from running.
-#include "app/cli/commands.h"
+#include "app/cli/cli_commands.h"
 #include "app/cli/json_answers.h"
 #include "app/cli/output.h"
 #include "app/cli/text_table.h"

@@ -5,8 +5,8 @@
 // alone, which then ends it. Neither pipe is ever waited for without an end.
 #include "solver/files/movie_file.h"
 
-#include "solver/files/whole_file.h"
-#include "solver/run/errors.h"
+#include "solver/files/atomic_file.h"
+#include "solver/run/write_error.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -105,7 +105,7 @@ bool canWriteMovies() { return !findProgram("ffmpeg").empty(); }
 MovieFile::MovieFile(const fs::path& path, MovieFormat format, const MovieShape& shape, const std::atomic<bool>& stop)
     : path_(path), part_(partPath(path)), stop_(stop) {
     if (fs::is_directory(path)) throw CannotWrite(cannotWriteText(path, EISDIR));
-    writeWholeFile(part_, [](std::ostream&) {});  // reports at once, and better, what ffmpeg would report late
+    writeAtomically(part_, [](std::ostream&) {});  // reports at once, and better, what ffmpeg would report late
     const std::string program = findProgram("ffmpeg");
     if (program.empty()) {
         fs::remove(part_);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/files/part_folder.h"
 
-#include "solver/files/whole_file.h"
-#include "solver/run/errors.h"
+#include "solver/files/atomic_file.h"
+#include "solver/run/write_error.h"
 #include "solver/scene/suggest.h"
 
 #include <system_error>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/files/text_encoding.h"
 
-#include "solver/files/json_tree.h"
+#include "solver/files/json/json_tree.h"
 
 #include <iconv.h>
 

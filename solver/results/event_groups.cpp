@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/results/event_groups.h"
 
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 #include "solver/results/block_forces.h"
 #include "solver/results/csv.h"
 #include "solver/results/frame_quantities.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 
 #include <algorithm>
 #include <array>

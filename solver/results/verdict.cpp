@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/results/verdict.h"
 
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "solver/scene/number_text.h"
 
 #include <algorithm>

@@ -38,7 +38,7 @@ private:
     void addRock(const SceneCut* cut) {
         const int open = cut ? cut->open : 0;
         add(open > 0, "rock in tunnels", "no stage excavates them, so they are open from the start",
-            counted(open, "block") + " of six unknowns each");
+            counted(open, "block") + " of six unknowns" + (open == 1 ? "" : " each"));
         add(counts_.fixed > 0, "motion of fixed blocks", "a support fixes them completely (\"fix\": \"all\")",
             counted(6 * counts_.fixed, "unknown"));
         add(prescribed() > 0, "prescribed displacements", "they are known and not unknowns of a step while they apply",

@@ -5,7 +5,7 @@
 // contacts, blocks and nodes is left out, so that a run store grows little.
 #pragma once
 
-#include "solver/engine/stage/block_forces.h"
+#include "solver/engine/stage/acting_forces.h"
 
 namespace keyblock {
 

@@ -28,7 +28,7 @@
 #include "solver/run/stage_settings.h"
 #include "solver/scene/collapse_stage.h"
 #include "solver/scene/number_text.h"
-#include "solver/scene/presence.h"
+#include "solver/scene/activation.h"
 
 #include <tbb/global_control.h>
 

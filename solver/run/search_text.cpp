@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "solver/run/run.h"
 #include "solver/scene/number_text.h"
 

@@ -5,7 +5,7 @@
 #include "solver/scene/acceleration.h"
 #include "solver/scene/deciding.h"
 #include "solver/scene/lookup.h"
-#include "solver/scene/words.h"
+#include "solver/scene/enum_names.h"
 
 #include <algorithm>
 #include <cmath>

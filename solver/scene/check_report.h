@@ -83,7 +83,7 @@ void checkStages(CheckContext& context);
 void checkAccelerations(const Stage& stage, const std::string& pointer, CheckContext& context);
 void checkLengthOfRecords(CheckContext& context);
 void checkStrengthChanges(const Stage& stage, const std::string& pointer, CheckContext& context);
-void checkPresence(CheckContext& context);  // names that stages excavate, install and remove
+void checkActivation(CheckContext& context);  // names that stages excavate, install and remove
 void checkWatch(CheckContext& context);  // monitors, quantities, expected numbers
 
 /// True where the bolt runs through a block that is not `gone`; empty: none is.

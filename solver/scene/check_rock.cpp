@@ -9,7 +9,7 @@
 #include "solver/scene/lookup.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
-#include "solver/scene/presence.h"
+#include "solver/scene/activation.h"
 #include "solver/scene/suggest.h"
 
 #include <algorithm>

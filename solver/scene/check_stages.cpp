@@ -13,7 +13,7 @@
 #include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
 #include "solver/scene/suggest.h"
-#include "solver/scene/words.h"
+#include "solver/scene/enum_names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -312,7 +312,7 @@ void checkStages(CheckContext& context) {
     checkCollapseNames(stages, context.report);
     for (std::size_t i = 0; i < stages.size(); ++i)
         checkStage(i, under("/stages", i), context);
-    checkPresence(context);
+    checkActivation(context);
     checkLengthOfRecords(context);
 }
 

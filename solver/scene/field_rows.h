@@ -8,7 +8,7 @@
 
 #include "solver/scene/field.h"
 #include "solver/scene/lookup.h"
-#include "solver/scene/words.h"
+#include "solver/scene/enum_names.h"
 
 #include <algorithm>
 #include <optional>

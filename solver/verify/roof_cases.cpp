@@ -3,7 +3,7 @@
 //
 // Blocks in a roof that the stress of the rock holds: where they begin to fall.
 // The scenes are a domain cut by joints under stress in situ.
-#include "solver/verify/boundary.h"
+#include "solver/verify/bisection.h"
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"

@@ -3,7 +3,7 @@
 //
 // A slope of columns that topple onto one another and push its toe out. The
 // columns' limit equilibrium is computed for comparison.
-#include "solver/verify/boundary.h"
+#include "solver/verify/bisection.h"
 #include "solver/verify/checks.h"
 #include "solver/verify/groups.h"
 #include "solver/verify/readings.h"

@@ -4,7 +4,7 @@
 // Whole runs: the paper's rebar until one side has let go, with the largest memory
 // of the process, and a block at rest for a hundred thousand steps, with the
 // memory that it took on the way.
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 
 #include <benchmark/benchmark.h>

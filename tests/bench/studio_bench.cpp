@@ -6,7 +6,7 @@
 // window while it runs; how soon it stops; memory over ten thousand frames. Takes the
 // scene, how long to measure, and settings of the scene as the command line does:
 //   keyblock_studio_bench SCENE.json SECONDS [path=value …]
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "ui/document/document.h"
 #include "ui/look/theme.h"
 #include "ui/runs/live_run.h"

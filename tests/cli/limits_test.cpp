@@ -132,8 +132,8 @@ TEST_F(Records, ThatAreWrongAreToldWithRowAndColumn) {
     putShakenScene("time_s,a\n0,0\n0.05,x\n0.1,y\n");
     const Ended ended = keyblock(shaken("check"));
     EXPECT_EQ(ended.code, 3);
-    EXPECT_NE(ended.err.find("motion.csv: row 3, column 2: 'x' is no number"), std::string::npos) << ended.err;
-    EXPECT_NE(ended.err.find("motion.csv: row 4, column 2: 'y' is no number"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("motion.csv: row 3, column 2: 'x' is not a number"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("motion.csv: row 4, column 2: 'y' is not a number"), std::string::npos) << ended.err;
     EXPECT_EQ(keyblock(shaken("run")).code, 3);
     EXPECT_FALSE(exists("rest.kbrun"));
 }

@@ -3,7 +3,7 @@
 //
 // When a run may go on and when not, and that no way to end spoils a store: a
 // signal, a second one, a full disk, a second run.
-#include "solver/files/sqlite.h"
+#include "solver/files/run_store/sqlite.h"
 #include "tests/cli/command_line_fixture.h"
 
 #include <nlohmann/json.hpp>

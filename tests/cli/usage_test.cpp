@@ -52,7 +52,7 @@ TEST_F(Usage, WrongOptionsAreTold) {
     expectUsageError({"export", "run.kbrun", "--table", "energy", "--bolt", "B", "--out", "t.csv"}, "--bolt");
     expectUsageError({"import", "a.dxf"}, "--out");
     expectUsageError({"import", "a.dxf", "--out", "a.json", "--units", "cubit"}, "'cubit' is not one of m, mm, cm");
-    expectUsageError({"import", "a.dxf", "--out", "a.json", "--role", "L=wall"}, "'L=wall' is no LAYER=joint, boundary");
+    expectUsageError({"import", "a.dxf", "--out", "a.json", "--role", "L=wall"}, "'L=wall' is not of the form LAYER=joint|boundary");
     expectUsageError({"import", "a.dxf", "--out", "a.json", "--sagitta", "0"}, "--sagitta");
     expectUsageError({"verify", "--case", "no such case"}, "there is no case 'no such case'; there are ");
     expectUsageError({"verify", "--case", "free fall", "--paper"}, "--paper");

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fuzz/drawing_property.h"
 
-#include "solver/files/csv_list.h"
-#include "solver/files/dxf_entities.h"
-#include "solver/files/dxf_file.h"
-#include "solver/files/section_import.h"
+#include "solver/files/drawing/csv_list.h"
+#include "solver/files/drawing/dxf_entities.h"
+#include "solver/files/drawing/dxf_file.h"
+#include "solver/files/drawing/section_import.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include "tests/fuzz/scene_property.h"
 
 #include "solver/engine/setup/make_model.h"
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 //   KEYBLOCK_SERIES=1 build/dev/tests/properties_tests --gtest_filter='*angle*'
 #include "tests/properties/isometry.h"
 
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 // says all that is odd about one.
 #pragma once
 
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/results/results.h"
 
 #include <ostream>

@@ -4,7 +4,7 @@
 // How much work a step in motion takes, counted and never timed: a wall of 1,053
 // blocks at rest, walls of 266 and 1,053 that slide and topple, a field of 974 cells
 // with a hole dug into it, and the drift without bolts. No step is cut.
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 #include "wall.h"
 

@@ -64,6 +64,20 @@ const std::vector<Room> rooms{
                     "solver/engine/damping", "solver/engine/boundary"})},
     {"solver/engine", {}},  // all of them, for the rooms above; no file lies beside them
     {"solver/run", {"solver/engine", "solver/results", "solver/scene", "geometry"}},
+    {"solver/files/json", {"solver/scene"}},
+    {"solver/files/csv", {"solver/files/text_encoding", "solver/scene"}},
+    {"solver/files/scene",
+     {"solver/files/json", "solver/files/csv", "solver/files/atomic_file", "solver/files/read_error", "solver/files/sha256",
+      "solver/engine", "solver/results", "solver/scene", "geometry"}},
+    {"solver/files/drawing",
+     {"solver/files/scene", "solver/files/csv", "solver/files/read_error", "solver/files/text_encoding", "solver/scene",
+      "geometry"}},
+    {"solver/files/run_store",
+     {"solver/files/scene", "solver/files/atomic_file", "solver/files/program_version", "solver/files/read_error",
+      "solver/files/sha256", "solver/run", "solver/results", "solver/scene"}},
+    {"solver/files/vtk",
+     {"solver/files/run_store", "solver/files/atomic_file", "solver/files/part_folder", "solver/run", "solver/results",
+      "solver/scene", "geometry"}},
     {"solver/files", {"solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
     {"solver/verify",
      {"solver/files", "solver/run", "solver/engine", "solver/results", "solver/scene", "geometry"}},
@@ -182,8 +196,8 @@ TEST(Layers, NoRoomIncludesARoomThatIncludesIt) {
 
 TEST(Layers, AnIncludeThatRisesIsCaught) {
     EXPECT_EQ(faultsOf("geometry/made_up.h", "#include \"solver/scene/scene.h\"\n").size(), 1u);
-    EXPECT_EQ(faultsOf("solver/engine/stage/made_up.cpp", "\n# include \"solver/files/run_store.h\"\n").front(),
-              "solver/engine/stage/made_up.cpp:2: solver/files/run_store.h does not fall from solver/engine/stage");
+    EXPECT_EQ(faultsOf("solver/engine/stage/made_up.cpp", "\n# include \"solver/files/run_store/run_store.h\"\n").front(),
+              "solver/engine/stage/made_up.cpp:2: solver/files/run_store/run_store.h does not fall from solver/engine/stage");
     EXPECT_EQ(faultsOf("solver/results/made_up.cpp", "#include \"solver/engine/model/model.h\"\n").size(), 1u);
     EXPECT_EQ(faultsOf("app/cli/made_up.cpp", "#include \"ui/window.h\"\n").size(), 1u);
     EXPECT_EQ(faultsOf("solver/run/made_up.cpp", "#include \"engine/model.h\"\n").size(), 1u);  // not from the root
@@ -203,6 +217,11 @@ TEST(Layers, AnIncludeThatRisesWithinTheEngineIsCaught) {
     EXPECT_FALSE(risesFrom("stage/made_up.cpp", "glue.h"));
     EXPECT_EQ(faultsOf("solver/engine/step/made_up.h", "#include \"solver/scene/scene.h\"\n").size(), 1u);
     EXPECT_EQ(faultsOf("solver/engine/made_up.cpp", "").size(), 1u);
+}
+
+TEST(Layers, AnIncludeThatRisesWithinFilesIsCaught) {
+    EXPECT_EQ(faultsOf("solver/files/csv/made_up.cpp", "#include \"solver/files/drawing/dxf_groups.h\"\n").size(), 1u);
+    EXPECT_EQ(faultsOf("solver/files/drawing/made_up.cpp", "#include \"solver/files/run_store/run_store.h\"\n").size(), 1u);
 }
 
 TEST(Layers, WindowLibrariesAreCaught) {

@@ -3,7 +3,7 @@
 //
 // Bolts installed early and late in a deep drift: what they carry against the
 // convergence that is left to them, and against a bar on springs in Kirsch's rock.
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 
 #include <gtest/gtest.h>

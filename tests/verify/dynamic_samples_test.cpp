@@ -4,7 +4,7 @@
 // The numbers that the samples of single blocks, of caught masses and of simple
 // bolts say they give, worked out again from closed forms, from energy or by
 // integrating one equation; nothing of the engine is used for them.
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 // right, against laws that are evaluated here from the numbers of its scene file:
 // shear lag of an elastic bond, friction over the length still embedded, strength
 // of the steel. Nothing of the engine is used for them.
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 #include "solver/scene/scene.h"
 

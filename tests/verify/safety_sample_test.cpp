@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The slope whose factor of safety is known, from its file to the factor.
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/safety.h"
 
 #include <gtest/gtest.h>

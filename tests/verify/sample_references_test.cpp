@@ -4,7 +4,7 @@
 // The numbers that the samples of the paper's bolts say they give, worked out
 // again by the independent calculation with the samples' own rock of 60 GPa, and
 // the order in which their nodes let go.
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 #include "tests/verify/reference/bolts.h"
 #include "tests/verify/reference/softening_bar.h"

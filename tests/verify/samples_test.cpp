@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Every sample runs to its end and gives the numbers that it says it gives.
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/results/quantity.h"
 #include "solver/run/run.h"
 

@@ -4,7 +4,7 @@
 // The shaken slope against Newmark's sliding block, which is integrated here from
 // the record alone. A slip lasts 0.45 s; a step of 1 ms too much or too little at
 // either end, where the blocks hardly move, is 0.5 % of it, so that is the tolerance.
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 
 #include <gtest/gtest.h>

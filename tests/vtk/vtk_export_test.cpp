@@ -3,14 +3,14 @@
 //
 // What is exported for ParaView, read by VTK's own readers and held against the
 // tables. Built only where VTK is found: the program does not need it.
-#include "solver/files/vtk_export.h"
+#include "solver/files/vtk/vtk_export.h"
 
 #include "geometry/polygon.h"
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/results/frame_quantities.h"
 #include "solver/results/tables.h"
-#include "solver/results/words.h"
-#include "solver/run/errors.h"
+#include "solver/results/result_names.h"
+#include "solver/run/write_error.h"
 #include "solver/run/run.h"
 #include "tests/scratch_folder.h"
 

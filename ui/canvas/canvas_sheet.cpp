@@ -4,7 +4,7 @@
 
 #include "ui/canvas/call_out.h"
 #include "ui/canvas/canvas.h"
-#include "ui/canvas/section_ink.h"
+#include "ui/canvas/section_painter.h"
 #include "ui/look/theme.h"
 
 #include <QFontMetricsF>
@@ -91,7 +91,7 @@ void CanvasSheet::paintHintAside(QPainter& painter) const {
 
 void CanvasSheet::paintPicture(QPainter& painter) {
     const bool hasLegend = canvas_.hasLegend_ && !canvas_.style_.drawing;
-    SectionInk ink(*canvas_.picture(), canvas_.map(), canvas_.themes_.current(), hasLegend,
+    SectionPainter ink(*canvas_.picture(), canvas_.map(), canvas_.themes_.current(), hasLegend,
                    canvas_.style_.selectedBolts, canvas_.culprit_);
     ink.paint(painter);
     for (const QRectF& panel : ink.panels()) panels_.push_back(panel.toAlignedRect());

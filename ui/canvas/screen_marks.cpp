@@ -3,7 +3,7 @@
 #include "ui/canvas/screen_marks.h"
 
 #include "ui/canvas/view_theme.h"
-#include "ui/figure/mark_ink.h"
+#include "ui/figure/mark_painter.h"
 #include "ui/figure/paper.h"
 #include "ui/look/theme.h"
 

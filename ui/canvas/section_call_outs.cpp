@@ -3,7 +3,7 @@
 //
 // The call-outs of a section: severe events, displaced blocks, the marked block, and
 // the force diagram with its largest value and the limit next to it.
-#include "ui/canvas/section_ink.h"
+#include "ui/canvas/section_painter.h"
 #include "ui/look/theme.h"
 #include "ui/picture/detail.h"
 #include "ui/picture/ticks.h"
@@ -25,7 +25,7 @@ constexpr double hatchEach = 0.1;  // [m]
 constexpr double leastForce = 50.0;  // shown [N]
 
 struct Texts {
-    Q_DECLARE_TR_FUNCTIONS(SectionInk)
+    Q_DECLARE_TR_FUNCTIONS(SectionPainter)
 };
 QString qt(const std::string& word) { return QString::fromStdString(word); }
 
@@ -50,7 +50,7 @@ void hatch(QPainter& painter, const RibbonShape& shape, const std::vector<double
 
 }  // namespace
 
-void SectionInk::paintRibbon(QPainter& painter) {
+void SectionPainter::paintRibbon(QPainter& painter) {
     if (!picture_.ribbon || !picture_.boltLegend) return;
     const Ribbon& ribbon = *picture_.ribbon;
     const BoltShape& bolt = picture_.bolts[ribbon.shape];
@@ -86,7 +86,7 @@ void SectionInk::paintRibbon(QPainter& painter) {
     callOutRibbon(shape);
 }
 
-void SectionInk::callOutRibbon(const RibbonShape& shape) {
+void SectionPainter::callOutRibbon(const RibbonShape& shape) {
     const Ribbon& ribbon = *picture_.ribbon;
     const double value = picture_.bolts[ribbon.shape].values[ribbon.peak];
     const QString unit = ' ' + qt(ribbonUnit(*picture_.boltLegend));
@@ -111,7 +111,7 @@ void SectionInk::callOutRibbon(const RibbonShape& shape) {
 }
 
 /// The newest failures, and before them the marked block.
-void SectionInk::callOutEvents() {
+void SectionPainter::callOutEvents() {
     for (const BlockShape& block : picture_.blocks)
         if (culprit_ && block.block == culprit_->block)
             callOuts_.push_back({culprit_->head, culprit_->detail, theme_.warningFill,
@@ -134,7 +134,7 @@ void SectionInk::callOutEvents() {
     }
 }
 
-void SectionInk::callOutMoved() {
+void SectionPainter::callOutMoved() {
     std::vector<const BlockShape*> farthest = moved_;
     std::sort(farthest.begin(), farthest.end(),
               [](const BlockShape* a, const BlockShape* b) { return a->displaced > b->displaced; });

@@ -3,7 +3,7 @@
 #include "ui/docks/bolt_strip.h"
 
 #include "solver/results/bolt_use.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "ui/canvas/screen_marks.h"
 #include "ui/docks/chart_view.h"
 #include "ui/look/display.h"

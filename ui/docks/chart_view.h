@@ -5,7 +5,7 @@
 // time marked on it.
 #pragma once
 
-#include "ui/figure/chart_ink.h"
+#include "ui/figure/chart_painter.h"
 
 #include <QPixmap>
 #include <QString>

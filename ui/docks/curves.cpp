@@ -7,7 +7,7 @@
 #include "ui/docks/pin_legend.h"
 #include "ui/look/display.h"
 #include "ui/runs/live_run.h"
-#include "ui/runs/pins.h"
+#include "ui/runs/pinned_values.h"
 #include "ui/runs/time_cursor.h"
 
 #include <QComboBox>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/events_list.h"
 
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "ui/docks/event_marks.h"
 #include "ui/look/display.h"
 #include "ui/look/plain_text.h"

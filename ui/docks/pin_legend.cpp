@@ -3,7 +3,7 @@
 #include "ui/docks/pin_legend.h"
 
 #include "ui/look/theme.h"
-#include "ui/runs/pins.h"
+#include "ui/runs/pinned_values.h"
 
 #include <QHBoxLayout>
 #include <QToolButton>

@@ -4,7 +4,7 @@
 
 #include "solver/results/frame_quantities.h"
 #include "solver/results/run_source.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "ui/look/display.h"
 #include "ui/picture/event_list.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/safety_panel.h"
 
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "ui/look/display.h"
 #include "ui/runs/safety_search.h"
 

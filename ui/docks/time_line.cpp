@@ -3,7 +3,7 @@
 #include "ui/docks/time_line.h"
 
 #include "solver/results/history.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "ui/docks/time_track.h"
 #include "ui/look/action_button.h"
 #include "ui/look/commands.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/time_track.h"
 
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/picture/captions.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Painting of the timeline: bands, ticks, marks and flags, in px.
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "ui/canvas/call_out.h"
 #include "ui/docks/time_track.h"
 #include "ui/look/display.h"

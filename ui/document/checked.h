@@ -6,7 +6,7 @@
 #pragma once
 
 #include "solver/scene/check.h"
-#include "ui/document/drawing.h"
+#include "ui/document/preview.h"
 
 #include <atomic>
 #include <memory>

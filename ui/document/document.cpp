@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/document.h"
 
-#include "solver/files/json_tree.h"
-#include "solver/files/scene_file.h"
-#include "solver/files/scene_rescue.h"
+#include "solver/files/json/json_tree.h"
+#include "solver/files/scene/scene_file.h"
+#include "solver/files/scene/scene_rescue.h"
 #include "ui/document/background.h"
-#include "ui/document/late_scene.h"
+#include "ui/document/lazy_scene.h"
 #include "ui/edit/edit.h"
 #include "ui/edit/locate.h"
 #include "ui/edit/settle.h"
@@ -39,7 +39,7 @@ SceneRescue rescued(const QString& path, const QByteArray& content) {
 /// The only kind of step: the scenes before and after.
 class SceneStep : public QUndoCommand {
 public:
-    using Late = std::shared_ptr<const LateScene>;
+    using Late = std::shared_ptr<const LazyScene>;
 
     SceneStep(Document& document, const QString& text, Late before, Late after, PointerChange pointers = {})
         : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)),
@@ -49,7 +49,7 @@ public:
 
 private:
     /// A recovered scene that cannot be read is not shown as an empty one: the current scene stays, marked as unsaved.
-    void take(const LateScene& from, const LateScene& to, const PointerChange& pointers) {
+    void take(const LazyScene& from, const LazyScene& to, const PointerChange& pointers) {
         if (document_.isRestoring_) return;
         if (to.get()) return document_.take(from.get() ? *from.get() : *document_.scene_, to.get(), pointers);
         document_.undo_->resetClean();
@@ -98,7 +98,7 @@ void Document::apply(const QString& step, Scene after, PointerChange pointers) {
         return;
     }
     const auto late = [](std::shared_ptr<const Scene> scene) {
-        return std::make_shared<const LateScene>(std::move(scene));
+        return std::make_shared<const LazyScene>(std::move(scene));
     };
     undo_->push(new SceneStep(*this, step, late(scene_), late(std::make_shared<const Scene>(std::move(after))),
                               std::move(pointers)));

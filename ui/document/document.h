@@ -22,13 +22,13 @@ class QUndoStack;
 namespace keyblock {
 
 class Background;
-class LateScene;
+class LazyScene;
 struct Edit;
 
 /// A scene with the name of the step that led to it.
 struct RestoredStep {
     QString name;  // empty for the first
-    std::shared_ptr<const LateScene> scene;
+    std::shared_ptr<const LazyScene> scene;
 };
 
 /// Contents of a file with errors.

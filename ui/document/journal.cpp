@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/journal.h"
 
-#include "solver/files/whole_file.h"
-#include "solver/run/errors.h"
+#include "solver/files/atomic_file.h"
+#include "solver/run/write_error.h"
 #include "ui/document/document.h"
 #include "ui/document/journal_file.h"
-#include "ui/document/late_scene.h"
+#include "ui/document/lazy_scene.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -49,7 +49,7 @@ void Journal::close() {
     if (file_) file_->remove();
     file_.reset();
     broken_ = false;
-    states_ = {std::make_shared<const LateScene>(document_.committed())};
+    states_ = {std::make_shared<const LazyScene>(document_.committed())};
     taken_ = 0;
     index_ = 0;
     saved_ = document_.undo().cleanIndex();
@@ -58,7 +58,7 @@ void Journal::close() {
 
 bool Journal::flush() { return file_ && file_->flush(); }
 
-void Journal::goOn(std::string lines, std::vector<std::shared_ptr<const LateScene>> states,
+void Journal::goOn(std::string lines, std::vector<std::shared_ptr<const LazyScene>> states,
                    const std::function<void()>& restore) {
     isTaking_ = true;
     restore();
@@ -133,7 +133,7 @@ void Journal::follow(int index) {
         return;
     }
     states_.resize(at);
-    states_.push_back(std::make_shared<const LateScene>(now));
+    states_.push_back(std::make_shared<const LazyScene>(now));
     const QString name = document_.undo().text(index - 1);
     if (file_) file_->step(at, name.toStdString(), at <= taken_ ? nullptr : states_[at - 1]->get(), now);
     taken_ = std::min(taken_, at);

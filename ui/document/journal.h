@@ -19,7 +19,7 @@ namespace keyblock {
 
 class Document;
 class JournalFile;
-class LateScene;
+class LazyScene;
 
 /// The folder of journals: in the program's data folder of the user.
 QString journalFolder();
@@ -38,7 +38,7 @@ public:
     bool flush();
 
     /// Continues a journal that was not closed; `restore` makes its steps those of the document.
-    void goOn(std::string lines, std::vector<std::shared_ptr<const LateScene>> states,
+    void goOn(std::string lines, std::vector<std::shared_ptr<const LazyScene>> states,
               const std::function<void()>& restore);
     /// Calls back when all edits up to now are on the disk or the journal is closed; at once if they are.
     void onceKept(std::function<void()> done);
@@ -60,7 +60,7 @@ private:
     Document& document_;
     QString folder_;
     std::unique_ptr<JournalFile> file_;
-    std::vector<std::shared_ptr<const LateScene>> states_;  // by index of the undo stack
+    std::vector<std::shared_ptr<const LazyScene>> states_;  // by index of the undo stack
     std::size_t taken_ = 0;  // of these, those taken over from another journal
     bool isTaking_ = false;
     int index_ = 0, saved_ = 0;

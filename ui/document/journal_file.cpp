@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/journal_file.h"
 
-#include "solver/files/scene_file.h"
-#include "solver/files/whole_file.h"
-#include "solver/run/errors.h"
+#include "solver/files/scene/scene_file.h"
+#include "solver/files/atomic_file.h"
+#include "solver/run/write_error.h"
 #include "ui/document/journal_text.h"
 
 #include <fcntl.h>

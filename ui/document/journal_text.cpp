@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/journal_text.h"
 
-#include "solver/files/json_text.h"
-#include "solver/files/json_tree.h"
+#include "solver/files/json/json_text.h"
+#include "solver/files/json/json_tree.h"
 #include "solver/files/sha256.h"
 
 #include <utility>

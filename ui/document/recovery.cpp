@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/recovery.h"
 
-#include "solver/files/scene_rescue.h"
+#include "solver/files/scene/scene_rescue.h"
 #include "ui/document/document.h"
 #include "ui/document/journal_text.h"
-#include "ui/document/late_scene.h"
+#include "ui/document/lazy_scene.h"
 #include "ui/edit/settle.h"
 
 #include <QDir>
@@ -120,10 +120,10 @@ std::vector<RestoredStep> stepsOf(const Journalled& journal) {
     if (!stood) return {};
     std::vector<RestoredStep> steps;
     for (std::size_t i = 0; i < journal.steps.size(); ++i)
-        steps.push_back({QString::fromStdString(journal.steps[i].name), std::make_shared<const LateScene>([scenes, i] {
+        steps.push_back({QString::fromStdString(journal.steps[i].name), std::make_shared<const LazyScene>([scenes, i] {
                              return scenes->scene(i);
                          })});
-    steps[journal.index].scene = std::make_shared<const LateScene>(std::move(stood));
+    steps[journal.index].scene = std::make_shared<const LazyScene>(std::move(stood));
     return steps;
 }
 
@@ -165,7 +165,7 @@ QString recover(const Abandoned& abandoned, Recover what, Document& document, Jo
     const Journalled told = read(*content, withoutLast ? std::optional(abandoned.changes - 1) : std::nullopt);
     const std::vector<RestoredStep> steps = stepsOf(told);
     if (steps.empty()) return Document::tr("The journal of %1 cannot be read.").arg(abandoned.title);
-    std::vector<std::shared_ptr<const LateScene>> states;
+    std::vector<std::shared_ptr<const LazyScene>> states;
     for (const RestoredStep& step : steps) states.push_back(step.scene);
     journal.goOn(content->left(static_cast<int>(told.size)).toStdString(), std::move(states), [&] {
         document.restore(steps, told.index, told.saved, QString::fromStdString(told.path),

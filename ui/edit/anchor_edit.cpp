@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/edit/anchor_edit.h"
 
-#include "solver/files/bolt_library.h"
+#include "solver/files/scene/bolt_library.h"
 #include "solver/scene/lookup.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "solver/scene/lookup.h"
 #include "solver/scene/shapes.h"
 #include "ui/edit/appended.h"
-#include "ui/edit/usual.h"
+#include "ui/edit/defaults.h"
 
 #include <algorithm>
 

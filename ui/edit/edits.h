@@ -10,5 +10,5 @@
 #include "ui/edit/place.h"
 #include "ui/edit/remove.h"
 #include "ui/edit/settle.h"
-#include "ui/edit/usual.h"
+#include "ui/edit/defaults.h"
 #include "ui/edit/values.h"

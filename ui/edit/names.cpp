@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/edit/names.h"
 
-#include "solver/files/bolt_library.h"
+#include "solver/files/scene/bolt_library.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/pointer.h"
 #include "solver/scene/suggest.h"
 #include "ui/edit/locate.h"
-#include "ui/edit/references.h"
+#include "ui/edit/object_references.h"
 
 #include <algorithm>
 #include <charconv>

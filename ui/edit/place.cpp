@@ -7,7 +7,7 @@
 #include "solver/scene/pointer.h"
 #include "ui/edit/locate.h"
 #include "ui/edit/names.h"
-#include "ui/edit/references.h"
+#include "ui/edit/object_references.h"
 #include "ui/edit/settle.h"
 
 #include <algorithm>

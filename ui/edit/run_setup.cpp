@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/edit/run_setup.h"
 
-#include "ui/edit/usual.h"
+#include "ui/edit/defaults.h"
 
 namespace keyblock {
 

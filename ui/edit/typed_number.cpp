@@ -7,7 +7,7 @@
 #include "ui/edit/typed_number.h"
 
 #include "solver/scene/number_text.h"
-#include "ui/edit/sums.h"
+#include "ui/edit/expression.h"
 #include "ui/edit/units.h"
 
 #include <cctype>
@@ -79,7 +79,7 @@ public:
         if (problem_.empty() && out_.empty()) problem_ = "Enter a number.";
         if (!problem_.empty()) return {{}, problem_};
         if (sum) {
-            SumResult result = evaluateSum(out_);
+            ExpressionResult result = evaluateExpression(out_);
             return {result.value, std::move(result.problem)};
         }
         return single();

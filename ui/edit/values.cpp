@@ -10,7 +10,7 @@
 #include "ui/edit/names.h"
 #include "ui/edit/remove.h"
 #include "ui/edit/settle.h"
-#include "ui/edit/usual.h"
+#include "ui/edit/defaults.h"
 
 #include <algorithm>
 #include <cmath>
@@ -182,7 +182,7 @@ Edit appendAt(const Scene& scene, const std::string& pointer, std::string_view n
     if (isMap && used.empty()) used = "new";
     void* made = children.append(changeable(place.owner), used);
     const Structure& structure = children.structure();
-    makeUsual(edit.scene, structure, made);
+    makeDefaults(edit.scene, structure, made);
     if (const Field* field = findField(structure, "name"); field && !isMap && !used.empty()) field->set(made, used);
     edit.made = place.field->kind == FieldKind::Object ? pointer
                 : isMap                                ? under(pointer, used)

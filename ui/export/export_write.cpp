@@ -4,8 +4,8 @@
 
 #include "solver/files/movie_file.h"
 #include "solver/files/part_folder.h"
-#include "solver/files/whole_file.h"
-#include "solver/results/words.h"
+#include "solver/files/atomic_file.h"
+#include "solver/results/result_names.h"
 #include "solver/scene/number_text.h"
 #include "ui/figure/animation.h"
 
@@ -17,17 +17,17 @@ std::vector<std::filesystem::path> writeFigureFiles(const RunSource& run, const 
                                                     const std::filesystem::path& out) {
     std::vector<std::filesystem::path> written{out};
     const Figure figure = paintFigure(run, request);
-    writeWholeFile(out, [&](std::ostream& stream) { stream << figure.bytes; });
+    writeAtomically(out, [&](std::ostream& stream) { stream << figure.bytes; });
     if (!withData) return written;
     for (const FigureData& data : figure.data) {
         written.push_back(out.parent_path() / (out.stem().string() + data.suffix + ".csv"));
-        writeWholeFile(written.back(), data.write);
+        writeAtomically(written.back(), data.write);
     }
     return written;
 }
 
 void writeTableFile(const RunSource& run, TableKind kind, const TableFilter& filter, const std::filesystem::path& out) {
-    writeWholeFile(out, [&](std::ostream& stream) { writeTable(kind, run, filter, stream); });
+    writeAtomically(out, [&](std::ostream& stream) { writeTable(kind, run, filter, stream); });
 }
 
 bool isOfFrame(TableKind kind) {
@@ -64,10 +64,10 @@ void writePictures(const RunSource& run, const Animation& animation, const std::
     const PartFolder part(folder, isOfPictures);
     for (std::size_t i = 0; i < animation.size(); ++i) {
         if (stop) throw ExportStopped();
-        writeWholeFile(part.path() / pictureName(i), [&](std::ostream& out) { out << animation.png(i); });
+        writeAtomically(part.path() / pictureName(i), [&](std::ostream& out) { out << animation.png(i); });
         done(i + 1, animation.size());
     }
-    writeWholeFile(part.path() / "frames.csv", [&](std::ostream& out) { writePictureList(run, animation, out); });
+    writeAtomically(part.path() / "frames.csv", [&](std::ostream& out) { writePictureList(run, animation, out); });
     part.putInPlace();
 }
 

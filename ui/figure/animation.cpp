@@ -6,10 +6,10 @@
 #include "ui/figure/animation.h"
 
 #include "solver/results/csv.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "ui/figure/film_line.h"
-#include "ui/figure/map_ink.h"
-#include "ui/figure/mark_ink.h"
+#include "ui/figure/map_painter.h"
+#include "ui/figure/mark_painter.h"
 #include "ui/figure/paper.h"
 #include "ui/figure/section_figure.h"
 #include "ui/figure/section_layout.h"
@@ -98,7 +98,7 @@ private:
         for (std::size_t i = 0; i < frames_.size(); ++i) {
             const SectionPicture picture = film_.picture(i);
             top = std::max(top, sheetOf(picture, frames_[i]).top());
-            for (const MarkKind kind : MapInk(picture, map).kinds()) found.insert(kind);
+            for (const MarkKind kind : MapPainter(picture, map).kinds()) found.insert(kind);
         }
         std::vector<MarkKind> kinds;
         std::copy_if(keyOrder.begin(), keyOrder.end(), std::back_inserter(kinds),

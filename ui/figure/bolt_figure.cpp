@@ -4,9 +4,9 @@
 
 #include "solver/results/csv.h"
 #include "solver/results/tables.h"
-#include "ui/figure/chart_ink.h"
+#include "ui/figure/chart_painter.h"
 #include "ui/figure/column.h"
-#include "ui/figure/mark_ink.h"
+#include "ui/figure/mark_painter.h"
 #include "ui/figure/paper.h"
 #include "ui/figure/sheet.h"
 #include "ui/picture/bolt_chart.h"

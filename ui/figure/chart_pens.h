@@ -4,7 +4,7 @@
 // Pens of the curves of a chart: colour, line and mark by their style.
 #pragma once
 
-#include "ui/figure/chart_ink.h"
+#include "ui/figure/chart_painter.h"
 
 #include <QPen>
 #include <QVector>

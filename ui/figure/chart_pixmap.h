@@ -5,7 +5,7 @@
 // which the window disables.
 #pragma once
 
-#include "ui/figure/chart_ink.h"
+#include "ui/figure/chart_painter.h"
 
 class QPixmap;
 

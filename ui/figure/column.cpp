@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figure/column.h"
 
-#include "solver/results/words.h"
-#include "ui/figure/mark_ink.h"
+#include "solver/results/result_names.h"
+#include "ui/figure/mark_painter.h"
 #include "ui/figure/paper.h"
 #include "ui/picture/captions.h"
 #include "ui/picture/tick_labels.h"

@@ -3,8 +3,8 @@
 #include "ui/figure/curves_figure.h"
 
 #include "solver/results/tables.h"
-#include "solver/results/words.h"
-#include "ui/figure/chart_ink.h"
+#include "solver/results/result_names.h"
+#include "ui/figure/chart_painter.h"
 #include "ui/figure/paper.h"
 #include "ui/figure/sheet.h"
 #include "ui/picture/captions.h"

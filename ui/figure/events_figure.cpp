@@ -7,9 +7,9 @@
 #include "ui/figure/events_figure.h"
 
 #include "solver/results/tables.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "solver/scene/quantity_text.h"
-#include "ui/figure/mark_ink.h"
+#include "ui/figure/mark_painter.h"
 #include "ui/figure/paper.h"
 #include "ui/figure/sheet.h"
 #include "ui/picture/captions.h"

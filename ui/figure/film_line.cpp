@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figure/film_line.h"
 
-#include "solver/results/words.h"
-#include "ui/figure/mark_ink.h"
+#include "solver/results/result_names.h"
+#include "ui/figure/mark_painter.h"
 
 #include <algorithm>
 #include <tuple>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figure/section_layout.h"
 
-#include "ui/figure/contact_ink.h"
-#include "ui/figure/map_ink.h"
+#include "ui/figure/contact_painter.h"
+#include "ui/figure/map_painter.h"
 
 #include <algorithm>
 
@@ -29,7 +29,7 @@ SectionLayout::SectionLayout(const SectionPicture& picture, const Scene& scene, 
     Items items;
     for (int pass = 0; pass < 2; ++pass) {
         map_ = {{margin, top}, {margin + mapWidth, top + height}};
-        kinds_ = kinds ? *kinds : MapInk(picture, map_).kinds();
+        kinds_ = kinds ? *kinds : MapPainter(picture, map_).kinds();
         items = itemsOf(picture, scene);
         if (beside_) height = std::max(height, std::min(columnHeight(items), highest * mapWidth));
     }
@@ -42,7 +42,7 @@ SectionLayout::Items SectionLayout::itemsOf(const SectionPicture& picture, const
     if (picture.arrows && picture.arrows->largest > 0.0)  // instead of colours
         items[0] = arrowItem(*picture.arrows, arrowScale(*picture.arrows), columnWidth_);
     if (picture.contacts)
-        items[0] = contactItem(*picture.contacts, MapInk(picture, map_).longestContact(), columnWidth_);
+        items[0] = contactItem(*picture.contacts, MapPainter(picture, map_).longestContact(), columnWidth_);
     if (picture.boltLegend) items[1] = barItem(*picture.boltLegend, columnWidth_);
     if (!kinds_.empty()) items[2] = keyItem(kinds_, columnWidth_);
     if (picture.blockLegend || picture.arrows || picture.contacts || !picture.events.entries.empty())
@@ -79,7 +79,7 @@ void SectionLayout::place(const Items& items) {
 }
 
 void SectionLayout::draw(Ink& ink, const SectionPicture& picture, const Scene& scene) const {
-    MapInk(picture, map_).draw(ink);
+    MapPainter(picture, map_).draw(ink);
     const Items items = itemsOf(picture, scene);
     for (std::size_t i = 0; i < items.size(); ++i)
         if (items[i]) items[i]->draw(ink, corners_[i]);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/field_choices.h"
 
-#include "solver/files/bolt_library.h"
-#include "solver/scene/words.h"
+#include "solver/files/scene/bolt_library.h"
+#include "solver/scene/enum_names.h"
 #include "ui/edit/scene_objects.h"
 
 #include <algorithm>

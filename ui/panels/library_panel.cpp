@@ -4,7 +4,7 @@
 
 #include "solver/scene/lookup.h"
 #include "solver/scene/pointer.h"
-#include "solver/scene/words.h"
+#include "solver/scene/enum_names.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/edit/edits.h"

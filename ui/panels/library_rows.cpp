@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/library_rows.h"
 
-#include "solver/files/bolt_library.h"
+#include "solver/files/scene/bolt_library.h"
 #include "solver/scene/anchor_curve.h"
-#include "solver/scene/words.h"
+#include "solver/scene/enum_names.h"
 #include "ui/look/display.h"
 #include "ui/panels/field_words.h"
 #include "ui/panels/value_text.h"

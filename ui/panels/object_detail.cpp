@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/object_detail.h"
 
-#include "solver/scene/words.h"
+#include "solver/scene/enum_names.h"
 #include "ui/document/document.h"
 #include "ui/look/display.h"
 #include "ui/look/word_text.h"

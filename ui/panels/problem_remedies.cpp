@@ -40,7 +40,7 @@ std::optional<Remedy> addWhatIsNamed(const Scene& scene, const ScenePlace& place
 }
 
 std::optional<Remedy> renameTaken(const Problem& problem, const ScenePlace& place) {
-    const bool taken = problem.message.find("is taken by an earlier") != std::string::npos;
+    const bool taken = problem.message.find("is already used by an earlier") != std::string::npos;
     if (!taken || place.field->key != "name") return std::nullopt;
     const std::string object = parentOf(problem.pointer);
     return Remedy{Texts::tr("Rename it"), [object](const Scene& now) {
@@ -48,15 +48,15 @@ std::optional<Remedy> renameTaken(const Problem& problem, const ScenePlace& plac
                   }};
 }
 
-/// Fields and corners that the check suggests to leave out.
+/// Fields and corners that the check suggests to omit.
 std::optional<Remedy> leaveOut(const Problem& problem, const ScenePlace& place) {
     const std::string pointer = problem.pointer;
-    if (problem.remedy.starts_with("Leave it out")) {
+    if (problem.remedy.starts_with("Omit it")) {
         if (place.element)
-            return Remedy{Texts::tr("Leave it out"), [pointer](const Scene& now) { return removeAt(now, pointer); }};
-        return Remedy{Texts::tr("Leave it out"), [pointer](const Scene& now) { return resetAt(now, pointer); }};
+            return Remedy{Texts::tr("Omit it"), [pointer](const Scene& now) { return removeAt(now, pointer); }};
+        return Remedy{Texts::tr("Omit it"), [pointer](const Scene& now) { return resetAt(now, pointer); }};
     }
-    if (problem.remedy.ends_with("leave it to the program") && place.field->nullable)
+    if (problem.remedy.ends_with("omit it to let the program choose") && place.field->nullable)
         return Remedy{Texts::tr("Set automatically"),
             [pointer](const Scene& now) { return setNullAt(now, pointer); }};
     return std::nullopt;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/value_editor.h"
 
-#include "solver/scene/words.h"
+#include "solver/scene/enum_names.h"
 #include "ui/document/document.h"
 #include "ui/panels/field_choices.h"
 #include "ui/panels/field_words.h"

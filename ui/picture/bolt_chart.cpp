@@ -4,7 +4,7 @@
 
 #include "solver/results/bolt_use.h"
 #include "solver/results/frame_quantities.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "ui/picture/captions.h"
 #include "ui/picture/event_list.h"
 #include "ui/picture/section_ranges.h"

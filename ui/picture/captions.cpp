@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/picture/captions.h"
 
-#include "solver/results/words.h"
-#include "solver/scene/words.h"
+#include "solver/results/result_names.h"
+#include "solver/scene/enum_names.h"
 #include "ui/picture/ticks.h"
 
 #include <algorithm>

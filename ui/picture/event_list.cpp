@@ -3,7 +3,7 @@
 #include "ui/picture/event_list.h"
 
 #include "solver/results/event_groups.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "ui/picture/captions.h"
 
 #include <algorithm>

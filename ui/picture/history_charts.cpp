@@ -4,7 +4,7 @@
 
 #include "solver/results/frame_quantities.h"
 #include "solver/results/history.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "ui/picture/history_series.h"
 #include "ui/picture/reference_curves.h"
 #include "ui/picture/series_chart.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/picture/probe.h"
 
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "ui/picture/shown_numbers.h"
 
 #include <algorithm>

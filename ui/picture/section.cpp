@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/picture/section.h"
 
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "solver/scene/shapes.h"
 #include "solver/scene/solved_blocks.h"
 #include "ui/picture/captions.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/live_run.h"
 
-#include "solver/files/run_store.h"
+#include "solver/files/run_store/run_store.h"
 #include "solver/scene/solved_blocks.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 // it and reads it; other threads get a `Moment`, or a `RunSoFar`.
 #pragma once
 
-#include "solver/files/stored_frames.h"
+#include "solver/files/run_store/stored_frames.h"
 #include "ui/runs/history_log.h"
 #include "ui/runs/live_feed.h"
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/run_session.h"
 
-#include "solver/files/resumption.h"
-#include "solver/files/run_store.h"
-#include "solver/files/run_store_writer.h"
+#include "solver/files/run_store/resumption.h"
+#include "solver/files/run_store/run_store.h"
+#include "solver/files/run_store/run_store_writer.h"
 #include "solver/results/run_source.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "solver/scene/check.h"
 #include "solver/scene/collapse_stage.h"
 #include "ui/runs/live_run.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/runs.h"
 
-#include "solver/files/errors.h"
-#include "solver/files/scene_file.h"
-#include "solver/results/words.h"
+#include "solver/files/read_error.h"
+#include "solver/files/scene/scene_file.h"
+#include "solver/results/result_names.h"
 #include "ui/document/document.h"
 #include "ui/runs/live_run.h"
 #include "ui/runs/run_session.h"

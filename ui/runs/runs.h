@@ -5,7 +5,7 @@
 // opened directly. Each run has its own store; none is overwritten.
 #pragma once
 
-#include "solver/files/run_summary.h"
+#include "solver/files/run_store/run_summary.h"
 #include "ui/document/background.h"
 
 #include <QDateTime>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/import_attempt.h"
 
-#include "ui/document/drawing.h"
+#include "ui/document/preview.h"
 
 #include <exception>
 

@@ -4,7 +4,7 @@
 // A drawing read once with some settings, and the resulting scene.
 #pragma once
 
-#include "solver/files/section_import.h"
+#include "solver/files/drawing/section_import.h"
 #include "ui/picture/section.h"
 
 #include <memory>

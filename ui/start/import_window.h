@@ -5,7 +5,7 @@
 // imported, and a preview of the scene. A window of its own that may stay open.
 #pragma once
 
-#include "solver/files/section_import.h"
+#include "solver/files/drawing/section_import.h"
 
 #include <QImage>
 #include <QWidget>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/thumbnails.h"
 
-#include "solver/files/scene_rescue.h"
+#include "solver/files/scene/scene_rescue.h"
 #include "ui/document/checked.h"
 #include "ui/look/theme.h"
 #include "ui/start/samples.h"

@@ -5,7 +5,7 @@
 #include "ui/edit/anchor_edit.h"
 #include "ui/edit/edits.h"
 #include "ui/tools/choices.h"
-#include "ui/tools/tool_ink.h"
+#include "ui/tools/tool_painter.h"
 
 namespace keyblock {
 namespace {
@@ -95,7 +95,7 @@ bool BoltTool::accepts(const Snap& snap) const {
 }
 
 void BoltTool::paint(QPainter& painter, const CanvasMap& map) const {
-    ToolInk ink(painter, map, bench().theme());
+    ToolPainter ink(painter, map, bench().theme());
     const bool plate = bolt_.plate != PlateKind::None;
     const auto nodes = [&](double length) { return nodesAhead(scene(), bolt_.type, length, bolt_.divisions); };
     if (wall_) {

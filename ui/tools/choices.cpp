@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/choices.h"
 
-#include "solver/files/bolt_library.h"
+#include "solver/files/scene/bolt_library.h"
 
 namespace keyblock {
 namespace {

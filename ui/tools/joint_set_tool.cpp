@@ -10,7 +10,7 @@
 #include "ui/edit/edits.h"
 #include "ui/look/theme.h"
 #include "ui/tools/choices.h"
-#include "ui/tools/tool_ink.h"
+#include "ui/tools/tool_painter.h"
 
 #include <QPainter>
 
@@ -123,7 +123,7 @@ bool JointSetTool::back() {
 }
 
 void JointSetTool::paint(QPainter& painter, const CanvasMap& map) const {
-    ToolInk ink(painter, map, bench().theme());
+    ToolPainter ink(painter, map, bench().theme());
     if (traces_.size() <= mostDashed) {
         for (const ObjectLine& trace : traces_) ink.ghost(trace.points, false, 1.2);
     } else {

@@ -5,7 +5,7 @@
 #include "geometry/angle.h"
 #include "geometry/polygon.h"
 #include "ui/canvas/canvas.h"
-#include "ui/tools/tool_ink.h"
+#include "ui/tools/tool_painter.h"
 
 namespace keyblock {
 namespace {
@@ -118,7 +118,7 @@ std::vector<Point> LineTool::shown() const {
 void LineTool::paint(QPainter& painter, const CanvasMap& map) const {
     const std::vector<Point> line = shown();
     if (line.empty()) return;
-    ToolInk ink(painter, map, bench().theme());
+    ToolPainter ink(painter, map, bench().theme());
     if (isOutline() && line.size() > 2) ink.ghostFill(line);
     ink.ghost(line, isOutline() && line.size() > 2);
     if (!isRectangle() && points_.size() > 1) ink.chosen(points_, false, 1.6);

@@ -5,8 +5,8 @@
 #include "ui/edit/edits.h"
 #include "ui/look/theme.h"
 #include "ui/tools/choices.h"
-#include "ui/tools/sign_ink.h"
-#include "ui/tools/tool_ink.h"
+#include "ui/tools/sign_painter.h"
+#include "ui/tools/tool_painter.h"
 
 #include <algorithm>
 
@@ -76,11 +76,11 @@ bool LoadTool::back() {
 
 void LoadTool::paint(QPainter& painter, const CanvasMap& map) const {
     if (!cursor_) return;
-    SignInk signs(painter, map, bench().theme());
+    SignPainter signs(painter, map, bench().theme());
     const QColor& colour = bench().theme().accent;
     if (what_ != Pressure) return signs.arrow(*cursor_, force_, 44.0, colour);
     if (first_) signs.pressure(*first_, *cursor_, pressure_ < 0.0, colour);
-    ToolInk ink(painter, map, bench().theme());
+    ToolPainter ink(painter, map, bench().theme());
     if (first_) ink.corner(*first_);
 }
 

@@ -5,7 +5,7 @@
 #include "geometry/angle.h"
 #include "geometry/polygon.h"
 #include "ui/canvas/canvas_map.h"
-#include "ui/tools/tool_ink.h"
+#include "ui/tools/tool_painter.h"
 
 #include <cmath>
 
@@ -78,7 +78,7 @@ std::optional<Point> MeasureTool::previous() const {
 
 void MeasureTool::paint(QPainter& painter, const CanvasMap& map) const {
     const std::vector<Point> measured = line();
-    ToolInk ink(painter, map, bench().theme());
+    ToolPainter ink(painter, map, bench().theme());
     if (measured.size() > 1) ink.chosen(measured, false, 1.4);
     for (const Point& point : measured) ink.dot(point);
     for (std::size_t i = 0; i + 1 < measured.size(); ++i)

@@ -3,12 +3,12 @@
 #include "ui/tools/monitor_tool.h"
 
 #include "geometry/segment.h"
-#include "solver/scene/words.h"
+#include "solver/scene/enum_names.h"
 #include "ui/edit/edits.h"
 #include "ui/look/theme.h"
-#include "ui/tools/sign_ink.h"
+#include "ui/tools/sign_painter.h"
 #include "ui/canvas/canvas_map.h"
-#include "ui/tools/tool_ink.h"
+#include "ui/tools/tool_painter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,8 +101,8 @@ bool MonitorTool::back() {
 }
 
 void MonitorTool::paint(QPainter& painter, const CanvasMap& map) const {
-    SignInk signs(painter, map, bench().theme());
-    ToolInk ink(painter, map, bench().theme());
+    SignPainter signs(painter, map, bench().theme());
+    ToolPainter ink(painter, map, bench().theme());
     const QColor& colour = bench().theme().accent;
     if (first_) signs.monitor(*first_, {}, colour);
     if (cursor_ && (what_ != OnBolt || boltAt(*cursor_))) signs.monitor(*cursor_, {}, colour);

@@ -5,7 +5,7 @@
 #include "ui/edit/edits.h"
 #include "ui/look/theme.h"
 #include "ui/tools/choices.h"
-#include "ui/tools/sign_ink.h"
+#include "ui/tools/sign_painter.h"
 
 #include <algorithm>
 
@@ -45,7 +45,7 @@ void MotionTool::paint(QPainter& painter, const CanvasMap& map) const {
     if (!cursor_) return;
     const double sign = displacement_ < 0.0 ? -1.0 : 1.0;
     const Point axis = sign * (axis_ == 0 ? Point(1.0, 0.0) : Point(0.0, 1.0));
-    SignInk(painter, map, bench().theme()).motion(*cursor_, axis, bench().theme().accent);
+    SignPainter(painter, map, bench().theme()).motion(*cursor_, axis, bench().theme().accent);
 }
 
 }  // namespace keyblock

@@ -8,7 +8,7 @@
 #include "ui/edit/anchor_edit.h"
 #include "ui/edit/edits.h"
 #include "ui/tools/choices.h"
-#include "ui/tools/tool_ink.h"
+#include "ui/tools/tool_painter.h"
 
 #include <QPainter>
 
@@ -191,7 +191,7 @@ bool PatternTool::accepts(const Snap& snap) const {
 }
 
 void PatternTool::paint(QPainter& painter, const CanvasMap& map) const {
-    ToolInk ink(painter, map, bench().theme());
+    ToolPainter ink(painter, map, bench().theme());
     const auto to = runEnd();
     if (from_ && to) ink.wall(wallBetween(tunnel(), from_->along, to->along, pattern_.way));
     const bool plates = pattern_.plate != PlateKind::None;

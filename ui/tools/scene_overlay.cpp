@@ -6,8 +6,8 @@
 #include "ui/document/selection.h"
 #include "ui/edit/locate.h"
 #include "ui/look/theme.h"
-#include "ui/tools/sign_ink.h"
-#include "ui/tools/tool_ink.h"
+#include "ui/tools/sign_painter.h"
+#include "ui/tools/tool_painter.h"
 #include "ui/tools/workbench.h"
 
 #include <QPainter>
@@ -68,7 +68,7 @@ void SceneOverlay::paint(QPainter& painter, const CanvasMap& map) const {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     paintLines(painter, map);
-    SignInk signs(painter, map, bench_.theme());
+    SignPainter signs(painter, map, bench_.theme());
     for (const SceneObject& object : objects()) signs.paint(*bench_.document().scene(), object);
     paintSelected(painter, map);
     painter.restore();
@@ -111,7 +111,7 @@ void SceneOverlay::paintSelected(QPainter& painter, const CanvasMap& map) const 
     for (const QString& pointer : bench_.selection().pointers())
         holders.insert(objectPointer(*bench_.document().scene(), pointer.toStdString()));
     if (holders.empty()) return;
-    ToolInk ink(painter, map, bench_.theme());
+    ToolPainter ink(painter, map, bench_.theme());
     for (const bool clipped : {false, true})
         for (const SceneObject& object : objects()) {
             // The picture shows which of its bolts are selected.

@@ -15,7 +15,7 @@ class QPainterPath;
 
 namespace keyblock {
 
-class ToolInk;
+class ToolPainter;
 class Workbench;
 
 class SceneOverlay : public CanvasOverlay {

@@ -9,7 +9,7 @@
 #include "ui/edit/edits.h"
 #include "ui/edit/hit.h"
 #include "ui/look/plain_text.h"
-#include "ui/tools/tool_ink.h"
+#include "ui/tools/tool_painter.h"
 
 #include <QKeyEvent>
 #include <QLineF>
@@ -259,7 +259,7 @@ std::vector<std::string> SelectTool::unsnapped() const { return snaps() ? select
 
 void SelectTool::paint(QPainter& painter, const CanvasMap& map) const {
     if (!bench().isDrawing()) return;
-    ToolInk ink(painter, map, bench().theme());
+    ToolPainter ink(painter, map, bench().theme());
     const SceneObject* over = hover_.isEmpty() || doing_ != Doing::Nothing ? nullptr : bench().object(hover_);
     if (over && !bench().selection().contains(hover_)) {
         // For a set with thousands of traces, only the trace under the mouse is painted.

@@ -5,10 +5,10 @@
 #include "geometry/polygon.h"
 #include "geometry/segment.h"
 #include "solver/scene/shapes.h"
-#include "solver/scene/words.h"
+#include "solver/scene/enum_names.h"
 #include "ui/edit/edits.h"
 #include "ui/look/theme.h"
-#include "ui/tools/sign_ink.h"
+#include "ui/tools/sign_painter.h"
 
 #include <limits>
 
@@ -70,7 +70,7 @@ void SupportTool::press(const Pointed& at) {
 
 void SupportTool::paint(QPainter& painter, const CanvasMap& map) const {
     if (!cursor_) return;
-    SignInk signs(painter, map, bench().theme());
+    SignPainter signs(painter, map, bench().theme());
     const Support support = supportAt(*cursor_);
     const QColor& colour = bench().theme().accent;
     if (what_ != Side) return signs.held(*cursor_, support.fix, colour);

@@ -5,7 +5,7 @@
 #include "ui/edit/typed_number.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
-#include "ui/tools/tool_ink.h"
+#include "ui/tools/tool_painter.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>

@@ -12,7 +12,7 @@
 #include "ui/tools/select_tool.h"
 #include "ui/tools/tool.h"
 #include "ui/tools/tool_bar.h"
-#include "ui/tools/tool_ink.h"
+#include "ui/tools/tool_painter.h"
 #include "ui/tools/tool_palette.h"
 #include "ui/tools/tools.h"
 
@@ -214,7 +214,7 @@ QCursor ToolDesk::cursor() const { return tool_->cursor(); }
 bool ToolDesk::isDrawing() const { return tool_->previous().has_value(); }
 
 void ToolDesk::paint(QPainter& painter, const CanvasMap& map) const {
-    ToolInk ink(painter, map, bench_->theme());
+    ToolPainter ink(painter, map, bench_->theme());
     painter.save();
     if (bench_->modes().gridShown) ink.grid(bench_->gridSpacing());
     tool_->paint(painter, map);
@@ -222,7 +222,7 @@ void ToolDesk::paint(QPainter& painter, const CanvasMap& map) const {
     const bool shows = tool_->wantsPlaces() || !message_.isEmpty();
     const QString text = tool_->wantsPlaces() ? tr("%1: %2").arg(tool_->title(), tool_->prompt()) : tool_->title();
     const QString detail = message_.isEmpty() ? tool_->detail() : message_;
-    if (shows) ToolInk::prompt(painter, bench_->theme(), text, detail, warns_ && !message_.isEmpty(), map.size().width());
+    if (shows) ToolPainter::prompt(painter, bench_->theme(), text, detail, warns_ && !message_.isEmpty(), map.size().width());
     painter.restore();
 }
 

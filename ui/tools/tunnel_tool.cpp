@@ -5,7 +5,7 @@
 #include "geometry/polygon.h"
 #include "solver/scene/shapes.h"
 #include "ui/edit/edits.h"
-#include "ui/tools/tool_ink.h"
+#include "ui/tools/tool_painter.h"
 
 namespace keyblock {
 namespace {
@@ -112,7 +112,7 @@ std::optional<Point> TunnelTool::previous() const {
 }
 
 void TunnelTool::paint(QPainter& painter, const CanvasMap& map) const {
-    ToolInk ink(painter, map, bench().theme());
+    ToolPainter ink(painter, map, bench().theme());
     std::vector<Point> line = corners_;
     if (!isDrawn()) {
         if (!cursor_ || profileProblem(shapeOf(placed(*cursor_)))) return;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/file_commands.h"
 
-#include "solver/run/errors.h"
+#include "solver/run/write_error.h"
 #include "ui/canvas/canvas.h"
 #include "ui/document/document.h"
 #include "ui/document/file_folder.h"
-#include "ui/edit/usual.h"
+#include "ui/edit/defaults.h"
 #include "ui/look/ask_path.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"

@@ -5,7 +5,7 @@
 #include "ui/document/document.h"
 #include "ui/document/file_folder.h"
 #include "ui/edit/run_setup.h"
-#include "ui/edit/usual.h"
+#include "ui/edit/defaults.h"
 #include "ui/look/commands.h"
 #include "ui/start/import_window.h"
 #include "ui/window/file_commands.h"

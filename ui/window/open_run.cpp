@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/open_run.h"
 
-#include "solver/files/run_summary.h"
-#include "solver/files/scene_file.h"
-#include "solver/files/stored_scene.h"
+#include "solver/files/run_store/run_summary.h"
+#include "solver/files/scene/scene_file.h"
+#include "solver/files/run_store/stored_scene.h"
 #include "ui/document/document.h"
 #include "ui/runs/runs.h"
 #include "ui/window/file_commands.h"

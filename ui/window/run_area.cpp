@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/run_area.h"
 
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "ui/canvas/canvas.h"
 #include "ui/docks/bolt_strip.h"
 #include "ui/docks/curves.h"
@@ -27,7 +27,7 @@
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/comparison.h"
 #include "ui/runs/live_run.h"
-#include "ui/runs/pins.h"
+#include "ui/runs/pinned_values.h"
 #include "ui/runs/run_commands.h"
 #include "ui/runs/run_session.h"
 #include "ui/runs/runs.h"

@@ -3,7 +3,7 @@
 #include "solver/engine/contact/joint_change.h"
 
 #include "solver/engine/contact/bonded_face.h"
-#include "solver/engine/contact/history.h"
+#include "solver/engine/contact/contact_history.h"
 #include "solver/engine/contact/joint.h"
 #include "solver/engine/contact/springs.h"
 

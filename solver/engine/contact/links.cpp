@@ -3,7 +3,7 @@
 #include "solver/engine/contact/links.h"
 
 #include "solver/engine/contact/joint.h"
-#include "solver/engine/contact/limits.h"
+#include "solver/engine/contact/contact_limits.h"
 #include "solver/engine/contact/springs.h"
 #include "solver/engine/model/edge.h"
 

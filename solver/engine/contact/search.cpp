@@ -5,7 +5,7 @@
 #include "geometry/grid.h"
 #include "solver/engine/contact/bonded_corners.h"
 #include "solver/engine/contact/bonded_face.h"
-#include "solver/engine/contact/history.h"
+#include "solver/engine/contact/contact_history.h"
 #include "solver/engine/model/edge.h"
 #include "solver/engine/step/parallel.h"
 

@@ -8,7 +8,7 @@
 #include "solver/engine/contact/springs.h"
 #include "solver/engine/glue.h"
 #include "solver/engine/model/edge.h"
-#include "solver/scene/presence.h"
+#include "solver/scene/activation.h"
 
 #include <Eigen/QR>
 

@@ -4,7 +4,7 @@
 
 #include "solver/engine/bolt/plate.h"
 #include "solver/engine/bolt/topology.h"
-#include "solver/engine/contact/limits.h"
+#include "solver/engine/contact/contact_limits.h"
 #include "solver/engine/stage/limit_search.h"
 #include "solver/engine/stage/limits.h"
 #include "solver/engine/stage/path_review.h"

@@ -5,7 +5,7 @@
 // displacements and the order in which bolts fail, on scenes whose joints slide and
 // whose bolts fail. Prints the work of both and of ten equal increments.
 // Exit code 1: something differs by more than 2 %.
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 
 #include <algorithm>

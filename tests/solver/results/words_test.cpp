@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 
 #include <gtest/gtest.h>
 

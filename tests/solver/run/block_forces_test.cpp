@@ -5,7 +5,7 @@
 // form is known, each has its value.
 #include "solver/results/block_forces.h"
 
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/verify/readings.h"
 #include "tests/solver/run/bolt_scenes.h"
 #include "tests/solver/run/small_stages.h"

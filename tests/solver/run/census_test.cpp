@@ -5,7 +5,7 @@
 // estimate follows from what it says it does. How long runs really take is no test.
 #include "solver/run/census.h"
 
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/verify/scenes.h"
 #include "tests/solver/run/small_stages.h"
 

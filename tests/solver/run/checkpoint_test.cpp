@@ -5,7 +5,7 @@
 // same results to the last bit; and a run that is paused goes on one step at a time.
 #include "solver/run/checkpoint.h"
 
-#include "solver/files/checkpoint_bytes.h"
+#include "solver/files/run_store/checkpoint_bytes.h"
 #include "solver/run/run.h"
 #include "solver/verify/scenes.h"
 #include "tests/solver/run/small_stages.h"

@@ -6,7 +6,7 @@
 
 #include "solver/results/run_source.h"
 #include "solver/results/verdict.h"
-#include "solver/results/words.h"
+#include "solver/results/result_names.h"
 #include "solver/run/run.h"
 #include "solver/scene/check.h"
 #include "solver/verify/scenes.h"

@@ -4,7 +4,7 @@
 // Failures of bolts and the largest forces in them are in frames, not between them.
 #include "solver/run/event_frames.h"
 
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 #include "solver/run/stage_settings.h"
 

@@ -5,7 +5,7 @@
 // on and taken off in proportion to pseudo-time, checked against closed forms.
 #include "solver/run/run.h"
 
-#include "solver/verify/boundary.h"
+#include "solver/verify/bisection.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
 #include "tests/solver/run/small_stages.h"

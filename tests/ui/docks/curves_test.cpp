@@ -15,7 +15,7 @@
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
-#include "ui/runs/pins.h"
+#include "ui/runs/pinned_values.h"
 #include "ui/runs/time_cursor.h"
 #include "ui/runs/view_settings.h"
 

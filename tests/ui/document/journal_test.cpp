@@ -6,7 +6,7 @@
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "ui/document/document.h"
 #include "ui/document/journal_text.h"
 #include "ui/document/recovery.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/edit/drawn.h"
-#include "ui/edit/usual.h"
+#include "ui/edit/defaults.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 // depth or principal stresses.
 #include "ui/edit/run_setup.h"
 #include "ui/edit/stress_edit.h"
-#include "ui/edit/usual.h"
+#include "ui/edit/defaults.h"
 
 #include <gtest/gtest.h>
 

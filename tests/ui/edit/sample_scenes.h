@@ -4,7 +4,7 @@
 // The samples as scenes, for tests that apply to any of them.
 #pragma once
 
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 
 #include <gtest/gtest.h>
 

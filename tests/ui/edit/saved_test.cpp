@@ -5,8 +5,8 @@
 // KEYBLOCK_EDITS sets the number of random edits of each sample (40), KEYBLOCK_SEED
 // the random seed.
 #include "sample_scenes.h"
-#include "solver/files/bolt_library.h"
-#include "solver/files/scene_rescue.h"
+#include "solver/files/scene/bolt_library.h"
+#include "solver/files/scene/scene_rescue.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/pointer.h"
 #include "ui/edit/edits.h"

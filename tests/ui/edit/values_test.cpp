@@ -111,7 +111,7 @@ TEST(Values, ValuesInvalidInAFileAreRefused) {
     EXPECT_NE(refusal("/nonsense", 1.0).find("nothing at"), std::string::npos);
     EXPECT_NE(refusal("", 1.0).find("nothing at"), std::string::npos);
     EXPECT_NE(refusal("/bolt_types/d-bolt-20/diameter", 0.03).find("Copy"), std::string::npos);
-    EXPECT_NE(refusal("/bolt_patterns/0/type", std::string()).find("needed"), std::string::npos);
+    EXPECT_NE(refusal("/bolt_patterns/0/type", std::string()).find("Enter a text"), std::string::npos);
     EXPECT_FALSE(refusal("/tunnels/0/center", Point(2e9, 0)).empty());
 }
 

@@ -6,9 +6,9 @@
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 
-#include "solver/files/run_store.h"
-#include "solver/files/run_store_writer.h"
-#include "solver/files/scene_file.h"
+#include "solver/files/run_store/run_store.h"
+#include "solver/files/run_store/run_store_writer.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 #include "ui/export/export_form.h"
 #include "ui/export/export_job.h"

@@ -5,7 +5,7 @@
 // library shows the values of bolt types and makes editable copies.
 #include "tests/ui/panels/form_bench.h"
 
-#include "solver/files/bolt_library.h"
+#include "solver/files/scene/bolt_library.h"
 #include "ui/document/selection.h"
 #include "ui/edit/anchor_edit.h"
 #include "ui/edit/edits.h"

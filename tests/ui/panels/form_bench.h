@@ -4,7 +4,7 @@
 // A scene with a form over it, composed as in the window.
 #pragma once
 
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "tests/ui/screen/screen.h"
 #include "ui/document/document.h"
 #include "ui/look/display.h"

@@ -103,7 +103,7 @@ TEST(Problems, LinkRenamesAnObjectWithADuplicateName) {
     Scene scene = sampleScene("drift-bolted");
     scene.jointSets[1].name = scene.jointSets[0].name;
     ProblemsBench bench(std::move(scene));
-    const int row = bench.rowWith("is taken");
+    const int row = bench.rowWith("is already used");
     ASSERT_GE(row, 0);
     bench.panel.follow(row);
     EXPECT_NE(bench.document.scene()->jointSets[1].name, bench.document.scene()->jointSets[0].name);

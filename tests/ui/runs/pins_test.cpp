@@ -4,7 +4,7 @@
 // Pins read the frames of their run once, in the background, and give the values of a
 // monitor at the same point.
 #include "ui/look/display.h"
-#include "ui/runs/pins.h"
+#include "ui/runs/pinned_values.h"
 
 #include "tests/scratch_folder.h"
 #include "tests/ui/runs/stored_run.h"

@@ -5,7 +5,7 @@
 #include "tests/ui/bricks.h"
 #include "tests/ui/screen/screen.h"
 #include "ui/document/document.h"
-#include "ui/edit/usual.h"
+#include "ui/edit/defaults.h"
 #include "ui/look/commands.h"
 #include "ui/look/theme.h"
 #include "ui/runs/live_run.h"

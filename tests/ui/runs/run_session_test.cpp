@@ -5,9 +5,9 @@
 // stopped and resumed, and ends with a message after any error.
 #include "ui/runs/run_session.h"
 
-#include "solver/files/run_store.h"
-#include "solver/files/run_store_writer.h"
-#include "solver/files/scene_file.h"
+#include "solver/files/run_store/run_store.h"
+#include "solver/files/run_store/run_store_writer.h"
+#include "solver/files/scene/scene_file.h"
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 #include "ui/runs/live_run.h"

@@ -4,8 +4,8 @@
 // A sample that was run into a store, for tests that read its frames.
 #pragma once
 
-#include "solver/files/run_store_writer.h"
-#include "solver/files/scene_file.h"
+#include "solver/files/run_store/run_store_writer.h"
+#include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
 #include "ui/runs/live_run.h"
 

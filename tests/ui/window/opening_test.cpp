@@ -7,7 +7,7 @@
 #include "tests/ui/runs/stored_run.h"
 #include "tests/ui/screen/screen.h"
 
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "ui/document/document.h"
 #include "ui/document/journal.h"
 #include "ui/look/theme.h"

@@ -8,7 +8,7 @@
 #include "tests/ui/screen/screen.h"
 #include "tests/ui/window/random_user.h"
 
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "ui/document/document.h"
 #include "ui/look/theme.h"
 #include "ui/runs/runs.h"

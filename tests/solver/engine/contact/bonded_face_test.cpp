@@ -5,7 +5,7 @@
 // resultant and a moment, and that nothing of it is lost when they part.
 
 #include "solver/engine/contact/bonded_face.h"
-#include "solver/engine/contact/limits.h"
+#include "solver/engine/contact/contact_limits.h"
 #include "solver/engine/contact/search.h"
 #include "solver/engine/setup/make_model.h"
 #include "solver/verify/scenes.h"

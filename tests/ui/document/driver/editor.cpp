@@ -4,7 +4,7 @@
 // Edits a scene in an endless loop, with undo and redo in between, keeps a journal
 // in the given folder, and prints the time of each state: for tests that kill it.
 // `editor FOLDER SCENE SEED`
-#include "solver/files/scene_file.h"
+#include "solver/files/scene/scene_file.h"
 #include "ui/document/document.h"
 #include "ui/document/journal.h"
 

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/engine/contact/contact_history.h"
+
+#include "solver/engine/contact/candidates.h"
+#include "solver/engine/contact/joint.h"
+#include "solver/engine/contact/springs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace keyblock {
+namespace {
+
+constexpr double touching = 10.0;  // times the geometric tolerance
+constexpr double leastLength = 1e-3;  // of the smaller block: a joint's stiffness acts on at least so much
+constexpr double nearShare = 1e-4;  // of the smaller block: so near the end of its edge a contact may have slid off it
+constexpr double sameWay = 0.7;  // cosine between the normals of a contact and of the one that takes its place
+
+/// What a corner's own faces share with an edge.
+struct SharedFace {
+    bool meets = false;  // a face of the corner lies along the edge
+    double length = 0.0;  // of joint tributary to the corner: half of what is shared [m]
+};
+
+SharedFace sharedFace(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {
+    const std::vector<int>& own = model.blocks[c.blockA].turns;
+    const std::vector<int>& other = model.blocks[c.blockB].turns;
+    const std::vector<Point>& corners = blocks[c.blockA].corners;
+    const auto at = [](const std::vector<int>& turns, int corner) {
+        return static_cast<int>(std::lower_bound(turns.begin(), turns.end(), corner) - turns.begin());
+    };
+    const Edge edge = runOf(model.blocks[c.blockB], blocks[c.blockB].corners, at(other, c.edge));
+    const int n = static_cast<int>(own.size()), here = at(own, c.corner);
+    SharedFace shared;
+    for (int neighbour : {own[(here + n - 1) % n], own[(here + 1) % n]}) {
+        const Point away = corners[neighbour] - corners[c.corner];
+        if (std::abs(edge.outward.dot(away)) > angleSlack * away.norm()) continue;
+        const double s0 = edge.along.dot(corners[c.corner] - edge.start);
+        const double s1 = edge.along.dot(corners[neighbour] - edge.start);
+        shared.meets = true;
+        shared.length += 0.5 * std::max(0.0, std::min(std::max(s0, s1), edge.length) - std::max(std::min(s0, s1), 0.0));
+    }
+    return shared;
+}
+
+bool hasStiffness(const JointModel& joint) { return joint.normalStiffness || joint.shearStiffness; }
+
+/// A joint with a stiffness of its own, where faces meet: its force follows from gap and length alone, and both are
+/// continuous where one contact takes another's place.
+bool givesItself(const Model& model, const Contact& c) {
+    return model.joints[c.joint].normalStiffness && c.length > 0.0;
+}
+
+/// Length for the stiffness of a joint; 0 where no faces meet and there is no joint to give way.
+double stiffLength(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {
+    const SharedFace shared = sharedFace(model, blocks, c);
+    const double least = leastLength * std::min(model.blocks[c.blockA].size, model.blocks[c.blockB].size);
+    return shared.meets ? std::max(shared.length, least) : 0.0;
+}
+
+/// The joint's stiffness follows the length on which faces meet; where they begin or cease to meet, the force stays.
+/// \return the elastic energy that this takes away [J].
+double followLength(const Model& model, const std::vector<BlockMotion>& blocks, Contact& c) {
+    if (c.bonded || !hasStiffness(model.joints[c.joint])) return 0.0;
+    const double before = contactEnergy(model, blocks, c);
+    const double length = stiffLength(model, blocks, c);
+    const bool changes = (length > 0.0) != (c.length > 0.0);
+    c.length = length;
+    if (changes && c.normalForce > 0.0) {
+        carryNormal(model, c, gapOf(blocks, c), c.normalForce);
+        carryShear(model, c, slipOf(blocks, c), c.shearForce);
+    }
+    return before - contactEnergy(model, blocks, c);
+}
+
+ContactForces accepted(const Contact& c) { return {c.normalForce, c.shearForce}; }
+
+/// How far a contact's corner has slid past the end of its edge; negative while it is on it [m].
+double pastEnd(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& c) {
+    const std::vector<int>& turns = model.blocks[c.blockB].turns;
+    const auto turn = std::lower_bound(turns.begin(), turns.end(), c.edge) - turns.begin();
+    const Edge edge = runOf(model.blocks[c.blockB], blocks[c.blockB].corners, static_cast<int>(turn));
+    const double along = edge.along.dot(blocks[c.blockA].corners[c.corner] - edge.start);
+    return std::max(-along, along - edge.length);
+}
+
+/// Direction in which a contact pushes one of its blocks.
+Point pushOn(const std::vector<BlockMotion>& blocks, const Contact& c, int block) {
+    const Point outward = edgeOf(blocks[c.blockB].corners, c.edge).outward;
+    return block == c.blockA ? outward : Point(-outward);
+}
+
+/// A block on which both push the same way; −1 where there is none.
+int sharedBlock(const std::vector<BlockMotion>& blocks, const Contact& x, const Contact& y) {
+    for (int block : {x.blockA, x.blockB}) {
+        const bool ofBoth = block == y.blockA || block == y.blockB;
+        if (ofBoth && pushOn(blocks, x, block).dot(pushOn(blocks, y, block)) > sameWay) return block;
+    }
+    return -1;
+}
+
+/// The contact that takes the place of one that slid off: on the same side of a block, where it was; the same corner
+/// first, then the nearest. Null where there is none.
+Contact* heirOf(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& gone,
+                std::vector<Contact>& found) {
+    const double past = pastEnd(model, blocks, gone);
+    const double near = nearShare * std::min(model.blocks[gone.blockA].size, model.blocks[gone.blockB].size);
+    if (past < -near) return nullptr;  // it opened
+    const double reach = 2.0 * std::max(past, 0.0) + near;
+    const Point& place = blocks[gone.blockA].corners[gone.corner];
+    Contact* heir = nullptr;
+    auto best = std::pair(true, std::numeric_limits<double>::max());
+    for (Contact& c : found) {
+        if (sharedBlock(blocks, gone, c) < 0) continue;
+        const bool samePair = std::minmax(gone.blockA, gone.blockB) == std::minmax(c.blockA, c.blockB);
+        if (givesItself(model, gone) && !samePair) continue;
+        const double away = (blocks[c.blockA].corners[c.corner] - place).norm();
+        if (away > reach || gapOf(blocks, c) > touching * model.tolerance) continue;
+        const auto rank = std::pair(c.blockA != gone.blockA || c.corner != gone.corner, away);
+        if (rank < best) best = rank, heir = &c;
+    }
+    return heir;
+}
+
+/// Adds the force of `gone` to what `heir` carries: `now` where the blocks are, the accepted one to the accepted one.
+void inherit(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& gone, const ContactForces& now,
+             Contact& heir) {
+    const int shared = sharedBlock(blocks, gone, heir);
+    const Edge from = edgeOf(blocks[gone.blockB].corners, gone.edge);
+    const Edge to = edgeOf(blocks[heir.blockB].corners, heir.edge);
+    // the force on A is N·outward − T·along, on B the opposite
+    const double sign = (shared == gone.blockA ? 1.0 : -1.0) * (shared == heir.blockA ? 1.0 : -1.0);
+    const auto turnedOver = [&](const ContactForces& forces) -> ContactForces {
+        const Point force = sign * (forces.normal * from.outward - forces.shear * from.along);
+        return {givesItself(model, heir) ? 0.0 : std::max(0.0, force.dot(to.outward)), -force.dot(to.along)};
+    };
+    addForces(model, heir, turnedOver(now));
+    const ContactForces more = turnedOver(accepted(gone));
+    heir.normalForce += more.normal;
+    heir.shearForce += more.shear;
+    heir.limit += gone.limit;
+    if (std::abs(gone.slip) > std::abs(heir.slip)) heir.slip = gone.slip;
+    heir.slipped = heir.slipped || (gone.slipped && heir.joint == gone.joint);
+}
+
+}  // namespace
+
+double lengthOfJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact) {
+    return sharedFace(model, blocks, contact).length;
+}
+
+double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, std::span<const Contact> before,
+                   bool first, Contact& contact) {
+    if (const Contact* old = sameContact(before, contact)) {
+        contact = *old;
+        return followLength(model, blocks, contact);
+    }
+    const bool touches = std::abs(contact.gap) <= touching * model.tolerance;
+    contact.joint = governingJoint(model, blocks, contact, first && touches);
+    contact.opening = openingBetween(model, contact);
+    const JointModel& joint = model.joints[contact.joint];
+    contact.length = hasStiffness(joint) ? stiffLength(model, blocks, contact)
+                                         : sharedFace(model, blocks, contact).length;
+    if (first && touches) {
+        contact.gapOffset = contact.gap;
+        const auto isPlate = [&](int block) { return model.blocks[block].plateOf >= 0; };
+        const bool holds = joint.cohesion > 0.0 || joint.tensileStrength > 0.0;
+        contact.bonded = holds && !isPlate(contact.blockA) && !isPlate(contact.blockB) &&
+                         sharedFace(model, blocks, contact).length > model.tolerance;
+    } else if (!first && contact.gap < 0.0 && !givesItself(model, contact)) {
+        // found inside: it starts without force, else it would bring energy
+        contact.gapOffset = contact.gap;
+    }
+    return 0.0;
+}
+
+double handOver(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before,
+                bool underWay, std::vector<Contact>& found) {
+    double lost = 0.0;
+    std::vector<Contact> kept;
+    std::vector<const Contact*> heirs;
+    auto next = found.begin();
+    for (const Contact& old : before) {
+        if (old.normalForce <= 0.0 && !old.bonded && !underWay) continue;
+        while (next != found.end() && comesBefore(*next, old)) ++next;
+        if (next != found.end() && !comesBefore(old, *next)) continue;
+        if (old.bonded) {
+            kept.push_back(old);
+            continue;
+        }
+        const ContactForces now = underWay ? forcesNow(model, blocks, old) : accepted(old);
+        if (now.normal <= 0.0 && old.normalForce <= 0.0) continue;
+        Contact* heir = heirOf(model, blocks, old, found);
+        const bool known =
+            heir && (sameContact(before, *heir) || std::find(heirs.begin(), heirs.end(), heir) != heirs.end());
+        // met and left on the way to an equilibrium: what stands beside it carries the force from here on
+        if (known && underWay && old.normalForce <= 0.0) continue;
+        lost += contactEnergy(model, blocks, old);
+        if (!heir) continue;
+        if (known) lost += contactEnergy(model, blocks, *heir);  // a contact that hands over to itself had none accounted for
+        else heirs.push_back(heir);
+        inherit(model, blocks, old, now, *heir);
+        lost -= contactEnergy(model, blocks, *heir);
+    }
+    if (kept.empty()) return lost;
+    found.insert(found.end(), kept.begin(), kept.end());
+    std::sort(found.begin(), found.end(), comesBefore);
+    return lost;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/files/run_store/resumption.h"
+
+#include "solver/files/run_store/checkpoint_bytes.h"
+#include "solver/files/read_error.h"
+#include "solver/files/run_store/run_store.h"
+#include "solver/files/scene/scene_file.h"
+#include "solver/files/sha256.h"
+#include "solver/results/run_source.h"
+
+#include <system_error>
+
+namespace keyblock {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void cannotResume(const fs::path& path, const std::string& why) {
+    throw CannotRead("cannot resume " + path.string() + ": " + why +
+                     "; run the scene again with --overwrite, or choose another --out");
+}
+
+bool isEmptyOrMissing(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return !fs::exists(status) || (fs::is_regular_file(status) && fs::file_size(path, error) == 0);
+}
+
+}  // namespace
+
+Resumption resumptionOf(const fs::path& path, const Scene& scene) {
+    if (isEmptyOrMissing(path))
+        return {};
+    const RunStore store(path);
+    if (store.sceneHash() != sha256(wholeSceneText(scene)))
+        cannotResume(path, "it contains a run of another scene, or the scene was changed since then");
+    Resumption resumption;
+    resumption.finished = isFinished(store);
+    const std::optional<StoredCheckpoint> stored = store.checkpoint();
+    if (resumption.finished || !stored)
+        return resumption;
+    if (stored->build != buildName())
+        cannotResume(path, "another build of the program wrote it (" + stored->build + "; this build is " + buildName() +
+                               "), whose results may differ");
+    if (stored->hash != sha256(stored->state))
+        cannotResume(path, "its checkpoint is damaged");
+    resumption.checkpoint = checkpointOf(stored->state);
+    if (!resumption.checkpoint)
+        cannotResume(path, "its checkpoint is damaged");
+    return resumption;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,389 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The store is made whole under another name (schema and scene, no write-ahead file
+// yet), put in its place in one move and only then opened for the run, so that
+// a store without its scene is never visible.
+#include "solver/files/run_store/run_store_writer.h"
+
+#include "solver/files/run_store/checkpoint_bytes.h"
+#include "solver/files/run_store/frame_payload.h"
+#include "solver/files/program_version.h"
+#include "solver/files/run_store/run_schema.h"
+#include "solver/files/scene/scene_file.h"
+#include "solver/files/sha256.h"
+#include "solver/files/run_store/sqlite.h"
+#include "solver/files/run_store/store_lock.h"
+#include "solver/files/atomic_file.h"
+#include "solver/results/run_source.h"
+#include "solver/results/result_names.h"
+#include "solver/scene/collapse_stage.h"
+
+#include <sqlite3.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+namespace keyblock {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void cannotWrite(const fs::path& path, const sqlite::Error& error) {
+    throw CannotWrite(cannotWriteText(path, error.systemError, error.what()));
+}
+
+[[noreturn]] void refuseExisting(const fs::path& path) {
+    throw StoreExists(path.string() + " exists; add --resume to continue it or --overwrite to replace it, or choose "
+                                      "another --out");
+}
+
+bool startsAsDatabase(const fs::path& path) {
+    std::string start(16, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    return file && start.compare(0, 15, "SQLite format 3") == 0;
+}
+
+bool isRunStore(const fs::path& path) {
+    if (!startsAsDatabase(path))
+        return false;
+    try {
+        const sqlite::Database database(path, sqlite::Access::Write);
+        sqlite::Statement id(database, "PRAGMA application_id");
+        return id.next() && id.integer(0) == run_schema::applicationId;
+    } catch (const sqlite::Error& error) {
+        // Damaged beyond opening, yet nothing but a database ever started like this.
+        return error.code == SQLITE_CORRUPT || error.code == SQLITE_NOTADB;
+    }
+}
+
+/// Folds the old store's write-ahead file in, so that it is never taken for the new store's. Where only that file or a
+/// journal is left, because the store of a killed run was removed, it is deleted for the same reason.
+void settleOldStore(const fs::path& path) {
+    std::error_code ignored;
+    try {
+        if (fs::exists(path, ignored))
+            sqlite::Database(path, sqlite::Access::Write).run("PRAGMA journal_mode=DELETE");
+    } catch (const sqlite::Error& error) {
+        if (error.code == SQLITE_BUSY || error.code == SQLITE_LOCKED)
+            throw CannotWrite("cannot replace " + path.string() +
+                              ": another program has it open; wait for it, or choose another --out");
+    }
+    for (const char* ending : {"-wal", "-shm", "-journal"})
+        fs::remove(path.string() + ending, ignored);
+}
+
+void writeColumns(const sqlite::Database& database, const HistoryColumns& history) {
+    sqlite::Statement insert(database, "INSERT INTO columns VALUES (?,?,?,?,?)");
+    for (std::size_t payload = 0; payload < payloadWords().size(); ++payload) {
+        std::int64_t position = 0;
+        for (const PayloadColumn& column : payloadColumns(static_cast<Payload>(payload)))
+            insert.bind(payloadWords()[payload]).bind(position++).bind(column.name).bind(column.unit)
+                .bind(column.meaning).run();
+    }
+    std::int64_t position = 0;
+    for (const std::string& name : history.names) {
+        const bool monitor = position < history.monitorValues;
+        insert.bind("history").bind(position++).bind(name).bind("SI");
+        insert.bind(monitor ? "value of a monitor" : "largest value along the bolt, with its sign").run();
+    }
+    insert.bind("mechanism").bind(std::int64_t{0}).bind("block").bind("")
+        .bind("index of a block that moves or is not in equilibrium").run();
+    position = 0;
+    for (const auto& [name, unit, meaning] :
+         {std::array{"block", "", "index of an unstable block"},
+          std::array{"mode", "", "0 slides, 1 falls, 2 topples, 3 follows others"},
+          std::array{"moved", "m", "displacement of the corner that moved farthest, relative to what it touched at the "
+                                   "start of the stage"},
+          std::array{"weight", "N", "for the whole thickness"}})
+        insert.bind("unstable").bind(position++).bind(name).bind(unit).bind(meaning).run();
+}
+
+void writeAbout(const sqlite::Database& database, const Scene& scene, const HistoryColumns& history) {
+    const std::string text = wholeSceneText(scene);
+    sqlite::Statement insert(database, "INSERT INTO about VALUES (?,?)");
+    const auto put = [&](std::string_view key, std::string_view value) { insert.bind(key).bind(value).run(); };
+    put("format", "keyblock-run");
+    put("program_version", programVersion());
+    put("layout", run_schema::layout);
+    put("scene", text);
+    put("scene_hash", sha256(text));
+    put("monitor_values", std::to_string(history.monitorValues));
+}
+
+/// SQLite does not say what was wrong with a folder.
+void requireWritableFolder(const fs::path& path) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        throw CannotWrite(cannotWriteText(path, errno));
+}
+
+/// Makes a whole store without any result at `part`.
+void makeStore(const fs::path& part, const Scene& scene, const HistoryColumns& columns) {
+    sqlite::Database database(part, sqlite::Access::Create);
+    database.run("PRAGMA journal_mode=MEMORY; PRAGMA application_id=" + std::to_string(run_schema::applicationId) +
+                 "; PRAGMA user_version=" + std::to_string(run_schema::version) + "; BEGIN;");
+    database.run(run_schema::tables);
+    writeColumns(database, columns);
+    writeAbout(database, scene, columns);
+    database.run("COMMIT; PRAGMA journal_mode=WAL");
+}
+
+/// Moves the new store to its place; another run that took the place meanwhile keeps it.
+void putInPlace(const fs::path& part, const fs::path& path, bool overwrite) {
+    std::error_code error;
+    if (!overwrite) {
+        fs::create_hard_link(part, path, error);
+        if (error == std::errc::file_exists)
+            refuseExisting(path);
+        if (!error)
+            return;  // the part's own name goes with the part
+    }
+    fs::rename(part, path, error);
+    if (error)
+        throw CannotWrite(cannotWriteText(path, error.value()));
+}
+
+constexpr const char* insertStage = "INSERT INTO stages (stage, name, kind) VALUES (?,?,?)";
+constexpr const char* endStage =
+    "UPDATE stages SET outcome=?, time=?, steps=?, message=?, blocks=?, passes=?, step_cuts=?, energy_cuts=?, "
+    "factorizations=?, full_factorizations=?, ranks=?, solves=?, products=?, sweeps=?, max_penetration_ratio=?, max_residual=?, balance_error=?, health_steps=?, "
+    "unstable=?, farthest=?, loose=?, worst_block=?, worst_share=?, worst_force=? WHERE stage=?";
+constexpr const char* insertEvent = "INSERT INTO events VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
+constexpr const char* insertHistory = "INSERT INTO history VALUES (?,?,?,?,?)";
+constexpr const char* insertFrame =
+    "INSERT INTO frames VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
+constexpr const char* putCheckpoint = "INSERT OR REPLACE INTO checkpoint VALUES (1,?,?,?)";
+
+/// A row of four a block, as table `columns` names them.
+std::vector<double> numbersOf(const std::vector<UnstableBlock>& blocks) {
+    std::vector<double> numbers;
+    for (const UnstableBlock& one : blocks)
+        numbers.insert(numbers.end(),
+                       {static_cast<double>(one.block), static_cast<double>(one.mode), one.moved, one.weight});
+    return numbers;
+}
+
+/// Takes back what a run found after a checkpoint; frames and events count from 1, rows of history from 0.
+void forgetWhatFollows(sqlite::Database& database, const Checkpoint& from) {
+    const auto clear = [&](const char* sql, long kept) {
+        sqlite::Statement(database, sql).bind(std::int64_t{kept}).run();
+    };
+    clear("DELETE FROM events WHERE event>?", from.written.events);
+    clear("DELETE FROM history WHERE row>=?", from.written.historyRows);
+    clear("DELETE FROM frames WHERE frame>?", from.written.frames);
+    clear("DELETE FROM stages WHERE stage>=?", from.begun ? from.stage + 1 : from.stage);
+    clear("UPDATE stages SET outcome=NULL, time=NULL, steps=NULL, message=NULL, blocks=NULL, passes=NULL, "
+          "step_cuts=NULL, energy_cuts=NULL, factorizations=NULL, full_factorizations=NULL, ranks=NULL, "
+          "solves=NULL, products=NULL, sweeps=NULL, max_penetration_ratio=NULL, max_residual=NULL, balance_error=NULL, "
+          "health_steps=NULL, unstable=NULL, farthest=NULL, loose=NULL, worst_block=NULL, worst_share=NULL, worst_force=NULL "
+          "WHERE stage=?", from.stage);
+}
+
+}  // namespace
+
+/// The store while it is open. Statements go before the connection they belong to.
+struct RunStoreWriter::Open {
+    explicit Open(const fs::path& path) : lock(path), database(path, sqlite::Access::Write) {
+        database.run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
+    }
+
+    void beginIfNeeded() {
+        if (!inTransaction)
+            database.run("BEGIN");
+        inTransaction = true;
+    }
+
+    void commit() {
+        if (inTransaction)
+            database.run("COMMIT");
+        inTransaction = false;
+    }
+
+    StoreLock lock;
+    sqlite::Database database;
+    bool inTransaction = false;
+    std::int64_t historyRows = 0;
+    sqlite::Statement stage{database, insertStage};
+    sqlite::Statement stageEnd{database, endStage};
+    sqlite::Statement event{database, insertEvent};
+    sqlite::Statement history{database, insertHistory};
+    sqlite::Statement frame{database, insertFrame};
+    sqlite::Statement checkpoint{database, putCheckpoint};
+};
+
+void requireFreeStore(const fs::path& path, bool overwrite) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status))
+        return;
+    if (!overwrite)
+        refuseExisting(path);
+    const bool empty = fs::is_regular_file(status) && fs::file_size(path, error) == 0;
+    if (!empty && (!fs::is_regular_file(status) || !isRunStore(path)))
+        throw StoreExists(path.string() + " is not a run store and is not overwritten; choose another --out");
+}
+
+RunStoreWriter::RunStoreWriter(fs::path path, bool overwrite) : path_(std::move(path)), overwrite_(overwrite) {
+    requireFreeStore(path_, overwrite_);
+}
+
+RunStoreWriter::~RunStoreWriter() {
+    try {
+        close();
+    } catch (const CannotWrite&) {
+        // The store keeps what was committed; there is no one left to report to.
+    }
+}
+
+/// Does `work` on the open store inside a transaction; a failure takes back what is not committed.
+template <typename Work>
+void RunStoreWriter::write(Work work) {
+    if (!open_)
+        throw CannotWrite("cannot write " + path_.string() + ": the store is closed; run the scene again");
+    try {
+        open_->beginIfNeeded();
+        work(*open_);
+    } catch (const sqlite::Error& error) {
+        open_.reset();
+        cannotWrite(path_, error);
+    }
+}
+
+void RunStoreWriter::begin(const Scene& scene, const HistoryColumns& columns) {
+    scene_ = withCollapseStages(scene);
+    requireFreeStore(path_, overwrite_);
+    requireWritableFolder(path_);
+    const fs::path part = partPath(path_);
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    try {
+        makeStore(part, scene, columns);
+        settleOldStore(path_);
+        putInPlace(part, path_, overwrite_);
+        fs::remove(part, ignored);
+        open_ = std::make_unique<Open>(path_);
+    } catch (const sqlite::Error& error) {
+        fs::remove(part, ignored);
+        cannotWrite(path_, error);
+    } catch (const CannotWrite&) {
+        fs::remove(part, ignored);
+        throw;
+    }
+}
+
+void RunStoreWriter::resume(const Scene& scene, const HistoryColumns&, const Checkpoint& from) {
+    scene_ = withCollapseStages(scene);
+    try {
+        open_ = std::make_unique<Open>(path_);
+    } catch (const sqlite::Error& error) {
+        cannotWrite(path_, error);
+    }
+    write([&](Open& open) {
+        forgetWhatFollows(open.database, from);
+        open.historyRows = from.written.historyRows;
+        open.commit();
+    });
+}
+
+void RunStoreWriter::stageBegins(int stage) {
+    write([&](Open& open) {
+        open.stage.bind(std::int64_t{stage}).bind(stageName(scene_, stage));
+        open.stage.bind(wordOf(scene_.stages.at(static_cast<std::size_t>(stage)).kind)).run();
+        open.commit();
+    });
+}
+
+void RunStoreWriter::event(const Event& e) {
+    write([&](Open& open) {
+        open.event.bind(std::int64_t{e.stage}).bind(e.time).bind(std::int64_t{e.step}).bind(wordOf(e.kind));
+        for (const int index : {e.bolt, e.node, e.element, e.block, e.otherBlock})
+            open.event.bind(std::int64_t{index});
+        for (const double value : {e.position.x(), e.position.y(), e.axialForce, e.shearForce, e.anchorForce, e.slip})
+            open.event.bind(value);
+        open.event.bind(open.historyRows - 1).bind(std::int64_t{e.cause}).run();
+    });
+}
+
+void RunStoreWriter::history(const HistoryRow& row) {
+    write([&](Open& open) {
+        open.history.bind(open.historyRows++).bind(std::int64_t{row.stage}).bind(row.time).bind(std::int64_t{row.step});
+        open.history.bind(std::span<const double>(row.values)).run();
+    });
+}
+
+void RunStoreWriter::frame(const Frame& frame) {
+    write([&](Open& open) {
+        const Energy& e = frame.energy;
+        open.frame.bind(std::int64_t{frame.stage}).bind(frame.time).bind(std::int64_t{frame.step});
+        open.frame.bind(std::int64_t{frame.events});
+        for (const double value : {e.kinetic, e.strain, e.contact, e.bolt, e.friction, e.plastic, e.released, e.damped,
+                                   e.external, e.balanceError})
+            open.frame.bind(value);
+        for (std::size_t payload = 0; payload < payloadWords().size(); ++payload)
+            open.frame.bind(std::span<const double>(pack(static_cast<Payload>(payload), frame)));
+        open.frame.run();
+        open.commit();
+    });
+}
+
+void RunStoreWriter::stageEnds(const StageResult& result) {
+    write([&](Open& open) {
+        const std::vector<double> blocks(result.blocks.begin(), result.blocks.end());
+        const Health& health = result.health;
+        open.stageEnd.bind(wordOf(result.outcome)).bind(result.time).bind(std::int64_t{result.steps});
+        open.stageEnd.bind(result.message).bind(std::span<const double>(blocks));
+        open.stageEnd.bind(std::int64_t{health.passes}).bind(std::int64_t{health.stepCuts});
+        open.stageEnd.bind(std::int64_t{health.energyCuts});
+        const StepWork& work = health.work;
+        for (const long count : {work.factorizations, work.fullFactorizations, work.ranks, work.solves, work.products,
+                                 work.sweeps})
+            open.stageEnd.bind(std::int64_t{count});
+        open.stageEnd.bind(health.maxPenetrationRatio).bind(health.maxResidual).bind(health.balanceError);
+        open.stageEnd.bind(std::int64_t{health.steps});
+        const std::vector<double> unstable = numbersOf(result.unstable);
+        const std::vector<double> farthest =
+            result.farthest.block < 0 ? std::vector<double>{} : numbersOf({result.farthest});
+        const std::vector<double> loose(result.loose.begin(), result.loose.end());
+        for (const std::vector<double>* numbers : {&unstable, &farthest, &loose})
+            open.stageEnd.bind(std::span<const double>(*numbers));
+        open.stageEnd.bind(std::int64_t{health.worst.block}).bind(health.worst.share).bind(health.worst.force);
+        open.stageEnd.bind(std::int64_t{result.stage}).run();
+        if (endsRun(scene_, result))
+            open.database.run("DELETE FROM checkpoint");
+        open.commit();
+    });
+}
+
+void RunStoreWriter::checkpoint(const Checkpoint& checkpoint) {
+    write([&](Open& open) {
+        const std::string bytes = bytesOf(checkpoint);
+        open.checkpoint.bind(buildName()).bind(sha256(bytes)).bindBytes(bytes).run();
+        open.commit();
+    });
+}
+
+void RunStoreWriter::close() {
+    if (!open_)
+        return;
+    try {
+        open_->commit();
+        open_.reset();
+    } catch (const sqlite::Error& error) {
+        open_.reset();
+        cannotWrite(path_, error);
+    }
+    try {
+        sqlite::Database(path_, sqlite::Access::Write).run("PRAGMA journal_mode=DELETE");
+    } catch (const sqlite::Error&) {
+        // The store is being read: it stays in write-ahead mode, which is as good.
+    }
+}
+
+}  // namespace keyblock

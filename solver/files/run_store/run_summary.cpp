@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/files/run_store/run_summary.h"
+
+#include "solver/files/run_store/checkpoint_bytes.h"
+#include "solver/files/run_store/store_reading.h"
+#include "solver/results/result_names.h"
+
+namespace keyblock {
+
+namespace {
+
+long countOf(const sqlite::Database& database, const char* table) {
+    sqlite::Statement statement(database, std::string("SELECT count(*) FROM ") + table);
+    return statement.next() ? static_cast<long>(statement.integer(0)) : 0;
+}
+
+}  // namespace
+
+RunSummary runSummary(const std::filesystem::path& store) {
+    using namespace store_reading;
+    const sqlite::Database database = opened(store);
+    try {
+        requireRunStore(database, store);
+        RunSummary summary;
+        summary.sceneHash = aboutValue(database, "scene_hash");
+        summary.programVersion = aboutValue(database, "program_version");
+        summary.frames = countOf(database, "frames");
+        summary.events = countOf(database, "events");
+        sqlite::Statement stages(database, "SELECT name, outcome, message FROM stages ORDER BY stage");
+        while (stages.next()) {
+            ++summary.stages;
+            summary.stage = stages.text(0);
+            summary.outcome = stages.isNull(1) ? std::nullopt : std::optional(known(outcomeOf(stages.text(1))));
+            summary.message = stages.text(2);
+        }
+        sqlite::Statement checkpoint(database, "SELECT build FROM checkpoint");
+        summary.resumable = checkpoint.next() && checkpoint.text(0) == buildName();
+        return summary;
+    } catch (const sqlite::Error&) {
+        cannotRead(store, damaged);
+    }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Doubles are stored byte by byte in little-endian order on every machine.
+#include "solver/files/run_store/sqlite.h"
+
+#include <sqlite3.h>
+
+#include <bit>
+#include <cerrno>
+#include <limits>
+
+namespace keyblock::sqlite {
+
+namespace {
+
+constexpr int busyWait = 5000;  // [ms]
+
+/// What the connection has to say about its last failure.
+[[noreturn]] void fail(int code, sqlite3* connection) {
+    if (!connection)
+        throw Error(code, "out of memory");
+    const int kind = code & 0xFF;
+    if (kind == SQLITE_FULL)
+        throw Error(code, "no space is left", ENOSPC);
+    const bool askedSystem = kind == SQLITE_CANTOPEN || kind == SQLITE_IOERR;
+    throw Error(code, sqlite3_errmsg(connection), askedSystem ? sqlite3_system_errno(connection) : 0);
+}
+
+/// The path as a URI that makes SQLite take no locks and look for no journal.
+std::string unchangingUri(const std::filesystem::path& path) {
+    std::string uri = "file:";
+    for (const char c : path.string()) {
+        if (c == '%' || c == '?' || c == '#')
+            uri += c == '%' ? "%25" : c == '?' ? "%3f" : "%23";
+        else
+            uri += c;
+    }
+    return uri + "?immutable=1";
+}
+
+int flagsFor(Access access) {
+    switch (access) {
+        case Access::Create: return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+        case Access::Write: return SQLITE_OPEN_READWRITE;
+        case Access::Read: return SQLITE_OPEN_READONLY;
+        case Access::ReadUnchanging: return SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
+    }
+    return SQLITE_OPEN_READONLY;
+}
+
+std::vector<unsigned char> packed(std::span<const double> values) {
+    std::vector<unsigned char> bytes;
+    bytes.reserve(values.size() * sizeof(double));
+    for (const double value : values) {
+        const auto bits = std::bit_cast<std::uint64_t>(value);
+        for (int shift = 0; shift < 64; shift += 8)
+            bytes.push_back(static_cast<unsigned char>(bits >> shift));
+    }
+    return bytes;
+}
+
+double unpacked(const unsigned char* bytes) {
+    std::uint64_t bits = 0;
+    for (int byte = 7; byte >= 0; --byte)
+        bits = bits << 8 | bytes[byte];
+    return std::bit_cast<double>(bits);
+}
+
+}  // namespace
+
+void Database::Close::operator()(sqlite3* handle) const { sqlite3_close(handle); }
+
+Database::Database(const std::filesystem::path& path, Access access) {
+    const std::string name = access == Access::ReadUnchanging ? unchangingUri(path) : path.string();
+    sqlite3* handle = nullptr;
+    const int code = sqlite3_open_v2(name.c_str(), &handle, flagsFor(access), nullptr);
+    handle_.reset(handle);
+    if (code != SQLITE_OK)
+        fail(code, handle);
+    sqlite3_busy_timeout(handle, busyWait);
+}
+
+void Database::run(const std::string& sql) {
+    const int code = sqlite3_exec(handle(), sql.c_str(), nullptr, nullptr, nullptr);
+    if (code != SQLITE_OK)
+        fail(code, handle());
+}
+
+void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+
+Statement::Statement(const Database& database, std::string_view sql) {
+    sqlite3_stmt* statement = nullptr;
+    const int code =
+        sqlite3_prepare_v2(database.handle(), sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
+    statement_.reset(statement);
+    if (code != SQLITE_OK)
+        fail(code, database.handle());
+}
+
+sqlite3* Statement::connection() const { return sqlite3_db_handle(statement_.get()); }
+
+void Statement::check(int code) const {
+    if (code != SQLITE_OK)
+        fail(code, connection());
+}
+
+Statement& Statement::bind(std::int64_t value) {
+    check(sqlite3_bind_int64(statement_.get(), ++bound_, value));
+    return *this;
+}
+
+Statement& Statement::bind(double value) {
+    check(sqlite3_bind_double(statement_.get(), ++bound_, value));
+    return *this;
+}
+
+Statement& Statement::bind(std::string_view text) {
+    check(sqlite3_bind_text(statement_.get(), ++bound_, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT));
+    return *this;
+}
+
+Statement& Statement::bind(std::span<const double> values) {
+    const std::vector<unsigned char> bytes = packed(values);
+    if (bytes.empty())
+        check(sqlite3_bind_zeroblob(statement_.get(), ++bound_, 0));
+    else
+        check(sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.data(), bytes.size(), SQLITE_TRANSIENT));
+    return *this;
+}
+
+Statement& Statement::bindBytes(std::string_view bytes) {
+    check(sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.data(), bytes.size(), SQLITE_TRANSIENT));
+    return *this;
+}
+
+void Statement::run() {
+    next();
+    sqlite3_reset(statement_.get());
+    bound_ = 0;
+}
+
+bool Statement::next() {
+    const int code = sqlite3_step(statement_.get());
+    if (code == SQLITE_ROW)
+        return true;
+    if (code != SQLITE_DONE)
+        fail(code, connection());
+    return false;
+}
+
+std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
+
+double Statement::real(int column) const {
+    return isNull(column) ? std::numeric_limits<double>::quiet_NaN() : sqlite3_column_double(statement_.get(), column);
+}
+
+std::string Statement::text(int column) const {
+    const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
+    return bytes ? std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column))) : "";
+}
+
+std::string Statement::bytes(int column) const {
+    const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
+    return bytes ? std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column))) : "";
+}
+
+bool Statement::isNull(int column) const { return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL; }
+
+std::optional<std::vector<double>> Statement::doubles(int column) const {
+    const auto* bytes = static_cast<const unsigned char*>(sqlite3_column_blob(statement_.get(), column));
+    const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
+    if (size % sizeof(double) != 0)
+        return std::nullopt;
+    std::vector<double> values;
+    values.reserve(size / sizeof(double));
+    for (std::size_t at = 0; at < size; at += sizeof(double))
+        values.push_back(unpacked(bytes + at));
+    return values;
+}
+
+}  // namespace keyblock::sqlite

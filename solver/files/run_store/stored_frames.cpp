@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/files/run_store/stored_frames.h"
+
+#include "solver/files/run_store/store_reading.h"
+
+#include <utility>
+
+namespace keyblock {
+
+StoredFrames::StoredFrames(std::filesystem::path path, std::shared_ptr<const Scene> solved, std::size_t blocks)
+    : path_(std::move(path)), solved_(std::move(solved)), blocks_(blocks) {}
+
+Frame StoredFrames::frame(std::size_t index) const {
+    using namespace store_reading;
+    const sqlite::Database database = openedAgain(path_);
+    try {
+        const auto key = static_cast<std::int64_t>(index) + 1;  // the writer counts them from 1, without gaps
+        sqlite::Statement statement(database, std::string("SELECT ") + headColumns + " FROM frames WHERE frame=?");
+        statement.bind(key);
+        if (!statement.next())
+            cannotRead(path_, "it no longer has frame " + std::to_string(key) + "; open the run again");
+        return frameAt(database, key, *solved_, blocks_, headAt(statement, *solved_));
+    } catch (const sqlite::Error&) {
+        cannotRead(path_, damaged);
+    }
+}
+
+}  // namespace keyblock

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A scene is written by the same table that reads it. Each object is compared
+// with a reference, its defaults or the bolt type it is like, and only what
+// differs is written.
+#include "solver/files/scene/bolt_library.h"
+#include "solver/files/json/field_json.h"
+#include "solver/files/json/json_text.h"
+#include "solver/files/scene/record_file.h"
+#include "solver/files/scene/scene_file.h"
+#include "solver/files/sha256.h"
+#include "solver/files/atomic_file.h"
+#include "solver/scene/field.h"
+#include "solver/scene/lookup.h"
+
+#include <ostream>
+
+namespace keyblock {
+
+namespace {
+
+JsonNode objectNode(const Structure& structure, const void* object, const void* reference);
+
+JsonNode childrenNode(const Field& field, const void* object, const void* reference) {
+    const Children& children = field.children;
+    const Structure& structure = children.structure();
+    if (children.isNull(object))
+        return {};
+    if (field.kind == FieldKind::Object)
+        return objectNode(structure, children.item(object, 0),
+                          children.isNull(reference) ? structure.defaults : children.item(reference, 0));
+    JsonList list;
+    JsonObject map;
+    for (std::size_t i = 0; i < children.count(object); ++i) {
+        JsonNode node = objectNode(structure, children.item(object, i), structure.defaults);
+        if (field.kind == FieldKind::List)
+            list.push_back(std::move(node));
+        else
+            map.push_back({std::string(children.name(object, i)), std::move(node)});
+    }
+    return field.kind == FieldKind::List ? JsonNode{std::move(list)} : JsonNode{std::move(map)};
+}
+
+JsonNode fieldNode(const Field& field, const void* object, const void* reference) {
+    if (hasChildren(field))
+        return childrenNode(field, object, reference);
+    return jsonFromValue(field, field.get ? field.get(object) : field.accepted.front());
+}
+
+JsonNode objectNode(const Structure& structure, const void* object, const void* reference) {
+    JsonObject members;
+    for (const Field& field : structure.fields)
+        if (field.required || !sameValue(field, object, reference))
+            members.push_back({std::string(field.key), fieldNode(field, object, reference)});
+    return {std::move(members)};
+}
+
+// The type that `type` is like, among the scene's and the built-in ones; a default one when it is like none.
+const BoltType& baseOf(const BoltType& type, const Scene& scene) {
+    static const BoltType defaults;
+    if (type.like.empty())
+        return defaults;
+    if (const BoltType* own = findBoltType(scene, type.like))
+        return *own;
+    const BoltType* builtIn = findBuiltInBoltType(type.like);
+    return builtIn ? *builtIn : defaults;
+}
+
+// What differs from the base; sources that come along with their numbers are not repeated.
+JsonNode boltTypeNode(BoltType type, BoltType base) {
+    std::erase_if(type.sources, [&](const auto& entry) {
+        const auto inherited = base.sources.find(entry.first);
+        return inherited != base.sources.end() && inherited->second == entry.second;
+    });
+    base.sources.clear();
+    return objectNode(boltTypeStructure(), &type, &base);
+}
+
+JsonObject ownBoltTypes(const Scene& scene) {
+    JsonObject types;
+    for (const BoltType& type : scene.boltTypes)
+        if (!type.builtIn)
+            types.push_back({type.name, boltTypeNode(type, baseOf(type, scene))});
+    return types;
+}
+
+JsonNode sceneNode(const Scene& scene) {
+    const Structure& structure = sceneStructure();
+    JsonObject members;
+    for (const Field& field : structure.fields) {
+        const bool isTypes = field.key == "bolt_types";
+        JsonObject types = isTypes ? ownBoltTypes(scene) : JsonObject{};
+        if (isTypes && !types.empty())
+            members.push_back({std::string(field.key), {std::move(types)}});
+        else if (!isTypes && (field.required || !sameValue(field, &scene, structure.defaults)))
+            members.push_back({std::string(field.key), fieldNode(field, &scene, structure.defaults)});
+    }
+    return {std::move(members)};
+}
+
+// Records that are in a file are read from there again.
+template <typename StandsIn>
+Scene withoutRecords(Scene scene, StandsIn standsInFile) {
+    for (Stage& stage : scene.stages)
+        for (auto* acceleration : {&stage.baseAcceleration, &stage.bodyAcceleration})
+            if (*acceleration && !(*acceleration)->file.empty() && standsInFile(**acceleration))
+                (*acceleration)->record.clear();
+    return scene;
+}
+
+}  // namespace
+
+std::string sceneText(const Scene& scene) {
+    return jsonText(sceneNode(withoutRecords(scene, [](const Acceleration&) { return true; })));
+}
+
+std::string wholeSceneText(const Scene& scene) { return jsonText(sceneNode(scene)); }
+
+std::string sceneHash(const Scene& scene) { return sha256(wholeSceneText(scene)); }
+
+void writeSceneFile(const std::filesystem::path& path, const Scene& scene) {
+    const std::filesystem::path folder = path.parent_path();
+    const Scene written = withoutRecords(scene, [&](const Acceleration& acceleration) {
+        return readRecordFile(folder / acceleration.file).record == acceleration.record;
+    });
+    writeAtomically(path, [&](std::ostream& out) { out << wholeSceneText(written); });
+}
+
+}  // namespace keyblock

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The section itself on paper: rock, walls, bolts, force diagram, names, numbers and
+// the scale bar, in a frame.
+#pragma once
+
+#include "ui/figure/ink.h"
+#include "ui/picture/detail.h"
+#include "ui/picture/placement.h"
+#include "ui/picture/section.h"
+
+#include <vector>
+
+namespace keyblock {
+
+class MapPainter {
+public:
+    /// The picture in `frame` [mm]; the window is extended to the frame's shape.
+    MapPainter(const SectionPicture& picture, const Box& frame);
+
+    /// Kinds of marks that will be drawn, each once, in the order of the key.
+    std::vector<MarkKind> kinds() const { return kindsOf(marks_); }
+
+    /// Length on paper of the longest line of a contact [mm]; 0 if none are shown.
+    double longestContact() const;
+
+    void draw(Ink& ink);
+
+private:
+    Point onPaper(const Point& p) const;
+    std::vector<Point> onPaper(const std::vector<Point>& points) const;
+    void drawLines(Ink& ink, const std::vector<LineShape>& lines, const Stroke& stroke) const;
+    void drawBlock(Ink& ink, const BlockShape& block, const Stroke& outline) const;
+    void drawBlocks(Ink& ink) const;
+    void drawShank(Ink& ink, std::size_t index) const;
+    void drawMarks(Ink& ink, std::size_t index) const;
+    void drawArrows(Ink& ink) const;
+    void drawContacts(Ink& ink) const;
+    void drawRibbon(Ink& ink);
+    /// Writes the name along the level of the limit, on its outer side.
+    void drawLimitName(Ink& ink, const Ribbon& ribbon, const Point& from, const Point& to, const Point& across);
+    void drawScaleBar(Ink& ink);
+    void drawNumbers(Ink& ink);
+    void drawNames(Ink& ink);
+    void drawMoved(Ink& ink);
+    Point footWithin(const std::vector<Point>& outline) const;
+    void drawLeader(Ink& ink, const Point& from, const Box& label) const;
+
+    const SectionPicture& picture_;
+    Box frame_;  // [mm]
+    Box window_;  // [m]
+    double scale_ = 1.0;  // mm per m
+    std::vector<double> spacing_;  // of each bolt, to the nearest other one [mm]
+    std::vector<std::vector<Mark>> marks_;  // of each bolt, thinned
+    Placement placement_;
+};
+
+}  // namespace keyblock

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Symbols of structural drawings for supports, loads, motions and monitors: hatching
+// of fixed sides, rollers, arrows, targets.
+#pragma once
+
+#include "ui/edit/scene_objects.h"
+
+#include <QPointF>
+#include <QString>
+
+class QColor;
+class QPainter;
+
+namespace keyblock {
+
+class CanvasMap;
+struct Theme;
+
+class SignPainter {
+public:
+    SignPainter(QPainter& painter, const CanvasMap& map, const Theme& theme);
+
+    /// The symbol of the object, if it has one.
+    void paint(const Scene& scene, const SceneObject& object);
+
+    // Single symbols, for previews.
+    void side(const Point& from, const Point& to, Fix fix, const QColor& colour);
+    void held(const Point& place, Fix fix, const QColor& colour);
+    /// An arrow of length `pixels` that ends at the point, in the direction `way`.
+    void arrow(const Point& place, const Point& way, double pixels, const QColor& colour);
+    void pressure(const Point& from, const Point& to, bool pulls, const QColor& colour);
+    void motion(const Point& place, const Point& axis, const QColor& colour);
+    void monitor(const Point& place, const QString& name, const QColor& colour);
+
+private:
+    void support(const Support& support, const SceneObject& object);
+    void load(const Load& load);
+    void head(const QPointF& tip, const QPointF& along, const QColor& colour);
+
+    QPainter& painter_;
+    const CanvasMap& map_;
+    const Theme& theme_;
+};
+
+}  // namespace keyblock
