@@ -109,7 +109,7 @@ def edit_and_run(studio, scene_file, seed, home):
 
 def recover(studio, scene_file, button, with_file, home):
     """Starts the program again, recovers, saves, and reads the file."""
-    Screen.copy_home(home, os.environ["KEYBLOCK_PERSON"])
+    Screen.copy_home(home, os.environ["KEYBLOCK_E2E_HOME"])
     screen = Screen(studio, [scene_file] if with_file == "file" else [], PICTURES)
     try:
         if with_file == "file":
@@ -245,7 +245,7 @@ def main():
     if sys.argv[1] in roles:
         in_own_session()
         print(json.dumps(roles[sys.argv[1]](*sys.argv[2:])))
-        return shutil.rmtree(os.environ["KEYBLOCK_PERSON"], ignore_errors=True)
+        return shutil.rmtree(os.environ["KEYBLOCK_E2E_HOME"], ignore_errors=True)
     kills = int(sys.argv[4]) if len(sys.argv) > 4 else 30
     chance = random.Random(int(os.environ.get("KEYBLOCK_SEED", "1")))
     all_kills = Kills(*(os.path.abspath(path) for path in sys.argv[1:4]))

@@ -32,10 +32,10 @@ def wait(condition, seconds=20, step=0.05):
 
 def in_own_session():
     """First line of a script: restarts it with a session bus and a home folder of its own."""
-    if os.environ.get("KEYBLOCK_PERSON"):
+    if os.environ.get("KEYBLOCK_E2E_HOME"):
         return
     home = tempfile.mkdtemp(prefix="keyblock-e2e-")
-    os.environ.update(KEYBLOCK_PERSON=home, HOME=home, XDG_RUNTIME_DIR=home, LC_ALL="C.UTF-8")
+    os.environ.update(KEYBLOCK_E2E_HOME=home, HOME=home, XDG_RUNTIME_DIR=home, LC_ALL="C.UTF-8")
     for name in ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"):
         os.environ.pop(name, None)
     sys.stdout.flush()
@@ -44,7 +44,7 @@ def in_own_session():
 
 class Screen:
     def __init__(self, program, arguments=(), pictures=None, size="1600x1000", scale="1"):
-        self.home = os.environ["KEYBLOCK_PERSON"]
+        self.home = os.environ["KEYBLOCK_E2E_HOME"]
         self.pictures = pictures
         self.clicks = self.shots = 0
         self.program = None

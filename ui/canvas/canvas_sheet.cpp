@@ -4,6 +4,7 @@
 
 #include "ui/canvas/call_out.h"
 #include "ui/canvas/canvas.h"
+#include "ui/canvas/canvas_caption.h"
 #include "ui/canvas/section_painter.h"
 #include "ui/look/theme.h"
 
@@ -11,6 +12,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <utility>
 
 namespace keyblock {
 
@@ -91,12 +93,15 @@ void CanvasSheet::paintHintAside(QPainter& painter) const {
 
 void CanvasSheet::paintPicture(QPainter& painter) {
     const bool hasLegend = canvas_.hasLegend_ && !canvas_.style_.drawing;
-    SectionPainter ink(*canvas_.picture(), canvas_.map(), canvas_.themes_.current(), hasLegend,
-                   canvas_.style_.selectedBolts, canvas_.culprit_);
-    ink.paint(painter);
-    for (const QRectF& panel : ink.panels()) panels_.push_back(panel.toAlignedRect());
+    std::vector<QRectF> captions;
+    for (const CanvasCaption* caption : canvas_.findChildren<CanvasCaption*>())
+        if (caption->isVisible()) captions.push_back(caption->geometry());
+    SectionPainter section(*canvas_.picture(), canvas_.map(), canvas_.themes_.current(), hasLegend,
+                           canvas_.style_.selectedBolts, canvas_.culprit_, std::move(captions));
+    section.paint(painter);
+    for (const QRectF& panel : section.panels()) panels_.push_back(panel.toAlignedRect());
     for (const LegendPart part : {LegendPart::Blocks, LegendPart::Bolts})
-        if (const QRectF rect = ink.legendPart(part); !rect.isEmpty()) parts_.emplace_back(part, rect);
+        if (const QRectF rect = section.legendPart(part); !rect.isEmpty()) parts_.emplace_back(part, rect);
 }
 
 std::optional<LegendPart> CanvasSheet::legendPartAt(const QPointF& pixel) const {

@@ -25,7 +25,9 @@ struct Texts {
 
 constexpr double inset = 10.0, padding = 13.0, width = legendExtent - inset;  // [px]
 constexpr double leastCanvas = 480.0;  // below it the legend would hide the section [px]
-constexpr double leastNarrow = 400.0;  // down to here the bars of colours have room next to the scale bar [px]
+constexpr double leastNarrow = 260.0;  // down to here the colour bars fit below the section [px]
+constexpr double leastBeside = 400.0;  // from here they fit next to the scale bar, below it they are above it [px]
+constexpr double scaleBarRoom = 42.0;  // [px]
 constexpr double shareOfNarrow = 0.4;  // of the height, at most
 
 struct Item {
@@ -102,7 +104,8 @@ std::vector<Item> itemsWithin(const Theme& theme, const LegendContent& content, 
 QRectF rectOf(const std::vector<Item>& items, const QSizeF& canvas) {
     if (items.empty()) return {};
     const double height = heightOf(items);
-    const double top = isNarrow(canvas) ? std::round(canvas.height() - inset - height) : inset;
+    const double bottom = inset + (canvas.width() < leastBeside ? scaleBarRoom : 0.0);
+    const double top = isNarrow(canvas) ? std::round(canvas.height() - bottom - height) : inset;
     return {canvas.width() - inset - width, top, width, height};
 }
 
@@ -110,7 +113,7 @@ QRectF rectOf(const std::vector<Item>& items, const QSizeF& canvas) {
 
 QMarginsF legendRoom(const Theme& theme, const LegendContent& content, const QSizeF& canvas) {
     const QRectF rect = legendRect(theme, content, canvas);
-    if (isNarrow(canvas)) return {0.0, 0.0, 0.0, rect.isEmpty() ? 0.0 : rect.height() + inset};
+    if (isNarrow(canvas)) return {0.0, 0.0, 0.0, rect.isEmpty() ? 0.0 : canvas.height() - rect.top()};
     return {0.0, 0.0, legendExtent, 0.0};
 }
 

@@ -12,6 +12,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <utility>
 
 namespace keyblock {
 
@@ -27,10 +28,10 @@ Box sheetOf(const CanvasMap& map) { return {{edge, edge}, {map.size().width() - 
 }  // namespace
 
 SectionPainter::SectionPainter(const SectionPicture& picture, const CanvasMap& map, const Theme& theme,
-                       bool hasLegend, const std::vector<int>& selected,
-                       const std::optional<Culprit>& culprit)
+                               bool hasLegend, const std::vector<int>& selected,
+                               const std::optional<Culprit>& culprit, std::vector<QRectF> covered)
     : picture_(picture), map_(map), theme_(theme), hasLegend_(hasLegend), selected_(selected), culprit_(culprit),
-      placement_(sheetOf(map), pixelsPerMm) {
+      covered_(std::move(covered)), placement_(sheetOf(map), pixelsPerMm) {
     if (picture.contacts) contacts_ = seenWithin(*picture.contacts, map.window());
     moved_ = movedBlocks(picture, map.pixelsPerMetre(), onTheScreen);
     chooseMarks();
@@ -95,6 +96,7 @@ LegendContent SectionPainter::legendContent() const {
 /// Panels are placed first and painted over everything.
 void SectionPainter::keepOffPanels() {
     for (const QRectF& panel : panels()) placement_.keepOff(grown(boxOf(panel), 4.0));
+    for (const QRectF& widget : covered_) placement_.keepOff(grown(boxOf(widget), 4.0));
 }
 
 std::vector<QRectF> SectionPainter::panels() const {

@@ -26,9 +26,10 @@ struct Theme;
 
 class SectionPainter {
 public:
-    /// All arguments must outlive it. `selected` are rows of the scene's bolts.
+    /// All arguments by reference must outlive it. `selected` are rows of the scene's bolts, `covered` is what widgets hide
+    /// of the canvas [px].
     SectionPainter(const SectionPicture& picture, const CanvasMap& map, const Theme& theme, bool hasLegend,
-               const std::vector<int>& selected, const std::optional<Culprit>& culprit);
+                   const std::vector<int>& selected, const std::optional<Culprit>& culprit, std::vector<QRectF> covered = {});
 
     void paint(QPainter& painter);
 
@@ -68,6 +69,7 @@ private:
     bool hasLegend_;
     const std::vector<int>& selected_;
     const std::optional<Culprit>& culprit_;
+    std::vector<QRectF> covered_;
     std::optional<ContactField> contacts_;  // those in the view
     std::vector<double> spacing_;  // of each bolt [px]
     std::vector<std::vector<Mark>> marks_;  // of each bolt, thinned

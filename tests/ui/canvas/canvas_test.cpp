@@ -120,17 +120,19 @@ TEST_F(OnCanvas, FitsNextToALegendThatAppears) {
 TEST_F(OnCanvas, NarrowCanvasShowsTheColourBarsBelowTheSection) {
     NEED_SCREEN();
     open();
-    canvas->resize(440, 500);
     const auto results = pictureOf(bricks, 1);
     canvas->show(results);
-    canvas->fit();
-    painted();
-    const LegendContent content{*results, nullptr, {}};
-    const QRectF legend = legendRect(themes->current(), content, canvas->size());
-    ASSERT_FALSE(legend.isEmpty());
-    EXPECT_GE(legend.top(), canvas->map().toPixel(results->window.min).y());
-    EXPECT_FALSE(legend.intersects(scaleBarRect(canvas->map())));
-    EXPECT_FALSE(legendPartRect(themes->current(), content, canvas->size(), LegendPart::Blocks).isEmpty());
+    for (const QSize size : {QSize(440, 500), QSize(370, 363)}) {
+        canvas->resize(size);
+        canvas->fit();
+        painted();
+        const LegendContent content{*results, nullptr, {}};
+        const QRectF legend = legendRect(themes->current(), content, canvas->size());
+        ASSERT_FALSE(legend.isEmpty());
+        EXPECT_GE(legend.top(), canvas->map().toPixel(results->window.min).y());
+        EXPECT_FALSE(legend.intersects(scaleBarRect(canvas->map())));
+        EXPECT_FALSE(legendPartRect(themes->current(), content, canvas->size(), LegendPart::Blocks).isEmpty());
+    }
 }
 
 TEST_F(OnCanvas, ClickOnTheLegendOpensItsScale) {
