@@ -17,6 +17,7 @@ namespace {
 
 constexpr double asFar = 0.9;  // of the way of a displaced block: what is joined to it and went so far is named with it
 constexpr double itsOwnWay = 0.5;  // of the way of its neighbour: what went less was left, and did not leave
+constexpr double setMoving = 0.05;  // of its size: a block that a collapse has moved so far is named, though it has come to rest
 constexpr double slow = 0.02;  // [m/s] at which a block may still move when a dynamic stage ends
 constexpr double touching = 10.0;  // times the geometric tolerance
 
@@ -147,17 +148,32 @@ UnstableBlock Stability::told(int first) const {
             moved(first), mass * model_.gravity.norm()};
 }
 
-std::vector<UnstableBlock> Stability::collapsed(const std::vector<int>& blocks, const std::vector<int>& followers) const {
+std::vector<UnstableBlock> Stability::described(const std::vector<int>& blocks) const {
     std::vector<UnstableBlock> unstable;
     for (const int first : blocks) unstable.push_back(told(first));
-    for (const int first : followers) {
+    return unstable;
+}
+
+std::vector<UnstableBlock> Stability::collapsed(const std::vector<int>& blocks, const std::vector<int>& followers) const {
+    std::vector<UnstableBlock> unstable = described(blocks);
+    const auto isNamed = [&](int first) {
+        return std::any_of(unstable.begin(), unstable.end(), [&](const UnstableBlock& one) { return one.block == first; });
+    };
+    const auto addFollower = [&](int first) {
+        if (isNamed(first)) return;
         unstable.push_back(told(first));
         unstable.back().mode = Movement::Follows;
-    }
+    };
+    for (const int first : followers) addFollower(first);
+    for (const int first : displacedBlocks(setMoving)) addFollower(first);
     return unstable;
 }
 
 std::vector<UnstableBlock> Stability::displaced(double share) const {
+    return described(displacedBlocks(share));
+}
+
+std::vector<int> Stability::displacedBlocks(double share) const {
     std::vector<int> left;
     std::vector<char> named(model_.blocks.size(), 0);
     for (int first = 0; first < static_cast<int>(model_.blocks.size()); ++first)
@@ -172,7 +188,7 @@ std::vector<UnstableBlock> Stability::displaced(double share) const {
         }
     }
     std::sort(left.begin(), left.end());
-    return collapsed(left, {});
+    return left;
 }
 
 /// Of its middle against what it touches now, or against the ground where it touches nothing [m/s].
@@ -208,7 +224,7 @@ std::vector<UnstableBlock> Stability::moving() const {
         const bool fell = state_.blocks[at(first)].fallen && !start_.blocks[at(first)].fallen;
         if (fell || moved(first) > reach(first) || (speed(first) > slow && keepsItsSpeed(first))) blocks.push_back(first);
     }
-    return collapsed(blocks, {});
+    return described(blocks);
 }
 
 UnstableBlock Stability::farthest() const {

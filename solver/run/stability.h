@@ -40,7 +40,8 @@ public:
     /// \param loads of the stage: what they drive is exempt.
     Stability(const Model& model, const StageStart& start, const State& state, const Stage& stage, const Loads& loads);
 
-    /// \param followers are reported as such.
+    /// \param followers are reported as such, and so is every other block that the collapse has moved by more than a
+    /// twentieth of its size, whether it still moves or has come to rest.
     std::vector<UnstableBlock> collapsed(const std::vector<int>& blocks, const std::vector<int>& followers) const;
 
     /// Blocks that have come to rest more than `share` of their size (centroid to farthest corner) away, and those joined
@@ -67,6 +68,8 @@ private:
     double speed(int first) const;
     bool keepsItsSpeed(int first) const;
     UnstableBlock told(int first) const;
+    std::vector<UnstableBlock> described(const std::vector<int>& blocks) const;
+    std::vector<int> displacedBlocks(double share) const;
 
     const Model& model_;
     const StageStart& start_;

@@ -123,6 +123,23 @@ TEST(Stability, ACollapseNamesWhatFollows) {
     EXPECT_EQ(stage.unstable[0].mode, Movement::Slides);
 }
 
+/// What has moved in a collapse is named, though it has come to rest; what has hardly moved is not.
+TEST(Stability, ACollapseNamesWhatHasMovedAndRests) {
+    for (const double gap : {0.03, 0.06}) {  // a twentieth of the box's reach is 0.035 m
+        Scene scene = boxOverFloor(gap);
+        scene.blocks.push_back(boxBlock("falling", {20, 0}, {21, 1}));
+        const StageResult stage = runInMemory(scene).stages.at(0);
+        ASSERT_EQ(stage.outcome, Outcome::Collapse);
+        ASSERT_EQ(stage.unstable.size(), gap > 0.05 ? 2U : 1U) << gap;
+        EXPECT_EQ(stage.unstable[0].block, 2);
+        EXPECT_EQ(stage.unstable[0].mode, Movement::Falls);
+        if (gap < 0.05) continue;
+        EXPECT_EQ(stage.unstable[1].block, 1);
+        EXPECT_EQ(stage.unstable[1].mode, Movement::Follows);
+        EXPECT_NEAR(stage.unstable[1].moved, gap, 1e-4);
+    }
+}
+
 /// 25 MPa across a block of 240 N in a section of 80 m: under a penalty of 4,000 E round-off hides half of its weight.
 TEST(Stability, RoundOffThatHidesAWeightIsUndecided) {
     Scene scene = emptyScene(50e9, 0.2, 45.0);
