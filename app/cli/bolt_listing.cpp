@@ -9,8 +9,6 @@
 #include "solver/scene/field.h"
 #include "solver/scene/number_text.h"
 
-#include <algorithm>
-#include <numbers>
 #include <variant>
 
 namespace keyblock::cli {
@@ -116,17 +114,5 @@ private:
 }  // namespace
 
 std::vector<BoltNumber> numbersOf(const BoltType& type) { return Listing(type).list(); }
-
-double areaOf(const BoltType& type) {
-    return type.area.value_or(std::numbers::pi * type.diameter * type.diameter / 4.0);
-}
-
-std::optional<double> tensileStrengthOf(const BoltType& type) {
-    if (type.tensileStrength || type.steel.empty())
-        return type.tensileStrength;
-    return std::max_element(type.steel.begin(), type.steel.end(), [](const auto& a, const auto& b) {
-               return a.second < b.second;
-           })->second;
-}
 
 }  // namespace keyblock::cli

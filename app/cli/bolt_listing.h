@@ -24,10 +24,4 @@ struct BoltNumber {
 /// Every value of the type that applies and is not null, in the order of the format.
 std::vector<BoltNumber> numbersOf(const BoltType& type);
 
-/// Area of steel [m²].
-double areaOf(const BoltType& type);
-
-/// Largest stress the steel bears [Pa]; null: unbreakable.
-std::optional<double> tensileStrengthOf(const BoltType& type);
-
 }  // namespace keyblock::cli

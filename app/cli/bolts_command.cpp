@@ -7,6 +7,7 @@
 #include "app/cli/output.h"
 #include "app/cli/text_table.h"
 #include "solver/files/scene/bolt_library.h"
+#include "solver/scene/bolt_steel.h"
 #include "solver/scene/enum_names.h"
 
 namespace keyblock::cli {
@@ -20,16 +21,14 @@ std::string classWord(const BoltType& type) {
 std::string kilonewtons(double force) { return shown(force / 1e3); }
 
 TextRow overviewRow(const BoltType& type) {
-    const double area = areaOf(type);
-    const std::optional<double> stress = tensileStrengthOf(type);
-    const double tension = stress.value_or(0.0) * area;
+    const BoltSteel steel = boltSteel(type);
     const std::optional<double>& plate = type.plate.normalStrength;
     return {type.name,
             classWord(type),
             shown(type.diameter * 1e3),
-            shown(area * 1e6),
-            stress ? kilonewtons(tension) : "unlimited",
-            stress ? kilonewtons(tension * type.shearStrengthRatio) : "unlimited",
+            shown(steel.area * 1e6),
+            steel.tensile ? kilonewtons(*steel.tensile) : "unlimited",
+            steel.tensile ? kilonewtons(*steel.tensile * type.shearStrengthRatio) : "unlimited",
             plate ? kilonewtons(*plate) : "unlimited"};
 }
 

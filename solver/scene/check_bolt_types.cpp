@@ -3,13 +3,13 @@
 //
 // A type of bolt must say enough to be computed, and its numbers must agree with
 // each other: steel that rises, a modulus that fits it, anchors with a law.
+#include "solver/scene/bolt_steel.h"
 #include "solver/scene/check_report.h"
 #include "solver/scene/number_text.h"
 #include "solver/scene/pointer.h"
 #include "solver/scene/suggest.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace keyblock {
 
@@ -105,7 +105,7 @@ void checkSteel(const BoltType& type, const std::string& pointer, CheckReport& r
 }
 
 void checkSection(const BoltType& type, const std::string& pointer, CheckReport& report) {
-    const double circle = std::numbers::pi / 4.0 * type.diameter * type.diameter;
+    const double circle = fullBarArea(type.diameter);
     if (type.area && *type.area > circle * (1.0 + areaAgreement))
         report.error(under(pointer, "area"),
                      "the area " + rounded(1e6 * *type.area) + " mm² is larger than the full circle of the diameter, " +

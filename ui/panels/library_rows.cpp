@@ -4,6 +4,7 @@
 
 #include "solver/files/scene/bolt_library.h"
 #include "solver/scene/anchor_curve.h"
+#include "solver/scene/bolt_steel.h"
 #include "solver/scene/enum_names.h"
 #include "ui/look/display.h"
 #include "ui/panels/field_words.h"
@@ -13,7 +14,6 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <numbers>
 
 namespace keyblock {
 
@@ -33,10 +33,6 @@ QString groupOf(const BoltType& type) {
     return {};
 }
 
-double areaOf(const BoltType& type) {
-    return type.area.value_or(std::numbers::pi * type.diameter * type.diameter / 4.0);
-}
-
 QString withUnit(double value, std::string_view unit, const Display& display) {
     return numberText(value, unit, display, 3) + ' ' + display.shown(unit).symbol;
 }
@@ -44,10 +40,10 @@ QString withUnit(double value, std::string_view unit, const Display& display) {
 /// `20 mm · 154 / 198 kN`.
 QString detailOf(const BoltType& type, const Display& display) {
     QString text = QString::fromStdString(lengthText(type.diameter, display.numbers()));
-    if (type.steel.size() < 2) return text;
-    const double yield = type.steel[1].second * areaOf(type);
-    const double most = std::ranges::max(type.steel, {}, [](const auto& p) { return p.second; }).second * areaOf(type);
-    return text + QString::fromUtf8(" · %1 / %2").arg(numberText(yield, "N", display, 3), withUnit(most, "N", display));
+    const BoltSteel steel = boltSteel(type);
+    if (!steel.yield || !steel.tensile) return text;
+    return text + QString::fromUtf8(" · %1 / %2").arg(numberText(*steel.yield, "N", display, 3),
+                                                      withUnit(*steel.tensile, "N", display));
 }
 
 int usersOf(const Scene& scene, const std::string& name) {

@@ -5,10 +5,11 @@
 #include "solver/results/bolt_use.h"
 #include "solver/results/frame_quantities.h"
 #include "solver/results/result_names.h"
+#include "solver/scene/bolt_steel.h"
+#include "solver/scene/lookup.h"
 #include "ui/picture/captions.h"
 #include "ui/picture/event_list.h"
 #include "ui/picture/section_ranges.h"
-#include "ui/picture/steel_limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,10 +193,10 @@ private:
 
     std::string subtitleText(const Bolt& bolt) const {
         std::string text = bolt.type + ", " + numberText(chart_.length) + " m";
-        const BoltType* type = typeOf(run_.scene(), bolt);
-        const SteelLimits limits = type ? steelLimits(*type) : SteelLimits{};
-        if (limits.yield) text += "; yields at " + numberText(*limits.yield * 1e-3) + " kN";
-        if (limits.ultimate) text += ", breaks at " + numberText(*limits.ultimate * 1e-3) + " kN";
+        const BoltType* type = findBoltType(run_.scene(), bolt.type);
+        const BoltSteel steel = type ? boltSteel(*type) : BoltSteel{};
+        if (steel.yield) text += "; yields at " + numberText(*steel.yield * 1e-3) + " kN";
+        if (steel.tensile) text += ", breaks at " + numberText(*steel.tensile * 1e-3) + " kN";
         if (now().lost) text += "; lost";
         const NodeQuantity& axial = *findQuantity(boltQuantities(), "axial_force");
         const double force = largest(now(), axial);

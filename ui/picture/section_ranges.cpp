@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/picture/section_ranges.h"
 
+#include "solver/scene/bolt_steel.h"
+#include "solver/scene/lookup.h"
 #include "solver/scene/solved_blocks.h"
 #include "ui/picture/deformed.h"
-#include "ui/picture/steel_limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -163,13 +164,13 @@ double spacingOf(const Scene& scene) {
 
 std::vector<std::pair<double, std::string>> limitsOf(const Scene& scene, const Bolt& bolt,
                                                      const FrameQuantity<BoltNodeFrame>& quantity) {
-    const BoltType* type = typeOf(scene, bolt);
+    const BoltType* type = findBoltType(scene, bolt.type);
     if (!type || quantity.name != "axial_force") return {};
     std::vector<std::pair<double, std::string>> limits;
-    const SteelLimits steel = steelLimits(*type);
+    const BoltSteel steel = boltSteel(*type);
     if (steel.yield) limits.emplace_back(*steel.yield * quantity.display.factor, "yield");
-    if (steel.ultimate && steel.ultimate != steel.yield)
-        limits.emplace_back(*steel.ultimate * quantity.display.factor, "ultimate");
+    if (steel.tensile && steel.tensile != steel.yield)
+        limits.emplace_back(*steel.tensile * quantity.display.factor, "ultimate");
     return limits;
 }
 

@@ -6,6 +6,7 @@
 #include "solver/engine/bolt/bolt_mesh.h"
 #include "solver/engine/bolt/slots.h"
 #include "solver/scene/anchor_curve.h"
+#include "solver/scene/bolt_steel.h"
 #include "solver/scene/lookup.h"
 
 #include <algorithm>
@@ -27,9 +28,8 @@ constexpr double softeningShare = 0.15;  // the same of a bond that falls from i
 
 BeamSection sectionOf(const BoltType& type) {
     const double d = type.diameter;
-    const double full = std::numbers::pi * d * d / 4.0;
     BeamSection section;
-    section.area = type.area.value_or(full);
+    section.area = boltSteel(type).area;
     const double inner2 = std::max(0.0, d * d - 4.0 * section.area / std::numbers::pi);
     section.secondMoment = type.secondMoment.value_or(std::numbers::pi / 64.0 * (d * d * d * d - inner2 * inner2));
     section.youngsModulus = type.steel.empty() ? type.youngsModulus.value_or(200e9)
@@ -38,13 +38,6 @@ BeamSection sectionOf(const BoltType& type) {
     section.shearCoefficient = type.shearCoefficient;
     section.density = type.density;
     return section;
-}
-
-/// N_p = A × the tensile strength [N]; 0 for steel without limit.
-double tensileStrengthOf(const BoltType& type, double area) {
-    double stress = 0.0;
-    for (const auto& [strain, value] : type.steel) stress = std::max(stress, value);
-    return type.steel.empty() ? 0.0 : type.tensileStrength.value_or(stress) * area;
 }
 
 /// Of a tube (d³ − d_i³)/6, d_i² = d² − 4A/π; of a full bar d³/6 [m³].
@@ -57,7 +50,7 @@ void setSteel(const BoltType& type, BoltModel& bolt) {
     bolt.diameter = type.diameter;
     bolt.bends = type.bending != Bending::None;
     bolt.plasticModulus = plasticModulusOf(type, bolt.section.area);
-    bolt.tensileStrength = tensileStrengthOf(type, bolt.section.area);
+    bolt.tensileStrength = boltSteel(type).tensile.value_or(0.0);
     bolt.shearStrength = type.shearStrengthRatio * bolt.tensileStrength;
     if (type.steel.empty()) return;
     bolt.steel = Backbone::of(type.steel);

@@ -106,6 +106,20 @@ TEST(Library, EveryBuiltInTypeShowsItsValuesAndCurves) {
     EXPECT_EQ(libraryEntries(Scene{}, display, "split-set").size(), 1u);
 }
 
+TEST(Library, TensileStrengthOfTheTypeReplacesTheLargestStress) {
+    NEED_SCREEN();
+    Display display;
+    Scene scene;
+    BoltType& type = scene.boltTypes.emplace_back();
+    type.name = "bar";
+    type.diameter = 0.02;
+    type.area = 2e-4;
+    type.steel = {{0.0, 0.0}, {0.002, 400e6}, {0.1, 600e6}};
+    EXPECT_TRUE(libraryEntries(scene, display, {}).front().detail.endsWith("80 / 120 kN"));
+    type.tensileStrength = 500e6;
+    EXPECT_TRUE(libraryEntries(scene, display, {}).front().detail.endsWith("80 / 100 kN"));
+}
+
 TEST(Library, BondCurvesHavePeakAndResidualStrength) {
     const Anchor bond = anchorsOfType("rebar-20").front();
     const Table curve = bondCurve(bond, 0.002);
