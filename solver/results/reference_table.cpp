@@ -13,34 +13,34 @@ namespace keyblock {
 namespace {
 
 struct Word {
-    std::string_view shown;
-    MeasureUnit unit;
+    std::string_view text;
+    Measure measure = Measure::Number;
 };
 
-constexpr std::array<Word, 24> words{{{"s", {"s", Measure::Time}},
-                                      {"ms", {"ms", Measure::Time, 1.0, 1e3}},
-                                      {"min", {"min", Measure::Time, 60.0}},
-                                      {"m", {"m", Measure::Length}},
-                                      {"cm", {"cm", Measure::Length, 1.0, 100.0}},
-                                      {"mm", {"mm", Measure::Length, 1.0, 1e3}},
-                                      {"um", {"um", Measure::Length, 1.0, 1e6}},
-                                      {"µm", {"µm", Measure::Length, 1.0, 1e6}},
-                                      {"ft", {"ft", Measure::Length, 0.3048}},
-                                      {"inch", {"inch", Measure::Length, 0.0254}},
-                                      {"N", {"n", Measure::Force}},
-                                      {"kN", {"kn", Measure::Force, 1e3}},
-                                      {"MN", {"mn", Measure::Force, 1e6}},
-                                      {"N m", {"nm", Measure::Moment}},
-                                      {"kN m", {"knm", Measure::Moment, 1e3}},
-                                      {"MN m", {"mnm", Measure::Moment, 1e6}},
-                                      {"J", {"j", Measure::Energy}},
-                                      {"kJ", {"kj", Measure::Energy, 1e3}},
-                                      {"MJ", {"mj", Measure::Energy, 1e6}},
-                                      {"m/m", {"m/m", Measure::Number}},
-                                      {"mm/m", {"mm/m", Measure::Number, 1.0, 1e3}},
-                                      {"%", {"%", Measure::Number, 1.0, 100.0}},
-                                      {"1", {"1", Measure::Number}},
-                                      {"-", {"-", Measure::Number}}}};
+constexpr std::array<Word, 24> words{{{"s", Measure::Time},
+                                      {"ms", Measure::Time},
+                                      {"min", Measure::Time},
+                                      {"m", Measure::Length},
+                                      {"cm", Measure::Length},
+                                      {"mm", Measure::Length},
+                                      {"um", Measure::Length},
+                                      {"µm", Measure::Length},
+                                      {"ft", Measure::Length},
+                                      {"inch", Measure::Length},
+                                      {"N", Measure::Force},
+                                      {"kN", Measure::Force},
+                                      {"MN", Measure::Force},
+                                      {"N m", Measure::Moment},
+                                      {"kN m", Measure::Moment},
+                                      {"MN m", Measure::Moment},
+                                      {"J", Measure::Energy},
+                                      {"kJ", Measure::Energy},
+                                      {"MJ", Measure::Energy},
+                                      {"m/m"},
+                                      {"mm/m"},
+                                      {"%"},
+                                      {"1"},
+                                      {"-"}}};
 
 /// By `Measure`.
 constexpr std::array<std::string_view, 6> measureWords{"number", "time", "length", "force", "moment", "energy"};
@@ -59,6 +59,14 @@ std::string trimmed(std::string_view text) {
     return std::string(text.substr(first, text.find_last_not_of(" _") - first + 1));
 }
 
+/// `kn m` and `kN·m` are both `knm`.
+std::string bare(std::string_view word) {
+    std::string text = inLower(word);
+    for (const std::string_view dot : {"·", "*", " ", "."})
+        for (auto at = text.find(dot); at != std::string::npos; at = text.find(dot)) text.erase(at, dot.size());
+    return text;
+}
+
 /// A unit that may end a name without brackets.
 bool standsAlone(const MeasureUnit& unit) {
     return unit.measure != Measure::Number;
@@ -66,17 +74,15 @@ bool standsAlone(const MeasureUnit& unit) {
 
 }  // namespace
 
-const MeasureUnit* measureUnitOf(std::string_view word) {
-    std::string bare = inLower(word);
-    for (const std::string_view dot : {"·", "*", " ", "."})
-        for (auto at = bare.find(dot); at != std::string::npos; at = bare.find(dot)) bare.erase(at, dot.size());
-    const auto found = std::find_if(words.begin(), words.end(), [&](const Word& w) { return w.unit.word == bare; });
-    return found == words.end() ? nullptr : &found->unit;
+std::optional<MeasureUnit> measureUnitOf(std::string_view word) {
+    const auto found = std::ranges::find(words, bare(word), [](const Word& known) { return bare(known.text); });
+    if (found == words.end()) return std::nullopt;
+    return MeasureUnit{found->measure, readUnit(found->text).value_or(Unit{})};  // `-` is a pure number
 }
 
 std::string measureUnitWords() {
     std::string text;
-    for (const Word& word : words) text += (text.empty() ? "" : ", ") + std::string(word.shown);
+    for (const Word& word : words) text += (text.empty() ? "" : ", ") + std::string(word.text);
     return text;
 }
 
@@ -104,7 +110,7 @@ Title partedTitle(std::string_view title) {
     const auto gap = title.find_last_of("_ ");
     if (gap == std::string_view::npos) return {trimmed(title), ""};
     const std::string_view last = title.substr(gap + 1);
-    const MeasureUnit* unit = measureUnitOf(last);
+    const std::optional<MeasureUnit> unit = measureUnitOf(last);
     if (!unit || !standsAlone(*unit)) return {trimmed(title), ""};
     return {trimmed(title.substr(0, gap)), std::string(last)};
 }

@@ -6,6 +6,9 @@
 // the forces of the run and never its displacements.
 #pragma once
 
+#include "solver/scene/units.h"
+
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -15,18 +18,13 @@ namespace keyblock {
 
 enum class Measure { Number, Time, Length, Force, Moment, Energy };
 
-/// Value in SI = number · factor / divisor, of which one is 1, so that what a unit divides is divided once.
 struct MeasureUnit {
-    std::string_view word;  // kn: in lower case, without blanks
-    Measure measure = Measure::Number;
-    double factor = 1.0, divisor = 1.0;
-
-    double toSi(double number) const { return number * factor / divisor; }
-    double fromSi(double value) const { return value * divisor / factor; }
+    Measure measure = Measure::Number;  // which tells an energy from a moment
+    Unit unit{};
 };
 
-/// The unit of that name, `kN`, `N m` or `mm/m`; null when there is none.
-const MeasureUnit* measureUnitOf(std::string_view word);
+/// The unit of that name, `kN`, `N m` or `mm/m`, in either case; none if the tables of references have no such unit.
+std::optional<MeasureUnit> measureUnitOf(std::string_view word);
 
 /// The units' names, for people.
 std::string measureUnitWords();

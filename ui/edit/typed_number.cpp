@@ -7,8 +7,8 @@
 #include "ui/edit/typed_number.h"
 
 #include "solver/scene/number_text.h"
+#include "solver/scene/units.h"
 #include "ui/edit/expression.h"
-#include "ui/edit/units.h"
 
 #include <cctype>
 #include <charconv>

@@ -4,8 +4,8 @@
 
 #include "geometry/angle.h"
 #include "solver/scene/lookup.h"
+#include "solver/scene/units.h"
 #include "ui/edit/typed_number.h"
-#include "ui/edit/units.h"
 
 #include <vector>
 

@@ -17,9 +17,9 @@ constexpr std::size_t mostReferences = 4;  // of a panel
 constexpr std::array<CurveStyle, mostReferences> styles{CurveStyle::Reference, CurveStyle::SecondReference,
                                                         CurveStyle::ThirdReference, CurveStyle::FourthReference};
 
-const MeasureUnit& unitOfTitle(const std::string& title) {
-    const MeasureUnit* unit = measureUnitOf(partedTitle(title).unit);
-    return unit ? *unit : *measureUnitOf("1");
+/// A title without a known unit is that of a number.
+MeasureUnit unitOfTitle(const std::string& title) {
+    return measureUnitOf(partedTitle(title).unit).value_or(MeasureUnit{});
 }
 
 bool sameName(const std::string& a, const std::string& b) { return plainName(a) == plainName(b); }
@@ -96,8 +96,10 @@ std::vector<double> ReferencePlacer::abscissas(std::size_t t, const Chart& chart
     hasAxis_[t] = hasAxis_[t] || found >= 0;
     if (found < 0) return {};
     std::vector<double> x = table.columns[static_cast<std::size_t>(found)].values;
-    if (!chart.overTime)
-        for (double& value : x) value = unitOfTitle(chart.xTitle).fromSi(value);
+    if (!chart.overTime) {
+        const Unit unit = unitOfTitle(chart.xTitle).unit;
+        for (double& value : x) value = fromSi(value, unit);
+    }
     if (chart.overTime && table.stages.empty())
         for (double& value : x) value = time_.atTotal(value);
     for (std::size_t row = 0; chart.overTime && row < table.stages.size(); ++row) {
@@ -131,11 +133,12 @@ void ReferencePlacer::placeColumn(std::size_t t, std::size_t c, const std::vecto
         if (panel) faults_[t] = "the panel " + panel->title + " already has four reference curves";
         return;
     }
+    const Unit unit = unitOfTitle(panel->title).unit;
     ChartCurve curve{table.name, styles[referencesOf(*panel)], {}, {}};
     for (std::size_t row = 0; row < x.size(); ++row) {
         if (!std::isfinite(x[row]) || !std::isfinite(column.values[row])) continue;
         curve.x.push_back(x[row]);
-        curve.y.push_back(unitOfTitle(panel->title).fromSi(column.values[row]));
+        curve.y.push_back(fromSi(column.values[row], unit));
     }
     if (curve.x.empty()) return;
     used_[t][c] = true;

@@ -29,7 +29,6 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array units{"m", "mm", "cm", "dm", "km", "um", "in", "ft", "yd", "mi", "us-ft"};
 constexpr std::array roles{LayerRole::Joint, LayerRole::Boundary, LayerRole::Tunnel, LayerRole::Bolt, LayerRole::Ignore};
 
 QString textOf(std::string_view text) { return QString::fromUtf8(text.data(), int(text.size())); }
@@ -82,7 +81,7 @@ ImportWindow::ImportWindow(const QString& path, const Themes& themes, QWidget* p
 QWidget* ImportWindow::makeSettings() {
     auto* side = new QWidget(this);
     unit_->addItem(tr("from file"), QString());
-    for (const char* unit : units) unit_->addItem(unit, unit);
+    for (const std::string_view unit : lengthUnits()) unit_->addItem(textOf(unit), textOf(unit));
     unit_->setAccessibleName(tr("Unit of the drawing"));
     unit_->setObjectName("import.unit");
     sagitta_->setPlaceholderText(tr("automatic"));

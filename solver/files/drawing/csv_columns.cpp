@@ -49,6 +49,13 @@ const std::map<std::string, Kind>& names() {
     return all;
 }
 
+/// N, kN or MN in lower case; null for any other word.
+const UnitSymbol* forceUnitOf(std::string_view lower) {
+    for (const char* symbol : {"N", "kN", "MN"})
+        if (lowerCase(symbol) == lower) return findUnit(symbol);
+    return nullptr;
+}
+
 std::string cleared(std::string_view text) {
     std::string words;
     for (const char c : text) {
@@ -88,7 +95,7 @@ std::string takeUnit(std::string& title) {
     const auto gap = words.rfind(' ');
     if (gap == std::string::npos) return {};
     const std::string last = words.substr(gap + 1), lower = lowerCase(last);
-    if (!lengthUnitOf(lower) && lower != "n" && lower != "kn" && lower != "mn" && lower != "deg") return {};
+    if (!lengthUnitOf(lower) && !forceUnitOf(lower) && lower != "deg") return {};
     title = words.substr(0, gap);
     return last;
 }
@@ -96,14 +103,13 @@ std::string takeUnit(std::string& title) {
 void readUnit(const std::string& unit, CsvColumn& column) {
     const std::string lower = lowerCase(unit);
     const bool angle = column.kind == Kind::Angle, force = column.kind == Kind::Pretension;
-    column.unit = lengthUnitOf(lower);
+    column.unit = force ? forceUnitOf(lower) : lengthUnitOf(lower);
     if (isLength(column.kind) && !column.unit)
         column.problem = "its unit " + inQuotes(unit) + " is not one of " + lengthUnitWords();
     if (angle && lower != "deg" && lower != "°" && lower != "degrees")
         column.problem = "its unit " + inQuotes(unit) + " is not degrees";
-    if (force && lower != "n" && lower != "kn" && lower != "mn")
+    if (force && !column.unit)
         column.problem = "its unit " + inQuotes(unit) + " is not one of N, kN, MN";
-    column.forceFactor = lower == "kn" ? 1e3 : lower == "mn" ? 1e6 : 1.0;
 }
 
 }  // namespace

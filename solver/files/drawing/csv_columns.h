@@ -18,8 +18,7 @@ enum class CsvColumnKind {
 
 struct CsvColumn {
     CsvColumnKind kind = CsvColumnKind::Unknown;
-    const LengthUnit* unit = nullptr;  // of a length, where the title says one
-    double forceFactor = 1.0;  // of a force: newtons = number · factor
+    const UnitSymbol* unit = nullptr;  // of a length or a force, where the title says one
     std::string title;
     std::string problem;  // with its unit, for people; empty: none
 };

@@ -9,6 +9,7 @@
 #include "solver/files/csv/csv_numbers.h"
 #include "solver/files/csv/csv_rows.h"
 #include "solver/scene/suggest.h"
+#include "solver/scene/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,7 @@ enum class Form { Segments, Points, Ends, Directions };
 
 class ListReader {
 public:
-    ListReader(const std::string& layer, const LengthUnit* unit) : layer_(layer), unit_(unit) {}
+    ListReader(const std::string& layer, const UnitSymbol* unit) : layer_(layer), unit_(unit) {}
 
     Drawing read(std::string_view text) {
         CsvRows csv = readCsvRows(text);
@@ -191,12 +192,12 @@ private:
         const CsvColumn& column = columns_[index];
         double value = 0.0;
         if (!numbers_.read(cell, columnText(index), value)) return 0.0;
-        if (isLength(kind)) return inMetres(value, column.unit ? *column.unit : *unit_);
-        return kind == Kind::Pretension ? value * column.forceFactor : value;
+        if (isLength(kind)) return toSi(value, (column.unit ? column.unit : unit_)->unit);
+        return kind == Kind::Pretension && column.unit ? toSi(value, column.unit->unit) : value;
     }
 
     std::string layer_;
-    const LengthUnit* unit_;
+    const UnitSymbol* unit_;
     Drawing drawing_;
     CsvNumbers numbers_{drawing_.problems};
     char separator_ = ',';
@@ -208,7 +209,7 @@ private:
 
 }  // namespace
 
-Drawing readCsvList(std::string_view text, const std::string& layer, const LengthUnit* unit) {
+Drawing readCsvList(std::string_view text, const std::string& layer, const UnitSymbol* unit) {
     return ListReader(layer, unit).read(text);
 }
 

@@ -8,8 +8,10 @@
 
 #include "geometry/point.h"
 #include "solver/scene/problem.h"
+#include "solver/scene/units.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,26 +60,21 @@ struct InsertedBlock {
     std::string block;
 };
 
-struct LengthUnit {
-    std::string_view word;  // m
-    double factor = 1.0, divisor = 1.0;  // metres = number · factor / divisor, of which one is 1 where it can be
-};
+/// The units that a drawing may have: m, mm, cm, dm, km, um, in, ft, yd, mi, us-ft.
+std::span<const std::string_view> lengthUnits();
 
-/// The unit of that word (m, mm, cm, dm, km, um, in, ft, yd, mi, us-ft); null when there is none.
-const LengthUnit* lengthUnitOf(std::string_view word);
+/// One of `lengthUnits`; null when there is none of that name.
+const UnitSymbol* lengthUnitOf(std::string_view word);
 
-/// The words of all units, with commas between.
+/// All of them, with commas between.
 std::string lengthUnitWords();
-
-/// A number of the drawing in metres; exact for metres.
-double inMetres(double number, const LengthUnit& unit);
 
 struct Drawing {
     std::vector<DrawnLine> lines;
     std::vector<NotTaken> notTaken;
     std::vector<InsertedBlock> inserted;
     std::vector<std::string> hiddenLayers;  // frozen or off
-    const LengthUnit* unit = nullptr;  // that the file says; null: none
+    const UnitSymbol* unit = nullptr;  // that the file says; null: none
     std::vector<Problem> problems;  // with an error, nothing else is to be used
 };
 

@@ -46,7 +46,7 @@ struct Map {
 
 const Map fromBehind{(Eigen::Matrix2d() << -1.0, 0.0, 0.0, 1.0).finished(), {0.0, 0.0}};
 
-const LengthUnit* unitOfCode(int code) {
+const UnitSymbol* unitOfCode(int code) {
     static const std::array<std::pair<int, std::string_view>, 11> codes{{{1, "in"}, {2, "ft"}, {3, "mi"}, {4, "mm"},
         {5, "cm"}, {6, "m"}, {7, "km"}, {10, "yd"}, {13, "um"}, {14, "dm"}, {21, "us-ft"}}};
     for (const auto& [number, word] : codes)

@@ -36,8 +36,8 @@ Import importFile(const std::filesystem::path& path, const ImportSettings& setti
     const std::string text = contentOf(path);
     if (lowerCase(path.extension().string()) != ".csv") {
         Drawing drawing = readDxf(text);
-        const LengthUnit* unit = settings.unit ? settings.unit : drawing.unit;
-        if (settings.sagitta && unit) drawing = readDxf(text, *settings.sagitta * unit->divisor / unit->factor);
+        const UnitSymbol* unit = settings.unit ? settings.unit : drawing.unit;
+        if (settings.sagitta && unit) drawing = readDxf(text, fromSi(*settings.sagitta, unit->unit));
         return importSection(std::move(drawing), settings, path.string());
     }
     Drawing drawing = readCsvList(text, path.stem().string(), settings.unit);

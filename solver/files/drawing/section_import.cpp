@@ -62,7 +62,7 @@ private:
         if (!unit_)
             error(0, "the drawing does not specify its units ($INSUNITS)", "Give --units, one of " + lengthUnitWords());
         else
-            import_.unit = std::string(unit_->word) + (settings_.unit ? " (as given)" : " (from the file)");
+            import_.unit = std::string(unit_->text) + (settings_.unit ? " (as given)" : " (from the file)");
         return unit_ != nullptr;
     }
 
@@ -77,11 +77,11 @@ private:
     void scaleLines() {
         std::vector<Point> extremes;
         for (DrawnLine& line : drawing_.lines) {
-            for (Point& p : line.points) p = {inMetres(p.x(), *unit_), inMetres(p.y(), *unit_)};
+            for (Point& p : line.points) p = {toSi(p.x(), unit_->unit), toSi(p.y(), unit_->unit)};
             if (line.circle) {
-                line.circle->center = {inMetres(line.circle->center.x(), *unit_),
-                                       inMetres(line.circle->center.y(), *unit_)};
-                line.circle->radius = inMetres(line.circle->radius, *unit_);
+                line.circle->center = {toSi(line.circle->center.x(), unit_->unit),
+                                       toSi(line.circle->center.y(), unit_->unit)};
+                line.circle->radius = toSi(line.circle->radius, unit_->unit);
             }
             const Box box = boxOf(line.points);
             extremes.insert(extremes.end(), {box.min, box.max});
@@ -341,7 +341,7 @@ private:
     std::string name_;
     Import import_;
     Scene scene_;
-    const LengthUnit* unit_ = nullptr;
+    const UnitSymbol* unit_ = nullptr;
     double size_ = 1.0;
     std::map<LayerRole, std::vector<DrawnLine>> lines_;
     std::map<std::tuple<std::string, std::string, std::string>, int> rows_;

@@ -26,7 +26,7 @@ std::optional<LayerRole> layerRoleOf(std::string_view word);
 
 struct ImportSettings {
     std::vector<std::pair<std::string, LayerRole>> roles;  // by layer; `*`: every layer that has none
-    const LengthUnit* unit = nullptr;  // null: the one that the file says
+    const UnitSymbol* unit = nullptr;  // null: the one that the file says
     std::optional<double> sagitta;  // of curves [m]; null: 5e-4 of the drawing's longer side
 };
 

@@ -72,7 +72,7 @@ private:
         if (title.unit.empty() && plainName(title.name) == "stage") return readStages(csv, index);
         if (title.unit.empty() && std::all_of(csv.rows.begin() + 1, csv.rows.end(), isWord))
             return tell(Severity::Warning, head.line, place + " contains no numbers and is not used", "Omit it");
-        const MeasureUnit* unit = measureUnitOf(title.unit.empty() ? "1" : title.unit);
+        const std::optional<MeasureUnit> unit = measureUnitOf(title.unit.empty() ? "1" : title.unit);
         if (!unit)
             return tell(Severity::Error, head.line,
                         place + ": its unit " + inQuotes(title.unit) + " is not one of " + measureUnitWords(),
@@ -81,14 +81,14 @@ private:
             return tell(Severity::Error, head.line, place + " has no name", "Name it, as in opening_mm");
         ReferenceColumn column{head.text, title.name, unit->measure};
         for (std::size_t i = 1; i < csv.rows.size() && !isFull(reading_.problems); ++i)
-            column.values.push_back(valueOf(csv.rows[i][index], place, *unit));
+            column.values.push_back(valueOf(csv.rows[i][index], place, unit->unit));
         reading_.table.columns.push_back(std::move(column));
     }
 
-    double valueOf(const CsvCell& cell, const std::string& place, const MeasureUnit& unit) {
+    double valueOf(const CsvCell& cell, const std::string& place, const Unit& unit) {
         double number = none;
         if (isMissing(cell) || !numbers_.read(cell, place, number)) return none;
-        return unit.toSi(number);
+        return toSi(number, unit);
     }
 
     void readStages(const CsvRows& csv, std::size_t index) {

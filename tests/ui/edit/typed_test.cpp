@@ -4,7 +4,6 @@
 // Typed texts in tables: their values, and the messages for invalid ones.
 #include "ui/edit/typed_number.h"
 #include "ui/edit/typed_point.h"
-#include "ui/edit/units.h"
 
 #include <gtest/gtest.h>
 
@@ -80,16 +79,6 @@ TEST(TypedNumber, AcceptsAnyBytes) {
         EXPECT_NE(typed.value.has_value(), !typed.problem.empty()) << text;
         EXPECT_TRUE(std::isfinite(typed.value.value_or(0.0))) << text;
     }
-}
-
-TEST(Units, ConvertBothWays) {
-    for (const char* text : {"m", "mm", "kN/m", "kg/m³", "N/m per m", "1/s", "m⁴", "°", "MPa/m", "m/s²", "rad/s", "Nm"})
-        EXPECT_TRUE(readUnit(text)) << text;
-    EXPECT_EQ(readUnit("N/m per m")->powers, readUnit("Pa")->powers);
-    EXPECT_FALSE(readUnit("furlong"));
-    EXPECT_FALSE(readUnit("m//s"));
-    EXPECT_DOUBLE_EQ(converted(1.0, *readUnit("GPa"), *readUnit("Pa")), 1e9);
-    EXPECT_EQ(converted(25.0, *readUnit("mm"), *readUnit("m")), 0.025);
 }
 
 struct GoodPoint {

@@ -1,43 +1,17 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The table of unit symbols and the reader of products of them.
-#include "ui/edit/units.h"
+// The reader of products of units.
+#include "solver/scene/units.h"
 
 #include <cctype>
 #include <cmath>
-#include <span>
+#include <cstdlib>
 
 namespace keyblock {
 namespace {
 
-struct Symbol {
-    std::string_view text;
-    double up, down;
-    std::array<int, 4> powers;
-};
-
-constexpr double pi = 3.14159265358979323846;
-constexpr std::array<int, 4> length{1, 0, 0, 0}, mass{0, 1, 0, 0}, time{0, 0, 1, 0}, angle{0, 0, 0, 1};
-constexpr std::array<int, 4> force{1, 1, -2, 0}, pressure{-1, 1, -2, 0}, moment{2, 1, -2, 0}, rate{0, 0, -1, 0};
-constexpr double poundForce = 4.4482216152605, squareInch = 0.00064516;
-
-constexpr Symbol symbols[] = {
-    {"m", 1, 1, length}, {"mm", 1, 1000, length}, {"cm", 1, 100, length}, {"dm", 1, 10, length},
-    {"km", 1000, 1, length}, {"µm", 1, 1e6, length}, {"μm", 1, 1e6, length}, {"in", 254, 10000, length},
-    {"ft", 3048, 10000, length},
-    {"kg", 1, 1, mass}, {"g", 1, 1000, mass}, {"t", 1000, 1, mass}, {"Mg", 1000, 1, mass},
-    {"s", 1, 1, time}, {"ms", 1, 1000, time}, {"µs", 1, 1e6, time}, {"μs", 1, 1e6, time}, {"min", 60, 1, time},
-    {"h", 3600, 1, time},
-    {"rad", 1, 1, angle}, {"°", pi, 180, angle}, {"deg", pi, 180, angle},
-    {"N", 1, 1, force}, {"kN", 1000, 1, force}, {"MN", 1e6, 1, force}, {"lbf", poundForce, 1, force},
-    {"kip", 1000 * poundForce, 1, force},
-    {"Pa", 1, 1, pressure}, {"kPa", 1000, 1, pressure}, {"MPa", 1e6, 1, pressure}, {"GPa", 1e9, 1, pressure},
-    {"bar", 1e5, 1, pressure}, {"psi", poundForce, squareInch, pressure}, {"ksi", 1000 * poundForce, squareInch, pressure},
-    {"Nm", 1, 1, moment}, {"kNm", 1000, 1, moment}, {"MNm", 1e6, 1, moment}, {"J", 1, 1, moment}, {"kJ", 1000, 1, moment},
-    {"Hz", 1, 1, rate},
-    {"%", 1, 100, {}}, {"‰", 1, 1000, {}}, {"–", 1, 1, {}}, {"1", 1, 1, {}},
-};
+using namespace unit_table;
 
 struct Kind {
     std::array<int, 4> powers;
@@ -62,12 +36,6 @@ constexpr Kind kinds[] = {
     {{0, 1, -2, 0}, "a stiffness (N/m, kN/m, MN/m)"},
     {{-2, 1, -2, 0}, "a stiffness per area (Pa/m, MPa/m, GPa/m)"},
 };
-
-const Symbol* findSymbol(std::string_view text) {
-    for (const Symbol& symbol : symbols)
-        if (symbol.text == text) return &symbol;
-    return nullptr;
-}
 
 struct Exponent {
     std::string_view text;
@@ -96,16 +64,31 @@ std::string_view trimmed(std::string_view text) {
 bool apply(std::string_view factor, bool divide, Unit& unit) {
     factor = trimmed(factor);
     int exponent = takeExponent(factor);
-    const Symbol* symbol = findSymbol(factor);
+    const UnitSymbol* symbol = findUnit(factor);
     if (!symbol) return false;
+    const Unit& base = symbol->unit;
     if (divide) exponent = -exponent;
-    for (std::size_t i = 0; i < unit.powers.size(); ++i) unit.powers[i] += exponent * symbol->powers[i];
+    for (std::size_t i = 0; i < unit.powers.size(); ++i) unit.powers[i] += exponent * base.powers[i];
     for (int n = 0; n < std::abs(exponent); ++n) {
-        unit.up *= exponent > 0 ? symbol->up : symbol->down;
-        unit.down *= exponent > 0 ? symbol->down : symbol->up;
+        unit.up *= exponent > 0 ? base.up : base.down;
+        unit.down *= exponent > 0 ? base.down : base.up;
     }
     return true;
 }
+
+constexpr PracticalUnit practical[] = {
+    {"Pa", "MPa"},
+    {"N", "kN"},
+    {"N m", "kN m"},
+    {"J", "kJ"},
+    {"m", "mm", UnitUse::Pictures},
+    {"rad", "mrad", UnitUse::Pictures},
+    {"N·m", "kN m", UnitUse::Forms},
+    {"Pa/m", "MPa/m", UnitUse::Forms},
+    {"N/m", "kN/m", UnitUse::Forms},
+    {"N/m per m", "MN/m²", UnitUse::Forms},
+    {"N/m³", "kN/m³", UnitUse::Forms},
+};
 
 /// Start of the next factor after `from`, and the length of the sign before it.
 struct Sign {
@@ -140,6 +123,8 @@ std::optional<Unit> readUnit(std::string_view text) {
         from = sign.at + sign.length;
     }
 }
+
+std::span<const PracticalUnit> practicalUnits() { return practical; }
 
 bool sameKind(const Unit& a, const Unit& b) { return a.powers == b.powers; }
 

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The one table of units: readers of files, typed numbers, forms and pictures all take
+// symbols and factors from here. A unit is a factor and its dimensions, so that units of
+// one kind can be converted and a force typed for a length is detected. Each reader has
+// its own list of the symbols that it accepts, because `in` ends many a title.
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace keyblock {
+
+/// A unit: 1 of it is `up`/`down` in metre, kilogram, second and radian. A fraction, so that 25 mm is exactly 0.025 m.
+struct Unit {
+    double up = 1.0, down = 1.0;
+    std::array<int, 4> powers{};  // of metre, kilogram, second, radian
+
+    bool operator==(const Unit&) const = default;
+};
+
+struct UnitSymbol {
+    std::string_view text;
+    Unit unit;
+};
+
+namespace unit_table {
+inline constexpr std::array<int, 4> length{1, 0, 0, 0}, mass{0, 1, 0, 0}, time{0, 0, 1, 0}, angle{0, 0, 0, 1};
+inline constexpr std::array<int, 4> force{1, 1, -2, 0}, pressure{-1, 1, -2, 0}, moment{2, 1, -2, 0}, rate{0, 0, -1, 0};
+inline constexpr double poundForce = 4.4482216152605, squareInch = 0.00064516;  // [N, m²]
+
+inline constexpr UnitSymbol symbols[] = {
+    {"m", {1, 1, length}}, {"mm", {1, 1000, length}}, {"cm", {1, 100, length}}, {"dm", {1, 10, length}},
+    {"km", {1000, 1, length}}, {"µm", {1, 1e6, length}}, {"μm", {1, 1e6, length}}, {"um", {1, 1e6, length}},
+    {"in", {254, 10000, length}}, {"inch", {254, 10000, length}}, {"ft", {3048, 10000, length}},
+    {"yd", {9144, 10000, length}}, {"mi", {1609344, 1000, length}}, {"us-ft", {1200, 3937, length}},
+    {"kg", {1, 1, mass}}, {"g", {1, 1000, mass}}, {"t", {1000, 1, mass}}, {"Mg", {1000, 1, mass}},
+    {"s", {1, 1, time}}, {"ms", {1, 1000, time}}, {"µs", {1, 1e6, time}}, {"μs", {1, 1e6, time}},
+    {"min", {60, 1, time}}, {"h", {3600, 1, time}},
+    {"rad", {1, 1, angle}}, {"mrad", {1, 1000, angle}}, {"°", {std::numbers::pi, 180, angle}},
+    {"deg", {std::numbers::pi, 180, angle}},
+    {"N", {1, 1, force}}, {"kN", {1000, 1, force}}, {"MN", {1e6, 1, force}}, {"lbf", {poundForce, 1, force}},
+    {"kip", {1000 * poundForce, 1, force}},
+    {"Pa", {1, 1, pressure}}, {"kPa", {1000, 1, pressure}}, {"MPa", {1e6, 1, pressure}}, {"GPa", {1e9, 1, pressure}},
+    {"bar", {1e5, 1, pressure}}, {"psi", {poundForce, squareInch, pressure}},
+    {"ksi", {1000 * poundForce, squareInch, pressure}},
+    {"Nm", {1, 1, moment}}, {"kNm", {1000, 1, moment}}, {"MNm", {1e6, 1, moment}},
+    {"N m", {1, 1, moment}}, {"kN m", {1000, 1, moment}}, {"MN m", {1e6, 1, moment}},
+    {"J", {1, 1, moment}}, {"kJ", {1000, 1, moment}}, {"MJ", {1e6, 1, moment}},
+    {"Hz", {1, 1, rate}},
+    {"%", {1, 100, {}}}, {"‰", {1, 1000, {}}}, {"–", {1, 1, {}}}, {"1", {1, 1, {}}},
+};
+}  // namespace unit_table
+
+/// The symbol in the table; null if it is not there. No products: see `readUnit`.
+constexpr const UnitSymbol* findUnit(std::string_view symbol) {
+    for (const UnitSymbol& known : unit_table::symbols)
+        if (known.text == symbol) return &known;
+    return nullptr;
+}
+
+/// The unit of a symbol that the program itself names; an unknown one does not compile.
+consteval Unit namedUnit(std::string_view symbol) { return findUnit(symbol)->unit; }
+
+/// Reads products and quotients of known symbols (`N/m per m`, `m⁴`, `1/s`); an empty text is a pure number. None
+/// if a symbol is unknown. Text after a comma is a remark of the field table and is ignored.
+std::optional<Unit> readUnit(std::string_view text);
+
+/// True if both have the same dimensions and can be converted.
+bool sameKind(const Unit& a, const Unit& b);
+
+/// Converts `number` from `from` to `to`. \pre sameKind(from, to).
+double converted(double number, const Unit& from, const Unit& to);
+
+constexpr double toSi(double number, const Unit& unit) { return number * unit.up / unit.down; }
+constexpr double fromSi(double value, const Unit& unit) { return value * unit.down / unit.up; }
+
+/// A value in SI times this is the number in the unit: 0.001 for kN.
+constexpr double perSi(const Unit& unit) { return unit.down / unit.up; }
+
+/// The quantity of the unit and how it is typed, for messages: `a length (m, mm, cm, km, ft, in)`; empty for kinds
+/// without a name.
+std::string kindText(const Unit& unit);
+
+/// Where the practical unit replaces the SI unit. Forms keep lengths in metres, since sections are typed in metres.
+enum class UnitUse { Everywhere, Forms, Pictures };
+
+struct PracticalUnit {
+    std::string_view si, practical;  // as `readUnit` reads them
+    UnitUse use = UnitUse::Everywhere;
+};
+
+/// Units in which numbers are shown unless the user chooses SI: MPa for Pa, kN for N.
+std::span<const PracticalUnit> practicalUnits();
+
+}  // namespace keyblock
