@@ -7,6 +7,7 @@
 #include "solver/results/chains.h"
 #include "solver/results/result_names.h"
 #include "solver/scene/number_text.h"
+#include "solver/scene/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ constexpr double nothing = 1e-9;  // of the axial force
 std::string peakText(const BoltPeak& peak, double axial) {
     if (peak.stage < 0) return "–";
     if (std::abs(peak.value) < nothing * std::abs(axial)) return "0";
-    return rounded(1e-3 * peak.value) + " at " + rounded(peak.at);
+    return rounded(perSi(namedUnit("kN")) * peak.value) + " at " + rounded(peak.at);
 }
 
 std::string useText(const std::optional<double>& use) {

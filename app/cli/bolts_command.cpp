@@ -9,6 +9,7 @@
 #include "solver/files/scene/bolt_library.h"
 #include "solver/scene/bolt_steel.h"
 #include "solver/scene/enum_names.h"
+#include "solver/scene/units.h"
 
 namespace keyblock::cli {
 
@@ -18,14 +19,14 @@ std::string classWord(const BoltType& type) {
     return std::string(boltClassWords[static_cast<std::size_t>(type.boltClass)]);
 }
 
-std::string kilonewtons(double force) { return shown(force / 1e3); }
+std::string kilonewtons(double force) { return shown(fromSi(force, namedUnit("kN"))); }
 
 TextRow overviewRow(const BoltType& type) {
     const BoltSteel steel = boltSteel(type);
     const std::optional<double>& plate = type.plate.normalStrength;
     return {type.name,
             classWord(type),
-            shown(type.diameter * 1e3),
+            shown(fromSi(type.diameter, namedUnit("mm"))),
             shown(steel.area * 1e6),
             steel.tensile ? kilonewtons(*steel.tensile) : "unlimited",
             steel.tensile ? kilonewtons(*steel.tensile * type.shearStrengthRatio) : "unlimited",

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/census_listing.h"
 
+#include "solver/scene/units.h"
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -63,8 +65,8 @@ std::string estimateLines(const CostEstimate& estimate) {
     for (const StageCost& stage : estimate.stages)
         lines += "  " + stage.name + ": " + rough(stage.steps) + " steps, " + rough(stage.passes) + " iterations (" +
                  rough(stage.least) + " to " + rough(stage.most) + ")\n";
-    lines += "  an iteration takes " + rough(1e3 * estimate.passSeconds) + " ms, the rest of a step " +
-             rough(1e3 * estimate.stepSeconds) + " ms\n";
+    lines += "  an iteration takes " + rough(fromSi(estimate.passSeconds, namedUnit("ms"))) + " ms, the rest of a step " +
+             rough(fromSi(estimate.stepSeconds, namedUnit("ms"))) + " ms\n";
     for (const std::string& sentence : estimate.assumes)
         lines += "  " + sentence + '\n';
     return lines;

@@ -7,6 +7,7 @@
 #include "solver/results/result_names.h"
 #include "solver/run/failed_parts.h"
 #include "solver/scene/number_text.h"
+#include "solver/scene/units.h"
 
 namespace keyblock::cli {
 
@@ -29,7 +30,7 @@ std::string blockTable(const RunSource& run, const Verdict& verdict) {
     for (const StageUnstable& one : verdict.blocks)
         if (rows.size() < mostTold)
             rows.push_back({blockName(run.blockNames(), one.block.block), std::string(wordOf(one.block.mode)),
-                            shown(one.block.moved), shown(one.block.weight / 1e3), stageName(run.scene(), one.stage)});
+                            shown(one.block.moved), shown(fromSi(one.block.weight, namedUnit("kN"))), stageName(run.scene(), one.stage)});
     if (rows.empty())
         return {};
     const std::string text =
@@ -39,7 +40,7 @@ std::string blockTable(const RunSource& run, const Verdict& verdict) {
 
 /// A movement [m] in mm; 0 where it is round-off compared with the other.
 std::string millimetres(double movement, double other) {
-    return movement < 1e-9 * other ? "0" : rounded(1e3 * movement);
+    return movement < 1e-9 * other ? "0" : rounded(fromSi(movement, namedUnit("mm")));
 }
 
 std::string jointTable(const RunSource& run, const std::vector<FailedJoint>& joints) {

@@ -5,6 +5,8 @@
 // stress with compression positive, as rock mechanics does, and say so.
 #include "solver/results/frame_quantities.h"
 
+#include "solver/scene/units.h"
+
 #include <cmath>
 
 namespace keyblock {
@@ -17,28 +19,28 @@ using OfNode = const BoltNodeFrame&;
 using OfEnergy = const Energy&;
 
 constexpr QuantityDisplay millimetres(std::string_view title, std::string_view convention, bool isSigned) {
-    return {title, "mm", 1e3, convention, isSigned};
+    return {title, "mm", perSi(namedUnit("mm")), convention, isSigned};
 }
-constexpr QuantityDisplay stress(std::string_view title, double factor, std::string_view convention, bool isSigned) {
-    return {title, "MPa", factor, convention, isSigned};
+constexpr QuantityDisplay stress(std::string_view title, double sign, std::string_view convention, bool isSigned) {
+    return {title, "MPa", sign * perSi(namedUnit("MPa")), convention, isSigned};
 }
 constexpr QuantityDisplay velocity(std::string_view title, std::string_view convention, bool isSigned) {
     return {title, "m/s", 1.0, convention, isSigned};
 }
 constexpr QuantityDisplay force(std::string_view title, std::string_view convention, bool isSigned) {
-    return {title, "kN", 1e-3, convention, isSigned};
+    return {title, "kN", perSi(namedUnit("kN")), convention, isSigned};
 }
-constexpr QuantityDisplay energy(std::string_view title) { return {title, "kJ", 1e-3, "", true}; }
+constexpr QuantityDisplay energy(std::string_view title) { return {title, "kJ", perSi(namedUnit("kJ")), "", true}; }
 
 const FrameQuantity<BlockState> ofBlocks[]{
     {"ux", "ux_m", [](OfBlock b) { return b.displacement.x(); }, millimetres("Displacement along x", "to the right +", true)},
     {"uy", "uy_m", [](OfBlock b) { return b.displacement.y(); }, millimetres("Displacement along y", "upwards +", true)},
     {"rotation", "rotation_rad", [](OfBlock b) { return b.rotation; },
-     {"Rotation", "mrad", 1e3, "counter-clockwise +", true}},
-    {"sxx", "sxx_Pa", [](OfBlock b) { return b.stress[0]; }, stress("Block stress σxx", -1e-6, "compression +", true)},
-    {"syy", "syy_Pa", [](OfBlock b) { return b.stress[1]; }, stress("Block stress σyy", -1e-6, "compression +", true)},
+     {"Rotation", "mrad", perSi(namedUnit("mrad")), "counter-clockwise +", true}},
+    {"sxx", "sxx_Pa", [](OfBlock b) { return b.stress[0]; }, stress("Block stress σxx", -1.0, "compression +", true)},
+    {"syy", "syy_Pa", [](OfBlock b) { return b.stress[1]; }, stress("Block stress σyy", -1.0, "compression +", true)},
     {"sxy", "sxy_Pa", [](OfBlock b) { return b.stress[2]; },
-     stress("Block stress σxy", 1e-6, "on a face to the right, upwards +", true)},
+     stress("Block stress σxy", 1.0, "on a face to the right, upwards +", true)},
     {"vx", "vx_m_per_s", [](OfBlock b) { return b.velocity.x(); }, velocity("Velocity along x", "to the right +", true)},
     {"vy", "vy_m_per_s", [](OfBlock b) { return b.velocity.y(); }, velocity("Velocity along y", "upwards +", true)},
     {"area", "area_m2", [](OfBlock b) { return b.area; }, {"Area", "m²", 1.0, "", false}},
@@ -48,9 +50,9 @@ const FrameQuantity<BlockState> ofBlocks[]{
     {"velocity", "speed_m_per_s", [](OfBlock b) { return b.velocity.norm(); },
      velocity("Velocity", "length of the vector", false)},
     {"sigma1", "sigma1_compressive_Pa", [](OfBlock b) { return principalValues(b.stress).first; },
-     stress("Block stress σ₁", 1e-6, "major principal, compression +", false)},
+     stress("Block stress σ₁", 1.0, "major principal, compression +", false)},
     {"sigma3", "sigma3_compressive_Pa", [](OfBlock b) { return principalValues(b.stress).second; },
-     stress("Block stress σ₃", 1e-6, "minor principal, compression +", false)},
+     stress("Block stress σ₃", 1.0, "minor principal, compression +", false)},
 };
 
 const FrameQuantity<ContactFrame> ofContacts[]{
@@ -70,7 +72,7 @@ const FrameQuantity<ContactFrame> ofContacts[]{
 const FrameQuantity<BoltNodeFrame> ofNodes[]{
     {"axial_force", "axial_force_N", [](OfNode n) { return n.axialForce; }, force("Axial force N", "tension +", true)},
     {"shear_force", "shear_force_N", [](OfNode n) { return n.shearForce; }, force("Shear force Q", "", true)},
-    {"moment", "moment_Nm", [](OfNode n) { return n.moment; }, {"Moment M", "kN m", 1e-3, "", true}},
+    {"moment", "moment_Nm", [](OfNode n) { return n.moment; }, {"Moment M", "kN m", perSi(namedUnit("kN m")), "", true}},
     {"anchor_force", "anchor_force_N", [](OfNode n) { return n.anchorForce; },
      force("Bond force", "rock drags the bolt towards the head +", true)},
     {"slip", "slip_m", [](OfNode n) { return n.slip; }, millimetres("Slip", "rock towards the head +", true)},

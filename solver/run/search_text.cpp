@@ -3,6 +3,7 @@
 #include "solver/results/result_names.h"
 #include "solver/run/run.h"
 #include "solver/scene/number_text.h"
+#include "solver/scene/units.h"
 
 namespace keyblock {
 
@@ -19,7 +20,7 @@ std::string searchText(const StepHealth& step, const std::vector<std::string>& n
     const std::string block = blockName(names, step.moving);
     if (block.empty() || step.moved < leastMove) return text;
     const bool far = step.moved >= 1.0;
-    return text + ": " + block + " moves " + rounded(far ? step.moved : 1e3 * step.moved) + (far ? " m" : " mm");
+    return text + ": " + block + " moves " + rounded(far ? step.moved : fromSi(step.moved, namedUnit("mm"))) + (far ? " m" : " mm");
 }
 
 }  // namespace keyblock

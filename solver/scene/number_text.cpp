@@ -4,10 +4,11 @@
 // A wrapper that hides the buffer of std::to_chars.
 #include "solver/scene/number_text.h"
 
+#include "solver/scene/units.h"
+
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <utility>
 
 namespace keyblock {
 
@@ -18,9 +19,9 @@ std::string rounded(double number) {
 }
 
 std::string pressureText(double pascals) {
-    constexpr std::array<std::pair<double, const char*>, 3> units{{{1e9, " GPa"}, {1e6, " MPa"}, {1e3, " kPa"}}};
-    for (const auto& [size, unit] : units)
-        if (std::abs(pascals) >= size) return rounded(pascals / size) + unit;
+    for (const char* symbol : {"GPa", "MPa", "kPa"})
+        if (const Unit& unit = findUnit(symbol)->unit; std::abs(pascals) >= unit.up)
+            return rounded(fromSi(pascals, unit)) + " " + symbol;
     return rounded(pascals) + " Pa";
 }
 

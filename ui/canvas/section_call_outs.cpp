@@ -3,6 +3,7 @@
 //
 // The call-outs of a section: severe events, displaced blocks, the marked block, and
 // the force diagram with its largest value and the limit next to it.
+#include "solver/scene/units.h"
 #include "ui/canvas/section_painter.h"
 #include "ui/look/theme.h"
 #include "ui/picture/detail.h"
@@ -57,7 +58,7 @@ void SectionPainter::paintRibbon(QPainter& painter) {
     const double scale = map_.pixelsPerMetre();
     const double nearest = scale * middleSpacing(picture_, ribbon.shape, 0.5 * shankOnScreen / scale);
     const std::string unit = ribbonUnit(*picture_.boltLegend);
-    const double kilonewtons = unit == "kN" ? ribbon.scale : unit == "N" ? 1e-3 * ribbon.scale : 0.0;
+    const double kilonewtons = unit == "kN" ? ribbon.scale : unit == "N" ? perSi(namedUnit("kN")) * ribbon.scale : 0.0;
     const double wished = std::max(usualRoom, pixelsPerKn * kilonewtons);
     const double room = std::min({wished, 0.4 * nearest, 0.35 * map_.size().height()});
     if (room < leastRoom) return;

@@ -6,6 +6,7 @@
 #include "ui/figure/mark_painter.h"
 #include "ui/figure/paper.h"
 #include "ui/picture/captions.h"
+#include "ui/picture/shown_numbers.h"
 #include "ui/picture/tick_labels.h"
 
 #include <QLinearGradient>
@@ -109,7 +110,7 @@ double timeRoom(const Scene& scene, const EventList& events) {
 
 void drawEntry(Ink& ink, const Scene& scene, const EventEntry& entry, const Point& at, double width, double timeRoom) {
     drawNumber(ink, at + Point(1.35, -0.72), entry.number, 1.35, {1.8, true});
-    const std::string force = entry.bolt < 0 ? "" : numberText(entry.force * 1e-3) + " kN";
+    const std::string force = entry.bolt < 0 ? "" : forceText(entry.force, {});
     ink.text(at + Point(width, 0.0), force, text_style::body, Align::Right);
     ink.text(at + Point(3.6, 0.0), shortTimeText(scene, entry.stage, entry.time), text_style::body);
     const double from = 3.6 + timeRoom;

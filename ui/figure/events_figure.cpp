@@ -15,6 +15,7 @@
 #include "ui/picture/captions.h"
 #include "ui/picture/event_list.h"
 #include "ui/picture/run_time.h"
+#include "ui/picture/shown_numbers.h"
 #include "ui/picture/ticks.h"
 
 #include <qcustomplot.h>
@@ -187,7 +188,7 @@ private:
         if (stageWidth_ > 0.0)
             cell(ink, y, numberRoom, stageName(scene_, entry.stage), text_style::body, stageWidth_);
         cell(ink, y, timeAt(), timesOf(entry), text_style::body, timeWidth_ + 0.01);
-        const std::string force = entry.bolt < 0 ? "" : numberText(entry.force * 1e-3) + " kN";
+        const std::string force = entry.bolt < 0 ? "" : forceText(entry.force, {});
         ink.text({left_ + width_, y}, force, text_style::body, Align::Right);
         const double room = width_ - whoAt() - textWidth(force, text_style::body) - 2.0;
         const double forName = std::max(10.0, room - textWidth(": " + entry.what, text_style::body));

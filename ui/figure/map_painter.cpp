@@ -8,6 +8,7 @@
 #include "ui/figure/mark_painter.h"
 #include "ui/picture/clip_to_box.h"
 #include "ui/picture/detail.h"
+#include "ui/picture/shown_numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -216,7 +217,7 @@ void MapPainter::drawMoved(Ink& ink) {
         const Point centre = footWithin(onPaper(shown));
         const double way = block->displaced / picture_.factor;
         const std::string text = elided(block->name, text_style::label, 18.0, true) + " moved " +
-                                 (way < 1.0 ? numberText(way * 1e3) + " mm" : numberText(way) + " m");
+                                 lengthText(way, {});
         const Point size(textWidth(text, text_style::label) + 1.0, 3.2);
         if (const auto box = placement_.placeRound(size, centre, {0.0, -1.0})) {
             drawLeader(ink, centre, *box);

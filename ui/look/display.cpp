@@ -2,28 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look/display.h"
 
+#include "solver/scene/units.h"
+
 #include <QSettings>
 
-#include <array>
 #include <cmath>
+#include <optional>
 
 namespace keyblock {
 
 namespace {
 
-struct UnitRow {
-    std::string_view si;
-    const char* symbol;
-    double factor;
-};
+QString textOf(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 
-// Lengths of a section stay in metres: they are drawn and typed in metres.
-constexpr std::array engineering{
-    UnitRow{Display::modulusUnit, "GPa", 1e-9},
-    UnitRow{"Pa", "MPa", 1e-6},          UnitRow{"Pa/m", "MPa/m", 1e-6},    UnitRow{"N", "kN", 1e-3},
-    UnitRow{"N/m", "kN/m", 1e-3},        UnitRow{"N m", "kN m", 1e-3},      UnitRow{"N·m", "kN m", 1e-3},
-    UnitRow{"J", "kJ", 1e-3},            UnitRow{"N/m per m", "MN/m²", 1e-6},  UnitRow{"N/m³", "kN/m³", 1e-3},
-};
+ShownUnit practicalUnit(std::string_view symbol) {
+    const std::optional<Unit> unit = readUnit(symbol);
+    return {textOf(symbol), unit ? perSi(*unit) : 1.0};
+}
 
 constexpr double plainBelow = 1e6;  // larger numbers have powers of ten
 
@@ -49,11 +44,12 @@ void Display::setCompressionPositive(bool positive) {
 }
 
 ShownUnit Display::shown(std::string_view siUnit) const {
-    if (system_ == UnitSystem::Engineering)
-        for (const UnitRow& row : engineering)
-            if (row.si == siUnit) return {QString::fromUtf8(row.symbol), row.factor};
-    if (siUnit == modulusUnit) return {QStringLiteral("Pa"), 1.0};
-    return {QString::fromUtf8(siUnit.data(), static_cast<int>(siUnit.size())), 1.0};
+    const bool practical = system_ == UnitSystem::Engineering;
+    if (siUnit == modulusUnit) return practical ? practicalUnit("GPa") : ShownUnit{QStringLiteral("Pa"), 1.0};
+    if (practical)
+        for (const PracticalUnit& row : practicalUnits())
+            if (row.si == siUnit && row.use != UnitUse::Pictures) return practicalUnit(row.practical);
+    return {textOf(siUnit), 1.0};
 }
 
 QString Display::summary() const {

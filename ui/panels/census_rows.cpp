@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/census_rows.h"
 
+#include "solver/scene/units.h"
 #include "ui/look/display.h"
 
 #include <QCoreApplication>
@@ -95,7 +96,8 @@ QString estimateDetails(const CostEstimate& estimate) {
                           rough(stage.least),
                           rough(stage.most));
     lines << Texts::tr("Each iteration takes %1 ms plus %2 ms for the rest of the step")
-                 .arg(rough(1e3 * estimate.passSeconds), rough(1e3 * estimate.stepSeconds));
+                 .arg(rough(fromSi(estimate.passSeconds, namedUnit("ms"))),
+                      rough(fromSi(estimate.stepSeconds, namedUnit("ms"))));
     for (const std::string& sentence : estimate.assumes) lines << QString::fromStdString(sentence);
     return lines.join('\n');
 }

@@ -6,6 +6,7 @@
 #include "solver/scene/anchor_curve.h"
 #include "solver/scene/bolt_steel.h"
 #include "solver/scene/enum_names.h"
+#include "solver/scene/units.h"
 #include "ui/look/display.h"
 #include "ui/panels/field_words.h"
 #include "ui/panels/value_text.h"
@@ -147,7 +148,7 @@ ShownCurve steelCurve(const BoltType& type, const Display& display) {
     ShownCurve curve{Texts::tr("Steel"), {}, Texts::tr("Strain (%)"),
                      Texts::tr("Stress (%1)").arg(display.shown("Pa").symbol)};
     for (const auto& [strain, stress] : type.steel)
-        curve.points.emplace_back(100.0 * strain, stress * display.shown("Pa").factor);
+        curve.points.emplace_back(fromSi(strain, namedUnit("%")), stress * display.shown("Pa").factor);
     return curve;
 }
 
@@ -175,7 +176,7 @@ std::vector<ShownCurve> bondCurves(const BoltType& type, const Display& display)
         ShownCurve curve{lawTitle(anchor), {}, Texts::tr("Slip (mm)"),
                          Texts::tr("Force (%1)").arg(display.shown(unit).symbol)};
         for (const auto& [slip, force] : bondCurve(anchor, farthestSlip(anchor)))
-            curve.points.emplace_back(1000.0 * slip, force * display.shown(unit).factor);
+            curve.points.emplace_back(fromSi(slip, namedUnit("mm")), force * display.shown(unit).factor);
         curves.push_back(std::move(curve));
     }
     return curves;

@@ -3,6 +3,7 @@
 #include "ui/picture/arrows.h"
 
 #include "solver/results/frame_quantities.h"
+#include "solver/scene/units.h"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,7 @@ namespace {
 constexpr std::array<std::string_view, 3> words{"stress-crosses", "displacement-arrows", "velocity-arrows"};
 
 constexpr double longestArrow = 9.0;  // [mm]
+constexpr double megapascals = perSi(namedUnit("MPa")), millimetres = perSi(namedUnit("mm"));
 
 void addBar(ArrowField& field, const Point& place, const Point& along, double compression) {
     field.marks.push_back({compression >= 0.0 ? ArrowShape::Compression : ArrowShape::Tension, place,
@@ -23,8 +25,8 @@ void addBar(ArrowField& field, const Point& place, const Point& along, double co
 
 void addCross(ArrowField& field, const BlockState& block, const Point& place) {
     const PrincipalStress stress = principalStress(block.stress);
-    addBar(field, place, stress.direction, stress.major * 1e-6);
-    addBar(field, place, turnLeft(stress.direction), stress.minor * 1e-6);
+    addBar(field, place, stress.direction, stress.major * megapascals);
+    addBar(field, place, turnLeft(stress.direction), stress.minor * megapascals);
 }
 
 }  // namespace
@@ -53,7 +55,7 @@ ArrowField arrowField(ArrowKind kind, const Frame& frame, const std::vector<Poin
         if (block.area == 0.0) continue;
         if (kind == ArrowKind::StressCrosses) addCross(field, block, places[b]);
         if (kind == ArrowKind::Displacements)
-            field.marks.push_back({ArrowShape::Arrow, places[b], block.displacement * 1e3});
+            field.marks.push_back({ArrowShape::Arrow, places[b], block.displacement * millimetres});
         if (kind == ArrowKind::Velocities) field.marks.push_back({ArrowShape::Arrow, places[b], block.velocity});
     }
     for (const ArrowMark& mark : field.marks) field.largest = std::max(field.largest, mark.value.norm());

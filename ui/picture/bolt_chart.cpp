@@ -10,6 +10,7 @@
 #include "ui/picture/captions.h"
 #include "ui/picture/event_list.h"
 #include "ui/picture/section_ranges.h"
+#include "ui/picture/shown_numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -195,13 +196,13 @@ private:
         std::string text = bolt.type + ", " + numberText(chart_.length) + " m";
         const BoltType* type = findBoltType(run_.scene(), bolt.type);
         const BoltSteel steel = type ? boltSteel(*type) : BoltSteel{};
-        if (steel.yield) text += "; yields at " + numberText(*steel.yield * 1e-3) + " kN";
-        if (steel.tensile) text += ", breaks at " + numberText(*steel.tensile * 1e-3) + " kN";
+        if (steel.yield) text += "; yields at " + forceText(*steel.yield, {});
+        if (steel.tensile) text += ", breaks at " + forceText(*steel.tensile, {});
         if (now().lost) text += "; lost";
         const NodeQuantity& axial = *findQuantity(boltQuantities(), "axial_force");
         const double force = largest(now(), axial);
         return text + "; largest axial force in this frame " +
-               numberText(force > nothing * reach_.largestForce() ? force * 1e-3 : 0.0) + " kN" + usedText() + ".";
+               forceText(force > nothing * reach_.largestForce() ? force : 0.0, {}) + usedText() + ".";
     }
 
     /// Utilisation in the run so far.

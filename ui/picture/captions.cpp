@@ -4,6 +4,7 @@
 
 #include "solver/results/result_names.h"
 #include "solver/scene/enum_names.h"
+#include "solver/scene/units.h"
 #include "ui/picture/ticks.h"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ std::string rockText(const Scene& scene) {
     std::string text;
     for (std::size_t i = 0; i < scene.materials.size() && i < mostNamed; ++i) {
         const auto& [name, material] = scene.materials[i];
-        join(text, name + " " + numberText(material.youngsModulus * 1e-9) + " GPa", ", ");
+        join(text, name + " " + numberText(material.youngsModulus * perSi(namedUnit("GPa"))) + " GPa", ", ");
     }
     return text;
 }
@@ -68,7 +69,7 @@ std::string timeText(const Scene& scene, int stage, double time) {
 
 std::string shortTimeText(const Scene& scene, int stage, double time) {
     const bool dynamic = scene.stages[static_cast<std::size_t>(stage)].kind == StageKind::Dynamic;
-    return dynamic && time > 0.0 && time < 0.1 ? numberText(1e3 * time) + " ms" : timeText(scene, stage, time);
+    return dynamic && time > 0.0 && time < 0.1 ? numberText(perSi(namedUnit("ms")) * time) + " ms" : timeText(scene, stage, time);
 }
 
 std::string titleOf(const RunSource& run, std::optional<std::size_t> frame) {

@@ -3,6 +3,8 @@
 #include "ui/picture/contact_lines.h"
 
 #include "solver/results/frame_quantities.h"
+#include "solver/scene/units.h"
+#include "ui/picture/shown_numbers.h"
 #include "ui/picture/ticks.h"
 
 #include <algorithm>
@@ -14,7 +16,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double shown = 1e-3;  // kN of a newton
+constexpr double shown = perSi(namedUnit("kN"));
 constexpr double shareOutside = 0.02;  // of the sum of all forces, carried by forces larger than the longest line
 constexpr double least = 0.01;  // of the longest line: smaller forces are invisible
 constexpr std::size_t manyLines = 2000;  // in view: more than these are thinned out
@@ -52,10 +54,6 @@ double twoDigits(double value) {
     return std::ceil(value / unit * (1.0 - 1e-9)) * unit;
 }
 
-std::string lengthText(double metres) {
-    return metres < 1.0 ? numberText(metres * 1e3) + " mm" : numberText(metres) + " m";
-}
-
 /// Thins out the lines if there are many, and adds a note.
 void thinOut(ContactField& field, const Box& window) {
     const std::size_t all = field.lines.size();
@@ -65,7 +63,7 @@ void thinOut(ContactField& field, const Box& window) {
     if (field.lines.size() > manyLines) {
         const double side = twoDigits(std::sqrt((window.max - window.min).prod() / squares));
         field.lines = largestOfEach(field.lines, side);
-        which = "only the largest of each " + lengthText(side) + " square";
+        which = "only the largest of each " + lengthText(side, {}) + " square";
     }
     const std::string total = numberText(static_cast<double>(all), 0), drawn = numberText(static_cast<double>(field.lines.size()), 0);
     const bool isWhole = field.lines.size() == all;

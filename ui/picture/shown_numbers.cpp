@@ -2,24 +2,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/picture/shown_numbers.h"
 
+#include "solver/scene/units.h"
 #include "ui/picture/chart.h"
 #include "ui/picture/section.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 namespace keyblock {
 
 namespace {
 
+/// A unit of pictures and the SI unit that replaces it; 1 of it is `factor` in SI.
 struct UnitRow {
     std::string_view usual, si;
     double factor;
 };
 
-constexpr std::array units{UnitRow{"MPa", "Pa", 1e6}, UnitRow{"kN", "N", 1e3},      UnitRow{"kN m", "N m", 1e3},
-                           UnitRow{"mm", "m", 1e-3},  UnitRow{"kJ", "J", 1e3},      UnitRow{"mrad", "rad", 1e-3}};
+const std::vector<UnitRow>& units() {
+    static const std::vector<UnitRow> rows = [] {
+        std::vector<UnitRow> found;
+        for (const PracticalUnit& row : practicalUnits())
+            if (row.use != UnitUse::Forms)
+                found.push_back({row.practical, row.si, toSi(1.0, readUnit(row.practical).value_or(Unit{}))});
+        return found;
+    }();
+    return rows;
+}
 
 /// Smaller values are not measurable, and below double precision for a section of rock.
 constexpr double leastForce = 1e-6, leastOther = 1e-9;  // [MPa, kN, kN m], and of other units
@@ -116,7 +126,7 @@ ShownAs shownAs(std::string_view unit, std::string_view convention, const ShownN
     }
     if (!numbers.si) return shown;
     const std::string_view alone = unit.substr(0, unit.find(per));
-    for (const UnitRow& row : units)
+    for (const UnitRow& row : units())
         if (row.usual == alone) {
             shown.unit = std::string(row.si) + std::string(unit.substr(alone.size()));
             shown.factor *= row.factor;
@@ -127,7 +137,7 @@ ShownAs shownAs(std::string_view unit, std::string_view convention, const ShownN
 double withoutRoundOff(double value, std::string_view unit) {
     const std::string_view alone = unit.substr(0, unit.find(per));
     double least = leastOther;
-    for (const UnitRow& row : units) {
+    for (const UnitRow& row : units()) {
         const bool isForce = row.usual == "MPa" || row.usual.starts_with("kN");
         const double usual = isForce ? leastForce : leastOther;
         if (alone == row.usual) least = usual;
@@ -151,12 +161,12 @@ std::string shownTitle(const std::string& title, const ShownNumbers& numbers) {
 }
 
 std::string forceText(double force, const ShownNumbers& numbers) {
-    return numbers.si ? numberText(force) + " N" : numberText(1e-3 * force) + " kN";
+    return numbers.si ? numberText(force) + " N" : numberText(perSi(namedUnit("kN")) * force) + " kN";
 }
 
 std::string lengthText(double length, const ShownNumbers& numbers) {
     const bool metres = numbers.si || std::abs(length) >= 1.0;
-    return metres ? numberText(length) + " m" : numberText(1e3 * length) + " mm";
+    return metres ? numberText(length) + " m" : numberText(perSi(namedUnit("mm")) * length) + " mm";
 }
 
 void showAs(SectionPicture& picture, const ShownNumbers& numbers) {
