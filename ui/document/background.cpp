@@ -20,8 +20,17 @@ Background::~Background() {
 void Background::ask(std::function<Result()> job) {
     {
         const std::scoped_lock lock(mutex_);
-        next_ = std::move(job);
+        waiting_.clear();
+        waiting_.push_back(std::move(job));
         overtaken_ = true;
+    }
+    wake_.notify_one();
+}
+
+void Background::add(std::function<Result()> job) {
+    {
+        const std::scoped_lock lock(mutex_);
+        waiting_.push_back(std::move(job));
     }
     wake_.notify_one();
 }
@@ -31,9 +40,10 @@ void Background::work() {
         std::function<Result()> job;
         {
             std::unique_lock lock(mutex_);
-            wake_.wait(lock, [this] { return ends_ || next_; });
+            wake_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
             if (ends_) return;
-            job = std::exchange(next_, nullptr);
+            job = std::move(waiting_.front());
+            waiting_.pop_front();
             overtaken_ = false;
         }
         Result result = job();
