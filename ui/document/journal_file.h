@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Writes a journal on its own thread, because writing a large scene would block the
-// window. A line is written with one system call, so that a kill leaves whole lines.
-// The file is locked while it is in use, and the lock ends with the process: a
-// journal without a lock was not closed.
+// window. This is not a Background: lines are retried until the disk accepts them, the
+// window can wait for them, and the last ones are written before the thread ends.
+// A line is written with one system call, so that a kill leaves whole lines. The file
+// is locked while it is in use, and the lock ends with the process: a journal without
+// a lock was not closed.
 #pragma once
 
 #include "solver/scene/scene.h"

@@ -65,18 +65,16 @@ ExportJob::~ExportJob() {
         QCoreApplication::sendPostedEvents(qApp, 0);
         QThread::msleep(2);
     }
-    if (thread_.joinable()) thread_.join();
 }
 
 void ExportJob::start(ExportOrder order) {
-    if (thread_.joinable()) thread_.join();
     stop_ = false;
     ended_ = false;
     busy_ = true;
-    thread_ = std::thread([this, order = std::move(order)] { work(order); });
+    working_.ask([this, order = std::move(order)] { return work(order); });
 }
 
-void ExportJob::work(const ExportOrder& order) {
+Background::Result ExportJob::work(const ExportOrder& order) {
     QString message;
     bool isError = false;
     try {
@@ -87,11 +85,11 @@ void ExportJob::work(const ExportOrder& order) {
         message = QString::fromUtf8(error.what());
         isError = true;
     }
-    QMetaObject::invokeMethod(this, [this, message, isError] {
+    ended_ = true;
+    return [this, message, isError] {
         busy_ = false;
         Q_EMIT ended(message, isError);
-    }, Qt::QueuedConnection);
-    ended_ = true;
+    };
 }
 
 QString ExportJob::perform(const ExportOrder& order) {

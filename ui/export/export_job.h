@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Exports on its own thread, from the run's store, so that neither the window nor a run
+// Exports in the background, from the run's store, so that neither the window nor a run
 // in progress waits for it. Only charts are drawn in the window's thread, a fraction of
 // a second each.
 #pragma once
 
+#include "ui/document/background.h"
 #include "ui/export/export_write.h"
 
 #include <QObject>
@@ -13,7 +14,6 @@
 #include <atomic>
 #include <functional>
 #include <string>
-#include <thread>
 
 namespace keyblock {
 
@@ -47,7 +47,7 @@ Q_SIGNALS:
     void ended(const QString& message, bool isError);
 
 private:
-    void work(const ExportOrder& order);
+    Background::Result work(const ExportOrder& order);
     QString perform(const ExportOrder& order);
     std::size_t exportEverything(const RunSource& run, const ExportOrder& order);
     std::size_t exportFigures(const RunSource& run, const ExportOrder& order);
@@ -57,7 +57,7 @@ private:
 
     std::atomic<bool> stop_{false}, ended_{true};
     bool busy_ = false;
-    std::thread thread_;
+    Background working_;
 };
 
 /// Whether the run has data for a figure; figures without data are omitted when everything is exported.

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One run on its own thread, from start to end: its controls, progress and outcome.
-// Exceptions in the thread become messages here.
+// Exceptions in the thread become messages here. This is not a Background: the thread's
+// lower priority and its processor clock belong to the run and end with it.
 #pragma once
 
 #include "solver/run/run.h"

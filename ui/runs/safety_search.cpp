@@ -7,7 +7,6 @@
 #include "ui/document/document.h"
 
 #include <exception>
-#include <utility>
 
 namespace keyblock {
 
@@ -25,17 +24,13 @@ QString firstError(const std::vector<Problem>& problems) {
 
 SafetySearch::SafetySearch(const Document& document, QObject* parent)
     : QObject(parent), document_(document), scene_(std::make_shared<const Scene>()) {
-    connect(&poll_, &QTimer::timeout, this, &SafetySearch::take);
+    connect(&poll_, &QTimer::timeout, this, &SafetySearch::takeRuns);
 }
 
-SafetySearch::~SafetySearch() {
-    stop();
-    if (thread_.joinable()) thread_.join();
-}
+SafetySearch::~SafetySearch() { stop(); }
 
 void SafetySearch::start() {
     if (busy_) return;
-    if (thread_.joinable()) thread_.join();
     scene_ = document_.committed();
     runs_.clear();
     found_.reset();
@@ -47,21 +42,18 @@ void SafetySearch::start() {
     const Checked& checked = document_.checked();
     names_ = keyblock::blockNames(checked.cut ? checked.cut->scene : *scene_);
     newRuns_.clear();
-    newFound_.reset();
-    newProblem_.clear();
-    ended_ = false;
     fraction_ = 0.0;
     control_.stop = false;
     control_.progress = [this](const Progress& now) { fraction_ = now.fraction; };
     busy_ = true;
-    thread_ = std::thread([this] { work(); });
+    searching_.ask([this] { return search(); });
     poll_.start(pollTime);
     Q_EMIT changed();
 }
 
 void SafetySearch::stop() { control_.stop = true; }
 
-void SafetySearch::work() {
+Background::Result SafetySearch::search() {
     std::optional<SafetyFactor> found;
     std::string problem;
     try {
@@ -77,24 +69,23 @@ void SafetySearch::work() {
     } catch (const std::exception& error) {
         problem = error.what();
     }
-    const std::lock_guard lock(mutex_);
-    newFound_ = std::move(found);
-    newProblem_ = std::move(problem);
-    ended_ = true;
+    return [this, found, problem] { finish(found, problem); };
 }
 
-void SafetySearch::take() {
+void SafetySearch::takeRuns() {
     {
         const std::lock_guard lock(mutex_);
         runs_ = newRuns_;
-        if (ended_) {
-            found_ = newFound_;
-            problem_ = QString::fromStdString(newProblem_);
-            busy_ = false;
-        }
     }
-    if (!busy_) poll_.stop();
     Q_EMIT changed();
+}
+
+void SafetySearch::finish(const std::optional<SafetyFactor>& found, const std::string& problem) {
+    poll_.stop();
+    found_ = found;
+    problem_ = QString::fromStdString(problem);
+    busy_ = false;
+    takeRuns();
 }
 
 }  // namespace keyblock

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Searches for the factor of safety of the document on its own thread while the window
+// Searches for the factor of safety of the document in the background while the window
 // stays usable.
 #pragma once
 
 #include "solver/run/safety.h"
+#include "ui/document/background.h"
 
 #include <QObject>
 #include <QString>
@@ -16,7 +17,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace keyblock {
@@ -49,8 +49,9 @@ Q_SIGNALS:
     void changed();
 
 private:
-    void work();
-    void take();
+    Background::Result search();
+    void takeRuns();
+    void finish(const std::optional<SafetyFactor>& found, const std::string& problem);
 
     const Document& document_;
     std::shared_ptr<const Scene> scene_;
@@ -61,13 +62,10 @@ private:
     QString problem_;
     std::atomic<double> factor_{1.0}, fraction_{0.0};
     Control control_;
-    std::mutex mutex_;  // protects the data that the thread hands over
+    std::mutex mutex_;  // protects the runs that the thread hands over
     std::vector<SafetyRun> newRuns_;
-    std::optional<SafetyFactor> newFound_;
-    std::string newProblem_;
-    bool ended_ = false;
     QTimer poll_;
-    std::thread thread_;
+    Background searching_;  // last member: it waits for the thread, which uses the others
 };
 
 }  // namespace keyblock

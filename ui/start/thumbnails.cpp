@@ -108,45 +108,16 @@ Painted picture(const QString& path, QSize size, double ratio, const Theme& them
 
 }  // namespace
 
-Thumbnails::Thumbnails(QObject* parent) : QObject(parent), thread_([this] { work(); }) {}
-
-Thumbnails::~Thumbnails() {
-    {
-        const std::lock_guard lock(mutex_);
-        ends_ = true;
-    }
-    wake_.notify_one();
-    thread_.join();
-}
-
 void Thumbnails::ask(const QString& path, QSize size, double ratio, const Theme& theme) {
-    {
-        const std::lock_guard lock(mutex_);
-        wanted_.push_back({path, size, ratio, &theme});
-    }
-    wake_.notify_one();
-}
-
-void Thumbnails::work() {
-    for (;;) {
-        Wanted wanted;
-        {
-            std::unique_lock lock(mutex_);
-            wake_.wait(lock, [this] { return ends_ || !wanted_.empty(); });
-            if (ends_) return;
-            wanted = wanted_.front();
-            wanted_.pop_front();
-        }
+    painting_.add([this, path, size, ratio, &theme]() -> Background::Result {
         Painted painted;
         try {
-            painted = picture(wanted.path, wanted.size, wanted.ratio, *wanted.theme);
+            painted = picture(path, size, ratio, theme);
         } catch (const std::exception&) {
             // For example out of memory: the card stays without a picture.
         }
-        QMetaObject::invokeMethod(
-            this, [this, wanted, painted] { Q_EMIT ready(wanted.path, wanted.size, painted.image, painted.facts); },
-            Qt::QueuedConnection);
-    }
+        return [this, path, size, painted] { Q_EMIT ready(path, size, painted.image, painted.facts); };
+    });
 }
 
 }  // namespace keyblock

@@ -1,19 +1,16 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures of scene files, painted on their own thread because the scene has to be cut
+// Pictures of scene files, painted in the background because the scene has to be cut
 // first, and kept in the user's cache folder until the file changes.
 #pragma once
+
+#include "ui/document/background.h"
 
 #include <QImage>
 #include <QObject>
 #include <QSize>
 #include <QString>
-
-#include <condition_variable>
-#include <deque>
-#include <mutex>
-#include <thread>
 
 namespace keyblock {
 
@@ -30,8 +27,7 @@ class Thumbnails : public QObject {
     Q_OBJECT
 
 public:
-    explicit Thumbnails(QObject* parent = nullptr);
-    ~Thumbnails() override;
+    explicit Thumbnails(QObject* parent = nullptr) : QObject(parent) {}
 
     /// Requests the picture of a scene file, in pixels of the screen; `ready` delivers it, from the cache or later.
     void ask(const QString& path, QSize size, double ratio, const Theme& theme);
@@ -40,19 +36,7 @@ Q_SIGNALS:
     void ready(const QString& path, QSize size, const QImage& image, keyblock::SceneFacts facts);
 
 private:
-    struct Wanted {
-        QString path;
-        QSize size;
-        double ratio;
-        const Theme* theme;
-    };
-    void work();
-
-    std::mutex mutex_;
-    std::condition_variable wake_;
-    std::deque<Wanted> wanted_;
-    bool ends_ = false;
-    std::thread thread_;
+    Background painting_;
 };
 
 }  // namespace keyblock
