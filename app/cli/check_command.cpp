@@ -3,9 +3,9 @@
 //
 // The verb `check`: everything that is wrong with a scene, what its domain is cut
 // into and what will be modelled of it, nothing run.
-#include "app/cli/census_listing.h"
 #include "app/cli/cli_commands.h"
 #include "app/cli/json_answers.h"
+#include "app/cli/model_summary_listing.h"
 #include "app/cli/output.h"
 #include "solver/files/scene/scene_file.h"
 #include "solver/scene/number_text.h"
@@ -67,27 +67,27 @@ void tellCut(const SceneCut& cut, bool all) {
 }
 
 /// Of a scene without errors that has something to be modelled.
-std::optional<Census> censusOf(const SceneReading& reading) {
+std::optional<ModelSummary> modelSummaryOf(const SceneReading& reading) {
     const SceneCut* cut = reading.cut ? &*reading.cut : nullptr;
     if (!reading.scene || (cut ? cut->scene : *reading.scene).blocks.empty())
         return std::nullopt;
-    return takeCensus(cut ? cut->scene : *reading.scene, cut);
+    return makeModelSummary(cut ? cut->scene : *reading.scene, cut);
 }
 
 }  // namespace
 
 ExitCode perform(const CheckOptions& options) {
     const SceneReading reading = readSceneFile(options.scene, options.overrides);
-    const std::optional<Census> census = censusOf(reading);
+    const std::optional<ModelSummary> summary = modelSummaryOf(reading);
     if (options.json) {
-        print(checkJson(reading, census));
+        print(checkJson(reading, summary));
         return hasErrors(reading.problems) ? Invalid : Done;
     }
     tell(options.scene, reading.problems);
     if (reading.cut)
         tellCut(*reading.cut, options.all);
-    if (census)
-        print(censusLines(*census));
+    if (summary)
+        print(modelSummaryLines(*summary));
     return hasErrors(reading.problems) ? Invalid : Done;
 }
 

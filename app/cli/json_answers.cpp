@@ -192,10 +192,10 @@ Json estimateJson(const CostEstimate& estimate) {
             {"assumes", estimate.assumes}};
 }
 
-Json censusJson(const Census& census) {
-    const CensusCounts& counts = census.counts;
+Json modelSummaryJson(const ModelSummary& summary) {
+    const ModelCounts& counts = summary.counts;
     Json leftOut = Json::array();
-    for (const LeftOut& part : census.leftOut)
+    for (const LeftOut& part : summary.leftOut)
         leftOut.push_back({{"what", part.what}, {"why", part.why}, {"saves", part.saves}});
     return {{"blocks", counts.blocks},
             {"cells", counts.cells},
@@ -207,12 +207,12 @@ Json censusJson(const Census& census) {
             {"unknowns",
              {{"blocks", counts.blockUnknowns}, {"plates", counts.plateUnknowns}, {"bolts", counts.boltUnknowns}}},
             {"left_out", leftOut},
-            {"estimate", estimateJson(census.estimate)}};
+            {"estimate", estimateJson(summary.estimate)}};
 }
 
 }  // namespace
 
-std::string checkJson(const SceneReading& reading, const std::optional<Census>& census) {
+std::string checkJson(const SceneReading& reading, const std::optional<ModelSummary>& summary) {
     Json list = Json::array();
     for (const Problem& problem : reading.problems)
         list.push_back({{"severity", wordOf(problem.severity)},
@@ -223,8 +223,8 @@ std::string checkJson(const SceneReading& reading, const std::optional<Census>& 
     Json answer{{"problems", list}};
     if (reading.cut && !reading.cut->sources.empty())
         answer["cut"] = cutJson(*reading.cut);
-    if (census)
-        answer["census"] = censusJson(*census);
+    if (summary)
+        answer["census"] = modelSummaryJson(*summary);
     return dumped(answer, 2);
 }
 

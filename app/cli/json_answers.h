@@ -7,7 +7,7 @@
 
 #include "solver/files/run_store/run_store.h"
 #include "solver/files/scene/scene_file.h"
-#include "solver/run/census.h"
+#include "solver/run/model_summary.h"
 #include "solver/run/safety.h"
 #include "solver/scene/problem.h"
 #include "solver/verify/verify.h"
@@ -23,7 +23,7 @@ namespace keyblock::cli {
 /// reports[] {kind, x_m, y_m, message}}`; of a scene without errors `census {blocks, cells, plates, fixed, contacts,
 /// bolts, nodes, unknowns {blocks, plates, bolts}, left_out[] {what, why, saves}, estimate {seconds, seconds_least,
 /// seconds_most, memory_MB, pass_seconds, step_seconds, stages[] {name, steps, passes, least, most}, assumes[]}}`.
-std::string checkJson(const SceneReading& reading, const std::optional<Census>& census);
+std::string checkJson(const SceneReading& reading, const std::optional<ModelSummary>& summary);
 
 /// `scene_hash, stages[] {name, kind, outcome, time_s, steps}, frames, events {kind: count}, health {…}, verdict {stands,
 /// blocks[] {block, mode, moved_m, weight_N}, joints[] {block_a, block_b, mode, slip_m, opening_m}, bolts[] {bolt, event,

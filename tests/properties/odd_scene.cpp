@@ -3,7 +3,7 @@
 #include "tests/properties/odd_scene.h"
 
 #include "geometry/polygon.h"
-#include "solver/run/census.h"
+#include "solver/run/model_summary.h"
 #include "solver/run/run.h"
 
 #include <gtest/gtest.h>
@@ -68,9 +68,9 @@ void expectNoRockLost(const OddRun& run, double expected) {
 }
 
 void expectCounted(const OddRun& run) {
-    const Census census = *takeCensus(run.solved(), &*run.reading.cut);
-    EXPECT_EQ(census.counts.blocks, static_cast<int>(run.solved().blocks.size()));
-    EXPECT_EQ(census.counts.bolts, static_cast<int>(run.solved().bolts.size()));
+    const ModelSummary summary = *makeModelSummary(run.solved(), &*run.reading.cut);
+    EXPECT_EQ(summary.counts.blocks, static_cast<int>(run.solved().blocks.size()));
+    EXPECT_EQ(summary.counts.bolts, static_cast<int>(run.solved().bolts.size()));
 }
 
 void expectEnds(const Results& results, const std::string& expected) {

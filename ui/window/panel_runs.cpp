@@ -3,7 +3,7 @@
 #include "ui/window/panel_runs.h"
 
 #include "ui/docks/result_card.h"
-#include "ui/panels/census_panel.h"
+#include "ui/panels/model_summary_panel.h"
 #include "ui/panels/property_panel.h"
 #include "ui/panels/scene_tree.h"
 #include "ui/runs/runs.h"
@@ -30,8 +30,8 @@ void showRunsIn(const Panels& panels, Runs& runs) {
     const auto list = [tree = panels.tree, &runs] { tree->setRuns(rowsOf(runs)); };
     for (const auto signal : {&Runs::listChanged, &Runs::shownChanged, &Runs::sessionChanged})
         QObject::connect(&runs, signal, panels.tree, list);
-    QObject::connect(&runs, &Runs::sessionChanged, panels.census,
-                     [census = panels.census, &runs] { census->setBusy(runs.isRunning()); });
+    QObject::connect(&runs, &Runs::sessionChanged, panels.summary,
+                     [summary = panels.summary, &runs] { summary->setBusy(runs.isRunning()); });
     QObject::connect(panels.tree, &SceneTree::runChosen, &runs, &Runs::open);
     list();
 }

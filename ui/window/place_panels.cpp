@@ -10,8 +10,8 @@
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
-#include "ui/panels/census_panel.h"
 #include "ui/panels/library_panel.h"
+#include "ui/panels/model_summary_panel.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/property_panel.h"
 #include "ui/panels/scene_tree.h"
@@ -58,15 +58,16 @@ void zoomTo(Canvas& canvas, const Box& box) {
 void placeBelow(QMainWindow& window, const PanelNeeds& needs, Panels& panels) {
     const FormContext context{needs.document, needs.display, needs.themes};
     panels.problems = new ProblemsPanel(needs.document, needs.selection, needs.display, needs.themes, &window);
-    panels.census = new CensusPanel(needs.document, needs.commands, needs.themes, &window);
+    panels.summary = new ModelSummaryPanel(needs.document, needs.commands, needs.themes, &window);
     panels.stages = new StagesPanel(context, needs.selection, &window);
     panels.library = new LibraryPanel(context, needs.selection, &window);
     panels.problemsDock = makeDock(window, needs.themes, "problemsDock", QMainWindow::tr("Problems"), panels.problems);
-    panels.censusDock = makeDock(window, needs.themes, "censusDock", QMainWindow::tr("Model summary"), panels.census);
+    // Saved layouts know the dock by this name.
+    panels.summaryDock = makeDock(window, needs.themes, "censusDock", QMainWindow::tr("Model summary"), panels.summary);
     panels.stagesDock = makeDock(window, needs.themes, "stagesDock", QMainWindow::tr("Stages"), panels.stages);
     panels.libraryDock =
         makeDock(window, needs.themes, "libraryDock", QMainWindow::tr("Bolt library"), panels.library);
-    for (QDockWidget* dock : {panels.problemsDock, panels.censusDock, panels.stagesDock, panels.libraryDock})
+    for (QDockWidget* dock : {panels.problemsDock, panels.summaryDock, panels.stagesDock, panels.libraryDock})
         window.addDockWidget(Qt::BottomDockWidgetArea, dock);  // the layouts decide where
     needs.commands.add({"panel.library", QMainWindow::tr("Open bolt library"), "Tools", "bolt",
                         QMainWindow::tr("Shows bolt types with their parameters and sources."), {}, false, "library"},

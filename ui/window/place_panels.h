@@ -11,7 +11,7 @@ class QMainWindow;
 namespace keyblock {
 
 class Canvas;
-class CensusPanel;
+class ModelSummaryPanel;
 class Commands;
 class Display;
 class Document;
@@ -41,10 +41,10 @@ struct Panels {
     SceneTree* tree = nullptr;
     PropertyPanel* properties = nullptr;
     ProblemsPanel* problems = nullptr;
-    CensusPanel* census = nullptr;
+    ModelSummaryPanel* summary = nullptr;
     StagesPanel* stages = nullptr;
     LibraryPanel* library = nullptr;
-    QDockWidget *problemsDock = nullptr, *censusDock = nullptr, *stagesDock = nullptr, *libraryDock = nullptr;
+    QDockWidget *problemsDock = nullptr, *summaryDock = nullptr, *stagesDock = nullptr, *libraryDock = nullptr;
 };
 
 Panels placePanels(QMainWindow& window, const PanelNeeds& needs);

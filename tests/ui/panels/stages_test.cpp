@@ -8,8 +8,8 @@
 #include "ui/document/selection.h"
 #include "ui/edit/edits.h"
 #include "ui/look/commands.h"
-#include "ui/panels/census_panel.h"
-#include "ui/panels/census_rows.h"
+#include "ui/panels/model_summary_panel.h"
+#include "ui/panels/model_summary_rows.h"
 #include "ui/panels/plan_view.h"
 #include "ui/panels/stages_panel.h"
 
@@ -105,32 +105,32 @@ TEST(StagesPanel, ButtonsAddMoveDuplicateAndRemoveStagesWithUndo) {
     EXPECT_EQ(*document.scene(), before);
 }
 
-TEST(CensusPanel, ShowsTheCountsOfTheCensus) {
+TEST(ModelSummaryPanel, ShowsTheCountsOfTheModel) {
     NEED_SCREEN();
     Themes themes;
     Commands commands(themes);
     Document document;
     document.startNew(sampleScene("burst-rebar"));
-    CensusPanel panel(document, commands, themes);
+    ModelSummaryPanel panel(document, commands, themes);
     panel.resize(700, 220);
     panel.show();
-    ASSERT_TRUE(waitFor([&] { return panel.census() != nullptr; }));
+    ASSERT_TRUE(waitFor([&] { return panel.summary() != nullptr; }));
     const auto& checked = document.checked();
     const Scene& solved = checked.cut ? checked.cut->scene : *checked.scene;
-    const Census direct = *takeCensus(solved, checked.cut.get());
-    EXPECT_EQ(panel.census()->counts.unknowns(), direct.counts.unknowns());
-    const auto rows = censusRows(*panel.census());
+    const ModelSummary direct = *makeModelSummary(solved, checked.cut.get());
+    EXPECT_EQ(panel.summary()->counts.unknowns(), direct.counts.unknowns());
+    const auto rows = modelSummaryRows(*panel.summary());
     EXPECT_EQ(rows.front().count, Display::number(direct.counts.blocks, 12));
     Scene broken = *document.scene();
     broken.domain->material = "nothing";
     document.apply("break", broken);
-    EXPECT_FALSE(panel.census());
+    EXPECT_FALSE(panel.summary());
     ASSERT_TRUE(waitFor([&] { return document.checkIsCurrent(); }));
     QTest::qWait(700);
-    EXPECT_FALSE(panel.census());
+    EXPECT_FALSE(panel.summary());
 }
 
-TEST(CensusRows, TimesAndMemoryAreRounded) {
+TEST(ModelSummaryRows, TimesAndMemoryAreRounded) {
     EXPECT_EQ(costText(0.3), "< 1 s");
     EXPECT_EQ(costText(42.0), "42 s");
     EXPECT_EQ(costText(110.0), "1 min 50 s");

@@ -78,7 +78,7 @@ TEST_P(SmallScreens, RunButtonOfTheModelSummaryIsNotCut) {
     auto* time = window_->findChild<QWidget*>("estimatedTime");
     ASSERT_TRUE(time);
     QPushButton* run = nullptr;
-    for (auto* button : window_->findChild<QWidget*>("censusCosts")->findChildren<QPushButton*>()) run = button;
+    for (auto* button : window_->findChild<QWidget*>("modelSummaryCosts")->findChildren<QPushButton*>()) run = button;
     ASSERT_TRUE(run);
     EXPECT_TRUE(waitFor([&] { return isWhole(*run) && isWhole(*time); }, 5000))
         << run->visibleRegion().boundingRect().height() << " of " << run->height() << " px";

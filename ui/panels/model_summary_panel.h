@@ -5,7 +5,7 @@
 // estimated time and memory.
 #pragma once
 
-#include "solver/run/census.h"
+#include "solver/run/model_summary.h"
 
 #include <QWidget>
 
@@ -24,18 +24,18 @@ class Commands;
 class Document;
 class Themes;
 
-class CensusPanel : public QWidget {
+class ModelSummaryPanel : public QWidget {
     Q_OBJECT
 
 public:
-    CensusPanel(Document& document, const Commands& commands, const Themes& themes, QWidget* parent = nullptr);
-    ~CensusPanel() override;
+    ModelSummaryPanel(Document& document, const Commands& commands, const Themes& themes, QWidget* parent = nullptr);
+    ~ModelSummaryPanel() override;
 
     /// Nothing is counted during a run: the estimate would be wrong and would slow the run down.
     void setBusy(bool busy);
 
     /// The newest summary; null while it is being counted or if it cannot be made.
-    const std::shared_ptr<const Census>& census() const { return census_; }
+    const std::shared_ptr<const ModelSummary>& summary() const { return summary_; }
 
 Q_SIGNALS:
     void taken();
@@ -62,7 +62,7 @@ private:
     Background* counting_;
     std::shared_ptr<std::atomic<bool>> stop_;  // of the newest request; null: none is open
     QTimer* calm_;
-    std::shared_ptr<const Census> census_;
+    std::shared_ptr<const ModelSummary> summary_;
     bool busy_ = false;
     bool narrow_ = false;  // no room for the reasons, which are in tooltips
     bool low_ = false;  // no room for the range of the estimate, which is in a tooltip

@@ -5,7 +5,7 @@
 // how many there will be is taken from runs of the samples and of jointed rock, and
 // said with the range in which those lay. The clock is looked at here alone and
 // affects only what is reported.
-#include "solver/run/census.h"
+#include "solver/run/model_summary.h"
 
 #include "solver/engine/contact/search.h"
 #include "solver/engine/stage/limits.h"
@@ -132,7 +132,7 @@ bool unbreakable(const Model& model, const State& state, const Limit& limit) {
     return std::min(joint.cohesion, joint.tensileStrength) >= modulus;
 }
 
-Nature natureOf(const Model& model, const State& start, const CensusCounts& counts) {
+Nature natureOf(const Model& model, const State& start, const ModelCounts& counts) {
     Nature nature;
     const std::vector<Limit> limits = heldLimits(model, start);
     nature.releases = static_cast<int>(std::count_if(limits.begin(), limits.end(), [&](const Limit& limit) {
@@ -227,7 +227,7 @@ void addAssumptions(const Nature& nature, CostEstimate& estimate) {
 }  // namespace
 
 std::optional<CostEstimate> estimateCost(const Scene& scene, const Model& model, const State& start,
-                                         const CensusCounts& counts, const std::atomic<bool>* stop) {
+                                         const ModelCounts& counts, const std::atomic<bool>* stop) {
     CostEstimate estimate;
     const Nature nature = natureOf(model, start, counts);
     if ((stop && *stop) || !Timing(model, start, stop).measure(estimate)) return std::nullopt;

@@ -3,7 +3,7 @@
 //
 // What is not modelled because the scene does not need it: which setting
 // decides, and what that saves.
-#include "solver/run/census.h"
+#include "solver/run/model_summary.h"
 
 #include "solver/engine/contact/multipliers.h"
 #include "solver/scene/lookup.h"
@@ -19,7 +19,7 @@ std::string counted(int count, const std::string& what) {
 
 class LeftOutList {
 public:
-    LeftOutList(const Scene& scene, const Model& model, const CensusCounts& counts)
+    LeftOutList(const Scene& scene, const Model& model, const ModelCounts& counts)
         : scene_(scene), model_(model), counts_(counts) {}
 
     std::vector<LeftOut> make(const SceneCut* cut) {
@@ -134,14 +134,14 @@ private:
 
     const Scene& scene_;
     const Model& model_;
-    const CensusCounts& counts_;
+    const ModelCounts& counts_;
     std::vector<LeftOut> list_;
 };
 
 }  // namespace
 
 std::vector<LeftOut> leftOutOf(const Scene& scene, const SceneCut* cut, const Model& model,
-                               const CensusCounts& counts) {
+                               const ModelCounts& counts) {
     return LeftOutList(scene, model, counts).make(cut);
 }
 

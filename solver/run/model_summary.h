@@ -17,7 +17,7 @@
 
 namespace keyblock {
 
-struct CensusCounts {
+struct ModelCounts {
     int blocks = 0;  // bodies of rock: whole blocks, or cells
     int cells = 0;  // of these
     int plates = 0;  // that are blocks of their own
@@ -58,8 +58,8 @@ struct CostEstimate {
     std::vector<std::string> assumes;  // on what this rests, a sentence each
 };
 
-struct Census {
-    CensusCounts counts;
+struct ModelSummary {
+    ModelCounts counts;
     std::vector<LeftOut> leftOut;
     CostEstimate estimate;
 };
@@ -67,15 +67,16 @@ struct Census {
 /// Counts, lists and estimates; solves the scene's own system a few times to see how long that takes, so the estimate
 /// differs from call to call.
 /// \param scene as it is solved: what `cutScene` makes of it. \param cut of it, for what the cut left out; null: none.
-/// \param stop where it becomes true, the census ends soon and there is none; null: it goes to its end.
+/// \param stop where it becomes true, counting ends soon and there is no summary; null: it runs to its end.
 /// \pre the scene was checked without errors and has blocks.
-std::optional<Census> takeCensus(const Scene& scene, const SceneCut* cut, const std::atomic<bool>* stop = nullptr);
+std::optional<ModelSummary> makeModelSummary(const Scene& scene, const SceneCut* cut,
+                                             const std::atomic<bool>* stop = nullptr);
 
 /// The parts of it.
-CensusCounts countParts(const Model& model, const State& start);
+ModelCounts countParts(const Model& model, const State& start);
 std::vector<LeftOut> leftOutOf(const Scene& scene, const SceneCut* cut, const Model& model,
-                               const CensusCounts& counts);
+                               const ModelCounts& counts);
 std::optional<CostEstimate> estimateCost(const Scene& scene, const Model& model, const State& start,
-                                         const CensusCounts& counts, const std::atomic<bool>* stop = nullptr);
+                                         const ModelCounts& counts, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace keyblock

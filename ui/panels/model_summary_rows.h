@@ -5,7 +5,7 @@
 // out, and the estimated time and memory.
 #pragma once
 
-#include "solver/run/census.h"
+#include "solver/run/model_summary.h"
 
 #include <QString>
 
@@ -13,13 +13,13 @@
 
 namespace keyblock {
 
-struct CensusRow {
+struct ModelSummaryRow {
     QString what, count, unknowns, why;
     bool leftOut = false;
     bool total = false;
 };
 
-std::vector<CensusRow> censusRows(const Census& census);
+std::vector<ModelSummaryRow> modelSummaryRows(const ModelSummary& summary);
 
 /// `1 min 50 s`, `< 1 s`.
 QString costText(double seconds);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/census_listing.h"
+#include "app/cli/model_summary_listing.h"
 
 #include "solver/scene/units.h"
 
@@ -34,7 +34,7 @@ std::string duration(double seconds) {
     return rough(seconds / 3600.0) + " h";
 }
 
-std::string partLines(const CensusCounts& counts) {
+std::string partLines(const ModelCounts& counts) {
     std::string lines = "modelled: " + counted(counts.unknowns(), "unknown") + "\n";
     const auto line = [&](int count, const std::string& what, const std::string& detail, int unknowns) {
         if (count == 0)
@@ -74,12 +74,12 @@ std::string estimateLines(const CostEstimate& estimate) {
 
 }  // namespace
 
-std::string censusLines(const Census& census) {
-    std::string lines = partLines(census.counts) + "left out:\n";
-    for (const LeftOut& part : census.leftOut)
+std::string modelSummaryLines(const ModelSummary& summary) {
+    std::string lines = partLines(summary.counts) + "left out:\n";
+    for (const LeftOut& part : summary.leftOut)
         lines += "  " + part.what + ": " + part.why + " (saves " + part.saves + ")\n";
-    if (!census.estimate.stages.empty())
-        lines += estimateLines(census.estimate);
+    if (!summary.estimate.stages.empty())
+        lines += estimateLines(summary.estimate);
     return lines;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/panels/census_panel.h"
+#include "ui/panels/model_summary_panel.h"
 
 #include "ui/document/background.h"
 #include "ui/document/document.h"
 #include "ui/look/commands.h"
 #include "ui/look/theme.h"
-#include "ui/panels/census_rows.h"
+#include "ui/panels/model_summary_rows.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -36,10 +36,11 @@ QLabel* labelOf(QWidget* parent, const char* role, const QString& text = {}) {
 }
 
 /// Null if it was stopped or memory ran out.
-std::shared_ptr<const Census> censusOf(const Scene& solved, const SceneCut* cut, const std::atomic<bool>& stop) {
+std::shared_ptr<const ModelSummary> modelSummaryOf(const Scene& solved, const SceneCut* cut,
+                                                   const std::atomic<bool>& stop) {
     try {
-        std::optional<Census> census = takeCensus(solved, cut, &stop);
-        return census ? std::make_shared<const Census>(std::move(*census)) : nullptr;
+        std::optional<ModelSummary> summary = makeModelSummary(solved, cut, &stop);
+        return summary ? std::make_shared<const ModelSummary>(std::move(*summary)) : nullptr;
     } catch (const std::exception&) {
         return nullptr;
     }
@@ -47,10 +48,11 @@ std::shared_ptr<const Census> censusOf(const Scene& solved, const SceneCut* cut,
 
 }  // namespace
 
-CensusPanel::CensusPanel(Document& document, const Commands& commands, const Themes& themes, QWidget* parent)
+ModelSummaryPanel::ModelSummaryPanel(Document& document, const Commands& commands, const Themes& themes,
+                                     QWidget* parent)
     : QWidget(parent), document_(document), commands_(commands), themes_(themes), counting_(new Background(this)),
       calm_(new QTimer(this)) {
-    setObjectName("censusPanel");
+    setObjectName("modelSummaryPanel");
     setAccessibleName(tr("Model summary"));
     setAttribute(Qt::WA_StyledBackground);
     setMinimumWidth(leastWidth);
@@ -61,7 +63,7 @@ CensusPanel::CensusPanel(Document& document, const Commands& commands, const The
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     page_ = new QWidget(scroll);
-    page_->setObjectName("censusPage");
+    page_->setObjectName("modelSummaryPage");
     auto* column = new QVBoxLayout(page_);
     column->setContentsMargins(12, 8, 12, 8);
     state_ = labelOf(page_, "detail");
@@ -73,17 +75,17 @@ CensusPanel::CensusPanel(Document& document, const Commands& commands, const The
     row->addWidget(makeCosts());
     calm_->setSingleShot(true);
     calm_->setInterval(calmBefore);
-    connect(calm_, &QTimer::timeout, this, &CensusPanel::ask);
-    connect(&document, &Document::changed, this, &CensusPanel::askLater);
-    connect(&document, &Document::checkedChanged, this, &CensusPanel::askLater);
+    connect(calm_, &QTimer::timeout, this, &ModelSummaryPanel::ask);
+    connect(&document, &Document::changed, this, &ModelSummaryPanel::askLater);
+    connect(&document, &Document::checkedChanged, this, &ModelSummaryPanel::askLater);
     askLater();
 }
 
-CensusPanel::~CensusPanel() { cancel(); }
+ModelSummaryPanel::~ModelSummaryPanel() { cancel(); }
 
-QWidget* CensusPanel::makeCosts() {
+QWidget* ModelSummaryPanel::makeCosts() {
     costs_ = new QWidget(this);
-    costs_->setObjectName("censusCosts");
+    costs_->setObjectName("modelSummaryCosts");
     costs_->setAttribute(Qt::WA_StyledBackground);
     costs_->setFixedWidth(costWidth);
     timeName_ = labelOf(costs_, "detail", tr("Estimated time"));
@@ -99,7 +101,7 @@ QWidget* CensusPanel::makeCosts() {
 }
 
 /// One below the other; in a low panel names and values share lines so that the button is never clipped.
-void CensusPanel::placeCosts() {
+void ModelSummaryPanel::placeCosts() {
     delete costs_->layout();
     auto* grid = new QGridLayout(costs_);
     grid->setContentsMargins(16, low_ ? 6 : 12, 16, low_ ? 6 : 12);
@@ -125,7 +127,7 @@ void CensusPanel::placeCosts() {
     grid->setRowStretch(row, 1);
 }
 
-void CensusPanel::makeRunButton() {
+void ModelSummaryPanel::makeRunButton() {
     run_ = new QPushButton(costs_);
     run_->setAccessibleName(tr("Run from the model summary"));
     run_->setEnabled(false);
@@ -143,22 +145,22 @@ void CensusPanel::makeRunButton() {
     });
 }
 
-void CensusPanel::showEvent(QShowEvent* event) {
+void ModelSummaryPanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    if (!census_) askLater();
+    if (!summary_) askLater();
 }
 
-void CensusPanel::resizeEvent(QResizeEvent* event) {
+void ModelSummaryPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const bool low = height() < roomForRange;
     if (std::exchange(low_, low) != low) placeCosts();
     const bool narrow = width() - costWidth < roomForReasons;
     if (narrow == narrow_) return;
     narrow_ = narrow;
-    if (census_) present();
+    if (summary_) present();
 }
 
-void CensusPanel::setBusy(bool busy) {
+void ModelSummaryPanel::setBusy(bool busy) {
     busy_ = busy;
     if (!busy) return askLater();
     cancel();
@@ -167,18 +169,18 @@ void CensusPanel::setBusy(bool busy) {
 }
 
 /// Cancels the count in progress and drops its result.
-void CensusPanel::cancel() {
+void ModelSummaryPanel::cancel() {
     if (stop_) *stop_ = true;
     stop_.reset();
 }
 
-void CensusPanel::askLater() {
+void ModelSummaryPanel::askLater() {
     cancel();
-    census_.reset();
+    summary_.reset();
     if (!busy_) calm_->start();
 }
 
-void CensusPanel::ask() {
+void ModelSummaryPanel::ask() {
     const Checked& checked = document_.checked();
     if (!document_.checkIsCurrent() || document_.isPreviewing() || !isVisible()) return;  // requested again then
     if (hasErrors(checked.problems))
@@ -188,17 +190,17 @@ void CensusPanel::ask() {
     tell(tr("Counting…"));
     stop_ = std::make_shared<std::atomic<bool>>(false);
     counting_->ask([this, stop = stop_, scene = checked.scene, cut = checked.cut]() -> Background::Result {
-        auto census = censusOf(cut ? cut->scene : *scene, cut.get(), *stop);
-        return [this, stop, census] {
+        auto summary = modelSummaryOf(cut ? cut->scene : *scene, cut.get(), *stop);
+        return [this, stop, summary] {
             if (*stop) return;
-            census_ = census;
-            census_ ? present() : tell(tr("The model summary could not be made. Reduce the size of the scene."));
+            summary_ = summary;
+            summary_ ? present() : tell(tr("The model summary could not be made. Reduce the size of the scene."));
             Q_EMIT taken();
         };
     });
 }
 
-void CensusPanel::tell(const QString& why) {
+void ModelSummaryPanel::tell(const QString& why) {
     delete table_;
     table_ = nullptr;
     state_->setText(why);
@@ -209,7 +211,7 @@ void CensusPanel::tell(const QString& why) {
     run_->setEnabled(false);
 }
 
-void CensusPanel::addRow(int row, const QStringList& texts, const char* role, bool bold) {
+void ModelSummaryPanel::addRow(int row, const QStringList& texts, const char* role, bool bold) {
     for (int i = 0; i < 3; ++i) {
         auto* cell = labelOf(table_, role, texts[i]);
         QFont font = cell->font();
@@ -222,7 +224,7 @@ void CensusPanel::addRow(int row, const QStringList& texts, const char* role, bo
     if (!narrow_) addWhy(row, texts.value(3));
 }
 
-void CensusPanel::addWhy(int row, const QString& why) {
+void ModelSummaryPanel::addWhy(int row, const QString& why) {
     auto* cell = labelOf(table_, "detail", why);
     cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     cell->setWordWrap(true);
@@ -230,7 +232,7 @@ void CensusPanel::addWhy(int row, const QString& why) {
     grid_->addWidget(cell, row, 3);
 }
 
-void CensusPanel::present() {
+void ModelSummaryPanel::present() {
     delete table_;
     table_ = new QWidget(page_);
     grid_ = new QGridLayout(table_);
@@ -243,7 +245,7 @@ void CensusPanel::present() {
     int row = 0;
     addRow(row++, {tr("Modelled"), tr("Count"), tr("Unknowns"), tr("Remarks")}, "detail", false);
     bool told = false;
-    for (const CensusRow& part : censusRows(*census_)) {
+    for (const ModelSummaryRow& part : modelSummaryRows(*summary_)) {
         if (part.leftOut && !told) {
             addRow(row++, {tr("Left out"), {}, {}, {}}, "detail", false);
             told = true;
@@ -260,7 +262,7 @@ void CensusPanel::present() {
         }
     }
     static_cast<QVBoxLayout*>(page_->layout())->insertWidget(0, table_);
-    const CostEstimate& estimate = census_->estimate;
+    const CostEstimate& estimate = summary_->estimate;
     const bool runs = !estimate.stages.empty();
     time_->setText(runs ? costText(estimate.seconds) : QString::fromUtf8("–"));
     range_->setText(runs ? tr("%1 to %2").arg(costText(estimate.secondsLeast), costText(estimate.secondsMost))

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/panels/census_rows.h"
+#include "ui/panels/model_summary_rows.h"
 
 #include "solver/scene/units.h"
 #include "ui/look/display.h"
@@ -15,7 +15,7 @@ namespace keyblock {
 namespace {
 
 struct Texts {
-    Q_DECLARE_TR_FUNCTIONS(Census)
+    Q_DECLARE_TR_FUNCTIONS(ModelSummary)
 };
 
 QString number(double value) { return Display::number(value, 12); }
@@ -26,14 +26,14 @@ QString rough(double value) {
     return Display::number(std::round(value / size) * size, 12);
 }
 
-QString whyBlocks(const CensusCounts& counts) {
+QString whyBlocks(const ModelCounts& counts) {
     const QString strains = counts.cells == 0             ? Texts::tr("constant strain in each block; no sub-blocks")
                             : counts.cells < counts.blocks ? Texts::tr("%1 of them are cells").arg(number(counts.cells))
                                                            : Texts::tr("cells, each with its own strain");
     return counts.fixed > 0 ? Texts::tr("%1; %2 fixed").arg(strains, number(counts.fixed)) : strains;
 }
 
-QString boltCount(const CensusCounts& counts) {
+QString boltCount(const ModelCounts& counts) {
     const bool even = counts.bolts > 0 && counts.nodes % counts.bolts == 0;
     if (even) return Texts::tr("%1 × %2 nodes").arg(number(counts.bolts)).arg(number(counts.nodes / counts.bolts));
     return Texts::tr("%1 · %2 nodes").arg(number(counts.bolts), number(counts.nodes));
@@ -41,9 +41,9 @@ QString boltCount(const CensusCounts& counts) {
 
 }  // namespace
 
-std::vector<CensusRow> censusRows(const Census& census) {
-    const CensusCounts& counts = census.counts;
-    std::vector<CensusRow> rows{
+std::vector<ModelSummaryRow> modelSummaryRows(const ModelSummary& summary) {
+    const ModelCounts& counts = summary.counts;
+    std::vector<ModelSummaryRow> rows{
         {counts.cells == counts.blocks && counts.cells > 0 ? Texts::tr("Cells") : Texts::tr("Blocks"),
          number(counts.blocks),
          number(counts.blockUnknowns), whyBlocks(counts)}};
@@ -61,11 +61,11 @@ std::vector<CensusRow> censusRows(const Census& census) {
     if (counts.heldPoints > 0)
         rows.push_back({Texts::tr("Supported points"), number(counts.heldPoints), "0", Texts::tr("from the supports")});
     rows.push_back({Texts::tr("Total"), {}, number(counts.unknowns()),
-                    census.estimate.stages.empty() ? Texts::tr("no stages to run")
-                    : census.estimate.stages.size() == 1 ? Texts::tr("in the only stage")
-                                                         : Texts::tr("all %1 stages").arg(census.estimate.stages.size()),
+                    summary.estimate.stages.empty() ? Texts::tr("no stages to run")
+                    : summary.estimate.stages.size() == 1 ? Texts::tr("in the only stage")
+                                                         : Texts::tr("all %1 stages").arg(summary.estimate.stages.size()),
                     false, true});
-    for (const LeftOut& part : census.leftOut)
+    for (const LeftOut& part : summary.leftOut)
         rows.push_back({QString::fromStdString(part.what), {}, {},
                         Texts::tr("%1; saves %2").arg(QString::fromStdString(part.why),
                                                   QString::fromStdString(part.saves)), true});

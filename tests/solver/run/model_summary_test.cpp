@@ -3,7 +3,7 @@
 //
 // What a scene is made of, against counts by hand; what it leaves out; and that the
 // estimate follows from what it says it does. How long runs really take is no test.
-#include "solver/run/census.h"
+#include "solver/run/model_summary.h"
 
 #include "solver/files/scene/scene_file.h"
 #include "solver/verify/scenes.h"
@@ -17,25 +17,25 @@
 namespace keyblock {
 namespace {
 
-Census censusOf(const Scene& scene) {
+ModelSummary modelSummaryOf(const Scene& scene) {
     const SceneCut cut = cutScene(scene);
-    return *takeCensus(cut.scene, &cut);
+    return *makeModelSummary(cut.scene, &cut);
 }
 
 Scene sample(const std::string& name) {
     return *readSceneFile(std::string(KEYBLOCK_SAMPLES_DIR) + "/" + name + ".json").scene;
 }
 
-const LeftOut* find(const Census& census, const std::string& what) {
-    const auto found = std::find_if(census.leftOut.begin(), census.leftOut.end(),
+const LeftOut* find(const ModelSummary& summary, const std::string& what) {
+    const auto found = std::find_if(summary.leftOut.begin(), summary.leftOut.end(),
                                     [&](const LeftOut& part) { return part.what == what; });
-    return found == census.leftOut.end() ? nullptr : &*found;
+    return found == summary.leftOut.end() ? nullptr : &*found;
 }
 
 /// A block that is held and one that is pulled, with one face between them, and a bolt of 59 elements.
-TEST(Census, OfTheRebarIsWhatIsCountedByHand) {
-    const Census census = censusOf(sample("rebar-stated"));
-    const CensusCounts& counts = census.counts;
+TEST(ModelSummary, OfTheRebarIsWhatIsCountedByHand) {
+    const ModelSummary summary = modelSummaryOf(sample("rebar-stated"));
+    const ModelCounts& counts = summary.counts;
     EXPECT_EQ(counts.blocks, 2);
     EXPECT_EQ(counts.fixed, 1);
     EXPECT_EQ(counts.blockUnknowns, 6);
@@ -45,27 +45,27 @@ TEST(Census, OfTheRebarIsWhatIsCountedByHand) {
     EXPECT_EQ(counts.boltUnknowns, 180);
     EXPECT_EQ(counts.contacts, 2);  // both ends of the face
     EXPECT_EQ(counts.unknowns(), 186);
-    ASSERT_TRUE(find(census, "prescribed displacements"));
-    EXPECT_EQ(find(census, "prescribed displacements")->saves, "2 unknowns");  // along the axis, and the rotation
-    EXPECT_TRUE(find(census, "plates"));
-    EXPECT_TRUE(find(census, "motion over time"));
-    EXPECT_FALSE(find(census, "bolts"));
+    ASSERT_TRUE(find(summary, "prescribed displacements"));
+    EXPECT_EQ(find(summary, "prescribed displacements")->saves, "2 unknowns");  // along the axis, and the rotation
+    EXPECT_TRUE(find(summary, "plates"));
+    EXPECT_TRUE(find(summary, "motion over time"));
+    EXPECT_FALSE(find(summary, "bolts"));
 }
 
 /// 4 rows of 40 cells: between rows 3 × 40 edges are glued, between columns 4 × 39.
-TEST(Census, OfTheCantileverIsWhatIsCountedByHand) {
-    const Census census = censusOf(sample("cantilever"));
-    EXPECT_EQ(census.counts.blocks, 160);
-    EXPECT_EQ(census.counts.cells, 160);
-    EXPECT_EQ(census.counts.gluedEdges, 3 * 40 + 4 * 39);
-    EXPECT_EQ(census.counts.blockUnknowns, 960);
-    EXPECT_EQ(census.counts.contacts, 0);
-    EXPECT_TRUE(find(census, "bolts"));
-    EXPECT_FALSE(find(census, "stress variation within blocks"));
+TEST(ModelSummary, OfTheCantileverIsWhatIsCountedByHand) {
+    const ModelSummary summary = modelSummaryOf(sample("cantilever"));
+    EXPECT_EQ(summary.counts.blocks, 160);
+    EXPECT_EQ(summary.counts.cells, 160);
+    EXPECT_EQ(summary.counts.gluedEdges, 3 * 40 + 4 * 39);
+    EXPECT_EQ(summary.counts.blockUnknowns, 960);
+    EXPECT_EQ(summary.counts.contacts, 0);
+    EXPECT_TRUE(find(summary, "bolts"));
+    EXPECT_FALSE(find(summary, "stress variation within blocks"));
 }
 
-TEST(Census, CountsAPlateThatIsABlock) {
-    const CensusCounts counts = censusOf(sample("plate-block")).counts;
+TEST(ModelSummary, CountsAPlateThatIsABlock) {
+    const ModelCounts counts = modelSummaryOf(sample("plate-block")).counts;
     EXPECT_EQ(counts.blocks, 2);
     EXPECT_EQ(counts.plates, 1);
     EXPECT_EQ(counts.plateUnknowns, 6);
@@ -100,17 +100,17 @@ Scene strip() {
 
 /// Blocks from 0 to 1, 2 to 3, 3 to 3.5 and 3.5 to 4: two faces between them, each with two contacts, and four faces at
 /// the bottom, each held at both ends.
-TEST(Census, OfACutSceneIsWhatIsCountedByHand) {
-    const Census census = censusOf(strip());
-    EXPECT_EQ(census.counts.blocks, 4);
-    EXPECT_EQ(census.counts.blockUnknowns, 24);
-    EXPECT_EQ(census.counts.contacts, 4);
-    EXPECT_EQ(census.counts.heldPoints, 8);
-    ASSERT_TRUE(find(census, "rock in tunnels"));
-    EXPECT_EQ(find(census, "rock in tunnels")->saves, "1 block of six unknowns");
+TEST(ModelSummary, OfACutSceneIsWhatIsCountedByHand) {
+    const ModelSummary summary = modelSummaryOf(strip());
+    EXPECT_EQ(summary.counts.blocks, 4);
+    EXPECT_EQ(summary.counts.blockUnknowns, 24);
+    EXPECT_EQ(summary.counts.contacts, 4);
+    EXPECT_EQ(summary.counts.heldPoints, 8);
+    ASSERT_TRUE(find(summary, "rock in tunnels"));
+    EXPECT_EQ(find(summary, "rock in tunnels")->saves, "1 block of six unknowns");
 }
 
-TEST(Census, LeavesOutNothingThatIsAskedFor) {
+TEST(ModelSummary, LeavesOutNothingThatIsAskedFor) {
     Scene scene = strip();
     scene.analysis.contact = ContactMethod::AugmentedLagrangian;
     scene.analysis.gravity = {0.0, -gravity};
@@ -121,20 +121,20 @@ TEST(Census, LeavesOutNothingThatIsAskedFor) {
     stage.viscousBoundaries = {"left"};
     stage.dilations = {{scene.joints[1].name, 1e-3}};
     scene.stages.push_back(stage);
-    const Census census = censusOf(scene);
+    const ModelSummary summary = modelSummaryOf(scene);
     for (const char* what : {"forces that keep contacts closed exactly", "weight", "damping", "opening of joints",
                              "stress before excavation", "non-reflecting sides", "motion over time",
                              "searches for equilibrium", "failure of joint bonds"})
-        EXPECT_FALSE(find(census, what)) << what;
+        EXPECT_FALSE(find(summary, what)) << what;
 }
 
 /// Steps are those that the run will make.
-TEST(Census, EstimatesFromTheStepsOfEveryStage) {
+TEST(ModelSummary, EstimatesFromTheStepsOfEveryStage) {
     Scene scene = test::boxOnBase(20.0, 30.0);
     Stage loaded = test::settle();
     loaded.increments = 7;
     scene.stages = {test::settle(), loaded, test::dynamic(0.5, 1e-3)};
-    const CostEstimate estimate = censusOf(scene).estimate;
+    const CostEstimate estimate = modelSummaryOf(scene).estimate;
     ASSERT_EQ(estimate.stages.size(), 3u);
     EXPECT_EQ(estimate.stages[0].steps, 1.0);
     EXPECT_EQ(estimate.stages[1].steps, 8.0);
@@ -153,10 +153,10 @@ TEST(Census, EstimatesFromTheStepsOfEveryStage) {
     EXPECT_FALSE(estimate.assumes.empty());
 }
 
-TEST(Census, OfASceneWithoutStagesHasNothingToRun) {
+TEST(ModelSummary, OfASceneWithoutStagesHasNothingToRun) {
     Scene scene = test::boxOnBase(20.0, 30.0);
     scene.stages.clear();
-    EXPECT_TRUE(censusOf(scene).estimate.stages.empty());
+    EXPECT_TRUE(modelSummaryOf(scene).estimate.stages.empty());
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 //
 // Everything of the scene is counted as there at once, whichever stage brings it or
 // takes it away: that is the largest system that a step can have.
-#include "solver/run/census.h"
+#include "solver/run/model_summary.h"
 
 #include "solver/engine/bolt/topology.h"
 #include "solver/engine/contact/search.h"
@@ -23,8 +23,8 @@ State startWithAll(const Model& model) {
 
 }  // namespace
 
-CensusCounts countParts(const Model& model, const State& start) {
-    CensusCounts counts;
+ModelCounts countParts(const Model& model, const State& start) {
+    ModelCounts counts;
     for (const BlockModel& block : model.blocks) {
         const bool plate = block.plateOf >= 0;
         ++(plate ? counts.plates : counts.blocks);
@@ -46,17 +46,17 @@ CensusCounts countParts(const Model& model, const State& start) {
     return counts;
 }
 
-std::optional<Census> takeCensus(const Scene& scene, const SceneCut* cut, const std::atomic<bool>* stop) {
+std::optional<ModelSummary> makeModelSummary(const Scene& scene, const SceneCut* cut, const std::atomic<bool>* stop) {
     const Model model = makeModel(scene);
     if (stop && *stop) return std::nullopt;
     const State start = startWithAll(model);
-    Census census;
-    census.counts = countParts(model, start);
-    census.leftOut = leftOutOf(scene, cut, model, census.counts);
-    std::optional<CostEstimate> estimate = estimateCost(scene, model, start, census.counts, stop);
+    ModelSummary summary;
+    summary.counts = countParts(model, start);
+    summary.leftOut = leftOutOf(scene, cut, model, summary.counts);
+    std::optional<CostEstimate> estimate = estimateCost(scene, model, start, summary.counts, stop);
     if (!estimate) return std::nullopt;
-    census.estimate = std::move(*estimate);
-    return census;
+    summary.estimate = std::move(*estimate);
+    return summary;
 }
 
 }  // namespace keyblock
