@@ -139,7 +139,7 @@ private:
         now_.passes -= engine_.health.passes;  // it counts on from the last checkpoint
         engine_.health = {};
         setStrengths();
-        const std::vector<WallForce> walls = changePresence();
+        const std::vector<WallForce> walls = changeActiveParts();
         loads_.begin(now_.stage, now_.state);
         if (isStatic() || stage().relaxation) loads_.hold(walls);
         setBoundaries();
@@ -157,8 +157,8 @@ private:
         return ending;
     }
 
-    /// Bolts and blocks that go and come. \return what the blocks gave to those that stay.
-    std::vector<WallForce> changePresence() {
+    /// Removes bolts, excavates blocks and installs bolts. \return the forces of excavated blocks on those that stay.
+    std::vector<WallForce> changeActiveParts() {
         for (const std::string& name : stage().remove)
             for (int bolt : boltsNamed(scene_, name)) removeBolt(model_, now_.state, bolt);
         std::vector<int> rows;

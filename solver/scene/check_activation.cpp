@@ -83,10 +83,10 @@ void checkRelaxation(const Stage& stage, bool anyBefore, const std::string& poin
                        "Excavate something in this stage or before it, or omit the relaxation");
 }
 
-/// What is there and what is not, stage by stage.
-class Presence {
+/// Which parts are active, stage by stage.
+class ActivationCheck {
 public:
-    explicit Presence(CheckContext& context)
+    explicit ActivationCheck(CheckContext& context)
         : context_(context), scene_(context.scene),
           excavated_("tunnel or block", blockNames(scene_), context.report),
           installed_("bolt", boltNames(scene_), context.report), removed_("bolt", boltNames(scene_), context.report),
@@ -97,10 +97,10 @@ public:
             for (std::size_t n = 0; n < names.size(); ++n)
                 (this->*what)(names[n], stage, under(under(pointer, key), n));
         };
-        each(stage.excavate, "excavate", &Presence::excavate);
+        each(stage.excavate, "excavate", &ActivationCheck::excavate);
         checkRockIsLeft(stage, pointer);
-        each(stage.remove, "remove", &Presence::remove);
-        each(stage.install, "install", &Presence::install);
+        each(stage.remove, "remove", &ActivationCheck::remove);
+        each(stage.install, "install", &ActivationCheck::install);
         checkRelaxation(stage, any_, pointer, context_.report);
         any_ = any_ || !stage.excavate.empty();
     }
@@ -164,9 +164,9 @@ private:
 void checkActivation(CheckContext& context) {
     if (!context.isCut)
         return;  // not all names are known
-    Presence presence(context);
+    ActivationCheck activation(context);
     for (std::size_t i = 0; i < context.scene.stages.size(); ++i)
-        presence.check(context.scene.stages[i], under("/stages", i));
+        activation.check(context.scene.stages[i], under("/stages", i));
 }
 
 void checkStands(int block, std::size_t stage, const std::string& pointer, CheckContext& context) {
