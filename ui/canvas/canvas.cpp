@@ -111,9 +111,9 @@ void Canvas::setLegend(bool legend) {
     refresh();
 }
 
-void Canvas::setCulprit(const std::optional<Culprit>& culprit) {
-    if (culprit == culprit_) return;
-    culprit_ = culprit;
+void Canvas::setHighlighted(const std::optional<HighlightedBlock>& highlighted) {
+    if (highlighted == highlighted_) return;
+    highlighted_ = highlighted;
     sheet_->forget();
     refresh();
 }

@@ -8,7 +8,7 @@
 
 #include "ui/canvas/canvas_map.h"
 #include "ui/canvas/canvas_tool.h"
-#include "ui/canvas/culprit.h"
+#include "ui/canvas/highlighted_block.h"
 #include "ui/canvas/legend_panel.h"
 #include "ui/picture/pick.h"
 #include "ui/view/view_colours.h"
@@ -52,7 +52,7 @@ public:
     void setSelectedBolts(const std::vector<int>& bolts);  // rows of the scene's bolts
     /// Off: a neighbouring canvas has one that applies to both.
     void setLegend(bool legend);
-    void setCulprit(const std::optional<Culprit>& culprit);
+    void setHighlighted(const std::optional<HighlightedBlock>& highlighted);
     /// Position of the hint: in the middle, or at the bottom if a drawing is visible behind it.
     void setHint(const QString& title, const QString& text, bool aside = false);
 
@@ -129,7 +129,7 @@ private:
     mutable std::unique_ptr<PickIndex> index_;  // of the picture, computed on demand
     CanvasMap map_;
     ViewStyle style_;
-    std::optional<Culprit> culprit_;
+    std::optional<HighlightedBlock> highlighted_;
     CanvasTool* tool_ = nullptr;
     std::vector<const CanvasOverlay*> overlays_;
     QString hintTitle_, hintText_;

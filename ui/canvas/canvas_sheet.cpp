@@ -97,7 +97,7 @@ void CanvasSheet::paintPicture(QPainter& painter) {
     for (const CanvasCaption* caption : canvas_.findChildren<CanvasCaption*>())
         if (caption->isVisible()) captions.push_back(caption->geometry());
     SectionPainter section(*canvas_.picture(), canvas_.map(), canvas_.themes_.current(), hasLegend,
-                           canvas_.style_.selectedBolts, canvas_.culprit_, std::move(captions));
+                           canvas_.style_.selectedBolts, canvas_.highlighted_, std::move(captions));
     section.paint(painter);
     for (const QRectF& panel : section.panels()) panels_.push_back(panel.toAlignedRect());
     for (const LegendPart part : {LegendPart::Blocks, LegendPart::Bolts})

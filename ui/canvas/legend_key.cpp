@@ -26,7 +26,7 @@ struct Groups {
     std::vector<Entry> points, steel;
 };
 
-Groups groupsOf(const std::vector<MarkKind>& kinds, bool culprit) {
+Groups groupsOf(const std::vector<MarkKind>& kinds, bool highlighted) {
     constexpr std::array ofPoints{MarkKind::Bonded, MarkKind::Artificial, MarkKind::Slipping,
                                   MarkKind::InGap,  MarkKind::Gone,       MarkKind::Yielded};
     constexpr std::array ofSteel{MarkKind::Ruptured, MarkKind::Plate, MarkKind::PlateLost};
@@ -34,7 +34,7 @@ Groups groupsOf(const std::vector<MarkKind>& kinds, bool culprit) {
     Groups groups;
     std::copy_if(ofPoints.begin(), ofPoints.end(), std::back_inserter(groups.points), isThere);
     std::copy_if(ofSteel.begin(), ofSteel.end(), std::back_inserter(groups.steel), isThere);
-    if (culprit) groups.steel.push_back(std::nullopt);
+    if (highlighted) groups.steel.push_back(std::nullopt);
     return groups;
 }
 
@@ -69,16 +69,16 @@ double paintGroup(QPainter& painter, const Theme& theme, const std::vector<Entry
 
 }  // namespace
 
-double legendKeyHeight(const std::vector<MarkKind>& kinds, bool culprit) {
-    const Groups groups = groupsOf(kinds, culprit);
+double legendKeyHeight(const std::vector<MarkKind>& kinds, bool highlighted) {
+    const Groups groups = groupsOf(kinds, highlighted);
     if (groups.points.empty() && groups.steel.empty()) return 0.0;
     const double gap = groups.points.empty() || groups.steel.empty() ? 0.0 : groupGap;
     return titleRow + row * (rowsOf(groups.points) + rowsOf(groups.steel)) + gap;
 }
 
-void paintLegendKey(QPainter& painter, const Theme& theme, const std::vector<MarkKind>& kinds, bool culprit,
+void paintLegendKey(QPainter& painter, const Theme& theme, const std::vector<MarkKind>& kinds, bool highlighted,
                     const QPointF& at) {
-    const Groups groups = groupsOf(kinds, culprit);
+    const Groups groups = groupsOf(kinds, highlighted);
     painter.setFont(screenFont(12, true));
     painter.setPen(theme.text);
     painter.drawText(QRectF(at, QSizeF(2.0 * column, 16.0)), Qt::AlignVCenter,

@@ -17,8 +17,8 @@ namespace keyblock {
 
 struct Theme;
 
-double legendKeyHeight(const std::vector<MarkKind>& kinds, bool culprit);  // [px]; 0: nothing to explain
-void paintLegendKey(QPainter& painter, const Theme& theme, const std::vector<MarkKind>& kinds, bool culprit,
+double legendKeyHeight(const std::vector<MarkKind>& kinds, bool highlighted);  // [px]; 0: nothing to explain
+void paintLegendKey(QPainter& painter, const Theme& theme, const std::vector<MarkKind>& kinds, bool highlighted,
                     const QPointF& at);
 
 }  // namespace keyblock

@@ -68,9 +68,9 @@ std::vector<Item> itemsOf(const Theme& theme, const LegendContent& content) {
     const double inner = width - 2.0 * padding;
     std::vector<Item> items = quantitiesOf(theme, content, inner);
     if (items.empty()) return items;
-    if (const double height = legendKeyHeight(content.kinds, content.culprit); height > 0.0)
+    if (const double height = legendKeyHeight(content.kinds, content.highlighted); height > 0.0)
         items.push_back({height, [&theme, &content](QPainter& painter, const QPointF& at) {
-                             paintLegendKey(painter, theme, content.kinds, content.culprit, at);
+                             paintLegendKey(painter, theme, content.kinds, content.highlighted, at);
                          }});
     items.push_back({16.0, [&theme, &content, inner](QPainter& painter, const QPointF& at) {
                          painter.setFont(screenFont(11));

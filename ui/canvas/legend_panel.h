@@ -29,7 +29,7 @@ struct LegendContent {
     const SectionPicture& picture;
     const ContactField* contacts = nullptr;  // those in the view; null: none are drawn
     std::vector<MarkKind> kinds;  // marks of the scene
-    bool culprit = false;  // a block is outlined
+    bool highlighted = false;  // a block is outlined
     double scale = 1.0;  // of the view [px per m]
 };
 

@@ -114,8 +114,8 @@ void SectionPainter::callOutRibbon(const RibbonShape& shape) {
 /// The newest failures, and before them the marked block.
 void SectionPainter::callOutEvents() {
     for (const BlockShape& block : picture_.blocks)
-        if (culprit_ && block.block == culprit_->block)
-            callOuts_.push_back({culprit_->head, culprit_->detail, theme_.warningFill,
+        if (highlighted_ && block.block == highlighted_->block)
+            callOuts_.push_back({highlighted_->head, highlighted_->detail, theme_.warningFill,
                                  footWithin(sheetPoints(block.outline)), {-1.0, 0.5}, true});
     std::size_t told = 0;
     const auto& entries = picture_.events.entries;

@@ -29,8 +29,8 @@ Box sheetOf(const CanvasMap& map) { return {{edge, edge}, {map.size().width() - 
 
 SectionPainter::SectionPainter(const SectionPicture& picture, const CanvasMap& map, const Theme& theme,
                                bool hasLegend, const std::vector<int>& selected,
-                               const std::optional<Culprit>& culprit, std::vector<QRectF> covered)
-    : picture_(picture), map_(map), theme_(theme), hasLegend_(hasLegend), selected_(selected), culprit_(culprit),
+                               const std::optional<HighlightedBlock>& highlighted, std::vector<QRectF> covered)
+    : picture_(picture), map_(map), theme_(theme), hasLegend_(hasLegend), selected_(selected), highlighted_(highlighted),
       covered_(std::move(covered)), placement_(sheetOf(map), pixelsPerMm) {
     if (picture.contacts) contacts_ = seenWithin(*picture.contacts, map.window());
     moved_ = movedBlocks(picture, map.pixelsPerMetre(), onTheScreen);
@@ -69,7 +69,7 @@ bool SectionPainter::isSeen(const Point& place) const { return meets({place, pla
 
 void SectionPainter::paint(QPainter& painter) {
     paintMoved(painter);
-    paintCulprit(painter);
+    paintHighlighted(painter);
     paintBroken(painter);
     paintDashes(painter);
     keepOffPanels();
@@ -90,7 +90,7 @@ void SectionPainter::keepOffBolts() {
 }
 
 LegendContent SectionPainter::legendContent() const {
-    return {picture_, contacts_ ? &*contacts_ : nullptr, kindsOf(marks_), culprit_.has_value(), map_.pixelsPerMetre()};
+    return {picture_, contacts_ ? &*contacts_ : nullptr, kindsOf(marks_), highlighted_.has_value(), map_.pixelsPerMetre()};
 }
 
 /// Panels are placed first and painted over everything.
@@ -124,10 +124,10 @@ void SectionPainter::paintMoved(QPainter& painter) const {
     for (const BlockShape* block : moved_) painter.drawPolygon(onSheet(block->before));
 }
 
-void SectionPainter::paintCulprit(QPainter& painter) const {
-    if (!culprit_) return;
+void SectionPainter::paintHighlighted(QPainter& painter) const {
+    if (!highlighted_) return;
     for (const BlockShape& block : picture_.blocks) {
-        if (block.block != culprit_->block) continue;
+        if (block.block != highlighted_->block) continue;
         QColor fill = theme_.warningFill;
         fill.setAlphaF(0.14);
         QPen pen(theme_.warningFill, 2.0);

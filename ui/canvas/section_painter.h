@@ -8,7 +8,7 @@
 
 #include "ui/canvas/call_out.h"
 #include "ui/canvas/canvas_map.h"
-#include "ui/canvas/culprit.h"
+#include "ui/canvas/highlighted_block.h"
 #include "ui/canvas/legend_panel.h"
 #include "ui/picture/placement.h"
 #include "ui/picture/ribbon_shape.h"
@@ -29,7 +29,8 @@ public:
     /// All arguments by reference must outlive it. `selected` are rows of the scene's bolts, `covered` is what widgets hide
     /// of the canvas [px].
     SectionPainter(const SectionPicture& picture, const CanvasMap& map, const Theme& theme, bool hasLegend,
-                   const std::vector<int>& selected, const std::optional<Culprit>& culprit, std::vector<QRectF> covered = {});
+                   const std::vector<int>& selected, const std::optional<HighlightedBlock>& highlighted,
+                   std::vector<QRectF> covered = {});
 
     void paint(QPainter& painter);
 
@@ -45,7 +46,7 @@ private:
     void chooseMarks();
     void keepOffBolts();
     void paintMoved(QPainter& painter) const;
-    void paintCulprit(QPainter& painter) const;
+    void paintHighlighted(QPainter& painter) const;
     void paintBroken(QPainter& painter) const;
     void paintDashes(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
@@ -68,7 +69,7 @@ private:
     const Theme& theme_;
     bool hasLegend_;
     const std::vector<int>& selected_;
-    const std::optional<Culprit>& culprit_;
+    const std::optional<HighlightedBlock>& highlighted_;
     std::vector<QRectF> covered_;
     std::optional<ContactField> contacts_;  // those in the view
     std::vector<double> spacing_;  // of each bolt [px]

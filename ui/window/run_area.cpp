@@ -207,9 +207,9 @@ void RunArea::followTabs(WorkStep step) { feed_->showResults(step == WorkStep::R
 /// Outlines a block with a note on the reason; for the same block again, or none, the outline is removed.
 void RunArea::askBlock(int block, const QString& why) {
     asked_ = block == asked_ ? -1 : block;
-    if (asked_ < 0 || !cursor_->run()) return parts_.canvas.setCulprit(std::nullopt);
+    if (asked_ < 0 || !cursor_->run()) return parts_.canvas.setHighlighted(std::nullopt);
     const QString name = QString::fromStdString(blockName(cursor_->run()->blockNames(), asked_));
-    parts_.canvas.setCulprit(Culprit{asked_, tr("Block %1").arg(name), why});
+    parts_.canvas.setHighlighted(HighlightedBlock{asked_, tr("Block %1").arg(name), why});
 }
 
 void RunArea::addTo(WorkStates& states) const {

@@ -10,11 +10,11 @@
 namespace keyblock {
 
 /// Outlined, with a call-out.
-struct Culprit {
+struct HighlightedBlock {
     int block = -1;  // row of the solved blocks
     QString head, detail;  // "Block 143", "10 open–close iterations"
 
-    bool operator==(const Culprit&) const = default;
+    bool operator==(const HighlightedBlock&) const = default;
 };
 
 }  // namespace keyblock
