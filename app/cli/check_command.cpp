@@ -44,11 +44,11 @@ void tellNotes(const SceneCut& cut, bool all) {
         const auto end = std::find_if(note, cut.notes.end(), [&](const CutNote& n) { return n.kind != note->kind; });
         const auto count = static_cast<std::size_t>(end - note);
         print("  " + std::string(wordOf(note->kind)) + ": " + std::to_string(count) + '\n');
-        const std::size_t told = all ? count : std::min(count, mostOfAKind);
-        for (std::size_t i = 0; i < told; ++i, ++note)
+        const std::size_t listed = all ? count : std::min(count, mostOfAKind);
+        for (std::size_t i = 0; i < listed; ++i, ++note)
             print("    at " + placeText(note->place) + ": " + noteText(cut, *note) + '\n');
-        if (told < count)
-            print("    and " + std::to_string(count - told) + " more; --all lists them\n");
+        if (listed < count)
+            print("    and " + std::to_string(count - listed) + " more; --all lists them\n");
         note = end;
     }
 }

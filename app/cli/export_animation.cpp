@@ -90,20 +90,20 @@ private:
 /// Shows on a terminal how many frames are done; its destructor clears the line.
 class PictureCount {
 public:
-    explicit PictureCount(std::size_t all) : all_(all), told_(errorIsTerminal()) {}
+    explicit PictureCount(std::size_t all) : all_(all), isShown_(errorIsTerminal()) {}
     ~PictureCount() {
-        if (told_) printToError("\r\033[K");
+        if (isShown_) printToError("\r\033[K");
     }
     PictureCount(const PictureCount&) = delete;
     PictureCount& operator=(const PictureCount&) = delete;
 
     void tell(std::size_t done) const {
-        if (told_) printToError("\r\033[Kframe " + std::to_string(done) + " of " + std::to_string(all_));
+        if (isShown_) printToError("\r\033[Kframe " + std::to_string(done) + " of " + std::to_string(all_));
     }
 
 private:
     std::size_t all_;
-    bool told_;
+    bool isShown_;
 };
 
 void writeMovie(const Animation& animation, const ExportOptions& options, MovieFormat format,

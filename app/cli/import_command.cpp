@@ -46,14 +46,14 @@ void tellNotTaken(const Import& import, bool all) {
     if (import.notTaken.empty())
         return;
     print("skipped:\n");
-    std::map<std::tuple<std::string, std::string, std::string>, int> told;
+    std::map<std::tuple<std::string, std::string, std::string>, int> counts;
     for (const NotTaken& item : import.notTaken) {
-        const int count = ++told[{item.kind, item.layer, item.why}];
+        const int count = ++counts[{item.kind, item.layer, item.why}];
         if (all || count <= mostOfAKind)
             print("  " + item.kind + " on layer " + inQuotes(item.layer) + ", " + placeText(item) + ": " + item.why +
                   '\n');
     }
-    for (const auto& [key, count] : told)
+    for (const auto& [key, count] : counts)
         if (!all && count > mostOfAKind)
             print("  and " + std::to_string(count - mostOfAKind) + " more " + std::get<0>(key) + " on layer " +
                   inQuotes(std::get<1>(key)) + ": " + std::get<2>(key) + "; --all lists them\n");

@@ -111,7 +111,7 @@ void ProgressSink::stageEnds(const StageResult& result) {
     progress_.time = result.time;
     if (endsRun(scene_, result))
         progress_.fraction = 1.0;
-    untold_ = true;
+    unreported_ = true;
     next_.stageEnds(result);
 }
 
@@ -119,22 +119,22 @@ void ProgressSink::update(const Progress& progress) {
     progress_ = progress;
     if (!startFraction_)
         startFraction_ = progress.fraction;
-    untold_ = true;
-    if (kind_ == ProgressKind::None || (lastTold_ && Clock::now() - *lastTold_ < shortestPause))
+    unreported_ = true;
+    if (kind_ == ProgressKind::None || (lastReport_ && Clock::now() - *lastReport_ < shortestPause))
         return;
     tell();
 }
 
 ProgressSink::~ProgressSink() {
-    if (kind_ == ProgressKind::Json && untold_)
+    if (kind_ == ProgressKind::Json && unreported_)
         tell();
     if (kind_ == ProgressKind::Bar)
         printToError(clearLine);
 }
 
 void ProgressSink::tell() {
-    lastTold_ = Clock::now();
-    untold_ = false;
+    lastReport_ = Clock::now();
+    unreported_ = false;
     const ProgressLine line{label_ + stageName(scene_, progress_.stage),
                             progress_.time,
                             progress_.fraction,

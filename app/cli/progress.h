@@ -60,11 +60,11 @@ private:
     std::string label_;
     Progress progress_;
     std::optional<double> startFraction_;  // done before this run began
-    bool untold_ = false;
+    bool unreported_ = false;
     std::optional<Event> lastEvent_;
     Clock::time_point runStart_;
     Clock::time_point stageStart_;
-    std::optional<Clock::time_point> lastTold_;
+    std::optional<Clock::time_point> lastReport_;
     std::map<int, double> stageSeconds_;
 };
 

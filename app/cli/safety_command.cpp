@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t mostTold = 10;  // blocks, and joints; --json has all
+constexpr std::size_t mostListed = 10;  // blocks, and joints; --json has all
 const std::vector<TextColumn> runColumns{
     {"factor", Align::Right, 9}, {"", Align::Left, 10}, {"stage", Align::Left, 16}, {"outcome", Align::Left, 11},
     {"steps", Align::Right, 7}};
@@ -37,9 +37,9 @@ const std::vector<TextColumn> runColumns{
 void placeIn(std::vector<Problem>& problems, const SafetyOptions& options) {
     std::ifstream file(options.scene, std::ios::binary);
     JsonReading json = readJson(std::string(std::istreambuf_iterator<char>(file), {}));
-    std::vector<Problem> told;
+    std::vector<Problem> ignored;
     if (json.root)
-        applyOverrides(*json.root, options.overrides, told);
+        applyOverrides(*json.root, options.overrides, ignored);
     for (Problem& problem : problems)
         problem.line = json.root ? lineAt(*json.root, problem.pointer) : 0;
     nameOrigins(problems, options.scene.string(), options.overrides);
@@ -87,12 +87,12 @@ SafetyFactor search(const Scene& scene, const SafetyOptions& options, SafetyFold
             keyblock::run(reduced, progress, control, {options.threads, nullptr});
         });
     };
-    const auto told = [&](const SafetyRun& run) {
+    const auto report = [&](const SafetyRun& run) {
         folder.keep(run);
         if (!options.json)
             print(textLine(runColumns, runRow(scene, run)));
     };
-    return findSafetyFactor(scene, trial, told);
+    return findSafetyFactor(scene, trial, report);
 }
 
 std::string answerLine(const SafetyFactor& found) {
@@ -116,7 +116,7 @@ std::string answerLine(const SafetyFactor& found) {
 std::string blockTable(const std::vector<std::string>& names, const FailureMode& mode) {
     std::vector<TextRow> rows;
     for (const MovingBlock& block : mode.blocks)
-        if (rows.size() < mostTold)
+        if (rows.size() < mostListed)
             rows.push_back({blockName(names, block.block), std::string(wordOf(block.movement)),
                             shown(block.displacement.x()), shown(block.displacement.y()), shown(block.rotation)});
     return textTable({{"largest movement"},
@@ -130,7 +130,7 @@ std::string blockTable(const std::vector<std::string>& names, const FailureMode&
 std::string jointTable(const std::vector<std::string>& names, const FailureMode& mode) {
     std::vector<TextRow> rows;
     for (const MovingJoint& joint : mode.joints)
-        if (rows.size() < mostTold)
+        if (rows.size() < mostListed)
             rows.push_back({blockName(names, joint.blockA) + " on " + blockName(names, joint.blockB),
                             shown(joint.position.x()), shown(joint.position.y()), shown(joint.slip),
                             shown(joint.opening)});

@@ -13,7 +13,7 @@ namespace keyblock::cli {
 
 namespace {
 
-constexpr std::size_t mostTold = 20;  // blocks, joints or bolts; --json has all
+constexpr std::size_t mostListed = 20;  // blocks, joints or bolts; --json has all
 
 std::string answer(const Verdict& verdict) {
     if (!verdict.stands)
@@ -28,7 +28,7 @@ std::string more(std::size_t all, std::size_t listed) {
 std::string blockTable(const RunSource& run, const Verdict& verdict) {
     std::vector<TextRow> rows;
     for (const StageUnstable& one : verdict.blocks)
-        if (rows.size() < mostTold)
+        if (rows.size() < mostListed)
             rows.push_back({blockName(run.blockNames(), one.block.block), std::string(wordOf(one.block.mode)),
                             shown(one.block.moved), shown(fromSi(one.block.weight, namedUnit("kN"))), stageName(run.scene(), one.stage)});
     if (rows.empty())
@@ -46,7 +46,7 @@ std::string millimetres(double movement, double other) {
 std::string jointTable(const RunSource& run, const std::vector<FailedJoint>& joints) {
     std::vector<TextRow> rows;
     for (const FailedJoint& joint : joints)
-        if (rows.size() < mostTold)
+        if (rows.size() < mostListed)
             rows.push_back({blockName(run.blockNames(), joint.blockA) + " on " + blockName(run.blockNames(), joint.blockB),
                             joint.opened ? "opened" : "slid", millimetres(joint.slip, joint.opening),
                             millimetres(joint.opening, joint.slip)});
@@ -60,7 +60,7 @@ std::string jointTable(const RunSource& run, const std::vector<FailedJoint>& joi
 std::string boltTable(const RunSource& run, const std::vector<FailedBolt>& bolts) {
     std::vector<TextRow> rows;
     for (const FailedBolt& bolt : bolts)
-        if (rows.size() < mostTold)
+        if (rows.size() < mostListed)
             rows.push_back({boltName(run.scene(), bolt.bolt), std::string(wordOf(bolt.event)),
                             stageName(run.scene(), bolt.stage), rounded(bolt.time)});
     if (rows.empty()) return {};

@@ -29,9 +29,9 @@ Verdict verdictOf(const std::vector<StageRecord>& records, const Scene& scene) {
         if (endedUnstable(outcome)) verdict.stands = false;
         for (const UnstableBlock& block : record.result.unstable) {
             verdict.stands = false;
-            const bool told = std::any_of(verdict.blocks.begin(), verdict.blocks.end(),
-                                          [&](const StageUnstable& other) { return other.block.block == block.block; });
-            if (!told) verdict.blocks.push_back({record.result.stage, block});
+            const bool listed = std::any_of(verdict.blocks.begin(), verdict.blocks.end(),
+                                            [&](const StageUnstable& other) { return other.block.block == block.block; });
+            if (!listed) verdict.blocks.push_back({record.result.stage, block});
         }
     }
     if (decided && !verdict.stands) verdict.stands = true;

@@ -393,7 +393,7 @@ private:
         event.time = time;
         event.step = state.step;
         event.position += model_.origin;
-        watch_.told(event);
+        watch_.remember(event);
         sink_.event(event);
         return now_.written.events++;
     }

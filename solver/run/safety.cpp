@@ -62,7 +62,7 @@ std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optiona
 }
 
 SafetyFactor findSafetyFactor(const Scene& scene, const SafetyTrial& trial,
-                              const std::function<void(const SafetyRun&)>& told) {
+                              const std::function<void(const SafetyRun&)>& report) {
     SafetyFactor found;
     const bool freezes = scene.safety.boltForces == BoltForces::Frozen;
     std::optional<Scene> frozen;  // after the run at 1
@@ -82,7 +82,7 @@ SafetyFactor findSafetyFactor(const Scene& scene, const SafetyTrial& trial,
         if (decided && !one.stands && stage.first)
             found.mode = failureMode(*stage.first, *stage.last, scene.analysis.gravity);
         found.runs.push_back(one);
-        if (told) told(one);
+        if (report) report(one);
         if (!toFreeze) continue;
         found.nothingToFreeze = decided && !one.stands;
         if (!one.stands) break;

@@ -48,8 +48,8 @@ std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optiona
 /// scenes without bolts (frozen_bolts.h), and a scene that fails at 1 ends the search, because it has no bolt forces in
 /// equilibrium.
 /// \pre `checkScene(scene)` and `checkSafety(scene)` found no error.
-/// \param told called after every run that came to an answer, or to no verdict; may be empty.
+/// \param report called after every run that came to an answer, or to no verdict; may be empty.
 SafetyFactor findSafetyFactor(const Scene& scene, const SafetyTrial& trial,
-                              const std::function<void(const SafetyRun&)>& told = {});
+                              const std::function<void(const SafetyRun&)>& report = {});
 
 }  // namespace keyblock

@@ -139,7 +139,7 @@ double Stability::moved(int first) const {
     return farthest;
 }
 
-UnstableBlock Stability::told(int first) const {
+UnstableBlock Stability::describe(int first) const {
     const BlockMotion &before = start_.blocks[at(first)], &now = state_.blocks[at(first)];
     double mass = 0.0;
     for (int row = first; row < endOfWhole(model_, first); ++row) mass += model_.blocks[at(row)].mass;
@@ -148,20 +148,20 @@ UnstableBlock Stability::told(int first) const {
             moved(first), mass * model_.gravity.norm()};
 }
 
-std::vector<UnstableBlock> Stability::described(const std::vector<int>& blocks) const {
+std::vector<UnstableBlock> Stability::describeAll(const std::vector<int>& blocks) const {
     std::vector<UnstableBlock> unstable;
-    for (const int first : blocks) unstable.push_back(told(first));
+    for (const int first : blocks) unstable.push_back(describe(first));
     return unstable;
 }
 
 std::vector<UnstableBlock> Stability::collapsed(const std::vector<int>& blocks, const std::vector<int>& followers) const {
-    std::vector<UnstableBlock> unstable = described(blocks);
+    std::vector<UnstableBlock> unstable = describeAll(blocks);
     const auto isNamed = [&](int first) {
         return std::any_of(unstable.begin(), unstable.end(), [&](const UnstableBlock& one) { return one.block == first; });
     };
     const auto addFollower = [&](int first) {
         if (isNamed(first)) return;
-        unstable.push_back(told(first));
+        unstable.push_back(describe(first));
         unstable.back().mode = Movement::Follows;
     };
     for (const int first : followers) addFollower(first);
@@ -170,7 +170,7 @@ std::vector<UnstableBlock> Stability::collapsed(const std::vector<int>& blocks, 
 }
 
 std::vector<UnstableBlock> Stability::displaced(double share) const {
-    return described(displacedBlocks(share));
+    return describeAll(displacedBlocks(share));
 }
 
 std::vector<int> Stability::displacedBlocks(double share) const {
@@ -224,7 +224,7 @@ std::vector<UnstableBlock> Stability::moving() const {
         const bool fell = state_.blocks[at(first)].fallen && !start_.blocks[at(first)].fallen;
         if (fell || moved(first) > reach(first) || (speed(first) > slow && keepsItsSpeed(first))) blocks.push_back(first);
     }
-    return described(blocks);
+    return describeAll(blocks);
 }
 
 UnstableBlock Stability::farthest() const {
@@ -235,7 +235,7 @@ UnstableBlock Stability::farthest() const {
         const double share = moved(first) / reach(first);
         if (share > most) most = share, farthest = first;
     }
-    return farthest < 0 ? UnstableBlock{} : told(farthest);
+    return farthest < 0 ? UnstableBlock{} : describe(farthest);
 }
 
 std::vector<int> Stability::loose() const {

@@ -67,8 +67,8 @@ private:
     double movedFrom(int row, int other) const;
     double speed(int first) const;
     bool keepsItsSpeed(int first) const;
-    UnstableBlock told(int first) const;
-    std::vector<UnstableBlock> described(const std::vector<int>& blocks) const;
+    UnstableBlock describe(int first) const;
+    std::vector<UnstableBlock> describeAll(const std::vector<int>& blocks) const;
     std::vector<int> displacedBlocks(double share) const;
 
     const Model& model_;

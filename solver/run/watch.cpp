@@ -74,7 +74,7 @@ void Watch::beginStage(const State& state) const {
         if (isClosed(model_, c)) memory_.closed.try_emplace(pairOf(model_, c), c);
 }
 
-void Watch::told(const Event& event) const {
+void Watch::remember(const Event& event) const {
     if (event.otherBlock < 0) return;
     const Pair pair = std::minmax(wholeOf(model_, event.block), wholeOf(model_, event.otherBlock));
     if (event.kind == EventKind::JointSlip) memory_.slipped.insert(pair);

@@ -33,8 +33,8 @@ public:
 
     std::vector<Event> look(State& state) const;
 
-    /// A joint event that is covered by another.
-    void told(const Event& event) const;
+    /// Remembers a joint event that was reported, so that it is not reported again.
+    void remember(const Event& event) const;
 
 private:
     void lookAtJoints(const State& state, std::vector<Event>& events) const;

@@ -63,8 +63,8 @@ public:
 
     /// Reports a name; of the bolts of a pattern only the first.
     void tell(const std::string& pointer, const std::string& message, const std::string& remedy) {
-        if (pointer != told_) report_.error(pointer, message, remedy);
-        told_ = pointer;
+        if (pointer != reported_) report_.error(pointer, message, remedy);
+        reported_ = pointer;
     }
 
     bool has(const std::string& name) const { return stages_.contains(name); }
@@ -73,7 +73,7 @@ private:
     std::string what_;
     std::vector<std::string> known_;
     std::map<std::string, std::string> stages_;  // by name
-    std::string told_;  // where, last
+    std::string reported_;  // where, last
     CheckReport& report_;
 };
 

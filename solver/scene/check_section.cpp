@@ -27,8 +27,8 @@ constexpr double mostBolts = 10000.0;  // of a pattern
 constexpr double coarsestTolerance = 0.01;  // of the domain's size, as the cut allows
 
 void tell(const std::optional<ShapeProblem>& problem, const std::string& pointer, CheckReport& report) {
-    if (!problem || std::any_of(report.problems.begin(), report.problems.end(), [&](const Problem& told) {
-            return told.pointer == under(pointer, problem->field);
+    if (!problem || std::any_of(report.problems.begin(), report.problems.end(), [&](const Problem& known) {
+            return known.pointer == under(pointer, problem->field);
         }))
         return;  // the range of the field has said so
     std::string remedy = problem->remedy;
@@ -230,16 +230,16 @@ double crossingsOf(const std::vector<CutTrace>& traces) {
 
 // Each list may be in measure and all together not.
 void checkAmount(double traces, CheckContext& context) {
-    const auto told = [&](const std::string& what, double most) {
+    const auto refuse = [&](const std::string& what, double most) {
         context.report.error("/domain", what + " are too many: the limit is " + shortest(most),
                              "Give larger spacings or fewer joint sets, or confine them to a smaller region");
     };
     if (traces > mostTraces)
-        return told("about " + shortest(std::round(traces)) + " traces of all joints in total", mostTraces);
+        return refuse("about " + shortest(std::round(traces)) + " traces of all joints in total", mostTraces);
     if (hasErrors(context.report.problems))
         return;
     if (crossingsOf(tracesOf(context.scene).traces) > mostCrossings)
-        told("the crossings of its joints", mostCrossings);
+        refuse("the crossings of its joints", mostCrossings);
 }
 
 }  // namespace

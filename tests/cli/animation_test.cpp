@@ -130,7 +130,7 @@ TEST_F(Animations, WithoutFfmpegTheFolderIsNamed) {
     EXPECT_EQ(animate("film", {"--dpi", "60"}, {{"PATH", ""}}).code, 0);
 }
 
-TEST_F(Animations, WhatFfmpegSaysIsToldOnOneLine) {
+TEST_F(Animations, WhatFfmpegSaysIsPrintedOnOneLine) {
     fs::create_directory(folder() / "bin");
     put("bin/ffmpeg", "#!/bin/sh\necho no such codec >&2\necho more >&2\nexit 1\n");
     fs::permissions(folder() / "bin/ffmpeg", fs::perms::owner_all);

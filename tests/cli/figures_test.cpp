@@ -61,7 +61,7 @@ TEST_F(Figures, AReferenceStandsBesideTheCurves) {
     EXPECT_EQ(content("c-reference.csv"), "load_N,gap_m\n0,0\n40500,0.001\n");
 }
 
-TEST_F(Figures, AReferenceThatIsWrongIsToldWithItsPlace) {
+TEST_F(Figures, AReferenceThatIsWrongIsReportedWithItsPosition) {
     runPull();
     put("words.csv", "gap_mm,load_kN\n0,0\n1,much\n");
     put("other.csv", "gap_mm,work_J\n0,0\n1,2\n");

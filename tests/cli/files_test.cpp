@@ -19,7 +19,7 @@ protected:
     }
 };
 
-TEST_F(Files, AWrongSceneIsToldAndNotRun) {
+TEST_F(Files, AWrongSceneIsReportedAndNotRun) {
     putPullScene();
     std::string text = content("pull.json");
     text.replace(text.find("\"youngs_modulus\": 60e9"), 22, "\"youngs_modulus\": -1");
@@ -68,9 +68,9 @@ TEST_F(Files, CheckTellsWhatIsModelledOfASoundScene) {
             EXPECT_FALSE(part.at(key).get<std::string>().empty());
     EXPECT_GT(census.at("estimate").at("seconds"), 0.0);
     EXPECT_GT(census.at("estimate").at("memory_MB"), 0.0);
-    const std::string told = keyblock({"check", "pull.json"}).out;
+    const std::string text = keyblock({"check", "pull.json"}).out;
     for (const char* part : {"modelled: ", "2 blocks (1 fixed), 6 unknowns", "left out:", "a run may take "})
-        EXPECT_NE(told.find(part), std::string::npos) << part;
+        EXPECT_NE(text.find(part), std::string::npos) << part;
     const Ended wrong = keyblock({"check", "pull.json", "--json", "--set", "materials.rock.density=-5"});
     EXPECT_FALSE(nlohmann::json::parse(wrong.out).contains("census"));
 }
@@ -85,7 +85,7 @@ TEST_F(Files, WhatIsNoRunStoreIsRefused) {
     EXPECT_FALSE(exists("t.csv"));
 }
 
-TEST_F(Files, PlacesThatCannotBeWrittenAreTold) {
+TEST_F(Files, PlacesThatCannotBeWrittenAreReported) {
     putPullScene();
     expectError({"run", "pull.json", "--out", "missing/run.kbrun"}, 6, "missing/run.kbrun");
     ASSERT_EQ(keyblock({"run", "pull.json"}).code, 0);

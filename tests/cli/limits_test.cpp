@@ -62,7 +62,7 @@ TEST_F(EarlyEnds, ACollapseIsExitCodeZero) {
     EXPECT_EQ(info("rest.kbrun").at("stages").at(0).at("outcome"), "collapse");
 }
 
-/// But who asks for it is told by the exit code that the scene does not stand.
+/// On request the exit code says that the scene is not stable.
 TEST_F(EarlyEnds, ACollapseIsExitCodeEightWhereItIsAskedFor) {
     putEndlessScene();
     const std::vector<std::string> words{"run", "rest.json", "--fail-on-collapse", "--set", "supports=[]",
@@ -85,9 +85,9 @@ TEST_F(EarlyEnds, WhatStandsIsExitCodeZeroWhoeverAsks) {
     const Ended ended = keyblock({"run", "rest.json", "--fail-on-collapse", "--set", "stages=[{\"name\": \"rest\"}]"});
     EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
     EXPECT_NE(ended.out.find("stable  yes"), std::string::npos) << ended.out;
-    const json told = info("rest.kbrun");
-    EXPECT_EQ(told.at("verdict").at("stands"), true);
-    EXPECT_LE(told.at("worst_balance").at("ratio"), 1e-3);
+    const json answer = info("rest.kbrun");
+    EXPECT_EQ(answer.at("verdict").at("stands"), true);
+    EXPECT_LE(answer.at("worst_balance").at("ratio"), 1e-3);
 }
 
 /// A search that is cut short has no verdict.
@@ -128,7 +128,7 @@ TEST_F(Records, StayInTheStoreWithTheirScene) {
     EXPECT_GT(lines(table("rest.kbrun", "history")).size(), 2U);
 }
 
-TEST_F(Records, ThatAreWrongAreToldWithRowAndColumn) {
+TEST_F(Records, ThatAreWrongAreReportedWithRowAndColumn) {
     putShakenScene("time_s,a\n0,0\n0.05,x\n0.1,y\n");
     const Ended ended = keyblock(shaken("check"));
     EXPECT_EQ(ended.code, 3);

@@ -163,7 +163,7 @@ TEST_F(Resume, ASecondSignalEndsAtOnce) {
     EXPECT_GT(framesIn("rest.kbrun"), 0u);
 }
 
-TEST_F(Resume, AFullDiskIsToldAndTheStoreStaysWhole) {
+TEST_F(Resume, AFullDiskIsReportedAndTheStoreStaysWhole) {
     putEndlessScene();
     rlimit usual{};
     ::getrlimit(RLIMIT_FSIZE, &usual);

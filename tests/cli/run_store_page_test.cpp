@@ -20,11 +20,11 @@ TEST_F(RunStorePage, ItsExampleReadsARun) {
     ASSERT_EQ(keyblock({"run", "pull.json", "--progress", "none"}).code, 0);
     const std::string in = "cd '" + folder().string() + "' && ";
     ASSERT_EQ(std::system((in + "python3 example.py pull.kbrun > out.txt").c_str()), 0);
-    const std::vector<std::string> told = lines(content("out.txt"));
-    ASSERT_GE(told.size(), 6U);
-    EXPECT_EQ(told[0], "A joint opens across a bolt");
-    EXPECT_EQ(told[1], "stage pull (static): equilibrium at 1.0");
-    EXPECT_EQ(told[told.size() - 3].rfind("dilation_m at the end: 0.00", 0), 0U) << told[told.size() - 3];
+    const std::vector<std::string> printed = lines(content("out.txt"));
+    ASSERT_GE(printed.size(), 6U);
+    EXPECT_EQ(printed[0], "A joint opens across a bolt");
+    EXPECT_EQ(printed[1], "stage pull (static): equilibrium at 1.0");
+    EXPECT_EQ(printed[printed.size() - 3].rfind("dilation_m at the end: 0.00", 0), 0U) << printed[printed.size() - 3];
 }
 
 }  // namespace

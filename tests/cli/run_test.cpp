@@ -27,7 +27,7 @@ TEST_F(Runs, SumsUpWhatTheSceneAskedFor) {
     EXPECT_NE(ended.out.find("equilibrium"), std::string::npos) << ended.out;
     EXPECT_NE(ended.out.find("first debonding joint force"), std::string::npos);
     EXPECT_NE(ended.out.find("met"), std::string::npos);
-    // The second expectation is wrong on purpose: told, and no error.
+    // The second expectation is wrong on purpose: reported, without an error.
     EXPECT_NE(ended.out.find("missed"), std::string::npos);
     EXPECT_NE(ended.out.find("-50.00 %"), std::string::npos) << ended.out;
 }
@@ -114,10 +114,10 @@ TEST_F(Runs, InfoGivesTheUseOfEveryBolt) {
     const std::string text = keyblock({"info", "pull.kbrun"}).out;
     const auto from = text.find("largest forces of each bolt");
     ASSERT_NE(from, std::string::npos) << text;
-    const std::string told = text.substr(from, text.find("\n\n", from) - from);
-    EXPECT_NE(run.out.find(told), std::string::npos) << run.out << told;  // the same figures
-    EXPECT_NE(told.find("bond  "), std::string::npos) << told;
-    EXPECT_NE(told.find("right"), std::string::npos) << told;
+    const std::string summary = text.substr(from, text.find("\n\n", from) - from);
+    EXPECT_NE(run.out.find(summary), std::string::npos) << run.out << summary;  // the same figures
+    EXPECT_NE(summary.find("bond  "), std::string::npos) << summary;
+    EXPECT_NE(summary.find("right"), std::string::npos) << summary;
 }
 
 TEST_F(Runs, TheSummaryListsTheTenBoltsWithTheHighestUse) {
@@ -199,15 +199,15 @@ TEST_F(Runs, ProgressComesAsJsonLines) {
     putPullScene();
     const Ended ended = keyblock({"run", "pull.json", "--progress", "json"});
     ASSERT_EQ(ended.code, 0) << ended.err;
-    const auto told = lines(ended.err);
-    ASSERT_FALSE(told.empty());
-    for (const std::string& line : told) {
+    const auto printed = lines(ended.err);
+    ASSERT_FALSE(printed.empty());
+    for (const std::string& line : printed) {
         const json progress = json::parse(line);
         EXPECT_EQ(progress.at("stage"), "pull");
         for (const char* key : {"time_s", "fraction", "eta_s", "passes", "events", "search"})
             EXPECT_TRUE(progress.contains(key)) << key;
     }
-    EXPECT_NEAR(json::parse(told.back()).at("fraction").get<double>(), 1.0, 1e-9);
+    EXPECT_NEAR(json::parse(printed.back()).at("fraction").get<double>(), 1.0, 1e-9);
 }
 
 TEST_F(Runs, TheBarShowsTheTimeLeft) {

@@ -31,7 +31,7 @@ TEST_F(Usage, EveryVerbHasHelp) {
     }
 }
 
-TEST_F(Usage, VersionIsTold) { EXPECT_EQ(keyblock({"--version"}).out.rfind("keyblock ", 0), 0U); }
+TEST_F(Usage, VersionIsPrinted) { EXPECT_EQ(keyblock({"--version"}).out.rfind("keyblock ", 0), 0U); }
 
 TEST_F(Usage, OnlyVerbsThatAreBuiltExist) {
     for (const std::string verb : {"report", "sweep", "trade", "stress"})
@@ -39,7 +39,7 @@ TEST_F(Usage, OnlyVerbsThatAreBuiltExist) {
     expectUsageError({}, "the command is missing");
 }
 
-TEST_F(Usage, WrongOptionsAreTold) {
+TEST_F(Usage, WrongOptionsAreReported) {
     expectUsageError({"run"}, "SCENE.json");
     expectUsageError({"run", "scene.json", "--preset", "draft"}, "--preset");
     expectUsageError({"run", "scene.json", "--threads", "0"}, "--threads");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Cuts whose blocks are known: how many, how large, with which corners, and what
-// is told of what was closed, trimmed, merged or left out.
+// is informed of what was closed, trimmed, merged or left out.
 #include "geometry/cut.h"
 
 #include "geometry/polygon.h"
@@ -282,7 +282,7 @@ TEST(Cut, LooseEndsAndBridgesBoundNothing) {
     EXPECT_EQ(brokenCut(input), "");
 }
 
-TEST(Cut, ATrimmedEndIsToldWithItsLength) {
+TEST(Cut, ATrimmedEndIsReportedWithItsLength) {
     CutInput input = square();
     input.traces = {{{-1, 0}, {1, 0}, 1}, {{0.25, -1}, {0.25, 0.3}, 2}};
     const Cut cut = cutIntoBlocks(input);
@@ -294,7 +294,7 @@ TEST(Cut, ATrimmedEndIsToldWithItsLength) {
     EXPECT_NEAR(cut.notes[0].measure, 0.3, 1e-12);
 }
 
-TEST(Cut, WhatCannotCutIsToldAndLeftOut) {
+TEST(Cut, WhatCannotCutIsReportedAndLeftOut) {
     CutInput input = square();
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     input.traces = {{{0, 0}, {0, 0}, 1}, {{5, 5}, {6, 9}, 2}, {{nan, 0}, {0, 1}, 3}, {{0, 0}, {infinity, 0}, 4},

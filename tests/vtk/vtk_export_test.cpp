@@ -132,8 +132,8 @@ std::string stageOf(vtkPolyData* data) {
 
 double timeOf(vtkPolyData* data) { return data->GetFieldData()->GetArray("time_s")->GetTuple1(0); }
 
-void expectSame(double read, const std::string& told, const std::string& what) {
-    const double value = std::stod(told);
+void expectSame(double read, const std::string& written, const std::string& what) {
+    const double value = std::stod(written);
     EXPECT_NEAR(read, value, 1e-12 * std::max(1e-300, std::abs(value))) << what;
 }
 

@@ -117,9 +117,9 @@ void SectionPainter::callOutEvents() {
         if (highlighted_ && block.block == highlighted_->block)
             callOuts_.push_back({highlighted_->head, highlighted_->detail, theme_.warningFill,
                                  footWithin(sheetPoints(block.outline)), {-1.0, 0.5}, true});
-    std::size_t told = 0;
+    std::size_t added = 0;
     const auto& entries = picture_.events.entries;
-    for (auto entry = entries.rbegin(); entry != entries.rend() && told < mostEvents; ++entry) {
+    for (auto entry = entries.rbegin(); entry != entries.rend() && added < mostEvents; ++entry) {
         const Point at = onSheet(entry->place);
         if (!isGrave(entry->kind) || !isSeen(at)) continue;
         CallOut callOut;
@@ -131,7 +131,7 @@ void SectionPainter::callOutEvents() {
         callOut.edge = theme_.error;
         callOut.at = at;
         callOuts_.push_back(callOut);
-        ++told;
+        ++added;
     }
 }
 
@@ -139,18 +139,18 @@ void SectionPainter::callOutMoved() {
     std::vector<const BlockShape*> farthest = moved_;
     std::sort(farthest.begin(), farthest.end(),
               [](const BlockShape* a, const BlockShape* b) { return a->displaced > b->displaced; });
-    std::size_t told = 0;
+    std::size_t added = 0;
     for (const BlockShape* block : farthest) {
         const std::vector<Point> outline = sheetPoints(block->outline);
         const Point foot = footWithin(outline);
         const auto& entries = picture_.events.entries;
-        const bool isTold = std::any_of(entries.begin(), entries.end(), [&](const EventEntry& entry) {
+        const bool hasFailed = std::any_of(entries.begin(), entries.end(), [&](const EventEntry& entry) {
             return entry.bolt < 0 && entry.block == block->block && isGrave(entry.kind);
         });
-        if (isTold || !isSeen(foot) || told == mostMoved) continue;
+        if (hasFailed || !isSeen(foot) || added == mostMoved) continue;
         const QString way = qt(lengthText(block->displaced / picture_.factor, picture_.numbers));
         callOuts_.push_back({qt(block->name), Texts::tr("moved %1").arg(way), theme_.text2, foot, {0.0, 1.0}, true});
-        ++told;
+        ++added;
     }
 }
 

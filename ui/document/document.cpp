@@ -21,7 +21,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostTold = 3;  // sentences about other changes
+constexpr std::size_t mostNotes = 3;  // sentences about other changes
 
 QByteArray contentOf(const QString& path) {
     QFile file(path);
@@ -53,9 +53,9 @@ private:
         if (document_.isRestoring_) return;
         if (to.get()) return document_.take(from.get() ? *from.get() : *document_.scene_, to.get(), pointers);
         document_.undo_->resetClean();
-        Q_EMIT document_.told(Document::tr("The scene at “%1” cannot be read from the journal; the drawing is not "
-                                           "changed.")
-                                  .arg(text()), true);
+        Q_EMIT document_.reported(
+            Document::tr("The scene at “%1” cannot be read from the journal; the drawing is not changed.").arg(text()),
+            true);
     }
 
     Document& document_;
@@ -78,14 +78,14 @@ const std::shared_ptr<const Scene>& Document::scene() const { return preview_ ? 
 bool Document::apply(const QString& step, Edit edit) {
     if (!edit.done()) {
         endPreview();
-        Q_EMIT told(QString::fromStdString(edit.refusal), true);
+        Q_EMIT reported(QString::fromStdString(edit.refusal), true);
         return false;
     }
     apply(step, std::move(edit.scene), std::move(edit.pointers));
     QStringList sentences;
-    for (std::size_t i = 0; i < std::min(edit.told.size(), mostTold); ++i)
-        sentences << QString::fromStdString(edit.told[i]);
-    if (!sentences.isEmpty()) Q_EMIT told(sentences.join(' '), false);
+    for (std::size_t i = 0; i < std::min(edit.notes.size(), mostNotes); ++i)
+        sentences << QString::fromStdString(edit.notes[i]);
+    if (!sentences.isEmpty()) Q_EMIT reported(sentences.join(' '), false);
     return true;
 }
 

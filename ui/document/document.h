@@ -101,7 +101,7 @@ public:
 Q_SIGNALS:
     void changed();  // the scene
     void moved(const keyblock::WhereNow& now);  // after a step or its undo: maps earlier pointers
-    void told(const QString& text, bool warns);  // a message about an edit
+    void reported(const QString& text, bool warns);  // a message about an edit
     void checkedChanged();
     void fileChanged();  // path, title, or whether modified
     void replaced();  // with another document

@@ -23,8 +23,8 @@ constexpr std::chrono::seconds beforeRetry{2};  // after a failed write
 
 }  // namespace
 
-JournalFile::JournalFile(const std::filesystem::path& path, std::function<void(std::string)> told)
-    : path_(path), told_(std::move(told)),
+JournalFile::JournalFile(const std::filesystem::path& path, std::function<void(std::string)> report)
+    : path_(path), report_(std::move(report)),
       file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600)) {
     if (file_ < 0) throw CannotWrite(cannotWriteText(path, errno));
     ::flock(file_, LOCK_EX);  // another window locks it only briefly to read it
@@ -113,12 +113,12 @@ void JournalFile::writeUnwritten() {
             write(unwritten_.front());
             size_ += unwritten_.front().size();
         }
-        if (failing_) told_({});
+        if (failing_) report_({});
         failing_ = false;
     } catch (const CannotWrite& error) {
         if (::ftruncate(file_, static_cast<off_t>(size_)) != 0) broken_ = true;  // an incomplete line remains at its end
         failing_ = true;
-        told_(error.what());
+        report_(error.what());
     }
 }
 
@@ -146,7 +146,7 @@ void JournalFile::work() {
         } catch (const std::exception& error) {
             broken_ = true;
             unwritten_.clear();
-            told_(error.what());
+            report_(error.what());
         }
     }
 }

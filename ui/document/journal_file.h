@@ -28,10 +28,10 @@ class JournalFile {
 public:
     using ScenePtr = std::shared_ptr<const Scene>;
 
-    /// Creates the file. `told` is called from the writer's thread with an error that stops the writing, such as a full
-    /// disk, and with an empty text once everything is written after that.
+    /// Creates the file. `report` is called from the writer's thread with an error that stops the writing, such as a
+    /// full disk, and with an empty text once everything is written after that.
     /// \throws CannotWrite
-    JournalFile(const std::filesystem::path& path, std::function<void(std::string)> told);
+    JournalFile(const std::filesystem::path& path, std::function<void(std::string)> report);
     /// Writes pending lines and releases the file.
     ~JournalFile();
     JournalFile(const JournalFile&) = delete;
@@ -60,7 +60,7 @@ private:
     const std::string& textOf(const ScenePtr& scene);
 
     std::filesystem::path path_;
-    std::function<void(std::string)> told_;
+    std::function<void(std::string)> report_;
     int file_ = -1;
     std::atomic<bool> broken_{false};  // a line could not be created, so later ones would be damaged
     std::deque<std::string> unwritten_;  // writer's thread: lines not accepted by the disk

@@ -162,16 +162,16 @@ QString recover(const Abandoned& abandoned, Recover what, Document& document, Jo
     const bool withoutLast = what == Recover::WithoutLastCommand && abandoned.changes > 0;
     const std::optional<QByteArray> content = contentOf(abandoned.journal);
     if (!content) return Document::tr("The journal of %1 cannot be read.").arg(abandoned.title);
-    const Journalled told = read(*content, withoutLast ? std::optional(abandoned.changes - 1) : std::nullopt);
-    const std::vector<RestoredStep> steps = stepsOf(told);
+    const Journalled journalled = read(*content, withoutLast ? std::optional(abandoned.changes - 1) : std::nullopt);
+    const std::vector<RestoredStep> steps = stepsOf(journalled);
     if (steps.empty()) return Document::tr("The journal of %1 cannot be read.").arg(abandoned.title);
     std::vector<std::shared_ptr<const LazyScene>> states;
     for (const RestoredStep& step : steps) states.push_back(step.scene);
-    journal.goOn(content->left(static_cast<int>(told.size)).toStdString(), std::move(states), [&] {
-        document.restore(steps, told.index, told.saved, QString::fromStdString(told.path),
-                         QString::fromStdString(told.name));
+    journal.goOn(content->left(static_cast<int>(journalled.size)).toStdString(), std::move(states), [&] {
+        document.restore(steps, journalled.index, journalled.saved, QString::fromStdString(journalled.path),
+                         QString::fromStdString(journalled.name));
     });
-    journal.onceKept([old = abandoned.journal, isDamaged = !told.damage.empty()] {
+    journal.onceKept([old = abandoned.journal, isDamaged = !journalled.damage.empty()] {
         if (isDamaged) putAside(old);
         else QFile::remove(old);
     });

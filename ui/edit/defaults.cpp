@@ -105,11 +105,11 @@ void installAfter(Edit& edit, int excavating, const std::string& name) {
         bolts.name = "bolts " + std::to_string(n);
     bolts.install = {name};
     const Stage& before = *(behind - 1);
-    edit.told.push_back("The new stage '" + bolts.name + "' after '" + before.name + "' installs " + name + ".");
+    edit.notes.push_back("The new stage '" + bolts.name + "' after '" + before.name + "' installs " + name + ".");
     if (before.kind == StageKind::Static && !before.relaxation) {
         (behind - 1)->relaxation = share;
         bolts.relaxation = 1.0;
-        edit.told.push_back("Relaxation of the walls: 50 % in '" + before.name + "', 100 % in '" + bolts.name + "'.");
+        edit.notes.push_back("Relaxation of the walls: 50 % in '" + before.name + "', 100 % in '" + bolts.name + "'.");
     }
     stages.insert(behind, std::move(bolts));
 }
@@ -166,7 +166,7 @@ void supportSides(Edit& edit) {
         support.boundary = side;
         support.fix = fix;
     }
-    edit.told.push_back("The base is fixed, the sides are on vertical rollers.");
+    edit.notes.push_back("The base is fixed, the sides are on vertical rollers.");
 }
 
 Edit withDomain(const Scene& scene, const std::vector<Point>& boundary) {

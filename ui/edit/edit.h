@@ -19,7 +19,7 @@ struct Edit {
     std::string refusal{};  // a sentence for the user; empty: the edit was done
     std::string made{};  // pointer of the new object, if any
     PointerChange pointers{};  // maps earlier pointers to the new ones
-    std::vector<std::string> told{};  // other changes made along with it, a sentence each
+    std::vector<std::string> notes{};  // other changes made along with it, a sentence each
 
     bool done() const { return refusal.empty(); }
 };

@@ -83,7 +83,7 @@ public:
         const std::string list = parentOf(pointer);
         const auto to = locate(edit_.scene, list);
         if (!from || !from->entry || !to || !to->field || !hasChildren(*to->field) || to->entry) {
-            edit_.told.push_back("The " + titleAt(source_, pointer) + " was not copied: a scene has only one.");
+            edit_.notes.push_back("The " + titleAt(source_, pointer) + " was not copied: a scene has only one.");
             return;
         }
         const Children& children = to->field->children;

@@ -17,7 +17,7 @@ Edit moveAll(const Scene& scene, const std::vector<std::string>& pointers, const
 
 /// Adds copies of objects of `source` (the same scene or another), shifted by `offset` [m], with free names. Copies are
 /// excavated, installed and removed in the stages of the originals if it is the same scene; they refer to each other
-/// as the originals do. Materials and types missing in `scene` are added. `Edit::told` lists what was not copied.
+/// as the originals do. Materials and types missing in `scene` are added. `Edit::notes` lists what was not copied.
 /// \param made receives the pointers of the copies.
 Edit copyAll(const Scene& scene, const Scene& source, const std::vector<std::string>& pointers, const Point& offset,
              std::vector<std::string>& made);

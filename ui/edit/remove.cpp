@@ -31,7 +31,7 @@ bool isLastOfName(const Scene& scene, Named kind, const std::string& name, const
 struct Departure {
     std::set<std::string> objects;  // pointers of entries, elements and objects
     std::set<std::string> nulls;  // of fields that become null
-    std::vector<std::string> told;
+    std::vector<std::string> notes;
 };
 
 void goWith(const Scene& scene, const Reference& reference, const std::string& gone, Departure& out) {
@@ -39,7 +39,7 @@ void goWith(const Scene& scene, const Reference& reference, const std::string& g
     switch (reference.whenGone) {
         case WhenGone::Null:
             if (out.nulls.insert(reference.pointer).second)
-                out.told.push_back("The " + titleAt(scene, reference.pointer) + " no longer refers to the " + what +
+                out.notes.push_back("The " + titleAt(scene, reference.pointer) + " no longer refers to the " + what +
                                    ".");
             break;
         case WhenGone::Entry:
@@ -47,10 +47,10 @@ void goWith(const Scene& scene, const Reference& reference, const std::string& g
             break;
         case WhenGone::Owner:
             if (out.objects.insert(parentOf(reference.pointer)).second)
-                out.told.push_back("The " + titleAt(scene, reference.pointer) + " was deleted with the " + what + ".");
+                out.notes.push_back("The " + titleAt(scene, reference.pointer) + " was deleted with the " + what + ".");
             break;
         case WhenGone::Stays:
-            out.told.push_back("The " + titleAt(scene, reference.pointer) + " still refers to the " + what +
+            out.notes.push_back("The " + titleAt(scene, reference.pointer) + " still refers to the " + what +
                                ". Choose another one.");
             break;
     }
@@ -183,7 +183,7 @@ Edit removeAll(const Scene& scene, const std::vector<std::string>& pointers) {
     std::erase_if(departure.objects,
                   [&](const std::string& pointer) { return liesIn(departure.objects, parentOf(pointer)); });
     erase(edit, scene, departure.objects);
-    edit.told = std::move(departure.told);
+    edit.notes = std::move(departure.notes);
     settle(edit.scene);
     return edit;
 }

@@ -3,7 +3,7 @@
 //
 // Deletes objects of a scene together with the objects that depend on them.
 //
-// References to a deleted object follow one rule; `Edit::told` reports the changes.
+// References to a deleted object follow one rule; `Edit::notes` reports the changes.
 // If null is a valid value (the joint material of a joint, the region of a set), the
 // reference becomes null; a name in a list (excavate, install) is removed; an object
 // that is meaningless without the deleted one (a pattern along a tunnel, a monitor

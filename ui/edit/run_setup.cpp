@@ -12,7 +12,7 @@ void addStages(Edit& edit) {
     std::vector<Stage>& stages = edit.scene.stages;
     stages = newScene().stages;
     for (const SceneTunnel& tunnel : edit.scene.tunnels) stages.back().excavate.push_back(tunnel.name);
-    edit.told.push_back("The stages '" + stages.front().name + "' and '" + stages.back().name + "' were added.");
+    edit.notes.push_back("The stages '" + stages.front().name + "' and '" + stages.back().name + "' were added.");
     for (const Bolt& bolt : edit.scene.bolts) installOnWall(edit, bolt);
 }
 

@@ -130,8 +130,8 @@ private:
         }
         skipSpaces();
         if (const auto unit = takeUnit()) value = converted(value, *unit, *unit_);
-        const std::string told = shortest(value);
-        out_ += told.find_first_of("eE") == std::string::npos ? told : "(" + told + ")";
+        const std::string inUnit = shortest(value);
+        out_ += inUnit.find_first_of("eE") == std::string::npos ? inUnit : "(" + inUnit + ")";
         ++numbers_;
     }
 

@@ -168,10 +168,10 @@ Table bondCurve(const Anchor& written, double farthest) {
 
 std::vector<ShownCurve> bondCurves(const BoltType& type, const Display& display) {
     std::vector<ShownCurve> curves;
-    std::vector<Anchor> told;
+    std::vector<Anchor> listed;
     for (const Anchor& anchor : type.anchors) {
-        if (std::ranges::any_of(told, [&](const Anchor& other) { return sameLaw(other, anchor); })) continue;
-        told.push_back(anchor);
+        if (std::ranges::any_of(listed, [&](const Anchor& other) { return sameLaw(other, anchor); })) continue;
+        listed.push_back(anchor);
         const char* unit = anchor.at || anchor.per == Per::Node ? "N" : "N/m";
         ShownCurve curve{lawTitle(anchor), {}, Texts::tr("Slip (mm)"),
                          Texts::tr("Force (%1)").arg(display.shown(unit).symbol)};

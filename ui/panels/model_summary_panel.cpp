@@ -244,11 +244,11 @@ void ModelSummaryPanel::present() {
     state_->hide();
     int row = 0;
     addRow(row++, {tr("Modelled"), tr("Count"), tr("Unknowns"), tr("Remarks")}, "detail", false);
-    bool told = false;
+    bool hasHeading = false;
     for (const ModelSummaryRow& part : modelSummaryRows(*summary_)) {
-        if (part.leftOut && !told) {
+        if (part.leftOut && !hasHeading) {
             addRow(row++, {tr("Left out"), {}, {}, {}}, "detail", false);
-            told = true;
+            hasHeading = true;
         }
         if (part.leftOut) {
             auto* what = labelOf(table_, "cell", part.what);

@@ -162,9 +162,9 @@ private:
         row.opensReport = !kinds.empty();
         rows_.push_back(row);
         if (!reportIsOpen_) return;
-        std::map<CutNoteKind, std::size_t> told;
+        std::map<CutNoteKind, std::size_t> listed;
         for (const CutNote& note : cut.notes)
-            if (++told[note.kind] <= mostNotes) rows_.push_back(rowOf(note));
+            if (++listed[note.kind] <= mostNotes) rows_.push_back(rowOf(note));
     }
 
     ProblemRow rowOf(const CutNote& note) const {

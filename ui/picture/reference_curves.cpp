@@ -157,7 +157,7 @@ std::vector<Problem> ReferencePlacer::problems() const {
     std::string there;
     for (const std::string& panel : seen_) there += (there.empty() ? "" : "; ") + panel;
     const std::string remedy = "Name columns after curves of the figure, with units of the same kind: " + there;
-    std::vector<Problem> told;
+    std::vector<Problem> found;
     for (std::size_t t = 0; t < tables_.size(); ++t) {
         std::string left;
         std::size_t count = 0;
@@ -171,10 +171,10 @@ std::vector<Problem> ReferencePlacer::problems() const {
         const std::string why = !faults_[t].empty() ? "; " + faults_[t]
                                 : !hasAxis_[t]      ? "; it has no column for an axis"
                                                     : "";
-        told.push_back({all ? Severity::Error : Severity::Warning, tables_[t].file, 0, "",
-                        "no panel matches " + left + why, remedy});
+        found.push_back({all ? Severity::Error : Severity::Warning, tables_[t].file, 0, "",
+                         "no panel matches " + left + why, remedy});
     }
-    return told;
+    return found;
 }
 
 }  // namespace keyblock

@@ -120,9 +120,9 @@ void LiveSink::stageBegins(int stage) {
 
 void LiveSink::event(const Event& event) {
     store_.event(event);
-    Event told = event;
-    told.historyRow = static_cast<long>(rows_) - 1;
-    feed_.event(told);
+    Event indexed = event;
+    indexed.historyRow = static_cast<long>(rows_) - 1;
+    feed_.event(indexed);
 }
 
 void LiveSink::history(const HistoryRow& row) {

@@ -181,12 +181,12 @@ QString Runs::nothingToRun() const {
 
 void Runs::start() {
     if (isRunning()) {
-        Q_EMIT told(tr("A run is in progress. Stop it before starting another."), true);
+        Q_EMIT reported(tr("A run is in progress. Stop it before starting another."), true);
         return;
     }
     if (!QDir().mkpath(folder())) {
-        Q_EMIT told(tr("The folder %1 for the run cannot be created. Check the permission to write there.").arg(folder()),
-                    true);
+        Q_EMIT reported(
+            tr("The folder %1 for the run cannot be created. Check the permission to write there.").arg(folder()), true);
         return;
     }
     begin(newStore(), false);
@@ -194,7 +194,7 @@ void Runs::start() {
 
 void Runs::resume(const QString& store) {
     if (isRunning()) {
-        Q_EMIT told(tr("A run is in progress. Stop it before resuming another."), true);
+        Q_EMIT reported(tr("A run is in progress. Stop it before resuming another."), true);
         return;
     }
     begin(store, true);
@@ -221,14 +221,14 @@ void Runs::begin(const QString& store, bool resume) {
     });
     connect(session_.get(), &RunSession::stateChanged, this, &Runs::sessionChanged);
     connect(session_.get(), &RunSession::ended, this, &Runs::sessionEnded);
-    Q_EMIT told(resume ? tr("Resuming %1").arg(store) : tr("Running; results go to %1").arg(store), false);
+    Q_EMIT reported(resume ? tr("Resuming %1").arg(store) : tr("Running; results go to %1").arg(store), false);
     session_->start();
     Q_EMIT sessionChanged();
 }
 
 void Runs::sessionEnded() {
     if (cursor_.run() && cursor_.run() == session_->run()) cursor_.ranOut();
-    if (!session_->message().isEmpty()) Q_EMIT told(session_->message(), session_->failed());
+    if (!session_->message().isEmpty()) Q_EMIT reported(session_->message(), session_->failed());
     refresh();
     Q_EMIT sessionChanged();
 }
@@ -273,19 +273,19 @@ void Runs::open(const QString& store) {
                 refresh();
             };
         } catch (const std::exception& error) {
-            return [this, text = QString::fromStdString(error.what())] { Q_EMIT told(text, true); };
+            return [this, text = QString::fromStdString(error.what())] { Q_EMIT reported(text, true); };
         }
     });
 }
 
 void Runs::remove(const QString& store) {
     if (isRunning() && store == QString::fromStdString(session_->order().store.string())) {
-        Q_EMIT told(tr("This run is in progress. Stop it before removing it."), true);
+        Q_EMIT reported(tr("This run is in progress. Stop it before removing it."), true);
         return;
     }
     if (shown() == store) cursor_.setRun(nullptr, false);
     QFile file(store);
-    if (!file.remove()) Q_EMIT told(tr("%1 cannot be removed: %2").arg(store, file.errorString()), true);
+    if (!file.remove()) Q_EMIT reported(tr("%1 cannot be removed: %2").arg(store, file.errorString()), true);
     for (const char* ending : {"-wal", "-shm", "-journal"}) QFile::remove(store + ending);
     if (opened_ == store) opened_.clear();
     Q_EMIT shownChanged();

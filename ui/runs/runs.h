@@ -86,7 +86,7 @@ Q_SIGNALS:
     void sceneChanged();  // the document was edited: it may have become runnable, or not runnable
     void shownChanged();
     void stalenessChanged();
-    void told(const QString& message, bool isError);
+    void reported(const QString& message, bool isError);
 
 private:
     void begin(const QString& store, bool resume);

@@ -208,7 +208,7 @@ void ImportWindow::showLayers() {
 void ImportWindow::showAccount() {
     account_->clear();
     for (const ImportRow& row : attempt_->import.rows) {
-        if (row.became == "skipped") continue;  // told one by one
+        if (row.became == "skipped") continue;  // listed one by one
         auto* item = new QTreeWidgetItem(
             account_, {textOf(row.kind), textOf(row.layer), QString::number(row.count), textOf(row.became)});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);

@@ -240,7 +240,7 @@ std::vector<Abandoned> StartPage::lookForAbandoned() {
     QStringList unusable;
     std::vector<Abandoned> found = abandonedJournals(journalFolder(), &unusable);
     if (!unusable.isEmpty())
-        Q_EMIT told(tr("A recovery journal cannot be read and was set aside: %1").arg(unusable.join(", ")));
+        Q_EMIT reported(tr("A recovery journal cannot be read and was set aside: %1").arg(unusable.join(", ")));
     return found;
 }
 

@@ -51,7 +51,7 @@ Q_SIGNALS:
     void openWanted(const QString& path);
     void sampleWanted(const keyblock::Sample& sample);
     void recoverWanted(const keyblock::Abandoned& abandoned, keyblock::Recover what);
-    void told(const QString& message);  // for the status bar
+    void reported(const QString& message);  // for the status bar
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -43,7 +43,7 @@ Workbench::Workbench(Canvas& canvas, Document& document, Selection& selection, c
         seen_.reset();
         canvas_.refresh();
     });
-    connect(&document, &Document::told, this, &Workbench::said);
+    connect(&document, &Document::reported, this, &Workbench::said);
     const QSettings settings;
     modes_.objectSnap = settings.value("draw/objectSnap", true).toBool();
     modes_.ortho = settings.value("draw/ortho", false).toBool();

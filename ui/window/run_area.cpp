@@ -105,7 +105,7 @@ void RunArea::place(QVBoxLayout& aboveCanvas, QBoxLayout& besideCanvas) {
     aboveCanvas.insertWidget(1, warning_);
     parts_.workflow.addRight(new RunStatus(parts_.themes, parts_.commands, *runs_, &parts_.workflow));
     placeDocks(besideCanvas);
-    connect(runs_, &Runs::told, this, &RunArea::tell);
+    connect(runs_, &Runs::reported, this, &RunArea::tell);
     connect(comparison_, &Comparison::failed, this, [this](const QString& message) { tell(message, true); });
     connect(feed_, &SectionFeed::failed, this, [this](const QString& message) { log_->tell(message, true); });
     showMode();

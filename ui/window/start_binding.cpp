@@ -39,7 +39,8 @@ StartPage* addStartPage(QMainWindow& window, const StartPage::Rooms& rooms) {
         window.statusBar()->showMessage(why);
         page->open();
     });
-    QObject::connect(page, &StartPage::told, &window, [&](const QString& text) { window.statusBar()->showMessage(text); });
+    QObject::connect(page, &StartPage::reported, &window,
+                     [&](const QString& text) { window.statusBar()->showMessage(text); });
     addStartCommands(rooms.commands, *page);
     return page;
 }

@@ -30,7 +30,7 @@ struct Law {
     BackboneState state;
     double share = 1.0;  // multiplies force, tangent and energy of the whole law in the model
     bool rigid = false;  // the stiffness only finds the force: nothing is stored
-    double leastTangent = 0.0;  // over `stiffness`, told to Newton where the law is flat, lest nothing holds a body
+    double leastTangent = 0.0;  // over `stiffness`, given to Newton where the law is flat, so that no body is free
 };
 
 struct LawResponse {

@@ -106,7 +106,7 @@ private:
     }
 
     /// True where a search ended among moving blocks and bolts have passed their limits on the way: these let go before
-    /// anything is told.
+    /// anything is reported.
     bool lettingGo(const StepEnding& ending, const State& state) const {
         if (ending.ending == Ending::Undecided) return !ending.final && !isWorkedOut() && passesLimit(state);
         return ending.ending == Ending::NoEquilibrium && passesBoltLimit(state);

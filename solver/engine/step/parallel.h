@@ -3,7 +3,7 @@
 //
 // Loops on all threads. Debian's oneTBB is not built for the thread sanitizer, which
 // therefore misses that the loop begins after what was before it and ends before what
-// comes after; here it is told, so that it finds the races that are ours.
+// comes after; here it is informed of both, so that it finds our own races.
 #pragma once
 
 #include <tbb/blocked_range.h>

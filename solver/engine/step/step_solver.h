@@ -19,7 +19,7 @@ struct SolveSettings {
     bool openClose = false;  // by the classical iteration
     bool again = false;  // the step has been solved before for nearly the same contacts: begin where that ended
     int sweepsFrom = 0;  // iterations after which sweeps are tried
-    bool* sweepsFirst = nullptr;  // in motion: whether the last step took sweeps; told for the next
+    bool* sweepsFirst = nullptr;  // in motion: whether the last step took sweeps; kept for the next
 };
 
 struct SolveReport {

@@ -40,10 +40,10 @@ private:
     bool over() const { return at_ >= groups_.size() || begins("ENDSEC") || begins("SECTION") || begins("EOF"); }
 
     void stray(const DxfGroup& group) {
-        if (group.code == 0 || !toldStray_)
+        if (group.code == 0 || !reportedStray_)
             warn(group.line, inQuotes(group.value) + " is outside every section and was not read",
                  "Check whether lines before it are missing");
-        toldStray_ = true;
+        reportedStray_ = true;
         ++at_;
     }
 
@@ -158,7 +158,7 @@ private:
 
     const std::vector<DxfGroup>& groups_;
     std::size_t at_ = 0;
-    bool toldStray_ = false;
+    bool reportedStray_ = false;
     DxfContent content_;
 };
 

@@ -111,24 +111,24 @@ bool isExplained(const Problem& problem, const Problems& errors) {
 }
 
 // Where a whole list could not be read, everything that refers to it would seem wrong.
-bool lacksWholeList(const Problems& told) {
-    return std::any_of(told.begin(), told.end(), [](const Problem& problem) {
+bool lacksWholeList(const Problems& fieldProblems) {
+    return std::any_of(fieldProblems.begin(), fieldProblems.end(), [](const Problem& problem) {
         const Field* field = problem.pointer.empty() ? nullptr
                                                      : findField(sceneStructure(), problem.pointer.substr(1));
         return field && hasChildren(*field);
     });
 }
 
-// `told` are the problems of single fields.
-void addSense(const Scene& scene, const JsonNode& root, const Problems& told, Problems& problems,
+// `fieldProblems` are the problems of single fields.
+void addSense(const Scene& scene, const JsonNode& root, const Problems& fieldProblems, Problems& problems,
               std::optional<SceneCut>& cut) {
-    for (Problem& problem : lacksWholeList(told) ? checkValues(scene) : checkScene(scene, &cut)) {
-        if (isExplained(problem, told))
+    for (Problem& problem : lacksWholeList(fieldProblems) ? checkValues(scene) : checkScene(scene, &cut)) {
+        if (isExplained(problem, fieldProblems))
             continue;
         problem.line = lineAt(root, problem.pointer);
         addProblem(problems, std::move(problem));
     }
-    if (hasErrors(problems) || hasErrors(told))
+    if (hasErrors(problems) || hasErrors(fieldProblems))
         return;
     for (Problem& problem : checkMeshes(cut ? cut->scene : scene)) {
         problem.line = lineAt(root, problem.pointer);

@@ -20,7 +20,7 @@ TEST(EventGroups, EveryKindHasOneAndABondThatSticksAgainDidNotLetGo) {
     EXPECT_FALSE(isMinor(EventKind::Debonding) || isMinor(EventKind::Collapse));
 }
 
-TEST(EventGroups, CountsAreToldByGroupAndKind) {
+TEST(EventGroups, CountsAreListedByGroupAndKind) {
     EventCounts counts;
     const auto add = [&](EventKind kind, int times) {
         Event event;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A small scene and made-up results for it, with every kind of value that tables
-// and stores must carry. No mechanics: the numbers only have to be told apart.
+// and stores must carry. No mechanics: the numbers only have to be distinguished.
 #pragma once
 
 #include "solver/results/results.h"

@@ -97,7 +97,7 @@ TEST(Tables, QuoteNamesAndLeaveOutWhatDoesNotApply) {
     EXPECT_EQ(events[2], "pull,0.29999999999999999,3,joint-open,,,,left|b2,1,0.5,0,0,0,0");
 }
 
-TEST(Tables, ShowTheLastFrameUnlessToldOtherwise) {
+TEST(Tables, ShowTheLastFrameByDefault) {
     const auto bolts = lines(TableKind::Bolts);
     ASSERT_EQ(bolts.size(), 4U);
     EXPECT_EQ(bolts[1].substr(0, 14), "shake: hard,2,");

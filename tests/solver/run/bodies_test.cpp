@@ -93,7 +93,7 @@ TEST(CellRuns, VelocitiesAreThoseOfTheWhole) {
     EXPECT_NEAR(middle.y(), 0.0, 1e-9);
 }
 
-TEST(CellRuns, ABlockThatFallsIsToldOnce) {
+TEST(CellRuns, ABlockThatFallsIsReportedOnce) {
     Scene scene = emptyScene(60e9, 0.2, 30.0);
     scene.analysis.gravity = {0.0, -gravity};
     scene.blocks = {cut(boxBlock("block", {0, 0}, {1, 1}), 0.25)};

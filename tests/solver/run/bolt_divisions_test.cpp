@@ -143,9 +143,9 @@ TEST(BoltDivisions, WarnOfAnAnchorOnAJoint) {
         scene.bolts[0].divisions = 20;  // a node on the joint
         scene.bolts[0].anchors = {anchorAt(at, AnchorLaw::Elastic, 1e8)};
         const std::vector<Problem> problems = checkMeshes(scene);
-        const bool told = std::any_of(problems.begin(), problems.end(),
-                                      [](const Problem& p) { return p.pointer == "/bolts/0/anchors/0/at"; });
-        EXPECT_EQ(told, at == 0.5) << at;
+        const bool reported = std::any_of(problems.begin(), problems.end(),
+                                          [](const Problem& p) { return p.pointer == "/bolts/0/anchors/0/at"; });
+        EXPECT_EQ(reported, at == 0.5) << at;
     }
 }
 

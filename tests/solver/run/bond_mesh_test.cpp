@@ -208,7 +208,7 @@ TEST(BondMesh, TheFrontOfASofteningBondCarriesItsFractureEnergy) {
     EXPECT_NEAR(reading(solve(scene), "max joint force"), front, 0.02 * front);
 }
 
-TEST(BondMesh, ElementsTooLongForTheBondAreToldWithTheirCost) {
+TEST(BondMesh, ElementsTooLongForTheBondAreReportedWithTheirCost) {
     BondedBar bar;
     Scene scene = sceneOf(bar, anchorRange(Per::Length, AnchorLaw::Elastic, bar.bond, std::nullopt, 0.0));
     const auto messages = [&] {

@@ -296,7 +296,7 @@ TEST(FlatImpact, ReboundsWithoutSpin) {
     }
 }
 
-/// A box thrown clear of its base in one step: the joint is told to have opened.
+/// A box thrown clear of its base in one step: the joint is reported as open.
 TEST(JointEvents, AContactThatLeavesAtOnceOpens) {
     Scene scene = boxOnBase(1.0, 3.0, 10e9);
     scene.stages = {dynamic(0.05, 0.01)};

@@ -189,7 +189,7 @@ TEST(Stability, AMotionIsJudgedAtItsEnd) {
     EXPECT_NEAR(fall.unstable[0].moved, 0.5 * gravity * 0.09, 1e-3);
 }
 
-/// What a motion drives goes where it was told to.
+/// What a motion drives goes where it is driven.
 TEST(Stability, WhatIsDrivenIsExempt) {
     Scene scene = boxOverFloor(0.0);
     scene.blocks.push_back(boxBlock("rider", {0.2, 1}, {0.8, 1.6}));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Static stages through the whole run: what lets go, in which order and with
-// which numbers, and what is told of it.
+// which numbers, and what is reported of it.
 #include "solver/run/run.h"
 
 #include "solver/verify/readings.h"

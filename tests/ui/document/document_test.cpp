@@ -43,14 +43,14 @@ TEST(Documents, EditIsAStepAndUndoRestoresTheScene) {
 
 TEST(Documents, DestroyedDocumentEmitsNothing) {
     NEED_SCREEN();
-    int told = 0;
+    int count = 0;
     {
         Document document;
         document.apply("Name it", titled("second"));
-        QObject::connect(&document.undo(), &QUndoStack::indexChanged, [&] { ++told; });
-        QObject::connect(&document, &Document::fileChanged, [&] { ++told; });
+        QObject::connect(&document.undo(), &QUndoStack::indexChanged, [&] { ++count; });
+        QObject::connect(&document, &Document::fileChanged, [&] { ++count; });
     }
-    EXPECT_EQ(told, 0);
+    EXPECT_EQ(count, 0);
 }
 
 TEST(Documents, MissingFileIsSignalledOnceAlsoIfModified) {
@@ -60,10 +60,10 @@ TEST(Documents, MissingFileIsSignalledOnceAlsoIfModified) {
         Document document;
         document.save(QString::fromStdString((scratch.path() / "a.json").string()));
         if (isModified) document.apply("Name it", titled("second"));
-        int told = 0;
-        QObject::connect(&document, &Document::fileChanged, [&] { ++told; });
+        int count = 0;
+        QObject::connect(&document, &Document::fileChanged, [&] { ++count; });
         document.fileIsGone();
-        EXPECT_EQ(told, 1);
+        EXPECT_EQ(count, 1);
         EXPECT_TRUE(document.isModified());
     }
 }
@@ -151,18 +151,18 @@ TEST(Documents, ReadablePartOfAFileWithErrorsOpensAsANewScene) {
     const std::string whole = test::contentOf(KEYBLOCK_SAMPLES_DIR "/tower-100.json");
     test::putContent(file, whole.substr(0, whole.size() / 2));
     Document document;
-    PartReading told;
-    QObject::connect(&document, &Document::readInPart, [&](const PartReading& reading) { told = reading; });
+    PartReading read;
+    QObject::connect(&document, &Document::readInPart, [&](const PartReading& reading) { read = reading; });
     const QString path = QString::fromStdString(file.string());
     EXPECT_FALSE(document.open(path).empty());
     EXPECT_TRUE(document.openPart(path));
-    EXPECT_TRUE(told.isOpen);
+    EXPECT_TRUE(read.isOpen);
     EXPECT_GT(document.scene()->blocks.size(), 10u);
     EXPECT_TRUE(document.path().isEmpty());
     EXPECT_TRUE(document.isModified());
-    ASSERT_FALSE(told.problems.empty());
-    EXPECT_GT(told.problems.front().line, 1);
-    EXPECT_EQ(told.text.size(), int(whole.size() / 2));
+    ASSERT_FALSE(read.problems.empty());
+    EXPECT_GT(read.problems.front().line, 1);
+    EXPECT_EQ(read.text.size(), int(whole.size() / 2));
 }
 
 TEST(Documents, SceneWithCheckErrorsOpensUnchanged) {

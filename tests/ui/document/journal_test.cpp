@@ -359,12 +359,12 @@ TEST_F(Journals, UnreadableSceneIsNotShownAsEmpty) {
     ASSERT_EQ(found.size(), 1u);
     Window next(folder());
     EXPECT_EQ(recover(found[0], Recover::Everything, next.document, next.journal), "");
-    QString told;
-    QObject::connect(&next.document, &Document::told, [&](const QString& text) { told = text; });
+    QString message;
+    QObject::connect(&next.document, &Document::reported, [&](const QString& text) { message = text; });
     next.document.undo().undo();
     EXPECT_EQ(next.document.scene()->title, "good");
     EXPECT_TRUE(next.document.isModified());
-    EXPECT_TRUE(told.contains("cannot be read")) << told.toStdString();
+    EXPECT_TRUE(message.contains("cannot be read")) << message.toStdString();
     next.document.apply("Name", titled("further"));
     next.journal.flush();
     EXPECT_EQ(readJournal(test::contentOf(next.journal.path().toStdString())).damage, "");

@@ -90,7 +90,7 @@ TEST(Remove, DeletesDependentObjects) {
     EXPECT_EQ(edit.pointers.now("/monitors/4"), "/monitors/3");
     EXPECT_FALSE(edit.pointers.now("/monitors/3"));
     EXPECT_FALSE(edit.pointers.now("/bolt_patterns/0/spacing"));
-    EXPECT_FALSE(edit.told.empty());
+    EXPECT_FALSE(edit.notes.empty());
     EXPECT_FALSE(findBoltType(edit.scene, "d-bolt-20"));
     EXPECT_TRUE(findBoltType(edit.scene, "rebar-20"));
 }
@@ -102,8 +102,8 @@ TEST(Remove, ClearsOptionalReferences) {
     const Edit region = removeAt(scene, "/regions/0");
     ASSERT_TRUE(region.done());
     EXPECT_FALSE(region.scene.jointSets[0].region);
-    ASSERT_EQ(region.told.size(), 1u);
-    EXPECT_EQ(region.told[0], "The joint set J1 no longer refers to the region top.");
+    ASSERT_EQ(region.notes.size(), 1u);
+    EXPECT_EQ(region.notes[0], "The joint set J1 no longer refers to the region top.");
     const Edit material = removeAt(scene, "/joint_materials/joint");
     EXPECT_FALSE(material.scene.domain->jointMaterial);
     EXPECT_TRUE(material.scene.stages[4].set.empty());
@@ -111,7 +111,7 @@ TEST(Remove, ClearsOptionalReferences) {
     ASSERT_TRUE(rock.done());
     EXPECT_EQ(rock.scene.domain->material, "granite");
     EXPECT_TRUE(hasErrors(checkScene(rock.scene)));
-    EXPECT_EQ(rock.told.at(0), "The domain still refers to the material granite. Choose another one.");
+    EXPECT_EQ(rock.notes.at(0), "The domain still refers to the material granite. Choose another one.");
 }
 
 TEST(Remove, SeveralObjectsAtOnceUpdatePointers) {
@@ -184,7 +184,7 @@ TEST(Copy, GetsNewNamesAndTheStagesOfItsOriginal) {
     EXPECT_EQ(edit.scene.bolts[1].name, "B2");
     EXPECT_EQ(edit.scene.stages[1].excavate, (std::vector<std::string>{"drift", "drift 2"}));
     EXPECT_EQ(edit.scene.stages[2].install.size(), 4u);
-    EXPECT_EQ(edit.told.size(), 1u) << "a scene has one domain";
+    EXPECT_EQ(edit.notes.size(), 1u) << "a scene has one domain";
     EXPECT_FALSE(copyAll(scene, scene, {"/domain"}, {1, 0}, made).done());
 }
 
@@ -253,7 +253,7 @@ TEST(NewScene, IsReadyForDrawing) {
     ASSERT_EQ(edit.scene.stages.size(), 3u);
     EXPECT_EQ(edit.scene.stages[2].install, std::vector<std::string>{"P1"});
     EXPECT_EQ(edit.scene.stages[1].relaxation, 0.5);
-    EXPECT_EQ(edit.told.size(), 2u);
+    EXPECT_EQ(edit.notes.size(), 2u);
     const std::vector<Problem> problems = checkScene(edit.scene);
     for (const Problem& problem : problems) EXPECT_NE(problem.severity, Severity::Error) << oneLine(problem);
     const Edit second = withPattern(edit.scene, pattern);

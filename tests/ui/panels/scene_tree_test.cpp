@@ -128,7 +128,7 @@ TEST(SceneTree, RefusedNameIsReported) {
     NEED_SCREEN();
     TreeBench bench(sampleScene("drift-bolted"));
     QString said;
-    QObject::connect(&bench.document, &Document::told, [&](const QString& text) { said = text; });
+    QObject::connect(&bench.document, &Document::reported, [&](const QString& text) { said = text; });
     const QString taken = QString::fromStdString(bench.document.scene()->jointSets[0].name);
     bench.model().setData(bench.at("/joint_sets/1"), taken, Qt::EditRole);
     EXPECT_TRUE(said.contains("is already used")) << said.toStdString();

@@ -82,15 +82,15 @@ TEST_F(PinsTest, PinsStayForARunOfTheSameBlocksAndAreRemovedWithTheRun) {
 TEST_F(PinsTest, ADeletedStoreIsReported) {
     TimeCursor cursor;
     Pins pins(cursor);
-    QString told;
-    QObject::connect(&pins, &Pins::failed, &pins, [&](const QString& message) { told = message; });
+    QString message;
+    QObject::connect(&pins, &Pins::failed, &pins, [&](const QString& text) { message = text; });
     auto run = test::slidingRun(path("a.kbrun"), 0.2);
     const Pin pin = pinOf(*run, "ux");
     run = LiveRun::opened(path("a.kbrun"));
     std::filesystem::resize_file(path("a.kbrun"), 5000);
     cursor.setRun(run, false);
     pins.add(pin);
-    EXPECT_TRUE(waitFor([&] { return !told.isEmpty() || pins.isComplete(); }));
+    EXPECT_TRUE(waitFor([&] { return !message.isEmpty() || pins.isComplete(); }));
 }
 
 TEST_F(PinsTest, ASecondRunFollowsTheFirstByTime) {
@@ -100,11 +100,11 @@ TEST_F(PinsTest, ASecondRunFollowsTheFirstByTime) {
     const QString store = QString::fromStdString(path("long-2.kbrun").string());
     EXPECT_EQ(runTitle(store), QString::fromUtf8("Run 2 · long"));
     EXPECT_EQ(runTitle("/a/drift.kbrun"), "drift");
-    QString told;
-    QObject::connect(&comparison, &Comparison::failed, &comparison, [&](const QString& text) { told = text; });
+    QString message;
+    QObject::connect(&comparison, &Comparison::failed, &comparison, [&](const QString& text) { message = text; });
     cursor.setRun(test::slidingRun(path("short.kbrun"), 0.2), false);
     comparison.begin("/nowhere/none.kbrun");
-    ASSERT_TRUE(waitFor([&] { return !told.isEmpty(); }));
+    ASSERT_TRUE(waitFor([&] { return !message.isEmpty(); }));
     EXPECT_FALSE(comparison.isOn());
     comparison.begin(store);
     ASSERT_TRUE(waitFor([&] { return comparison.isOn(); }));

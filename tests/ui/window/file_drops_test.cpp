@@ -73,10 +73,10 @@ TEST(FileDrops, AFileThatIsNotARunIsReported) {
     const test::ScratchFolder scratch;
     test::putContent(scratch.path() / "no.kbrun", "this is no run");
     Window screen;
-    QString told;
-    QObject::connect(screen.window.findChild<Runs*>(), &Runs::told, [&](const QString& text) { told = text; });
+    QString message;
+    QObject::connect(screen.window.findChild<Runs*>(), &Runs::reported, [&](const QString& text) { message = text; });
     EXPECT_TRUE(screen.drop({QString::fromStdString((scratch.path() / "no.kbrun").string())}));
-    EXPECT_TRUE(waitFor([&] { return told.contains("no.kbrun"); })) << told.toStdString();
+    EXPECT_TRUE(waitFor([&] { return message.contains("no.kbrun"); })) << message.toStdString();
 }
 
 TEST(FilesGone, AreReportedAndCountAsUnsaved) {

@@ -30,9 +30,9 @@ namespace keyblock {
 
 namespace {
 
-bool isTold() {
-    static const bool told = std::getenv("KEYBLOCK_TELL") != nullptr;
-    return told;
+bool isVerbose() {
+    static const bool verbose = std::getenv("KEYBLOCK_TELL") != nullptr;
+    return verbose;
 }
 
 /// Whether the mouse can reach the widget: no modal dialog blocks it.
@@ -103,7 +103,7 @@ QWidget* RandomUser::focused() {
 void RandomUser::tell(const std::string& what, const QObject& object) {
     last_ = what + " " + object.metaObject()->className() + " '" + object.objectName().toStdString() + "'";
     ++counts_[what];
-    if (isTold()) std::cerr << last_ << std::endl;
+    if (isVerbose()) std::cerr << last_ << std::endl;
 }
 
 /// Notes the current tool, and the visible docks and windows.

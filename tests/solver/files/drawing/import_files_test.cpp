@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Malformed and odd drawings and lists, as they come from other programs: each in a
-// small file, with what has to be told of it. Nothing may be left out in silence.
+// small file, with what has to be reported of it. Nothing may be left out in silence.
 #include "solver/files/drawing/section_import.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ const fs::path folder = KEYBLOCK_TEST_DATA_DIR "/import";
 struct Odd {
     std::string file;
     bool scene = false;  // whether one comes out
-    std::vector<std::string> told;
+    std::vector<std::string> reports;
 };
 
 /// Everything that an import says, a line each.
@@ -130,13 +130,13 @@ const std::vector<Odd> oddFiles{
     {"header-alone.csv", false, {"csv:1: error: there are no rows under the header"}},
     {"empty.csv", false, {"the file is empty"}}};
 
-TEST(ImportFiles, OddFilesAreToldOf) {
+TEST(ImportFiles, OddFilesAreReported) {
     for (const Odd& odd : oddFiles) {
         const Import import = importFile(folder / odd.file, {});
-        const std::string told = allOf(import);
-        EXPECT_EQ(import.scene.has_value(), odd.scene) << odd.file << '\n' << told;
-        for (const std::string& part : odd.told)
-            EXPECT_NE(told.find(part), std::string::npos) << odd.file << " does not tell: " << part << '\n' << told;
+        const std::string text = allOf(import);
+        EXPECT_EQ(import.scene.has_value(), odd.scene) << odd.file << '\n' << text;
+        for (const std::string& part : odd.reports)
+            EXPECT_NE(text.find(part), std::string::npos) << odd.file << " does not say: " << part << '\n' << text;
         for (const Problem& problem : import.problems)
             EXPECT_FALSE(problem.severity == Severity::Error && problem.remedy.empty()) << oneLine(problem);
     }

@@ -334,7 +334,7 @@ TEST_F(RunStoreTest, SaysWhenAFolderMayNotBeWritten) {
             if (std::string(error.what()).find("Permission denied") != std::string::npos)
                 return;
         }
-        throw std::logic_error("not told");
+        throw std::logic_error("not reported");
     });
     EXPECT_EQ(status, 0);
     fs::permissions(folder_.path(), fs::perms(0700));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Every broken scene of tests/data/broken is refused, at the right place, in
-// words that name the mistake, and with nothing told twice.
+// words that name the mistake, and with nothing reported twice.
 #include "solver/files/scene/scene_file.h"
 
 #include <gtest/gtest.h>
