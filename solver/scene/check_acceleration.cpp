@@ -128,7 +128,8 @@ void checkStep(const Stage& stage, const std::string& pointer, CheckReport& repo
                        "the time step is too long to resolve the acceleration: "
                        "the longest suitable one is " + rounded(longest) +
                            " s",
-                       "Give a shorter time step, or omit it to let the program choose");
+                       "Give a shorter time step, or omit it to let the program choose",
+                       {RepairKind::SetAutomatic, under(pointer, "time_step")});
 }
 
 }  // namespace

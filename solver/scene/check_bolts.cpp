@@ -85,7 +85,8 @@ void checkHead(const Bolt& bolt, const std::string& pointer, CheckContext& conte
     if (headHangs(bolt, context))
         context.report.warning(placeIn(bolt, pointer, "head"),
                                "the head of " + nameOf(bolt) + " is not on rock, so its plate has no effect",
-                               "Put the head on the wall, or write \"plate\": \"none\"");
+                               "Put the head on the wall, or write \"plate\": \"none\"",
+                               {RepairKind::RemovePlate, under(pointer, "plate")});
 }
 
 // True when the bolt is long enough to look at further.

@@ -6,6 +6,7 @@
 
 #include "solver/scene/lookup.h"
 #include "solver/scene/number_text.h"
+#include "solver/scene/pointer.h"
 #include "solver/scene/suggest.h"
 
 #include <algorithm>
@@ -17,14 +18,26 @@ namespace {
 
 std::string placeText(const Point& place) { return "(" + coordinateText(place.x()) + ", " + coordinateText(place.y()) + ")"; }
 
-}  // namespace
+/// A new entry of these lists needs nothing but its name; all others need a position in the section.
+bool canBeAdded(std::string_view list) { return list == "materials" || list == "joint_materials"; }
 
-void CheckReport::error(std::string pointer, std::string message, std::string remedy) {
-    addProblem(problems, {Severity::Error, "", 0, std::move(pointer), std::move(message), std::move(remedy)});
+/// Gives the object with this name another one; an entry of a map is replaced by hand, since both have one pointer.
+Repair renaming(const std::string& pointer) {
+    constexpr std::string_view key = "/name";
+    const bool isField = pointer.ends_with(key) && std::count(pointer.begin(), pointer.end(), '/') > 2;
+    return isField ? Repair{RepairKind::Rename, pointer.substr(0, pointer.size() - key.size())} : Repair{};
 }
 
-void CheckReport::warning(std::string pointer, std::string message, std::string remedy) {
-    addProblem(problems, {Severity::Warning, "", 0, std::move(pointer), std::move(message), std::move(remedy)});
+}  // namespace
+
+void CheckReport::error(std::string pointer, std::string message, std::string remedy, Repair repair) {
+    addProblem(problems, {Severity::Error, "", 0, std::move(pointer), std::move(message), std::move(remedy),
+                          std::move(repair)});
+}
+
+void CheckReport::warning(std::string pointer, std::string message, std::string remedy, Repair repair) {
+    addProblem(problems, {Severity::Warning, "", 0, std::move(pointer), std::move(message), std::move(remedy),
+                          std::move(repair)});
 }
 
 void CheckReport::note(std::string pointer, std::string message, std::string remedy) {
@@ -64,7 +77,8 @@ int checkPointOnBlock(CheckContext& context, const Point& point, const std::stri
 void checkReference(const std::string& name, const std::vector<std::string_view>& names, std::string_view list,
                     const std::string& pointer, CheckReport& report) {
     if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
-        report.error(pointer, inQuotes(name) + " is not among the " + inQuotes(list), suggestion(name, names));
+        report.error(pointer, inQuotes(name) + " is not among the " + inQuotes(list), suggestion(name, names),
+                     canBeAdded(list) ? Repair{RepairKind::AddNamed, under("", list), name} : Repair{});
 }
 
 void checkAxis(const Point& axis, const std::string& pointer, CheckReport& report) {
@@ -85,7 +99,7 @@ void checkNamesDiffer(std::size_t count, const std::function<std::string(std::si
             report.error(pointerOf(i),
                          "the name " + inQuotes(name) + " is already used by an earlier " + std::string(what) + " (" +
                              pointerOf(found->second) + ")",
-                         "Give each " + std::string(what) + " its own name");
+                         "Give each " + std::string(what) + " its own name", renaming(pointerOf(i)));
     }
 }
 

@@ -23,8 +23,8 @@ inline constexpr double mostCells = 1e6;
 struct CheckReport {
     std::vector<Problem> problems;
 
-    void error(std::string pointer, std::string message, std::string remedy);
-    void warning(std::string pointer, std::string message, std::string remedy);
+    void error(std::string pointer, std::string message, std::string remedy, Repair repair = {});
+    void warning(std::string pointer, std::string message, std::string remedy, Repair repair = {});
     void note(std::string pointer, std::string message, std::string remedy);
 };
 
@@ -59,7 +59,7 @@ void checkBoltNames(CheckContext& context);
 bool checkOutline(const std::vector<Point>& points, const std::string& pointer, std::string_view what,
                   double tolerance, CheckReport& report);
 
-/// Reports that `name` is not among `names`, the ones in `list`; an empty one is reported elsewhere.
+/// Reports that `name` is not among `names`, those in the scene's `list`; an empty one is reported elsewhere.
 void checkReference(const std::string& name, const std::vector<std::string_view>& names, std::string_view list,
                     const std::string& pointer, CheckReport& report);
 

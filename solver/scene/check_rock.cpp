@@ -50,12 +50,12 @@ bool checkRepeatedCorner(const std::vector<Point>& points, const std::string& po
     const int corner = repeatedCorner(points, tolerance);
     if (corner < 0)
         return true;
+    const std::string place = under(pointer, corner == 0 ? points.size() - 1 : static_cast<std::size_t>(corner));
     if (corner == 0)
-        report.error(under(pointer, points.size() - 1), "the last corner repeats the first",
-                     "Omit it: outlines are closed automatically");
+        report.error(place, "the last corner repeats the first", "Omit it: outlines are closed automatically",
+                     {RepairKind::Omit, place});
     else
-        report.error(under(pointer, static_cast<std::size_t>(corner)), "the corner repeats the one before it",
-                     "Omit it");
+        report.error(place, "the corner repeats the one before it", "Omit it", {RepairKind::Omit, place});
     return false;
 }
 

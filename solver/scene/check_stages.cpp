@@ -171,7 +171,8 @@ void checkTimes(const Stage& stage, const std::string& pointer, CheckReport& rep
         report.error(under(pointer, "duration"), "a dynamic stage needs a duration", "Give a duration in seconds, above 0");
     else if (stage.timeStep && *stage.timeStep > stage.duration)
         report.warning(under(pointer, "time_step"), "the time step is longer than the stage",
-                       "Give a shorter time step, or omit it to let the program choose");
+                       "Give a shorter time step, or omit it to let the program choose",
+                       {RepairKind::SetAutomatic, under(pointer, "time_step")});
 }
 
 void checkScheme(const Stage& stage, const std::string& pointer, CheckContext& context) {
@@ -305,7 +306,7 @@ void checkStages(CheckContext& context) {
                                                      : "Give at least one, or a domain to cut");
     if (stages.empty())
         context.report.warning("", "the scene has no stages, so there is nothing to run",
-                               "Add 'stages', or use the scene for checks only");
+                               "Add 'stages', or use the scene for checks only", {RepairKind::AddStage, "/stages"});
     checkNamesDiffer(
         stages.size(), [&](std::size_t i) { return stages[i].name; },
         [](std::size_t i) { return under(under("/stages", i), "name"); }, "stage", context.report);

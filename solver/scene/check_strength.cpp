@@ -8,7 +8,6 @@
 #include "solver/scene/pointer.h"
 #include "solver/scene/suggest.h"
 
-#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -17,13 +16,8 @@ namespace keyblock {
 namespace {
 
 void checkName(const StrengthChange& change, const std::string& pointer, const CheckContext& context) {
-    std::vector<std::string_view> names;
-    for (const auto& joint : context.scene.jointMaterials)
-        names.push_back(joint.first);
-    if (!change.jointMaterial.empty() && std::find(names.begin(), names.end(), change.jointMaterial) == names.end())
-        context.report.error(under(pointer, "joint_material"),
-                             inQuotes(change.jointMaterial) + " is not among the 'joint_materials'",
-                             suggestion(change.jointMaterial, names));
+    checkReference(change.jointMaterial, namesOf(context.scene.jointMaterials), "joint_materials",
+                   under(pointer, "joint_material"), context.report);
 }
 
 /// Friction angle of a joint material as `stage` leaves it [°]; none where the scene has no such material.

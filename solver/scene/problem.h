@@ -16,6 +16,25 @@ namespace keyblock {
 /// An error keeps a scene from running; a warning is likely a mistake; a note reports what has no effect.
 enum class Severity { Error, Warning, Note };
 
+/// An edit that removes a problem and needs no decision of the user.
+enum class RepairKind {
+    None,  // the user has to decide
+    Rename,  // the object at the pointer gets a free name
+    Omit,  // the field at the pointer gets its default; an element of a list is removed
+    SetAutomatic,  // the field at the pointer becomes null
+    RemovePlate,  // the plate at the pointer becomes `none`
+    AddNamed,  // an entry `name` is added to the map at the pointer
+    AddStage  // to the end of the list at the pointer
+};
+
+struct Repair {
+    RepairKind kind = RepairKind::None;
+    std::string pointer{};  // JSON pointer into the scene
+    std::string name{};  // of the entry that is added
+
+    bool operator==(const Repair&) const = default;
+};
+
 struct Problem {
     Severity severity = Severity::Error;
     std::string file;  // as given by the caller, or the option that set the value; empty for scenes built in code
@@ -23,6 +42,7 @@ struct Problem {
     std::string pointer;  // JSON pointer (RFC 6901) into the scene; empty: the whole scene
     std::string message;  // what is wrong
     std::string remedy;  // what to do
+    Repair repair{};  // the same as an edit, where the program can make it
 
     bool operator==(const Problem&) const = default;
 };

@@ -3,14 +3,11 @@
 #include "ui/panels/problem_remedies.h"
 
 #include "geometry/polygon.h"
-#include "solver/scene/field.h"
 #include "ui/edit/edits.h"
 #include "ui/edit/locate.h"
-#include "ui/panels/field_choices.h"
 
 #include <QCoreApplication>
 
-#include <algorithm>
 #include <cmath>
 
 namespace keyblock {
@@ -21,54 +18,12 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(Remedies)
 };
 
-/// Lists to which a missing name can be added directly.
-std::string listNamed(std::string_view key) {
-    if (key == "material") return "/materials";
-    if (key == "joint_material") return "/joint_materials";
-    return {};
-}
-
-std::optional<Remedy> addWhatIsNamed(const Scene& scene, const ScenePlace& place) {
-    const std::string list = listNamed(place.field->key);
-    if (list.empty() || !place.field->get) return std::nullopt;
-    const FieldValue value = place.field->get(place.owner);
-    const auto* name = std::get_if<std::string>(&value);
-    const auto names = choicesOf(scene, *place.structure, *place.field);
-    if (!name || name->empty() || !names || std::ranges::count(*names, *name)) return std::nullopt;
-    return Remedy{Texts::tr("Add %1").arg(QString::fromStdString(*name)),
-                  [list, wanted = *name](const Scene& now) { return appendAt(now, list, wanted); }};
-}
-
-std::optional<Remedy> renameTaken(const Problem& problem, const ScenePlace& place) {
-    const bool taken = problem.message.find("is already used by an earlier") != std::string::npos;
-    if (!taken || place.field->key != "name") return std::nullopt;
-    const std::string object = parentOf(problem.pointer);
-    return Remedy{Texts::tr("Rename it"), [object](const Scene& now) {
-                      return renameAt(now, object, nameOfCopy(now, parentOf(object), nameAt(now, object)));
-                  }};
-}
-
-/// Fields and corners that the check suggests to omit.
-std::optional<Remedy> leaveOut(const Problem& problem, const ScenePlace& place) {
-    const std::string pointer = problem.pointer;
-    if (problem.remedy.starts_with("Omit it")) {
-        if (place.element)
-            return Remedy{Texts::tr("Omit it"), [pointer](const Scene& now) { return removeAt(now, pointer); }};
-        return Remedy{Texts::tr("Omit it"), [pointer](const Scene& now) { return resetAt(now, pointer); }};
-    }
-    if (problem.remedy.ends_with("omit it to let the program choose") && place.field->nullable)
-        return Remedy{Texts::tr("Set automatically"),
-            [pointer](const Scene& now) { return setNullAt(now, pointer); }};
-    return std::nullopt;
-}
-
-std::optional<Remedy> takePlateOff(const Problem& problem) {
-    if (problem.remedy.find("\"plate\": \"none\"") == std::string::npos) return std::nullopt;
-    std::string object = problem.pointer;
-    if (object.ends_with("/head")) object = parentOf(object);
-    return Remedy{Texts::tr("Remove the plate"), [plate = object + "/plate"](const Scene& now) {
-                      return setValueAt(now, plate, std::string("none"));
-                  }};
+std::optional<Remedy> omit(const Scene& scene, const std::string& pointer) {
+    const auto place = locate(scene, pointer);
+    if (!place || !place->field) return std::nullopt;
+    if (place->element)
+        return Remedy{Texts::tr("Omit it"), [pointer](const Scene& now) { return removeAt(now, pointer); }};
+    return Remedy{Texts::tr("Omit it"), [pointer](const Scene& now) { return resetAt(now, pointer); }};
 }
 
 double perimeterOf(const std::vector<Point>& points) {
@@ -80,13 +35,28 @@ double perimeterOf(const std::vector<Point>& points) {
 }  // namespace
 
 std::optional<Remedy> remedyFor(const Scene& scene, const Problem& problem) {
-    if (problem.pointer.empty() && scene.stages.empty() && problem.message.find("no stages") != std::string::npos)
-        return Remedy{Texts::tr("Add a stage"), [](const Scene& now) { return appendAt(now, "/stages"); }};
-    const auto place = locate(scene, problem.pointer);
-    if (!place || !place->field) return std::nullopt;
-    for (auto remedy : {addWhatIsNamed(scene, *place), renameTaken(problem, *place), leaveOut(problem, *place),
-                        takePlateOff(problem)})
-        if (remedy) return remedy;
+    const std::string& pointer = problem.repair.pointer;
+    switch (problem.repair.kind) {
+        case RepairKind::None: break;
+        case RepairKind::Omit: return omit(scene, pointer);
+        case RepairKind::AddNamed:
+            return Remedy{Texts::tr("Add %1").arg(QString::fromStdString(problem.repair.name)),
+                          [pointer, name = problem.repair.name](const Scene& now) {
+                              return appendAt(now, pointer, name);
+                          }};
+        case RepairKind::AddStage:
+            return Remedy{Texts::tr("Add a stage"), [pointer](const Scene& now) { return appendAt(now, pointer); }};
+        case RepairKind::Rename:
+            return Remedy{Texts::tr("Rename it"), [pointer](const Scene& now) {
+                              return renameAt(now, pointer, nameOfCopy(now, parentOf(pointer), nameAt(now, pointer)));
+                          }};
+        case RepairKind::SetAutomatic:
+            return Remedy{Texts::tr("Set automatically"),
+                          [pointer](const Scene& now) { return setNullAt(now, pointer); }};
+        case RepairKind::RemovePlate:
+            return Remedy{Texts::tr("Remove the plate"),
+                          [pointer](const Scene& now) { return setValueAt(now, pointer, std::string("none")); }};
+    }
     return std::nullopt;
 }
 

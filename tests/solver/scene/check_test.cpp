@@ -76,6 +76,41 @@ void expectProblem(const std::function<void(Scene&)>& breakIt, const std::string
         << pointer << "\n" << listing(problems);
 }
 
+/// The repair of the problem at the pointer; of kind None if there is no such problem.
+Repair repairAt(const std::string& pointer, const Scene& scene) {
+    for (const Problem& problem : checkScene(scene))
+        if (problem.pointer == pointer) return problem.repair;
+    return {};
+}
+
+TEST(CheckScene, OffersRepairsThatNeedNoDecision) {
+    Scene scene = soundScene();
+    scene.blocks[1].name = "left";
+    EXPECT_EQ(repairAt("/blocks/1/name", scene), (Repair{RepairKind::Rename, "/blocks/1"}));
+    scene = soundScene();
+    scene.blocks[0].material = "marble";
+    EXPECT_EQ(repairAt("/blocks/0/material", scene), (Repair{RepairKind::AddNamed, "/materials", "marble"}));
+    scene = soundScene();
+    scene.stages[0].duration = 2.0;
+    EXPECT_EQ(repairAt("/stages/0/duration", scene), (Repair{RepairKind::Omit, "/stages/0/duration"}));
+    scene = soundScene();
+    scene.blocks[0].points.push_back({0, 0});
+    EXPECT_EQ(repairAt("/blocks/0/points/4", scene), (Repair{RepairKind::Omit, "/blocks/0/points/4"}));
+    scene = soundScene();
+    scene.stages.clear();
+    EXPECT_EQ(repairAt("", scene), (Repair{RepairKind::AddStage, "/stages"}));
+    scene = soundScene();
+    scene.bolts[0].type = "bra";  // the right type is the user's choice
+    EXPECT_EQ(repairAt("/bolts/0/type", scene), Repair{});
+}
+
+TEST(CheckScene, OffersToRemoveAPlateThatIsNotOnRock) {
+    Scene scene = soundScene();
+    scene.bolts[0].head = {3.9, 0.5};
+    scene.bolts[0].plate = PlateKind::Spring;
+    EXPECT_EQ(repairAt("/bolts/0/head", scene), (Repair{RepairKind::RemovePlate, "/bolts/0/plate"}));
+}
+
 TEST(CheckScene, FindsNothingInASoundScene) {
     EXPECT_TRUE(checkScene(soundScene()).empty()) << listing(checkScene(soundScene()));
 }

@@ -109,5 +109,46 @@ TEST(Problems, LinkRenamesAnObjectWithADuplicateName) {
     EXPECT_NE(bench.document.scene()->jointSets[1].name, bench.document.scene()->jointSets[0].name);
 }
 
+/// Follows the link of the problem with that title; false if the problem is still there afterwards.
+bool isSolvedByLink(ProblemsBench& bench, const QString& title, const QString& link) {
+    const int row = bench.rowWith(title);
+    if (row < 0 || bench.panel.list().rowAt(row).link != link) return false;
+    bench.panel.follow(row);
+    bench.settle();
+    return bench.rowWith(title) < 0;
+}
+
+TEST(Problems, LinkOmitsARepeatedCorner) {
+    NEED_SCREEN();
+    Scene scene = sampleScene("drift-bolted");
+    scene.domain->boundary.push_back(scene.domain->boundary.front());
+    const std::size_t corners = scene.domain->boundary.size();
+    ProblemsBench bench(std::move(scene));
+    EXPECT_TRUE(isSolvedByLink(bench, "the last corner repeats the first", "Omit it"));
+    EXPECT_EQ(bench.document.scene()->domain->boundary.size(), corners - 1);
+}
+
+TEST(Problems, LinkLeavesTheTimeStepToTheProgram) {
+    NEED_SCREEN();
+    Scene scene = sampleScene("drift-bolted");
+    Stage& stage = scene.stages.emplace_back();
+    stage.name = "burst";
+    stage.kind = StageKind::Dynamic;
+    stage.duration = 0.1;
+    stage.timeStep = 0.2;
+    ProblemsBench bench(std::move(scene));
+    EXPECT_TRUE(isSolvedByLink(bench, "the time step is longer than the stage", "Set automatically"));
+    EXPECT_FALSE(bench.document.scene()->stages.back().timeStep);
+}
+
+TEST(Problems, LinkAddsAStage) {
+    NEED_SCREEN();
+    Scene scene = sampleScene("drift-bolted");
+    scene.stages.clear();
+    ProblemsBench bench(std::move(scene));
+    EXPECT_TRUE(isSolvedByLink(bench, "The scene has no stages", "Add a stage"));
+    EXPECT_EQ(bench.document.scene()->stages.size(), 1u);
+}
+
 }  // namespace
 }  // namespace keyblock
