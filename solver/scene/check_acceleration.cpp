@@ -15,7 +15,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::size_t mostRows = 300'000;  // of all records of a scene, which a run store keeps inside the scene
+constexpr std::size_t mostRows = 300000;  // of all records of a scene, which a run store keeps inside the scene
 constexpr double quietEnd = 0.02;  // of the largest on the way: less left at the end of a record is not a drift
 
 std::string placeOfRecord(const Acceleration& acceleration, const std::string& pointer) {

@@ -7,6 +7,7 @@
 
 #include "solver/scene/quantity_text.h"
 #include "solver/scene/scene.h"
+#include "solver/scene/translatable.h"
 
 #include <array>
 #include <span>
@@ -39,6 +40,27 @@ inline constexpr std::array<std::string_view, 3> reduceWords{"joints", "bonds", 
 inline constexpr std::array<std::string_view, 2> boltForcesWords{"mobilised", "frozen"};
 inline constexpr std::array<std::string_view, 2> wayWords{"ccw", "cw"};
 
+// Labels for people where the words of the file are not fit for them.
+inline constexpr std::array<std::string_view, 4> integrationLabels{
+    translatable("Fields", "Shi"), translatable("Fields", "backward Euler"), translatable("Fields", "Newmark"),
+    translatable("Fields", "generalised α")};
+inline constexpr std::array<std::string_view, 2> iterationLabels{translatable("Fields", "convex"),
+                                                                 translatable("Fields", "open–close")};
+inline constexpr std::array<std::string_view, 2> contactMethodLabels{translatable("Fields", "penalty"),
+                                                                     translatable("Fields", "augmented Lagrangian")};
+inline constexpr std::array<std::string_view, 2> rotationLabels{translatable("Fields", "fixed"),
+                                                                translatable("Fields", "free")};
+inline constexpr std::array<std::string_view, 4> anchorLawLabels{
+    translatable("Fields", "elastic"), translatable("Fields", "peak and residual"),
+    translatable("Fields", "frictional"), translatable("Fields", "curve")};
+inline constexpr std::array<std::string_view, 2> onFailureLabels{translatable("Fields", "none"),
+                                                                 translatable("Fields", "bolt lost")};
+inline constexpr std::array<std::string_view, 5> profileKindLabels{
+    translatable("Fields", "circle"), translatable("Fields", "D-shape"), translatable("Fields", "horseshoe"),
+    translatable("Fields", "arched"), translatable("Fields", "polygon")};
+inline constexpr std::array<std::string_view, 2> wayLabels{translatable("Fields", "counter-clockwise"),
+                                                           translatable("Fields", "clockwise")};
+
 constexpr Words wordsOf(Plane) { return planeWords; }
 constexpr Words wordsOf(Integration) { return integrationWords; }
 constexpr Words wordsOf(Iteration) { return iterationWords; }
@@ -61,5 +83,19 @@ constexpr Words wordsOf(Reduce) { return reduceWords; }
 constexpr Words wordsOf(BoltForces) { return boltForcesWords; }
 constexpr Words wordsOf(Way) { return wayWords; }
 constexpr Words wordsOf(BoltQuantity) { return boltQuantityWords; }
+
+/// Labels of the words; empty where the words are their own.
+template <typename Enumeration>
+constexpr Words labelsOf(Enumeration) {
+    return {};
+}
+constexpr Words labelsOf(Integration) { return integrationLabels; }
+constexpr Words labelsOf(Iteration) { return iterationLabels; }
+constexpr Words labelsOf(ContactMethod) { return contactMethodLabels; }
+constexpr Words labelsOf(Rotation) { return rotationLabels; }
+constexpr Words labelsOf(AnchorLaw) { return anchorLawLabels; }
+constexpr Words labelsOf(OnFailure) { return onFailureLabels; }
+constexpr Words labelsOf(ProfileKind) { return profileKindLabels; }
+constexpr Words labelsOf(Way) { return wayLabels; }
 
 }  // namespace keyblock

@@ -81,6 +81,37 @@ bool hasChildren(const Field& field) {
     return field.kind == FieldKind::Object || field.kind == FieldKind::List || field.kind == FieldKind::Map;
 }
 
+bool isName(const Field& field) { return field.key == "name"; }
+
+std::string labelText(const Field& field) {
+    if (!field.label.empty())
+        return std::string(field.label);
+    std::string text(field.key);
+    std::replace(text.begin(), text.end(), '_', ' ');
+    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+        text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    return text;
+}
+
+std::string_view wordLabel(const Field& field, std::string_view word) {
+    const auto found = std::find(field.words.begin(), field.words.end(), word);
+    const auto index = static_cast<std::size_t>(found - field.words.begin());
+    return index < field.wordLabels.size() ? field.wordLabels[index] : word;
+}
+
+std::string_view unitIn(const Field& field, const void* object, const void* owner) {
+    constexpr std::string_view between = ", or ";
+    const std::size_t first = field.unit.find(between);
+    if (first == std::string_view::npos)
+        return field.unit;
+    const bool second = field.takesSecond && field.takesSecond(object, owner);
+    return second ? field.unit.substr(first + between.size()) : field.unit.substr(0, first);
+}
+
+std::string_view unitIn(const Field& field, const PairColumn& column, const void* object, const void* owner) {
+    return field.takesSecond && field.takesSecond(object, owner) ? column.second : column.unit;
+}
+
 FieldValue defaultOf(const Structure& structure, const Field& field) {
     if (field.kind == FieldKind::Fixed)
         return field.accepted.front();

@@ -61,6 +61,13 @@ struct Only {
     std::vector<std::string_view> words{};  // empty: where `key` is not null
 };
 
+/// A column of a table of pairs.
+struct PairColumn {
+    std::string_view title{};  // for people
+    std::string_view unit{};  // empty: none
+    std::string_view second{};  // the same where the field takes its second unit
+};
+
 struct Structure;
 
 /// How the objects inside an Object, List or Map are reached; `owner` is the struct that has the member.
@@ -83,7 +90,11 @@ struct Children {
 struct Field {
     std::string_view key{};
     FieldKind kind = FieldKind::Fixed;
-    std::string_view unit{};  // as people write it; empty: none
+    std::string_view label{};  // for people; empty: the key gives it, see `labelText`
+    std::string_view unit{};  // as people write it, two as `a, or b`; empty: none
+    bool isModulus = false;  // of elasticity: a window may show it in GPa where stresses are in MPa
+    bool (*takesSecond)(const void* object, const void* owner) = nullptr;  // whether the second unit applies
+    std::vector<PairColumn> columns{};  // of Pairs
     std::string_view help{};
     std::string_view source{};  // where the default comes from; empty: a choice of this program
     Range range{};
@@ -93,9 +104,15 @@ struct Field {
     bool emptyIsZero = false;  // a Vector that may be written []
     bool isStress = false;  // of rock, positive in tension: a window may show it with the opposite sign
     Only only{};
-    std::span<const std::string_view> words{};  // of a Word
+    std::span<const std::string_view> words{};  // of a Word, or all texts that a TextList may have
+    std::span<const std::string_view> wordLabels{};  // of `words`, for people; empty: the words themselves
     std::vector<std::string_view> laterWords{};  // words of the format that this program does not know
     std::vector<FieldValue> accepted{};  // of Fixed
+    std::vector<std::string_view> names{};  // of a Text or TextList that names entries of these lists of the scene
+    bool namesSingleBolts = false;  // in place of a bolt pattern its bolts: `P1.1`, `P1.2`, …
+    std::string_view heading{};  // in a form, above it and its neighbours; empty: the name of the structure
+    bool isRare = false;  // few users change it: closed at first in the form of the whole scene
+    bool isSentence = false;  // a Text of several words
     FieldValue (*get)(const void* owner) = nullptr;
     void (*set)(void* owner, const FieldValue& value) = nullptr;  // of the right alternative
     Children children{};  // of Object, List and Map
@@ -123,6 +140,21 @@ const Field* findField(const Structure& structure, std::string_view key);
 
 /// True for Object, List and Map.
 bool hasChildren(const Field& field);
+
+/// True for the field with the name of its object.
+bool isName(const Field& field);
+
+/// The label of the field, or one made from its key: `Dip deviation`.
+std::string labelText(const Field& field);
+
+/// One of the field's words for people: `clockwise` for `cw`.
+std::string_view wordLabel(const Field& field, std::string_view word);
+
+/// The unit in this object. `owner`: the object that has the list or member that holds it; null: not known.
+std::string_view unitIn(const Field& field, const void* object, const void* owner);
+
+/// The same of a column of Pairs.
+std::string_view unitIn(const Field& field, const PairColumn& column, const void* object, const void* owner);
 
 /// The value that the field has when its key is missing.
 FieldValue defaultOf(const Structure& structure, const Field& field);

@@ -22,8 +22,8 @@ const Structure& sceneStructure() {
         {
             fixedRow("format", "File type.", {std::string("keyblock-scene")}, true),
             fixedRow("version", "Version of the format.", {1.0}, true),
-            row<&Scene::title>("title", "Title of the scene."),
-            row<&Scene::about>("about", "Description, source and expected results of the scene."),
+            row<&Scene::title>("title", "Title of the scene.", {.isSentence = true}),
+            row<&Scene::about>("about", "Description, source and expected results of the scene.", {.isRare = true}),
             row<&Scene::analysis>("analysis", "Settings of the whole analysis."),
             row<&Scene::materials>("materials", "Rock, by name."),
             row<&Scene::jointMaterials>("joint_materials",
@@ -41,7 +41,8 @@ const Structure& sceneStructure() {
                                           "blocks of the domain are numbered after them: a block without a name is "
                                           "called `b` followed by its number among all blocks."),
             row<&Scene::supports>("supports", "Fixed blocks, points and sides of the domain."),
-            row<&Scene::inSituStress>("in_situ_stress", "Stress before excavation; null: none."),
+            row<&Scene::inSituStress>("in_situ_stress", "Stress before excavation; null: none.",
+                                      {.label = translatable("Fields", "In-situ stress")}),
             row<&Scene::boltTypes>("bolt_types", "Bolt types of this scene, by name, in addition to the built-in "
                                                  "types."),
             row<&Scene::bolts>("bolts", "Single bolts."),
@@ -52,7 +53,8 @@ const Structure& sceneStructure() {
             row<&Scene::quantities>("quantities",
                                     "Numbers of interest: `max|min|last MONITOR[.ux|.uy]`, `max|min|last "
                                     "BOLT.QUANTITY`, `first KIND MONITOR[.ux|.uy]` (just before the first such "
-                                    "event)."),
+                                    "event).",
+                                    {.heading = translatable("Fields", "Quantities of interest"), .isRare = true}),
             row<&Scene::safety>("safety", "Settings of the search for the factor of safety."),
             row<&Scene::output>("output", "Results that a run saves."),
             row<&Scene::limits>("limits", "Limits at which a run ends even if its stages are not finished."),

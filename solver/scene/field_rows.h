@@ -9,6 +9,7 @@
 #include "solver/scene/field.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/enum_names.h"
+#include "solver/scene/translatable.h"
 
 #include <algorithm>
 #include <optional>
@@ -57,7 +58,11 @@ const Structure& structureOf(const Until*);
 
 /// What a row says beyond its member.
 struct Says {
+    std::string_view label{};
     std::string_view unit{};
+    bool isModulus = false;
+    bool (*takesSecond)(const void* object, const void* owner) = nullptr;
+    std::vector<PairColumn> columns{};
     Range range{};
     bool required = false;
     bool emptyIsNull = false;  // null means the empty text, list or table
@@ -67,6 +72,12 @@ struct Says {
     Only only{};
     std::vector<std::string_view> laterWords{};
     std::string_view source{};
+    Words words{};  // of a TextList
+    std::vector<std::string_view> names{};
+    bool namesSingleBolts = false;
+    std::string_view heading{};
+    bool isRare = false;
+    bool isSentence = false;
 };
 
 /// Coordinates of places [m].
@@ -316,8 +327,10 @@ void describeAccess(Field& field) {
         field.kind = leafKind<Inner<member>>();
         field.get = get<member>;
         field.set = set<member>;
-        if constexpr (std::is_enum_v<Inner<member>>)
+        if constexpr (std::is_enum_v<Inner<member>>) {
             field.words = wordsOf(Inner<member>{});
+            field.wordLabels = labelsOf(Inner<member>{});
+        }
     }
 }
 
@@ -326,7 +339,11 @@ void describeAccess(Field& field) {
 /// A row for a member, e.g. `row<&Block::points>("points", "Corners…", {.unit = "m", .required = true})`.
 template <auto member>
 Field row(std::string_view key, std::string_view help, Says says = {}) {
-    Field field{.key = key, .unit = says.unit, .help = help, .source = says.source, .range = says.range};
+    Field field{.key = key, .label = says.label, .unit = says.unit, .help = help, .source = says.source,
+                .range = says.range};
+    field.isModulus = says.isModulus;
+    field.takesSecond = says.takesSecond;
+    field.columns = std::move(says.columns);
     field.required = says.required;
     field.nullable = rows::isOptional<member> || says.emptyIsNull;
     field.emptyIsNull = says.emptyIsNull;
@@ -334,6 +351,12 @@ Field row(std::string_view key, std::string_view help, Says says = {}) {
     field.isStress = says.isStress;
     field.only = std::move(says.only);
     field.laterWords = std::move(says.laterWords);
+    field.words = says.words;
+    field.names = std::move(says.names);
+    field.namesSingleBolts = says.namesSingleBolts;
+    field.heading = says.heading;
+    field.isRare = says.isRare;
+    field.isSentence = says.isSentence;
     rows::describeAccess<member>(field);
     if (says.isAxis)
         field.kind = FieldKind::Axis;

@@ -6,6 +6,15 @@
 
 namespace keyblock {
 
+namespace {
+
+constexpr std::string_view stiffness = translatable("Fields", "Stiffness");
+constexpr std::string_view sxxLabel = translatable("Fields", "σxx");
+constexpr std::string_view syyLabel = translatable("Fields", "σyy");
+constexpr std::string_view sxyLabel = translatable("Fields", "σxy");
+
+}  // namespace
+
 const Structure& structureOf(const Material*) {
     static const Structure structure{
         "material",
@@ -15,9 +24,11 @@ const Structure& structureOf(const Material*) {
             row<&Material::density>("density", "Mass per volume.",
                                     {.unit = "kg/m³", .range = densities, .required = true}),
             row<&Material::youngsModulus>("youngs_modulus", "Young's modulus.",
-                                          {.unit = "Pa", .range = moduli, .required = true}),
+                                          {.label = translatable("Fields", "Young's modulus"), .unit = "Pa",
+                                           .isModulus = true, .range = moduli, .required = true}),
             row<&Material::poissonsRatio>("poissons_ratio", "Poisson's ratio.",
-                                          {.range = between(-1, 0.5), .required = true}),
+                                          {.label = translatable("Fields", "Poisson's ratio"),
+                                           .range = between(-1, 0.5), .required = true}),
         }};
     return structure;
 }
@@ -44,14 +55,14 @@ const Structure& structureOf(const JointMaterial*) {
                 {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}}),
             row<&JointMaterial::normalStiffness>(
                 "normal_stiffness", "Stiffness of the joint itself where faces meet; null: from `penalty_ratio`.",
-                {.unit = "Pa/m", .range = above(0)}),
+                {.unit = "Pa/m", .range = above(0), .heading = stiffness}),
             row<&JointMaterial::shearStiffness>(
                 "shear_stiffness", "The same in shear; null: `shear_ratio` times the normal stiffness.",
-                {.unit = "Pa/m", .range = above(0)}),
+                {.unit = "Pa/m", .range = above(0), .heading = stiffness}),
             row<&JointMaterial::crushingStrength>("crushing_strength",
                                                   "Bearing pressure on the diameter of a bolt at which rock or grout "
                                                   "crushes under it, in the blocks of this material; null: no limit.",
-                                                  {.unit = "Pa", .range = above(0)}),
+                                                  {.unit = "Pa", .range = above(0), .heading = stiffness}),
         }};
     return structure;
 }
@@ -79,14 +90,15 @@ const Structure& structureOf(const Block*) {
             row<&Block::name>("name", "Name of the block; without one it is called `b1`, `b2`, … by its number."),
             row<&Block::points>("points", "Corners, clockwise or counter-clockwise, the first not repeated.",
                                 {.unit = "m", .required = true}),
-            row<&Block::material>("material", "Name of its material.", {.required = true}),
+            row<&Block::material>("material", "Name of its material.", {.required = true, .names = {"materials"}}),
             row<&Block::jointMaterial>("joint_material",
                                        "Name of the joint material of its faces; null: the first of "
-                                       "`joint_materials`."),
+                                       "`joint_materials`.", {.names = {"joint_materials"}}),
             row<&Block::initialStress>("initial_stress",
                                        "Initial stress sxx, syy, sxy; tension is positive in a file.",
                                        {.unit = "Pa", .isStress = true}),
-            row<&Block::subBlocks>("sub_blocks", "Cells to cut the block into; null: none."),
+            row<&Block::subBlocks>("sub_blocks", "Cells to cut the block into; null: none.",
+                                   {.label = translatable("Fields", "Cells")}),
         }};
     return structure;
 }
@@ -97,11 +109,13 @@ const Structure& structureOf(const StressGradient*) {
         "Change of the stress per metre of elevation.",
         defaultsOf<StressGradient>(),
         {
-            row<&StressGradient::sxx>("sxx", "Gradient of the horizontal stress.", {.unit = "Pa/m", .isStress = true}),
+            row<&StressGradient::sxx>("sxx", "Gradient of the horizontal stress.",
+                                      {.label = sxxLabel, .unit = "Pa/m", .isStress = true}),
             row<&StressGradient::syy>("syy", "Gradient of the vertical stress: density times gravity (tension "
                                              "positive) where it carries the rock above.",
-                                      {.unit = "Pa/m", .isStress = true}),
-            row<&StressGradient::sxy>("sxy", "Gradient of the shear stress.", {.unit = "Pa/m", .isStress = true}),
+                                      {.label = syyLabel, .unit = "Pa/m", .isStress = true}),
+            row<&StressGradient::sxy>("sxy", "Gradient of the shear stress.",
+                                      {.label = sxyLabel, .unit = "Pa/m", .isStress = true}),
         }};
     return structure;
 }
@@ -114,12 +128,17 @@ const Structure& structureOf(const InSituStress*) {
         "the first stage.",
         defaultsOf<InSituStress>(),
         {
-            row<&InSituStress::sxx>("sxx", "Horizontal stress at `reference_y`.", {.unit = "Pa", .isStress = true}),
-            row<&InSituStress::syy>("syy", "Vertical stress at `reference_y`.", {.unit = "Pa", .isStress = true}),
-            row<&InSituStress::sxy>("sxy", "Shear stress at `reference_y`.", {.unit = "Pa", .isStress = true}),
-            row<&InSituStress::gradientY>("gradient_y", "Gradient of the stress with elevation."),
+            row<&InSituStress::sxx>("sxx", "Horizontal stress at `reference_y`.",
+                                    {.label = sxxLabel, .unit = "Pa", .isStress = true}),
+            row<&InSituStress::syy>("syy", "Vertical stress at `reference_y`.",
+                                    {.label = syyLabel, .unit = "Pa", .isStress = true}),
+            row<&InSituStress::sxy>("sxy", "Shear stress at `reference_y`.",
+                                    {.label = sxyLabel, .unit = "Pa", .isStress = true}),
+            row<&InSituStress::gradientY>("gradient_y", "Gradient of the stress with elevation.",
+                                          {.label = translatable("Fields", "Gradient with elevation")}),
             row<&InSituStress::referenceY>("reference_y", "Elevation at which the stress has the given values.",
-                                           {.unit = "m", .range = coordinates}),
+                                           {.label = translatable("Fields", "Reference elevation"), .unit = "m",
+                                            .range = coordinates}),
         }};
     return structure;
 }
@@ -133,12 +152,14 @@ const Structure& structureOf(const Support*) {
         "`penalty_ratio` × E × thickness and move by the force divided by that stiffness.",
         defaultsOf<Support>(),
         {
-            row<&Support::blockAt>("block_at", "A point inside the block that is fixed.", {.unit = "m"}),
+            row<&Support::blockAt>("block_at", "A point inside the block that is fixed.",
+                                   {.label = translatable("Fields", "Point in block"), .unit = "m"}),
             row<&Support::point>("point", "The point that is fixed, in a block or on its boundary.", {.unit = "m"}),
             row<&Support::boundary>("boundary",
                                     "The side of the domain that is fixed. An edge of the boundary belongs to the side "
                                     "that its outward normal points to, at 45° to bottom or top."),
-            row<&Support::fix>("fix", "Displacements that are fixed; `all`: those of a whole block."),
+            row<&Support::fix>("fix", "Displacements that are fixed; `all`: those of a whole block.",
+                               {.label = translatable("Fields", "Fixity")}),
         }};
     return structure;
 }

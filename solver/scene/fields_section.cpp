@@ -10,6 +10,7 @@ namespace keyblock {
 namespace {
 
 constexpr int largestSeed = 2147483647;
+constexpr std::string_view traces = translatable("Fields", "Traces");
 
 }  // namespace
 
@@ -21,10 +22,12 @@ const Structure& structureOf(const SceneDomain*) {
         {
             row<&SceneDomain::boundary>("boundary", "Corners, clockwise or counter-clockwise, the first not repeated.",
                                         {.unit = "m", .required = true}),
-            row<&SceneDomain::material>("material", "Name of its material.", {.required = true}),
+            row<&SceneDomain::material>("material", "Name of its material.",
+                                        {.required = true, .names = {"materials"}}),
             row<&SceneDomain::jointMaterial>("joint_material",
                                              "Name of the joint material of its boundary, and of joints that name "
-                                             "none; null: the first of `joint_materials`."),
+                                             "none; null: the first of `joint_materials`.",
+                                             {.names = {"joint_materials"}}),
         }};
     return structure;
 }
@@ -42,11 +45,11 @@ const Structure& structureOf(const Cutting*) {
             row<&Cutting::minArea>("min_area",
                                    "Smaller blocks are merged with a neighbour; null: 1e-3 of the mean area of all "
                                    "blocks; 0: none are merged.",
-                                   {.unit = "m²", .range = atLeast(0)}),
+                                   {.label = translatable("Fields", "Min. area"), .unit = "m²", .range = atLeast(0)}),
             row<&Cutting::minWidth>("min_width",
                                     "Narrower blocks (2·area / perimeter) are merged with a neighbour; null: 1e-2 of "
                                     "the square root of the mean area, at least ten tolerances; 0: none are merged.",
-                                    {.unit = "m", .range = atLeast(0)}),
+                                    {.label = translatable("Fields", "Min. width"), .unit = "m", .range = atLeast(0)}),
         }};
     return structure;
 }
@@ -60,7 +63,8 @@ const Structure& structureOf(const SceneJoint*) {
             row<&SceneJoint::name>("name", "Name of the joint.", {.required = true}),
             row<&SceneJoint::points>("points", "Points of the line, two or more.", {.unit = "m", .required = true}),
             row<&SceneJoint::jointMaterial>("joint_material",
-                                            "Name of the joint material of its faces; null: the domain's."),
+                                            "Name of the joint material of its faces; null: the domain's.",
+                                            {.names = {"joint_materials"}}),
         }};
     return structure;
 }
@@ -83,23 +87,27 @@ const Structure& structureOf(const SceneJointSet*) {
             row<&SceneJointSet::spacingDeviation>("spacing_deviation", "Standard deviation of the spacing.",
                                                   {.unit = "m", .range = atLeast(0)}),
             row<&SceneJointSet::traceLength>("trace_length", "Mean length of a trace; null: through-going.",
-                                             {.unit = "m", .range = above(0)}),
+                                             {.unit = "m", .range = above(0), .heading = traces}),
             row<&SceneJointSet::traceLengthDeviation>("trace_length_deviation", "Standard deviation of the trace length.",
-                                                      {.unit = "m", .range = atLeast(0), .only = withLength}),
+                                                      {.label = translatable("Fields", "Length deviation"),
+                                                       .unit = "m", .range = atLeast(0), .only = withLength,
+                                                       .heading = traces}),
             row<&SceneJointSet::bridge>("bridge", "Mean length of the rock bridge between two traces of a line.",
-                                        {.unit = "m", .range = atLeast(0), .only = withLength}),
+                                        {.unit = "m", .range = atLeast(0), .only = withLength, .heading = traces}),
             row<&SceneJointSet::bridgeDeviation>("bridge_deviation", "Standard deviation of the bridge.",
-                                                 {.unit = "m", .range = atLeast(0), .only = withLength}),
+                                                 {.unit = "m", .range = atLeast(0), .only = withLength,
+                                                  .heading = traces}),
             row<&SceneJointSet::stagger>("stagger",
                                          "Offset of each line from the previous one, as a share of trace length plus "
-                                         "bridge; null: random.",
-                                         {.only = withLength}),
+                                         "bridge; null: random.", {.only = withLength, .heading = traces}),
             row<&SceneJointSet::origin>("origin", "Centre of the first trace.", {.unit = "m"}),
             row<&SceneJointSet::seed>("seed", "Random seed.",
                                       {.range = within(0, largestSeed)}),
             row<&SceneJointSet::jointMaterial>("joint_material",
-                                               "Name of the joint material of its faces; null: the domain's."),
-            row<&SceneJointSet::region>("region", "Name of the region that it is confined to; null: none."),
+                                               "Name of the joint material of its faces; null: the domain's.",
+                                               {.names = {"joint_materials"}}),
+            row<&SceneJointSet::region>("region", "Name of the region that it is confined to; null: none.",
+                                        {.names = {"regions"}}),
         }};
     return structure;
 }
@@ -127,9 +135,11 @@ const Structure& structureOf(const SceneVoronoi*) {
             row<&SceneVoronoi::size>("size", "Size of a cell: the mean area is about the square of it.",
                                      {.unit = "m", .range = above(0), .required = true}),
             row<&SceneVoronoi::seed>("seed", "Random seed of the cell positions.", {.range = within(0, largestSeed)}),
-            row<&SceneVoronoi::region>("region", "Name of the region that they fill; null: the whole domain."),
+            row<&SceneVoronoi::region>("region", "Name of the region that they fill; null: the whole domain.",
+                                       {.names = {"regions"}}),
             row<&SceneVoronoi::jointMaterial>("joint_material",
-                                              "Name of the joint material of their faces; null: the domain's."),
+                                              "Name of the joint material of their faces; null: the domain's.",
+                                              {.names = {"joint_materials"}}),
         }};
     return structure;
 }

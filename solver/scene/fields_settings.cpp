@@ -7,17 +7,24 @@
 
 namespace keyblock {
 
+namespace {
+
+constexpr std::string_view numerical = translatable("Fields", "Numerical settings");
+
+}  // namespace
+
 const Structure& structureOf(const Expected*) {
     static const Structure structure{
         "expected",
         "An expected result of a run of the scene.",
         defaultsOf<Expected>(),
         {
-            row<&Expected::quantity>("quantity", "Quantity, written as in `quantities`.", {.required = true}),
+            row<&Expected::quantity>("quantity", "Quantity, written as in `quantities`.",
+                                     {.required = true, .isSentence = true}),
             row<&Expected::value>("value", "Expected value in SI units.", {.required = true}),
             row<&Expected::tolerance>("tolerance", "Relative tolerance; absolute if the value "
                                                    "is 0.", {.range = atLeast(0)}),
-            row<&Expected::source>("source", "Source of the number."),
+            row<&Expected::source>("source", "Source of the number.", {.isSentence = true}),
         }};
     return structure;
 }
@@ -28,8 +35,8 @@ const Structure& structureOf(const About*) {
         "Description of the scene; it does not affect results.",
         defaultsOf<About>(),
         {
-            row<&About::shows>("shows", "What the scene shows."),
-            row<&About::source>("source", "Source of the scene."),
+            row<&About::shows>("shows", "What the scene shows.", {.isSentence = true}),
+            row<&About::source>("source", "Source of the scene.", {.isSentence = true}),
             row<&About::category>("category", "Heading under which the scene is listed."),
             row<&About::expected>("expected", "Expected results of a run."),
         }};
@@ -64,30 +71,35 @@ const Structure& structureOf(const Analysis*) {
                                       {.unit = "m", .range = within(1e-6, 1e6)}),
             row<&Analysis::gravity>("gravity", "Acceleration that acts on every block and bolt; [] is zero.",
                                     {.unit = "m/s²", .range = within(-1e6, 1e6), .emptyIsZero = true}),
-            row<&Analysis::integration>("integration", "Time integration of dynamic stages that give none."),
+            row<&Analysis::integration>("integration", "Time integration of dynamic stages that give none.",
+                                        {.heading = numerical, .isRare = true}),
             row<&Analysis::rhoInf>("rho_inf",
                                    "Spectral radius of `generalized-alpha` at infinite frequency: the share of very "
                                    "stiff motion that a step keeps, in stages that give none. 1: nothing is damped, 0: "
                                    "all of it.",
-                                   {.range = within(0, 1)}),
+                                   {.label = translatable("Fields", "ρ∞"), .range = within(0, 1), .heading = numerical,
+                                    .isRare = true}),
             row<&Analysis::damping>("damping", "Rayleigh damping of dynamic stages."),
             row<&Analysis::penaltyRatio>("penalty_ratio",
                                          "Stiffness of a contact spring divided by Young's modulus × thickness.",
-                                         {.range = above(0)}),
+                                         {.range = above(0), .heading = numerical, .isRare = true}),
             row<&Analysis::shearRatio>("shear_ratio", "Shear over normal stiffness of contacts.",
-                                       {.range = above(0)}),
+                                       {.range = above(0), .heading = numerical, .isRare = true}),
             row<&Analysis::tolerance>("tolerance", "Unbalanced force divided by the acting forces at which an "
                                                    "iteration is accepted.",
-                                      {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
+                                      {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true},
+                                       .heading = numerical, .isRare = true}),
             row<&Analysis::maxPasses>("max_passes", "Maximum number of iterations of a step before the time step or "
                                                     "increment is reduced.",
-                                      {.range = within(1, 100000)}),
+                                      {.label = translatable("Fields", "Max. iterations"), .range = within(1, 100000),
+                                       .heading = numerical, .isRare = true}),
             row<&Analysis::iteration>("iteration",
                                       "How the states of contacts are found: by minimising the step's convex energy, or "
-                                      "by the classical open–close iteration, for small reference scenes."),
+                                      "by the classical open–close iteration, for small reference scenes.",
+                                      {.heading = numerical, .isRare = true}),
             row<&Analysis::contact>("contact",
                                     "How contacts are kept closed: by penalty springs, or by forces that are iterated "
-                                    "in each step until nothing penetrates."),
+                                    "in each step until nothing penetrates.", {.heading = numerical, .isRare = true}),
             fixedRow("model_everything", "Whether parts that do not affect the results are modelled as well.", {false}),
         }};
     return structure;
@@ -107,7 +119,8 @@ const Structure& structureOf(const Monitor*) {
                                    {.unit = "m"}),
             row<&Monitor::axis>("axis", "Direction of the opening.",
                                 {.isAxis = true, .only = {.key = "between"}}),
-            row<&Monitor::bolt>("bolt", "Name of the bolt."),
+            row<&Monitor::bolt>("bolt", "Name of the bolt.",
+                                {.names = {"bolts", "bolt_patterns"}, .namesSingleBolts = true}),
             row<&Monitor::quantity>("quantity",
                                     "Recorded quantity of the bolt; `utilisation` is (N/N_p)² + (Q/Q_p)², "
                                     "`utilisation_with_moment` adds |M|/M_p.",
@@ -160,7 +173,8 @@ const Structure& structureOf(const Output*) {
                                 "Time between frames, instead of 'frames'. A static stage whose 'increments' are null "
                                 "has frames and history rows at exactly the pseudo-times that follow from either of "
                                 "the two.",
-                                {.unit = "s, or pseudo-time of a static stage", .range = above(0)}),
+                                {.label = translatable("Fields", "Frame interval"),
+                                 .unit = "s, or pseudo-time of a static stage", .range = above(0)}),
         }};
     return structure;
 }

@@ -11,6 +11,14 @@ namespace {
 const Only staticOnly{.key = "kind", .words = {"static"}};
 const Only dynamicOnly{.key = "kind", .words = {"dynamic"}};
 
+constexpr std::string_view pointInBlock = translatable("Fields", "Point in block");
+constexpr std::string_view activation = translatable("Fields", "Excavation and support");
+
+// Time is pseudo-time without a unit there; the rows that use this belong to stages.
+bool inStaticStage(const void*, const void* stage) {
+    return stage && static_cast<const Stage*>(stage)->kind == StageKind::Static;
+}
+
 }  // namespace
 
 const Structure& structureOf(const Motion*) {
@@ -22,13 +30,16 @@ const Structure& structureOf(const Motion*) {
         {
             row<&Motion::blockAt>("block_at", "A point inside the block; if the block is cut into cells, the cell that "
                                               "contains the point moves.",
-                                  {.unit = "m", .required = true}),
+                                  {.label = pointInBlock, .unit = "m", .required = true}),
             row<&Motion::axis>("axis", "Direction of the displacement.", {.required = true, .isAxis = true}),
             row<&Motion::table>("table",
                                 "Time and displacement since the start of the run or the last `zero_displacements`; "
                                 "the time is 0 … 1 in a static stage, seconds in a dynamic one. The last value applies "
                                 "afterwards.",
-                                {.unit = "s, m", .required = true}),
+                                {.unit = "s, m", .takesSecond = inStaticStage,
+                                 .columns = {{translatable("Fields", "Time"), "s"},
+                                             {translatable("Fields", "Displacement"), "m", "m"}},
+                                 .required = true}),
             row<&Motion::rotation>("rotation", "Whether the block's rotation is fixed."),
         }};
     return structure;
@@ -43,7 +54,7 @@ const Structure& structureOf(const Load*) {
         defaultsOf<Load>(),
         {
             row<&Load::blockAt>("block_at", "A point inside the loaded block; cells share the force by mass.",
-                                {.unit = "m"}),
+                                {.label = pointInBlock, .unit = "m"}),
             row<&Load::at>("at", "Point of the block at which the force acts, instead of its centroid.",
                            {.unit = "m", .only = {.key = "block_at"}}),
             row<&Load::point>("point", "Point at which the force acts, on the block that contains it.", {.unit = "m"}),
@@ -58,7 +69,9 @@ const Structure& structureOf(const Load*) {
             row<&Load::table>("table",
                               "Time and factor; the time is 0 … 1 in a static stage, seconds in a dynamic one. Without "
                               "a table: 1 throughout.",
-                              {.unit = "s, –"}),
+                              {.unit = "s, –", .takesSecond = inStaticStage,
+                               .columns = {{translatable("Fields", "Time"), "s"},
+                                           {translatable("Fields", "Factor")}}}),
         }};
     return structure;
 }
@@ -69,9 +82,11 @@ const Structure& structureOf(const InitialVelocity*) {
         "Velocity of a block at the start of a dynamic stage.",
         defaultsOf<InitialVelocity>(),
         {
-            row<&InitialVelocity::blockAt>("block_at", "A point inside the block.", {.unit = "m", .required = true}),
+            row<&InitialVelocity::blockAt>("block_at", "A point inside the block.",
+                                           {.label = pointInBlock, .unit = "m", .required = true}),
             row<&InitialVelocity::velocity>("velocity", "Velocity of its centroid.", {.unit = "m/s"}),
-            row<&InitialVelocity::spin>("spin", "Angular velocity, counter-clockwise.", {.unit = "rad/s"}),
+            row<&InitialVelocity::spin>("spin", "Angular velocity, counter-clockwise.",
+                                        {.label = translatable("Fields", "Angular velocity"), .unit = "rad/s"}),
         }};
     return structure;
 }
@@ -85,26 +100,29 @@ const Structure& structureOf(const Until*) {
             row<&Until::unbalanced>("unbalanced",
                                     "Unbalanced force divided by the reference force at equilibrium; null: 1e-4, or "
                                     "`tolerance` of the analysis if that is less.",
-                                    {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
+                                    {.label = translatable("Fields", "Unbalanced force"),
+                                     .range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
             row<&Until::body>("body",
                               "Unbalanced force on a block, or moment divided by its size, relative to its own weight "
                               "at equilibrium (without gravity: relative to its load or to the largest force on it); "
                               "null: 1e-3.",
-                              {.range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
+                              {.label = translatable("Fields", "Unbalanced force of a block"),
+                               .range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
             row<&Until::move>("move",
                               "Largest displacement of a block since the start of the stage, relative to its size "
                               "(from its centroid to its farthest corner) and measured from what it touched or was "
                               "bolted to at the start. If a block comes to rest farther away, the stage ends as "
                               "displaced. Null: no limit.",
-                              {.range = above(0)}),
+                              {.label = translatable("Fields", "Max. movement"), .range = above(0)}),
             row<&Until::smallest>("smallest",
                                   "Blocks smaller than this do not decide stability: one that falls is removed and "
                                   "listed, and the search continues without it; 0: all blocks decide; null: 0.01.",
-                                  {.unit = "m²", .range = atLeast(0)}),
+                                  {.label = translatable("Fields", "Min. block area"), .unit = "m²",
+                                   .range = atLeast(0)}),
             row<&Until::maxSteps>("max_steps",
                                   "Pseudo-steps, repeated ones included, after which the stage ends as undecided, if "
                                   "less than `iterations` of the limits; null: that limit alone.",
-                                  {.range = within(1, 1e9)}),
+                                  {.label = translatable("Fields", "Max. steps"), .range = within(1, 1e9)}),
         }};
     return structure;
 }
@@ -133,12 +151,15 @@ const Structure& structureOf(const Acceleration*) {
             row<&Acceleration::file>("file",
                                      "CSV file with the header `time_s,a` and rows of time and value, in the folder of "
                                      "the scene or by a path relative to it.",
-                                     {.emptyIsNull = true}),
+                                     {.emptyIsNull = true, .isSentence = true}),
             row<&Acceleration::record>("record",
                                        "The rows of the record, with linear interpolation between them and zero before "
                                        "the first and after the last. If it is given, `file` only names its source; a "
                                        "run store keeps the record in this form.",
-                                       {.unit = "s, –", .emptyIsNull = true}),
+                                       {.unit = "s, –", .takesSecond = inStaticStage,
+                                        .columns = {{translatable("Fields", "Time"), "s"},
+                                                    {translatable("Fields", "Value")}},
+                                        .emptyIsNull = true}),
             row<&Acceleration::sine>("sine", "A harmonic acceleration instead of a record."),
             row<&Acceleration::value>("value",
                                       "A constant acceleration instead of a record. A static stage changes to it in "
@@ -160,7 +181,7 @@ const Structure& structureOf(const StrengthChange*) {
         defaultsOf<StrengthChange>(),
         {
             row<&StrengthChange::jointMaterial>("joint_material", "Name of one of the `joint_materials`.",
-                                                {.required = true}),
+                                                {.required = true, .names = {"joint_materials"}}),
             row<&StrengthChange::frictionAngle>(
                 "friction_angle", "Friction angle.",
                 {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}}),
@@ -186,9 +207,10 @@ const Structure& structureOf(const Dilation*) {
         defaultsOf<Dilation>(),
         {
             row<&Dilation::joint>("joint", "Name of a joint or joint set, whose faces open. If none has that name, "
-                                   "name of a joint material, of which all contacts open.", {.required = true}),
+                                   "name of a joint material, of which all contacts open.",
+                                  {.required = true, .names = {"joints", "joint_sets", "joint_materials"}}),
             row<&Dilation::rate>("rate", "Rate of opening; in a static stage, the opening over the whole stage.",
-                                 {.unit = "m/s, or m", .required = true}),
+                                 {.unit = "m/s, or m", .takesSecond = inStaticStage, .required = true}),
         }};
     return structure;
 }
@@ -206,21 +228,27 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::dilations>("dilations",
                                    "Joints that open over this stage; openings given for a joint by its own name and "
                                    "by that of its material add up."),
-            row<&Stage::set>("set", "Strengths of joints that change at the start of this stage."),
+            row<&Stage::set>("set", "Strengths of joints that change at the start of this stage.",
+                             {.label = translatable("Fields", "Strength changes")}),
             row<&Stage::excavate>("excavate",
                                   "Names of tunnels and blocks that are excavated at the start of this stage. A tunnel "
-                                  "that no stage excavates is open from the start."),
+                                  "that no stage excavates is open from the start.",
+                                  {.names = {"tunnels", "blocks"}, .heading = activation}),
             row<&Stage::install>("install",
                                  "Names of bolts and patterns that are installed at the start of this stage, "
                                  "unstressed in the rock as it is at that time. Bolts that no stage installs are "
-                                 "present from the start."),
+                                 "present from the start.",
+                                 {.names = {"bolt_patterns", "bolts"}, .heading = activation}),
             row<&Stage::remove>("remove",
-                                "Names of bolts and patterns that are removed at the start of this stage."),
+                                "Names of bolts and patterns that are removed at the start of this stage.",
+                                {.names = {"bolt_patterns", "bolts"}, .heading = activation}),
             row<&Stage::zeroDisplacements>("zero_displacements",
                                            "Whether displacements of blocks, monitors and motions are counted from the "
                                            "start of this stage."),
-            row<&Stage::continueAfterCollapse>("continue", "Whether the next stage runs after a collapse of this one."),
-            row<&Stage::until>("until", "Criteria of equilibrium.", {.only = staticOnly}),
+            row<&Stage::continueAfterCollapse>("continue", "Whether the next stage runs after a collapse of this one.",
+                                               {.label = translatable("Fields", "Continue after collapse")}),
+            row<&Stage::until>("until", "Criteria of equilibrium.",
+                               {.label = translatable("Fields", "Stop criteria"), .only = staticOnly}),
             row<&Stage::increments>("increments",
                                     "Number of equal increments of pseudo-time 0 … 1. Null: chosen by what happens in "
                                     "them; one where no joint slides or opens and no bolt yields or fails, at most a "
@@ -231,8 +259,7 @@ const Structure& structureOf(const Stage*) {
                                     "Relaxation: share of the forces of the excavated rock on its walls that is "
                                     "released, at a constant rate, by the end of the stage; the rest keeps acting "
                                     "until a later stage releases it. Null: all of what this stage excavates, at once "
-                                    "in a dynamic stage.",
-                                    {.range = within(0, 1)}),
+                                    "in a dynamic stage.", {.range = within(0, 1), .heading = activation}),
             row<&Stage::onCollapse>("on_collapse",
                                     "What follows if the stage ends in collapse: the next stage, or first the motion "
                                     "of the falling blocks, as rows of a separate dynamic stage, called by the name of "
@@ -249,15 +276,14 @@ const Structure& structureOf(const Stage*) {
                                      {.only = dynamicOnly}),
             row<&Stage::rhoInf>("rho_inf", "Spectral radius of `generalized-alpha` at infinite frequency: the share of "
                                            "very stiff motion that a step keeps; null: that of the analysis.",
-                                {.range = within(0, 1), .only = dynamicOnly}),
+                                {.label = translatable("Fields", "ρ∞"), .range = within(0, 1), .only = dynamicOnly}),
             row<&Stage::initialVelocities>("initial_velocities", "Velocities of blocks at the start of the stage.",
                                            {.only = dynamicOnly}),
             row<&Stage::viscousBoundaries>("viscous_boundaries",
                                            "Sides of the domain, or without a domain of the bounding box of all "
                                            "blocks, that absorb outgoing waves in this stage: `left`, `right`, "
                                            "`bottom`, `top` or `all`. The reactions of point supports there remain as "
-                                           "forces.",
-                                           {.only = dynamicOnly}),
+                                           "forces.", {.only = dynamicOnly, .words = boundarySideWords}),
             row<&Stage::baseAcceleration>("base_acceleration",
                                           "Acceleration of the ground, which all supports follow. Displacements and "
                                           "velocities are relative to the ground.",

@@ -85,7 +85,7 @@ const std::vector<Room> rooms{
     {"ui/figure", {"ui/picture", "solver/results", "solver/scene", "geometry"}},
     {"ui/edit", {"solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
     {"ui/view", {"ui/picture", "solver/results", "solver/scene", "geometry"}},
-    {"ui/look", {"ui/picture", "solver/scene/units"}},
+    {"ui/look", {"ui/picture", "solver/scene"}},
     {"ui/document",
      {"ui/look", "ui/edit", "ui/picture", "solver/files", "solver/run", "solver/results", "solver/scene", "geometry"}},
     {"ui/canvas",

@@ -3,10 +3,10 @@
 #include "ui/panels/field_choices.h"
 
 #include "solver/files/scene/bolt_library.h"
-#include "solver/scene/enum_names.h"
 #include "ui/edit/scene_objects.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace keyblock {
 
@@ -14,19 +14,17 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-template <typename Items>
-void append(Names& names, const Items& items) {
-    for (const auto& item : items)
-        if constexpr (requires { item.first; })
-            names.push_back(item.first);
-        else if (!item.name.empty())
-            names.push_back(item.name);
-}
-
-template <typename... Lists>
-Names namesIn(const Lists&... lists) {
+/// Names of the entries of a list or map of the scene.
+Names entriesOf(const Scene& scene, const Field& list) {
+    const Children& children = list.children;
+    const Field* nameField = findField(children.structure(), "name");
     Names names;
-    (append(names, lists), ...);
+    for (std::size_t i = 0; i < children.count(&scene); ++i) {
+        const bool isMap = list.kind == FieldKind::Map;
+        std::string name = isMap ? std::string(children.name(&scene, i))
+                                 : std::get<std::string>(nameField->get(children.item(&scene, i)));
+        if (isMap || !name.empty()) names.push_back(std::move(name));
+    }
     return names;
 }
 
@@ -42,7 +40,9 @@ Names boltTypes(const Scene& scene) {
 
 /// Single bolts, then the bolts of patterns: `P1.1`, `P1.2`, …
 Names bolts(const Scene& scene) {
-    Names names = namesIn(scene.bolts);
+    Names names;
+    for (const Bolt& bolt : scene.bolts)
+        if (!bolt.name.empty()) names.push_back(bolt.name);
     for (const ScenePattern& pattern : scene.boltPatterns) {
         const std::size_t count = boltsOfPattern(scene, pattern).size();
         for (std::size_t i = 1; i <= count; ++i) names.push_back(pattern.name + "." + std::to_string(i));
@@ -52,20 +52,17 @@ Names bolts(const Scene& scene) {
 
 }  // namespace
 
-std::optional<Names> choicesOf(const Scene& scene, const Structure& structure, const Field& field) {
-    const std::string_view key = field.key;
-    if (key == "material") return namesIn(scene.materials);
-    if (key == "joint_material") return namesIn(scene.jointMaterials);
-    if (key == "region") return namesIn(scene.regions);
-    if (key == "tunnel") return namesIn(scene.tunnels);
-    if (key == "like" || (key == "type" && field.kind == FieldKind::Text)) return boltTypes(scene);
-    if (key == "bolt") return bolts(scene);
-    if (structure.name == "dilation" && key == "joint")
-        return namesIn(scene.joints, scene.jointSets, scene.jointMaterials);
-    if (key == "excavate") return namesIn(scene.tunnels, scene.blocks);
-    if (key == "install" || key == "remove") return namesIn(scene.boltPatterns, scene.bolts);
-    if (key == "viscous_boundaries") return Names(boundarySideWords.begin(), boundarySideWords.end());
-    return std::nullopt;
+std::optional<Names> choicesOf(const Scene& scene, const Field& field) {
+    if (field.kind == FieldKind::TextList && !field.words.empty()) return Names(field.words.begin(), field.words.end());
+    if (field.names.empty()) return std::nullopt;
+    if (field.namesSingleBolts) return bolts(scene);
+    Names names;
+    for (const std::string_view key : field.names) {
+        const Field& list = *findField(sceneStructure(), key);
+        const bool isOfTypes = &list.children.structure() == &boltTypeStructure();
+        std::ranges::move(isOfTypes ? boltTypes(scene) : entriesOf(scene, list), std::back_inserter(names));
+    }
+    return names;
 }
 
 }  // namespace keyblock

@@ -13,6 +13,6 @@
 namespace keyblock {
 
 /// Names that the field may hold in this scene, in the order of the tree; none if the field holds no name.
-std::optional<std::vector<std::string>> choicesOf(const Scene& scene, const Structure& structure, const Field& field);
+std::optional<std::vector<std::string>> choicesOf(const Scene& scene, const Field& field);
 
 }  // namespace keyblock

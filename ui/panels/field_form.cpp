@@ -166,11 +166,9 @@ void FieldForm::addGroup(const FormGroup& group) {
     bodies_.push_back(body);
 }
 
-/// Groups with descriptive fields of the scene are closed at first, as are the items of long lists.
 bool FieldForm::isOpen(const FormGroup& group) const {
     if (!filter_.isEmpty()) return true;
-    const bool closed = group.closedAtFirst || (group.id.starts_with("about/") && group.depth == 0);
-    return closed == toggled_.contains(QString::fromStdString(group.id));
+    return group.closedAtFirst == toggled_.contains(QString::fromStdString(group.id));
 }
 
 /// A closed group also hides the groups inside it.

@@ -24,7 +24,7 @@ QString withUnit(const QString& number, const QString& symbol) {
     return symbol.isEmpty() || symbol == QString::fromUtf8("°") ? number + symbol : number + ' ' + symbol;
 }
 
-QString rangeWords(const Range& range, const std::string& unit, const Display& display) {
+QString rangeWords(const Range& range, std::string_view unit, const Display& display) {
     const bool below = std::isfinite(range.least) && std::abs(range.least) < 1e9;
     const bool above = std::isfinite(range.most) && std::abs(range.most) < 1e9;
     const auto number = [&](double x) { return numberText(x, unit, display); };
@@ -47,7 +47,7 @@ QString plainHelp(std::string_view help) {
 }
 
 QString outOfRange(const FormRow& row, const FieldValue& value, const FormContext& context) {
-    const std::string unit = unitOf(row.at, *row.field);
+    const std::string_view unit = unitOf(row.at, *row.field);
     const auto* number = std::get_if<double>(&value);
     const auto* place = std::get_if<BoltPlace>(&value);
     if (place && place->head) return {};
@@ -61,7 +61,7 @@ QString outOfRange(const FormRow& row, const FieldValue& value, const FormContex
 FieldHelp helpOf(const FormRow& row, const FormContext& context) {
     FieldHelp help;
     help.name = labelOf(*row.field);
-    const std::string unit = unitOf(row.at, *row.field);
+    const std::string_view unit = unitOf(row.at, *row.field);
     const bool number = row.field->kind == FieldKind::Number || row.field->kind == FieldKind::Integer;
     QStringList parts;
     if (number || row.field->kind == FieldKind::Place) parts << rangeWords(row.field->range, unit, context.display);

@@ -4,25 +4,22 @@
 
 #include "solver/scene/pointer.h"
 
-#include <string_view>
 #include <variant>
 
 namespace keyblock {
 
 namespace {
 
-/// The map of the scene that holds the named object; empty: the field names no object.
-std::string_view listOf(const FormRow& row) {
-    if (row.field->kind != FieldKind::Text) return {};
-    const std::string_view key = row.field->key;
-    if (key == "material") return "/materials";
-    if (key == "joint_material") return "/joint_materials";
-    return key == "type" || key == "like" ? "/bolt_types" : "";
+/// The map of the scene that holds the named object; null: the field names none, or one that is drawn in the section.
+const Field* mapOf(const FormRow& row) {
+    if (row.field->kind != FieldKind::Text || row.field->names.size() != 1) return nullptr;
+    const Field* list = findField(sceneStructure(), row.field->names.front());
+    return list->kind == FieldKind::Map ? list : nullptr;
 }
 
 }  // namespace
 
-bool namesObject(const FormRow& row) { return !listOf(row).empty(); }
+bool namesObject(const FormRow& row) { return mapOf(row) != nullptr; }
 
 std::string nameOfTarget(const FormRow& row) {
     const auto* name = std::get_if<std::string>(&row.value);
@@ -31,7 +28,7 @@ std::string nameOfTarget(const FormRow& row) {
 
 std::string targetOf(const FormRow& row) {
     const std::string name = nameOfTarget(row);
-    return name.empty() || !namesObject(row) ? std::string() : under(listOf(row), name);
+    return name.empty() || !namesObject(row) ? std::string() : under(under("", mapOf(row)->key), name);
 }
 
 }  // namespace keyblock

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Texts for the field table: labels, headings, and the unit of a number, which may
-// depend on the other fields of its object.
+// Texts of the field table as forms show them: labels, headings and units.
 #pragma once
 
 #include "ui/look/display.h"
@@ -11,7 +10,7 @@
 #include <QString>
 #include <QStringList>
 
-#include <string>
+#include <string_view>
 #include <vector>
 
 namespace keyblock {
@@ -31,17 +30,14 @@ QString countedOf(const Structure& structure, int count);
 /// The heading above a field of the object; most structures have a single one, their title.
 QString headingOf(const Structure& structure, const Field& field);
 
-/// The heading of the numerical settings, which few users change; empty: the field is not one of them.
-QString numericalHeading(const Structure& structure, const Field& field);
+/// SI unit of the field in this object, as `Display` takes it; the table may allow two (`N/m, or N/m per m`).
+std::string_view unitOf(const ObjectAt& at, const Field& field);
 
-/// SI unit of the field in this object; the table may allow two (`N/m, or N/m per m`).
-std::string unitOf(const ObjectAt& at, const Field& field);
-
-/// SI units of the columns of a table of pairs; `–` becomes empty.
-std::vector<std::string> columnUnits(const ObjectAt& at, const Field& field);
+/// SI units of the columns of a table of pairs; empty: none.
+std::vector<std::string_view> columnUnits(const ObjectAt& at, const Field& field);
 
 /// Headings of the columns of a table of pairs: `Time`, `Displacement`.
-QStringList columnTitles(const Structure& structure, const Field& field);
+QStringList columnTitles(const Field& field);
 
 /// Text from UTF-8.
 QString fromUtf8(std::string_view text);

@@ -106,7 +106,7 @@ void FormRowWidget::present(const FormRow& row, const QString& problems, bool er
     row_ = row;
     label_->setText(labelOf(*row.field, context_.display));
     setWeight(*label_, row.changed);
-    const std::string unit = unitOf(row.at, *row.field);
+    const std::string_view unit = unitOf(row.at, *row.field);
     unit_->setText(unit.empty() ? QString() : context_.display.shown(unit).symbol);
     unit_->setToolTip(unit_->text());
     reset_->setIcon(context_.themes.icon("reset", context_.themes.current().accent));

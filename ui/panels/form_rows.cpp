@@ -70,11 +70,11 @@ public:
         if (!title.isEmpty()) groupTitled(own, title, depth, prefix);
         for (const Field& field : structure.fields) {
             if (!field.get || !appliesToAll(objects, field)) continue;
-            const QString numerical = numericalHeading(structure, field);
-            const bool isApart = !title.isEmpty() && !numerical.isEmpty();
-            const QString heading = isApart ? numerical : title.isEmpty() ? headingOf(structure, field) : title;
+            const bool isApart = !title.isEmpty() && field.isRare;
+            const QString heading = title.isEmpty() || isApart ? headingOf(structure, field) : title;
             FormGroup& group = groupTitled(own, heading, isApart ? depth + 1 : depth, prefix);
-            group.closedAtFirst = group.closedAtFirst || isApart || field.key == "quantities";
+            const bool isOfScene = !title.isEmpty() || !objects.front().at.holder;
+            group.closedAtFirst = group.closedAtFirst || (field.isRare && isOfScene);
             group.rows.push_back(rowOf(objects, field, prefix));
         }
         std::ranges::move(own, std::back_inserter(groups_));
@@ -101,8 +101,9 @@ private:
         }
         const std::size_t first = groups_.size();
         addObjects(inside(objects, field), path, labelOf(field), depth);
-        if (field.nullable && objects.size() == 1 && first < groups_.size())
-            groups_[first].remove = under(objects.front().pointer, field.key);
+        if (first == groups_.size()) return;
+        groups_[first].closedAtFirst = groups_[first].closedAtFirst || field.isRare;
+        if (field.nullable && objects.size() == 1) groups_[first].remove = under(objects.front().pointer, field.key);
     }
 
     /// A list or a map: one heading with its count, then a group for each item.
@@ -171,7 +172,7 @@ void addNameOfMapEntry(std::vector<FormGroup>& groups, const Shown& shown) {
 /// Several objects cannot share one name.
 void withoutNames(std::vector<FormGroup>& groups) {
     for (FormGroup& group : groups)
-        std::erase_if(group.rows, [](const FormRow& row) { return row.path == "name"; });
+        std::erase_if(group.rows, [](const FormRow& row) { return isName(*row.field); });
 }
 
 bool holds(const FormRow& row, const QString& text) {

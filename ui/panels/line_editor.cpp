@@ -3,7 +3,7 @@
 #include "ui/panels/line_editor.h"
 
 #include "ui/document/document.h"
-#include "ui/look/word_text.h"
+#include "ui/look/field_text.h"
 #include "ui/panels/calm_box.h"
 #include "ui/panels/field_choices.h"
 #include "ui/panels/field_words.h"
@@ -17,9 +17,6 @@
 #include <QLineEdit>
 #include <QStyle>
 #include <QVariant>
-
-#include <algorithm>
-#include <array>
 
 namespace keyblock {
 
@@ -43,16 +40,11 @@ void setBold(QWidget& widget, bool bold) {
 
 bool isText(const FormRow& row) { return row.field->kind == FieldKind::Text; }
 
-/// Sentences get the whole line below their label.
-bool isLong(const FormRow& row) {
-    static constexpr std::array<std::string_view, 5> keys{"title", "shows", "source", "quantity", "file"};
-    return isText(row) && std::ranges::count(keys, row.field->key);
-}
-
 }  // namespace
 
 LineEditor::LineEditor(const FormRow& row, const FormContext& context, QWidget* parent)
-    : ValueEditor(parent), context_(context), line_(new QLineEdit(this)), wide_(isLong(row)), isText_(isText(row)) {
+    : ValueEditor(parent), context_(context), line_(new QLineEdit(this)), wide_(row.field->isSentence),
+      isText_(isText(row)) {
     line_->setFixedHeight(fieldHeight);
     fill(*this, *line_);
     dimHint(*line_);
@@ -69,7 +61,7 @@ void LineEditor::present(const FormRow& row) {
 
 void LineEditor::showText(bool exact) {
     const bool empty = row_.mixed || std::holds_alternative<std::monostate>(row_.value);
-    const std::string unit = unitOf(row_.at, *row_.field);
+    const std::string_view unit = unitOf(row_.at, *row_.field);
     shown_ = empty ? QString() : valueText(row_.value, *row_.field, unit, context_.display, exact);
     const QString automatic = automaticText(row_, context_);
     const QString null = isText_ ? tr("none") : automatic.isEmpty() ? tr("automatic") : tr("auto (%1)").arg(automatic);
@@ -141,8 +133,8 @@ void ChoiceEditor::present(const FormRow& row) {
         const QString automatic = automaticText(row, context_);
         box_->addItem(automatic.isEmpty() ? tr("automatic") : tr("auto (%1)").arg(automatic));
     }
-    for (const std::string_view word : row.field->words) box_->addItem(wordText(word), fromUtf8(word));
-    const auto names = choicesOf(*context_.document.scene(), *row.structure, *row.field);
+    for (const std::string_view word : row.field->words) box_->addItem(choiceText(*row.field, word), fromUtf8(word));
+    const auto names = choicesOf(*context_.document.scene(), *row.field);
     for (const std::string& name : names.value_or(std::vector<std::string>{}))
         box_->addItem(QString::fromStdString(name), QString::fromStdString(name));
     const auto* text = std::get_if<std::string>(&row.value);

@@ -5,7 +5,7 @@
 #include "solver/scene/enum_names.h"
 #include "ui/document/document.h"
 #include "ui/look/display.h"
-#include "ui/look/word_text.h"
+#include "ui/look/field_text.h"
 #include "ui/panels/field_words.h"
 #include "ui/panels/object_at.h"
 #include "ui/panels/value_text.h"
@@ -69,7 +69,7 @@ struct Teller {
         return length(run);
     }
     QString of(const SceneTunnel& t) const {
-        const QString kind = wordText(profileKindWords[static_cast<std::size_t>(t.profile)]);
+        const QString kind = shownText(profileKindLabels[static_cast<std::size_t>(t.profile)]);
         switch (t.profile) {
             case ProfileKind::Circle: return kind + ' ' + length(t.diameter);
             case ProfileKind::Arched: return kind + ' ' + box(t.width, t.wallHeight + t.rise);

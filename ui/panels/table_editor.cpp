@@ -55,7 +55,7 @@ QString withUnit(const QString& title, const QString& symbol) {
 }
 
 QStringList titles(const FormRow& row) {
-    if (row.field->kind == FieldKind::Pairs) return columnTitles(*row.structure, *row.field);
+    if (row.field->kind == FieldKind::Pairs) return columnTitles(*row.field);
     if (row.field->kind == FieldKind::TextMap) return {TableEditor::tr("Field"), TableEditor::tr("Source")};
     if (row.field->kind == FieldKind::TextList) return {labelOf(*row.field)};
     return {"x", "y"};
@@ -81,8 +81,8 @@ TableEditor::TableEditor(const FormRow& row, const FormContext& context, QWidget
     connect(table_, &CellTable::focused, this, &ValueEditor::focused);
 }
 
-std::string TableEditor::unit(int column) const {
-    if (row_.field->kind != FieldKind::Pairs) return holdsNumbers(row_) ? std::string(row_.field->unit) : std::string();
+std::string_view TableEditor::unit(int column) const {
+    if (row_.field->kind != FieldKind::Pairs) return holdsNumbers(row_) ? row_.field->unit : std::string_view();
     return columnUnits(row_.at, *row_.field)[static_cast<std::size_t>(column)];
 }
 
@@ -175,7 +175,7 @@ NamesEditor::NamesEditor(const FormContext& context, QWidget* parent)
 void NamesEditor::present(const FormRow& row) {
     row_ = row;
     const auto* chosen = std::get_if<std::vector<std::string>>(&row.value);
-    const auto choices = choicesOf(*context_.document.scene(), *row.structure, *row.field);
+    const auto choices = choicesOf(*context_.document.scene(), *row.field);
     std::vector<std::string> names = choices.value_or(std::vector<std::string>{});
     const std::size_t known = names.size();
     for (const std::string& name : chosen ? *chosen : std::vector<std::string>{})

@@ -34,7 +34,7 @@ private:
     std::vector<QStringList> textsOf(const FieldValue& value) const;
     Typed<FieldValue> read(const std::vector<QStringList>& rows) const;
     Typed<FieldValue> readPairs(const std::vector<QStringList>& rows) const;
-    std::string unit(int column) const;
+    std::string_view unit(int column) const;
 
     FormContext context_;
     FormRow row_;

@@ -74,7 +74,7 @@ ValueEditor* editorOf(const FormRow& row, const FormContext& context, QWidget* p
         case FieldKind::TextMap: return new TableEditor(row, context, parent);
         default: break;
     }
-    const auto names = choicesOf(*context.document.scene(), *row.structure, *row.field);
+    const auto names = choicesOf(*context.document.scene(), *row.field);
     if (row.field->kind == FieldKind::TextList && names && names->size() <= mostTicks)
         return new NamesEditor(context, parent);
     if (row.field->kind == FieldKind::TextList) return new TableEditor(row, context, parent);

@@ -4,7 +4,7 @@
 
 #include "ui/edit/typed_number.h"
 #include "ui/look/display.h"
-#include "ui/look/word_text.h"
+#include "ui/look/field_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -182,7 +182,7 @@ QString summaryOf(const FieldValue& value, const Field& field, std::string_view 
     }
     if (std::holds_alternative<std::monostate>(value)) return Texts::tr("automatic");
     if (const auto* word = std::get_if<std::string>(&value); word && field.kind == FieldKind::Word)
-        return wordText(*word);
+        return choiceText(field, *word);
     const QString text = valueText(value, field, unit, display);
     const QString symbol = display.shown(unit).symbol;
     return symbol.isEmpty() || unit.empty() || text.isEmpty() ? text : text + ' ' + symbol;

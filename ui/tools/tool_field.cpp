@@ -3,7 +3,7 @@
 #include "ui/tools/tool_field.h"
 
 #include "ui/edit/values.h"
-#include "ui/look/word_text.h"
+#include "ui/look/field_text.h"
 
 #include <QCoreApplication>
 
@@ -32,7 +32,7 @@ ToolField rowField(const char* list, const char* key, void* object, const QStrin
     field.choices = field.choiceTexts = choices;
     for (const std::string_view word : row->words) {
         field.choices << textOf(word);
-        field.choiceTexts << wordText(word);
+        field.choiceTexts << choiceText(*row, word);
     }
     field.isInteger = row->kind == FieldKind::Integer;
     if (row->nullable) field.none = row->kind == FieldKind::Text ? QCoreApplication::translate("tools", "default")

@@ -339,7 +339,7 @@ TEST(FieldForm, EveryFieldOfEverySampleReadsBackFromItsOwnText) {
             for (const FormGroup& group : formGroups(scene, {pointer}))
                 for (const FormRow& row : group.rows) {
                     if (row.renames || !isLine(row.field->kind)) continue;
-                    const std::string unit = unitOf(row.at, *row.field);
+                    const std::string_view unit = unitOf(row.at, *row.field);
                     const QString text = valueText(row.value, *row.field, unit, bench.display, true);
                     const auto back = readValue(text, *row.field, unit, bench.display);
                     ++fields;

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: The Keyblock contributors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Texts of the field table in the language of the window.
+#pragma once
+
+#include "solver/scene/field.h"
+
+#include <QString>
+
+#include <string_view>
+
+namespace keyblock {
+
+/// A text that the solver marks as `translatable`.
+QString shownText(std::string_view text);
+
+/// The label of a word of the field: `clockwise` for `cw`.
+QString choiceText(const Field& field, std::string_view word);
+
+}  // namespace keyblock
