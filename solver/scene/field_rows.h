@@ -9,6 +9,7 @@
 #include "solver/scene/field.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/enum_names.h"
+#include "solver/scene/structures.h"
 #include "solver/scene/translatable.h"
 
 #include <algorithm>
@@ -17,44 +18,6 @@
 #include <utility>
 
 namespace keyblock {
-
-// The table of each struct that is nested in another, found by the type.
-const Structure& structureOf(const About*);
-const Structure& structureOf(const Acceleration*);
-const Structure& structureOf(const Analysis*);
-const Structure& structureOf(const Anchor*);
-const Structure& structureOf(const Block*);
-const Structure& structureOf(const Bolt*);
-const Structure& structureOf(const BoltType*);
-const Structure& structureOf(const CellSettings*);
-const Structure& structureOf(const Cutting*);
-const Structure& structureOf(const Damping*);
-const Structure& structureOf(const Dilation*);
-const Structure& structureOf(const Expected*);
-const Structure& structureOf(const InSituStress*);
-const Structure& structureOf(const InitialVelocity*);
-const Structure& structureOf(const JointMaterial*);
-const Structure& structureOf(const Load*);
-const Structure& structureOf(const Material*);
-const Structure& structureOf(const Monitor*);
-const Structure& structureOf(const Motion*);
-const Structure& structureOf(const Output*);
-const Structure& structureOf(const Plate*);
-const Structure& structureOf(const RunLimits*);
-const Structure& structureOf(const Safety*);
-const Structure& structureOf(const SceneDomain*);
-const Structure& structureOf(const SceneJoint*);
-const Structure& structureOf(const SceneJointSet*);
-const Structure& structureOf(const ScenePattern*);
-const Structure& structureOf(const SceneRegion*);
-const Structure& structureOf(const SceneTunnel*);
-const Structure& structureOf(const SceneVoronoi*);
-const Structure& structureOf(const Sine*);
-const Structure& structureOf(const Stage*);
-const Structure& structureOf(const StrengthChange*);
-const Structure& structureOf(const StressGradient*);
-const Structure& structureOf(const Support*);
-const Structure& structureOf(const Until*);
 
 /// What a row says beyond its member.
 struct Says {

@@ -5,6 +5,7 @@
 #include "geometry/polygon.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/shapes.h"
+#include "solver/scene/structures.h"
 #include "ui/edit/appended.h"
 #include "ui/edit/settle.h"
 #include "ui/edit/values.h"
@@ -61,13 +62,14 @@ void makeMotion(const Scene&, void* made) { static_cast<Motion*>(made)->table = 
 void makeSine(const Scene&, void* made) { static_cast<Sine*>(made)->amplitude = 1.0; }
 
 struct Maker {
-    std::string_view structure;
+    const Structure& (*structure)();
     void (*make)(const Scene&, void*);
 };
 constexpr Maker makers[] = {
-    {"material", makeMaterial}, {"block", makeBlock}, {"domain", makeDomain}, {"joint set", makeSet},
-    {"tunnel", makeTunnel}, {"voronoi", makeVoronoi}, {"sub-blocks", makeCells}, {"bolt", makeBolt},
-    {"bolt pattern", makePattern}, {"motion", makeMotion}, {"sine", makeSine}};
+    {tableOf<Material>, makeMaterial}, {tableOf<Block>, makeBlock}, {tableOf<SceneDomain>, makeDomain},
+    {tableOf<SceneJointSet>, makeSet}, {tableOf<SceneTunnel>, makeTunnel}, {tableOf<SceneVoronoi>, makeVoronoi},
+    {tableOf<CellSettings>, makeCells}, {tableOf<Bolt>, makeBolt}, {tableOf<ScenePattern>, makePattern},
+    {tableOf<Motion>, makeMotion}, {tableOf<Sine>, makeSine}};
 
 bool excavates(const Stage& stage, const std::string& name) {
     return std::find(stage.excavate.begin(), stage.excavate.end(), name) != stage.excavate.end();
@@ -156,7 +158,7 @@ Scene newScene() {
 
 void makeDefaults(const Scene& scene, const Structure& structure, void* made) {
     for (const Maker& maker : makers)
-        if (structure.name == maker.structure) maker.make(scene, made);
+        if (&structure == &maker.structure()) maker.make(scene, made);
 }
 
 void supportSides(Edit& edit) {

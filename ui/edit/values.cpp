@@ -122,7 +122,7 @@ Edit setValueAt(Scene scene, const std::string& pointer, const FieldValue& value
     if (!found || !found->field || !found->field->get) return lost(std::move(scene), pointer);
     if (isBuiltIn(scene, pointer)) return refusedBuiltIn(std::move(scene), pointer);
     const std::string holder = parentOf(pointer);
-    if (found->field->key == "name" && std::holds_alternative<std::string>(value) && locate(scene, holder)->entry)
+    if (isName(*found->field) && std::holds_alternative<std::string>(value) && locate(scene, holder)->entry)
         return renameAt(scene, holder, std::get<std::string>(value));
     if (valueAt(scene, pointer) == value) return {std::move(scene)};
     if (found->misplaced && value != defaultOf(*found->structure, *found->field))

@@ -3,6 +3,7 @@
 #include "ui/panels/anchor_strip.h"
 
 #include "solver/scene/lookup.h"
+#include "solver/scene/structures.h"
 #include "ui/document/document.h"
 #include "ui/edit/anchor_edit.h"
 #include "ui/look/display.h"
@@ -206,7 +207,8 @@ std::vector<double> AnchorStrip::nodesNow(int pattern, std::size_t bolt, double 
 void AnchorStrip::refresh() {
     const Scene& scene = *context_.document.scene();
     const auto at = objectAt(scene, pointer_);
-    const bool isBolt = at && at->structure->name == "bolt", isPattern = at && at->structure->name == "bolt pattern";
+    const bool isBolt = at && at->structure == &tableOf<Bolt>();
+    const bool isPattern = at && at->structure == &tableOf<ScenePattern>();
     setVisible(isBolt || isPattern);
     if (!isBolt && !isPattern) return;
     const auto* bolt = isBolt ? static_cast<const Bolt*>(at->object) : nullptr;
@@ -235,7 +237,7 @@ void AnchorStrip::refresh() {
 void AnchorStrip::apply(std::size_t first, std::size_t last, bool real) {
     Scene after = *context_.document.scene();
     const auto at = objectAt(after, pointer_);
-    if (!at || at->structure->name != "bolt") return;
+    if (!at || at->structure != &tableOf<Bolt>()) return;
     const auto index = static_cast<std::size_t>(static_cast<const Bolt*>(at->object) - after.bolts.data());
     Bolt& bolt = after.bolts[index];
     const BoltType* type = boltTypeNamed(after, bolt.type);

@@ -82,8 +82,8 @@ private:
     void add(const Structure& structure, const void* object, const std::string& prefix, const QString& heading) {
         const ObjectAt at{&structure, object};
         for (const Field& field : structure.fields) {
-            const bool shown = field.get && field.kind != FieldKind::TextMap && field.key != "source" &&
-                               field.key != "like" && applies(structure, field, object);
+            const bool isNumberOrWord = field.kind != FieldKind::TextMap && !field.isSentence && field.names.empty();
+            const bool shown = field.get && isNumberOrWord && applies(structure, field, object);
             if (!shown) continue;
             const FieldValue value = field.get(object);
             const bool said = !field.nullable || !std::holds_alternative<std::monostate>(value);
