@@ -3,6 +3,7 @@
 #include "solver/results/verdict.h"
 
 #include "solver/results/result_names.h"
+#include "solver/scene/automatic.h"
 #include "solver/scene/number_text.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace keyblock {
 namespace {
 
 constexpr double balanceAllowed = 0.01;  // energy balance error, over the largest term
-constexpr double bodyAllowed = 1e-3;  // of a block's weight, where a stage does not say
 
 std::string percent(double share) { return rounded(100.0 * share) + " %"; }
 
@@ -45,7 +45,8 @@ std::vector<StageWarning> stageWarnings(const RunSource& run) {
         const StageResult& result = record.result;
         const std::string in = " in stage '" + stageName(run.scene(), result.stage) + "'";
         const WorstBalance& worst = result.health.worst;
-        const double allowed = run.scene().stages[static_cast<std::size_t>(result.stage)].until.body.value_or(bodyAllowed);
+        const Until& until = run.scene().stages[static_cast<std::size_t>(result.stage)].until;
+        const double allowed = until.body.value_or(automaticBody);
         if (worst.block >= 0 && worst.share > allowed * (1.0 + 1e-9))
             warnings.push_back({result.stage, "block " + blockName(run.blockNames(), worst.block) + " has " +
                                                   percent(worst.share) + " of its weight unbalanced" + in + ", more than " +

@@ -3,6 +3,7 @@
 #include "solver/run/stage_settings.h"
 
 #include "solver/scene/acceleration.h"
+#include "solver/scene/automatic.h"
 #include "solver/scene/deciding.h"
 #include "solver/scene/lookup.h"
 #include "solver/scene/enum_names.h"
@@ -12,9 +13,6 @@
 
 namespace keyblock {
 namespace {
-
-constexpr double longestTimeStep = 1e-3;  // [s], where a stage gives none
-constexpr double fewestSteps = 200.0;  // of a dynamic stage that gives no time step
 
 Inertia inertiaOf(Integration integration) {
     switch (integration) {
@@ -30,10 +28,10 @@ Inertia inertiaOf(Integration integration) {
 
 StaticSettings staticSettings(const Scene& scene, const Stage& stage) {
     StaticSettings settings;
-    settings.unbalanced = stage.until.unbalanced.value_or(std::min(settings.unbalanced, scene.analysis.tolerance));
-    settings.body = stage.until.body.value_or(settings.body);
+    settings.unbalanced = stage.until.unbalanced.value_or(automaticUnbalanced(scene));
+    settings.body = stage.until.body.value_or(automaticBody);
     settings.smallest = smallestOf(stage);
-    settings.maxSteps = scene.limits.iterations.value_or(settings.maxSteps);
+    settings.maxSteps = scene.limits.iterations.value_or(automaticIterations);
     if (stage.until.maxSteps) settings.maxSteps = std::min<long>(settings.maxSteps, *stage.until.maxSteps);
     settings.chosen = !stage.increments;
     return settings;
@@ -44,8 +42,7 @@ DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage) {
     settings.scheme = inertiaOf(stage.integration.value_or(scene.analysis.integration));
     settings.rhoInf = stage.rhoInf.value_or(scene.analysis.rhoInf);
     settings.damping = scene.analysis.damping;
-    const double usual = std::min({longestTimeStep, stage.duration / fewestSteps, longestStepFor(stage)});
-    settings.timeStep = stage.timeStep.value_or(usual);
+    settings.timeStep = stage.timeStep.value_or(automaticTimeStep(stage));
     return settings;
 }
 

@@ -4,11 +4,11 @@
 // Which blocks are large enough to decide whether a stage is stable.
 #pragma once
 
-#include "solver/scene/scene.h"
+#include "solver/scene/automatic.h"
 
 namespace keyblock {
 
 /// Area under which a block does not decide [m²].
-inline double smallestOf(const Stage& stage) { return stage.until.smallest.value_or(0.01); }
+inline double smallestOf(const Stage& stage) { return stage.until.smallest.value_or(automaticSmallest); }
 
 }  // namespace keyblock

@@ -99,6 +99,10 @@ std::string_view wordLabel(const Field& field, std::string_view word) {
     return index < field.wordLabels.size() ? field.wordLabels[index] : word;
 }
 
+FieldValue automaticOf(const Field& field, const Scene& scene, const SceneCut* cut, const void* object) {
+    return field.automatic ? field.automatic(scene, cut, object) : FieldValue{};
+}
+
 std::string_view unitIn(const Field& field, const void* object, const void* owner) {
     constexpr std::string_view between = ", or ";
     const std::size_t first = field.unit.find(between);

@@ -69,6 +69,7 @@ struct PairColumn {
 };
 
 struct Structure;
+struct SceneCut;
 
 /// How the objects inside an Object, List or Map are reached; `owner` is the struct that has the member.
 struct Children {
@@ -113,6 +114,9 @@ struct Field {
     std::string_view heading{};  // in a form, above it and its neighbours; empty: the name of the structure
     bool isRare = false;  // few users change it: closed at first in the form of the whole scene
     bool isSentence = false;  // a Text of several words
+    /// The value that the program takes for null; null: it is only known in a run. `cut`: of the scene, if it was cut.
+    FieldValue (*automatic)(const Scene& scene, const SceneCut* cut, const void* object) = nullptr;
+    std::string_view nullText{};  // what null means where it is no value: `unlimited`
     FieldValue (*get)(const void* owner) = nullptr;
     void (*set)(void* owner, const FieldValue& value) = nullptr;  // of the right alternative
     Children children{};  // of Object, List and Map
@@ -149,6 +153,9 @@ std::string labelText(const Field& field);
 
 /// One of the field's words for people: `clockwise` for `cw`.
 std::string_view wordLabel(const Field& field, std::string_view word);
+
+/// What `field.automatic` gives; null: the field has no automatic value, or it is only known in a run.
+FieldValue automaticOf(const Field& field, const Scene& scene, const SceneCut* cut, const void* object);
 
 /// The unit in this object. `owner`: the object that has the list or member that holds it; null: not known.
 std::string_view unitIn(const Field& field, const void* object, const void* owner);

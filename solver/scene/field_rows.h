@@ -41,6 +41,8 @@ struct Says {
     std::string_view heading{};
     bool isRare = false;
     bool isSentence = false;
+    FieldValue (*automatic)(const Scene& scene, const SceneCut* cut, const void* object) = nullptr;
+    std::string_view nullText{};
 };
 
 /// Coordinates of places [m].
@@ -320,12 +322,37 @@ Field row(std::string_view key, std::string_view help, Says says = {}) {
     field.heading = says.heading;
     field.isRare = says.isRare;
     field.isSentence = says.isSentence;
+    field.automatic = says.automatic;
+    field.nullText = says.nullText;
     rows::describeAccess<member>(field);
     if (says.isAxis)
         field.kind = FieldKind::Axis;
     else if (says.unit == "m" && rows::holdsPoints(field.kind))
         field.range = coordinates;
     return field;
+}
+
+namespace rows {
+
+template <typename Result>
+FieldValue automaticValue(Result (*function)(const Scene&), const Scene& scene, const void*) {
+    return FieldValue(function(scene));
+}
+template <typename Result, typename Object>
+FieldValue automaticValue(Result (*function)(const Object&), const Scene&, const void* object) {
+    return FieldValue(function(*static_cast<const Object*>(object)));
+}
+template <typename Object>
+FieldValue automaticValue(FieldValue (*function)(const Scene&, const Object&), const Scene& scene, const void* object) {
+    return function(scene, *static_cast<const Object*>(object));
+}
+
+}  // namespace rows
+
+/// The column `automatic` from a function of the scene, of the object that has the row, or of both.
+template <auto function>
+FieldValue automatic(const Scene& scene, const SceneCut*, const void* object) {
+    return rows::automaticValue(function, scene, object);
 }
 
 /// A row without a member: a key of which only these values are accepted, because they change nothing.

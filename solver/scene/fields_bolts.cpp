@@ -3,6 +3,8 @@
 //
 // Rows of bolts, their types, anchors and plates.
 #include "geometry/bolt_pattern.h"
+#include "solver/scene/automatic.h"
+#include "solver/scene/bolt_steel.h"
 #include "solver/scene/field_rows.h"
 
 namespace keyblock {
@@ -18,12 +20,30 @@ constexpr std::string_view steelLabel = translatable("Fields", "Steel");
 constexpr std::string_view plateLabel = translatable("Fields", "Plate");
 constexpr std::string_view grout = translatable("Fields", "Grout across the bolt");
 constexpr std::string_view dynamicStrength = translatable("Fields", "Dynamic / static strength");
+constexpr std::string_view unlimited = translatable("Fields", "unlimited");
 constexpr std::string_view outOfPlaneSpacing = translatable("Fields", "Out-of-plane spacing");
 
 // Values of anchors and of the grout are per node, or per metre of the bolt.
 bool perLength(const void* object, const void*) {
     const auto& anchor = *static_cast<const Anchor*>(object);
     return !anchor.at && anchor.per == Per::Length;
+}
+
+double thicknessOf(const Scene& scene) { return scene.analysis.thickness; }
+
+double areaOf(const BoltType& type) { return fullBarArea(type.diameter); }
+
+FieldValue tensileStrengthOf(const Scene&, const BoltType& type) {
+    BoltType plain = type;
+    plain.tensileStrength.reset();
+    const BoltSteel steel = boltSteel(plain);
+    return steel.tensile ? FieldValue(*steel.tensile / steel.area) : FieldValue();
+}
+
+template <double BoltType::*factor>
+FieldValue factorOfType(const Scene& scene, const Bolt& bolt) {
+    const BoltType* type = findBoltType(scene, bolt.type);
+    return type ? FieldValue(type->*factor) : FieldValue();
 }
 
 bool normalPerLength(const void* object, const void*) {
@@ -101,9 +121,9 @@ const Structure& structureOf(const Plate*) {
             row<&Plate::shearStiffness>("shear_stiffness", "Stiffness across the bolt.",
                                         {.unit = "N/m", .range = above(0)}),
             row<&Plate::normalStrength>("normal_strength", "Strength along the bolt; null: unlimited.",
-                                        {.unit = "N", .range = above(0)}),
+                                        {.unit = "N", .range = above(0), .nullText = unlimited}),
             row<&Plate::shearStrength>("shear_strength", "Strength across the bolt; null: unlimited.",
-                                       {.unit = "N", .range = above(0)}),
+                                       {.unit = "N", .range = above(0), .nullText = unlimited}),
             row<&Plate::width>("width", "Width.", {.unit = "m", .range = above(0)}),
             row<&Plate::thickness>("thickness", "Thickness.", {.unit = "m", .range = above(0)}),
             row<&Plate::youngsModulus>("youngs_modulus", "Young's modulus.",
@@ -133,12 +153,16 @@ const Structure& structureOf(const BoltType*) {
             row<&BoltType::diameter>("diameter", "Diameter of the bar or tube.",
                                      {.unit = "m", .range = above(0), .heading = steelLabel}),
             row<&BoltType::area>("area", "Area of steel; null: the full circle "
-                                         "of the diameter.", {.unit = "m²", .range = above(0), .heading = steelLabel}),
+                                         "of the diameter.",
+                                 {.unit = "m²", .range = above(0), .heading = steelLabel,
+                                  .automatic = automatic<areaOf>}),
             row<&BoltType::secondMoment>("second_moment", "Second moment of area; null: from diameter and area.",
                                          {.label = translatable("Fields", "Second moment of area"), .unit = "m⁴",
-                                          .range = above(0), .heading = steelLabel}),
+                                          .range = above(0), .heading = steelLabel,
+                                          .automatic = automatic<automaticSecondMoment>}),
             row<&BoltType::plasticModulus>("plastic_modulus", "Plastic section modulus; null: from diameter and area.",
-                                           {.unit = "m³", .range = above(0), .heading = steelLabel}),
+                                           {.unit = "m³", .range = above(0), .heading = steelLabel,
+                                            .automatic = automatic<automaticPlasticModulus>}),
             row<&BoltType::density>("density", "Mass per volume.",
                                     {.unit = "kg/m³", .range = densities, .source = usualSteel,
                                      .heading = steelLabel}),
@@ -150,7 +174,8 @@ const Structure& structureOf(const BoltType*) {
             row<&BoltType::youngsModulus>("youngs_modulus",
                                           "Young's modulus; null: from the first piece of `steel`.",
                                           {.label = translatable("Fields", "Young's modulus"), .unit = "Pa",
-                                           .isModulus = true, .range = moduli, .heading = steelLabel}),
+                                           .isModulus = true, .range = moduli, .heading = steelLabel,
+                                           .automatic = automatic<automaticYoungsModulus>}),
             row<&BoltType::steel>("steel",
                                   "Strain and stress from the origin to rupture; null: linear, without rupture.",
                                   {.unit = "–, Pa",
@@ -159,7 +184,8 @@ const Structure& structureOf(const BoltType*) {
                                    .emptyIsNull = true, .heading = steelLabel}),
             row<&BoltType::tensileStrength>("tensile_strength", "Tensile strength; null: the largest stress of "
                                                                 "`steel`.",
-                                            {.unit = "Pa", .range = above(0), .heading = steelLabel}),
+                                            {.unit = "Pa", .range = above(0), .heading = steelLabel,
+                                             .automatic = automatic<tensileStrengthOf>}),
             row<&BoltType::shearStrengthRatio>("shear_strength_ratio", "Shear strength over tensile strength.",
                                                {.range = above(0), .source = boltPaper, .heading = steelLabel}),
             row<&BoltType::ruptureRule>("rupture_rule",
@@ -210,7 +236,8 @@ const Structure& structureOf(const Bolt*) {
                               "own against the face."),
             row<&Bolt::spacingOutOfPlane>("spacing_out_of_plane",
                                           "Distance to the next bolt out of the plane; null: the thickness.",
-                                          {.label = outOfPlaneSpacing, .unit = "m", .range = above(0)}),
+                                          {.label = outOfPlaneSpacing, .unit = "m", .range = above(0),
+                                           .automatic = automatic<thicknessOf>}),
             row<&Bolt::pretension>("pretension",
                                    "Force to which the head is tensioned against the plate when the bolt is installed; "
                                    "it is then locked off. Needs a plate.",
@@ -219,13 +246,16 @@ const Structure& structureOf(const Bolt*) {
             row<&Bolt::dynamicFactor>("dynamic_factor",
                                       "Dynamic over static strength of its anchors, in dynamic stages; null: that of "
                                       "its type.",
-                                      {.label = bondLabel, .range = above(0), .heading = dynamicStrength}),
+                                      {.label = bondLabel, .range = above(0), .heading = dynamicStrength,
+                                       .automatic = automatic<factorOfType<&BoltType::dynamicFactor>>}),
             row<&Bolt::steelDynamicFactor>("steel_dynamic_factor", "Dynamic over static strength of its steel; null: "
                                                                    "that of its type.",
-                                           {.label = steelLabel, .range = above(0), .heading = dynamicStrength}),
+                                           {.label = steelLabel, .range = above(0), .heading = dynamicStrength,
+                                            .automatic = automatic<factorOfType<&BoltType::steelDynamicFactor>>}),
             row<&Bolt::plateDynamicFactor>("plate_dynamic_factor", "Dynamic over static strength of its plate; null: "
                                                                    "that of its type.",
-                                           {.label = plateLabel, .range = above(0), .heading = dynamicStrength}),
+                                           {.label = plateLabel, .range = above(0), .heading = dynamicStrength,
+                                            .automatic = automatic<factorOfType<&BoltType::plateDynamicFactor>>}),
         }};
     return structure;
 }
@@ -268,7 +298,8 @@ const Structure& structureOf(const ScenePattern*) {
             row<&ScenePattern::plate>("plate", "Support of the heads, as for a bolt.", {.heading = ofBolt}),
             row<&ScenePattern::spacingOutOfPlane>("spacing_out_of_plane",
                                                   "Distance to the next row out of the plane; null: the thickness.",
-                                                  {.label = outOfPlaneSpacing, .unit = "m", .range = above(0)}),
+                                                  {.label = outOfPlaneSpacing, .unit = "m", .range = above(0),
+                                                   .automatic = automatic<thicknessOf>}),
             row<&ScenePattern::pretension>("pretension", "Force to which each head is tensioned against its plate, as "
                                                          "for a bolt.",
                                            {.unit = "N", .range = atLeast(0), .heading = ofBolt}),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Rows of the rock: materials, joints, blocks and what holds them.
+#include "solver/scene/automatic.h"
 #include "solver/scene/field_rows.h"
 
 namespace keyblock {
@@ -12,6 +13,12 @@ constexpr std::string_view stiffness = translatable("Fields", "Stiffness");
 constexpr std::string_view sxxLabel = translatable("Fields", "σxx");
 constexpr std::string_view syyLabel = translatable("Fields", "σyy");
 constexpr std::string_view sxyLabel = translatable("Fields", "σxy");
+
+double peakAngle(const JointMaterial& material) { return material.frictionAngle; }
+
+FieldValue shearStiffnessOf(const Scene& scene, const JointMaterial& material) {
+    return material.normalStiffness ? FieldValue(scene.analysis.shearRatio * *material.normalStiffness) : FieldValue();
+}
 
 }  // namespace
 
@@ -52,17 +59,19 @@ const Structure& structureOf(const JointMaterial*) {
             row<&JointMaterial::residualFrictionAngle>(
                 "residual_friction_angle",
                 "Friction angle of a contact after its first slip; null: unchanged. At most `friction_angle`.",
-                {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}}),
+                {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true},
+                 .automatic = automatic<peakAngle>}),
             row<&JointMaterial::normalStiffness>(
                 "normal_stiffness", "Stiffness of the joint itself where faces meet; null: from `penalty_ratio`.",
                 {.unit = "Pa/m", .range = above(0), .heading = stiffness}),
             row<&JointMaterial::shearStiffness>(
                 "shear_stiffness", "The same in shear; null: `shear_ratio` times the normal stiffness.",
-                {.unit = "Pa/m", .range = above(0), .heading = stiffness}),
+                {.unit = "Pa/m", .range = above(0), .heading = stiffness, .automatic = automatic<shearStiffnessOf>}),
             row<&JointMaterial::crushingStrength>("crushing_strength",
                                                   "Bearing pressure on the diameter of a bolt at which rock or grout "
                                                   "crushes under it, in the blocks of this material; null: no limit.",
-                                                  {.unit = "Pa", .range = above(0), .heading = stiffness}),
+                                                  {.unit = "Pa", .range = above(0), .heading = stiffness,
+                                                   .nullText = translatable("Fields", "no limit")}),
         }};
     return structure;
 }
@@ -93,7 +102,8 @@ const Structure& structureOf(const Block*) {
             row<&Block::material>("material", "Name of its material.", {.required = true, .names = {"materials"}}),
             row<&Block::jointMaterial>("joint_material",
                                        "Name of the joint material of its faces; null: the first of "
-                                       "`joint_materials`.", {.names = {"joint_materials"}}),
+                                       "`joint_materials`.",
+                                       {.names = {"joint_materials"}, .automatic = automatic<automaticJointMaterial>}),
             row<&Block::initialStress>("initial_stress",
                                        "Initial stress sxx, syy, sxy; tension is positive in a file.",
                                        {.unit = "Pa", .isStress = true}),

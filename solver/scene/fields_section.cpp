@@ -3,7 +3,9 @@
 //
 // Rows of the section: the domain and what cuts it into blocks.
 #include "geometry/joint_set.h"
+#include "solver/scene/automatic.h"
 #include "solver/scene/field_rows.h"
+#include "solver/scene/scene_cut.h"
 
 namespace keyblock {
 
@@ -11,6 +13,12 @@ namespace {
 
 constexpr int largestSeed = 2147483647;
 constexpr std::string_view traces = translatable("Fields", "Traces");
+constexpr std::string_view wholeDomain = translatable("Fields", "whole domain");
+
+template <double SceneCut::*limit>
+FieldValue ofCut(const Scene&, const SceneCut* cut, const void*) {
+    return cut ? FieldValue(cut->*limit) : FieldValue();
+}
 
 }  // namespace
 
@@ -27,7 +35,8 @@ const Structure& structureOf(const SceneDomain*) {
             row<&SceneDomain::jointMaterial>("joint_material",
                                              "Name of the joint material of its boundary, and of joints that name "
                                              "none; null: the first of `joint_materials`.",
-                                             {.names = {"joint_materials"}}),
+                                             {.names = {"joint_materials"},
+                                              .automatic = automatic<automaticJointMaterial>}),
         }};
     return structure;
 }
@@ -41,15 +50,17 @@ const Structure& structureOf(const Cutting*) {
             row<&Cutting::tolerance>("tolerance",
                                      "Points and lines closer than this are joined; null: 1e-6 of the longer side of "
                                      "the domain.",
-                                     {.unit = "m", .range = above(0)}),
+                                     {.unit = "m", .range = above(0), .automatic = ofCut<&SceneCut::tolerance>}),
             row<&Cutting::minArea>("min_area",
                                    "Smaller blocks are merged with a neighbour; null: 1e-3 of the mean area of all "
                                    "blocks; 0: none are merged.",
-                                   {.label = translatable("Fields", "Min. area"), .unit = "m²", .range = atLeast(0)}),
+                                   {.label = translatable("Fields", "Min. area"), .unit = "m²", .range = atLeast(0),
+                                    .automatic = ofCut<&SceneCut::minArea>}),
             row<&Cutting::minWidth>("min_width",
                                     "Narrower blocks (2·area / perimeter) are merged with a neighbour; null: 1e-2 of "
                                     "the square root of the mean area, at least ten tolerances; 0: none are merged.",
-                                    {.label = translatable("Fields", "Min. width"), .unit = "m", .range = atLeast(0)}),
+                                    {.label = translatable("Fields", "Min. width"), .unit = "m", .range = atLeast(0),
+                                     .automatic = ofCut<&SceneCut::minWidth>}),
         }};
     return structure;
 }
@@ -64,7 +75,8 @@ const Structure& structureOf(const SceneJoint*) {
             row<&SceneJoint::points>("points", "Points of the line, two or more.", {.unit = "m", .required = true}),
             row<&SceneJoint::jointMaterial>("joint_material",
                                             "Name of the joint material of its faces; null: the domain's.",
-                                            {.names = {"joint_materials"}}),
+                                            {.names = {"joint_materials"},
+                                             .automatic = automatic<automaticTraceMaterial>}),
         }};
     return structure;
 }
@@ -87,7 +99,8 @@ const Structure& structureOf(const SceneJointSet*) {
             row<&SceneJointSet::spacingDeviation>("spacing_deviation", "Standard deviation of the spacing.",
                                                   {.unit = "m", .range = atLeast(0)}),
             row<&SceneJointSet::traceLength>("trace_length", "Mean length of a trace; null: through-going.",
-                                             {.unit = "m", .range = above(0), .heading = traces}),
+                                             {.unit = "m", .range = above(0), .heading = traces,
+                                              .nullText = translatable("Fields", "through-going")}),
             row<&SceneJointSet::traceLengthDeviation>("trace_length_deviation", "Standard deviation of the trace length.",
                                                       {.label = translatable("Fields", "Length deviation"),
                                                        .unit = "m", .range = atLeast(0), .only = withLength,
@@ -99,15 +112,18 @@ const Structure& structureOf(const SceneJointSet*) {
                                                   .heading = traces}),
             row<&SceneJointSet::stagger>("stagger",
                                          "Offset of each line from the previous one, as a share of trace length plus "
-                                         "bridge; null: random.", {.only = withLength, .heading = traces}),
+                                         "bridge; null: random.",
+                                         {.only = withLength, .heading = traces,
+                                          .nullText = translatable("Fields", "random")}),
             row<&SceneJointSet::origin>("origin", "Centre of the first trace.", {.unit = "m"}),
             row<&SceneJointSet::seed>("seed", "Random seed.",
                                       {.range = within(0, largestSeed)}),
             row<&SceneJointSet::jointMaterial>("joint_material",
                                                "Name of the joint material of its faces; null: the domain's.",
-                                               {.names = {"joint_materials"}}),
+                                               {.names = {"joint_materials"},
+                                                .automatic = automatic<automaticTraceMaterial>}),
             row<&SceneJointSet::region>("region", "Name of the region that it is confined to; null: none.",
-                                        {.names = {"regions"}}),
+                                        {.names = {"regions"}, .nullText = wholeDomain}),
         }};
     return structure;
 }
@@ -136,10 +152,11 @@ const Structure& structureOf(const SceneVoronoi*) {
                                      {.unit = "m", .range = above(0), .required = true}),
             row<&SceneVoronoi::seed>("seed", "Random seed of the cell positions.", {.range = within(0, largestSeed)}),
             row<&SceneVoronoi::region>("region", "Name of the region that they fill; null: the whole domain.",
-                                       {.names = {"regions"}}),
+                                       {.names = {"regions"}, .nullText = wholeDomain}),
             row<&SceneVoronoi::jointMaterial>("joint_material",
                                               "Name of the joint material of their faces; null: the domain's.",
-                                              {.names = {"joint_materials"}}),
+                                              {.names = {"joint_materials"},
+                                               .automatic = automatic<automaticTraceMaterial>}),
         }};
     return structure;
 }

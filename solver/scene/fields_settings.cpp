@@ -3,6 +3,7 @@
 //
 // Rows of what surrounds the model: what the scene says about itself, settings
 // of the analysis, what is watched and what is kept.
+#include "solver/scene/automatic.h"
 #include "solver/scene/field_rows.h"
 
 namespace keyblock {
@@ -10,6 +11,9 @@ namespace keyblock {
 namespace {
 
 constexpr std::string_view numerical = translatable("Fields", "Numerical settings");
+constexpr std::string_view noLimit = translatable("Fields", "no limit");
+
+double usualIterations(const Scene&) { return automaticIterations; }
 
 }  // namespace
 
@@ -186,13 +190,13 @@ const Structure& structureOf(const RunLimits*) {
         defaultsOf<RunLimits>(),
         {
             row<&RunLimits::wallTime>("wall_time", "Wall-clock time; null: no limit.",
-                                      {.unit = "s", .range = above(0)}),
+                                      {.unit = "s", .range = above(0), .nullText = noLimit}),
             row<&RunLimits::steps>("steps", "Accepted steps and equilibria over all stages; null: no limit.",
-                                   {.range = within(1, 2e9)}),
+                                   {.range = within(1, 2e9), .nullText = noLimit}),
             row<&RunLimits::iterations>("iterations",
                                         "Pseudo-steps of a static stage since the last event or accepted increment, "
                                         "after which the stage ends as undecided; null: 20000.",
-                                        {.range = within(1, 2e9)}),
+                                        {.range = within(1, 2e9), .automatic = automatic<usualIterations>}),
             row<&RunLimits::energy>("energy",
                                     "Energy balance error at which a dynamic stage ends as failed, relative to the "
                                     "largest term of the balance.",

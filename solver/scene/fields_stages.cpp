@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Rows of what happens: stages, motions, loads, velocities.
+#include "solver/scene/automatic.h"
 #include "solver/scene/field_rows.h"
 
 namespace keyblock {
@@ -12,7 +13,17 @@ const Only staticOnly{.key = "kind", .words = {"static"}};
 const Only dynamicOnly{.key = "kind", .words = {"dynamic"}};
 
 constexpr std::string_view pointInBlock = translatable("Fields", "Point in block");
+constexpr std::string_view unchanged = translatable("Fields", "unchanged");
 constexpr std::string_view activation = translatable("Fields", "Excavation and support");
+
+double usualBody(const Scene&) { return automaticBody; }
+double usualSmallest(const Scene&) { return automaticSmallest; }
+double mostIterations(const Scene& scene) { return scene.limits.iterations.value_or(automaticIterations); }
+double rhoInfOf(const Scene& scene) { return scene.analysis.rhoInf; }
+FieldValue integrationOf(const Scene& scene) { return rows::toValue(scene.analysis.integration); }
+FieldValue timeStepOf(const Scene&, const Stage& stage) {
+    return stage.duration > 0.0 ? FieldValue(automaticTimeStep(stage)) : FieldValue();
+}
 
 // Time is pseudo-time without a unit there; the rows that use this belong to stages.
 bool inStaticStage(const void*, const void* stage) {
@@ -101,28 +112,32 @@ const Structure& structureOf(const Until*) {
                                     "Unbalanced force divided by the reference force at equilibrium; null: 1e-4, or "
                                     "`tolerance` of the analysis if that is less.",
                                     {.label = translatable("Fields", "Unbalanced force"),
-                                     .range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
+                                     .range = {.least = 0.0, .most = 0.1, .leastExcluded = true},
+                                     .automatic = automatic<automaticUnbalanced>}),
             row<&Until::body>("body",
                               "Unbalanced force on a block, or moment divided by its size, relative to its own weight "
                               "at equilibrium (without gravity: relative to its load or to the largest force on it); "
                               "null: 1e-3.",
                               {.label = translatable("Fields", "Unbalanced force of a block"),
-                               .range = {.least = 0.0, .most = 0.1, .leastExcluded = true}}),
+                               .range = {.least = 0.0, .most = 0.1, .leastExcluded = true},
+                               .automatic = automatic<usualBody>}),
             row<&Until::move>("move",
                               "Largest displacement of a block since the start of the stage, relative to its size "
                               "(from its centroid to its farthest corner) and measured from what it touched or was "
                               "bolted to at the start. If a block comes to rest farther away, the stage ends as "
                               "displaced. Null: no limit.",
-                              {.label = translatable("Fields", "Max. movement"), .range = above(0)}),
+                              {.label = translatable("Fields", "Max. movement"), .range = above(0),
+                               .nullText = translatable("Fields", "no limit")}),
             row<&Until::smallest>("smallest",
                                   "Blocks smaller than this do not decide stability: one that falls is removed and "
                                   "listed, and the search continues without it; 0: all blocks decide; null: 0.01.",
                                   {.label = translatable("Fields", "Min. block area"), .unit = "m²",
-                                   .range = atLeast(0)}),
+                                   .range = atLeast(0), .automatic = automatic<usualSmallest>}),
             row<&Until::maxSteps>("max_steps",
                                   "Pseudo-steps, repeated ones included, after which the stage ends as undecided, if "
                                   "less than `iterations` of the limits; null: that limit alone.",
-                                  {.label = translatable("Fields", "Max. steps"), .range = within(1, 1e9)}),
+                                  {.label = translatable("Fields", "Max. steps"), .range = within(1, 1e9),
+                                   .automatic = automatic<mostIterations>}),
         }};
     return structure;
 }
@@ -184,17 +199,17 @@ const Structure& structureOf(const StrengthChange*) {
                                                 {.required = true, .names = {"joint_materials"}}),
             row<&StrengthChange::frictionAngle>(
                 "friction_angle", "Friction angle.",
-                {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}}),
+                {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}, .nullText = unchanged}),
             row<&StrengthChange::residualFrictionAngle>(
                 "residual_friction_angle",
                 "Friction angle of a contact after its first slip, including contacts that slipped before. At most the "
                 "friction angle of this stage.",
-                {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}}),
+                {.unit = "°", .range = {.least = 0.0, .most = 90.0, .mostExcluded = true}, .nullText = unchanged}),
             row<&StrengthChange::cohesion>("cohesion", "Cohesion of contacts that have not lost it.",
-                                           {.unit = "Pa", .range = atLeast(0)}),
+                                           {.unit = "Pa", .range = atLeast(0), .nullText = unchanged}),
             row<&StrengthChange::tensileStrength>("tensile_strength",
                                                   "Tensile strength of contacts that have not lost it.",
-                                                  {.unit = "Pa", .range = atLeast(0)}),
+                                                  {.unit = "Pa", .range = atLeast(0), .nullText = unchanged}),
         }};
     return structure;
 }
@@ -271,12 +286,14 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::duration>("duration", "Duration of the stage.",
                                   {.unit = "s", .range = atLeast(0), .only = dynamicOnly}),
             row<&Stage::timeStep>("time_step", "Longest time step; null: chosen by the program.",
-                                  {.unit = "s", .range = above(0), .only = dynamicOnly}),
+                                  {.unit = "s", .range = above(0), .only = dynamicOnly,
+                                   .automatic = automatic<timeStepOf>}),
             row<&Stage::integration>("integration", "Time integration; null: that of the analysis.",
-                                     {.only = dynamicOnly}),
+                                     {.only = dynamicOnly, .automatic = automatic<integrationOf>}),
             row<&Stage::rhoInf>("rho_inf", "Spectral radius of `generalized-alpha` at infinite frequency: the share of "
                                            "very stiff motion that a step keeps; null: that of the analysis.",
-                                {.label = translatable("Fields", "ρ∞"), .range = within(0, 1), .only = dynamicOnly}),
+                                {.label = translatable("Fields", "ρ∞"), .range = within(0, 1), .only = dynamicOnly,
+                                 .automatic = automatic<rhoInfOf>}),
             row<&Stage::initialVelocities>("initial_velocities", "Velocities of blocks at the start of the stage.",
                                            {.only = dynamicOnly}),
             row<&Stage::viscousBoundaries>("viscous_boundaries",

@@ -3,6 +3,7 @@
 #include "ui/panels/field_help.h"
 
 #include "ui/look/display.h"
+#include "ui/look/field_text.h"
 #include "ui/panels/field_words.h"
 #include "ui/panels/value_text.h"
 
@@ -36,6 +37,15 @@ QString rangeWords(const Range& range, std::string_view unit, const Display& dis
     return {};
 }
 
+QString fallbackText(const FormRow& row, std::string_view unit, const FormContext& context) {
+    if (!std::holds_alternative<std::monostate>(row.fallback))
+        return summaryOf(row.fallback, *row.field, unit, context.display);
+    if (!row.field->nullText.empty()) return shownText(row.field->nullText);
+    const QString automatic = automaticText(row, context);
+    return automatic.isEmpty() ? summaryOf(row.fallback, *row.field, unit, context.display)
+                               : Texts::tr("automatic (%1)").arg(automatic);
+}
+
 }  // namespace
 
 QString plainHelp(std::string_view help) {
@@ -66,10 +76,7 @@ FieldHelp helpOf(const FormRow& row, const FormContext& context) {
     QStringList parts;
     if (number || row.field->kind == FieldKind::Place) parts << rangeWords(row.field->range, unit, context.display);
     if (row.resettable) {
-        const QString automatic = automaticText(row, context);
-        const bool null = std::holds_alternative<std::monostate>(row.fallback);
-        const QString text = null && !automatic.isEmpty() ? Texts::tr("automatic (%1)").arg(automatic)
-                                                          : summaryOf(row.fallback, *row.field, unit, context.display);
+        const QString text = fallbackText(row, unit, context);
         if (!text.isEmpty()) parts << Texts::tr("default %1").arg(text);
     }
     parts.removeAll(QString());

@@ -63,8 +63,7 @@ void LineEditor::showText(bool exact) {
     const bool empty = row_.mixed || std::holds_alternative<std::monostate>(row_.value);
     const std::string_view unit = unitOf(row_.at, *row_.field);
     shown_ = empty ? QString() : valueText(row_.value, *row_.field, unit, context_.display, exact);
-    const QString automatic = automaticText(row_, context_);
-    const QString null = isText_ ? tr("none") : automatic.isEmpty() ? tr("automatic") : tr("auto (%1)").arg(automatic);
+    const QString null = isText_ ? tr("none") : nullTextOf(row_, context_);
     line_->setPlaceholderText(row_.mixed ? tr("mixed") : row_.field->nullable ? null : QString());
     QFont font = line_->font();
     font.setItalic(row_.mixed);
@@ -129,10 +128,7 @@ ChoiceEditor::ChoiceEditor(const FormContext& context, QWidget* parent)
 void ChoiceEditor::present(const FormRow& row) {
     row_ = row;
     box_->clear();
-    if (row.field->nullable) {
-        const QString automatic = automaticText(row, context_);
-        box_->addItem(automatic.isEmpty() ? tr("automatic") : tr("auto (%1)").arg(automatic));
-    }
+    if (row.field->nullable) box_->addItem(nullTextOf(row, context_));
     for (const std::string_view word : row.field->words) box_->addItem(choiceText(*row.field, word), fromUtf8(word));
     const auto names = choicesOf(*context_.document.scene(), *row.field);
     for (const std::string& name : names.value_or(std::vector<std::string>{}))

@@ -2,67 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/value_editor.h"
 
-#include "solver/scene/enum_names.h"
 #include "ui/document/document.h"
+#include "ui/look/field_text.h"
 #include "ui/panels/field_choices.h"
 #include "ui/panels/field_words.h"
 #include "ui/panels/line_editor.h"
 #include "ui/panels/table_editor.h"
-
-#include <algorithm>
-#include <numbers>
+#include "ui/panels/value_text.h"
 
 namespace keyblock {
 
 namespace {
 
 constexpr std::size_t mostTicks = 40;  // names to tick; longer lists are typed
-
-QString number(double value, const FormRow& row, const FormContext& context) {
-    return numberText(value, unitOf(row.at, *row.field), context.display, 3);
-}
-
-QString firstJointMaterial(const Scene& scene) {
-    return scene.jointMaterials.empty() ? QString() : QString::fromStdString(scene.jointMaterials.front().first);
-}
-
-/// Joints and sets use that of the domain; the domain and blocks the first of the scene.
-QString automaticJointMaterial(const FormRow& row, const Scene& scene) {
-    const bool ownFaces = row.structure->name == "domain" || row.structure->name == "block";
-    if (!ownFaces && scene.domain && scene.domain->jointMaterial)
-        return QString::fromStdString(*scene.domain->jointMaterial);
-    return firstJointMaterial(scene);
-}
-
-/// From the last cut.
-QString cutLimit(const FormRow& row, const FormContext& context) {
-    const auto& cut = context.document.checked().cut;
-    if (!cut) return {};
-    const double value = row.field->key == "tolerance" ? cut->tolerance
-                         : row.field->key == "min_area" ? cut->minArea : cut->minWidth;
-    return number(value, row, context);
-}
-
-QString automaticOfStage(const FormRow& row, const Scene& scene, const FormContext& context) {
-    if (row.field->key == "integration")
-        return fromUtf8(wordsOf(scene.analysis.integration)[static_cast<std::size_t>(scene.analysis.integration)]);
-    if (row.field->key == "rho_inf") return number(scene.analysis.rhoInf, row, context);
-    return {};
-}
-
-QString automaticOfSteel(const FormRow& row, const FormContext& context) {
-    const auto diameter = valueOf(*row.structure, row.at.object, "diameter");
-    const auto steel = valueOf(*row.structure, row.at.object, "steel");
-    const auto* d = std::get_if<double>(&diameter);
-    const auto* curve = std::get_if<Table>(&steel);
-    if (row.field->key == "area" && d) return number(std::numbers::pi * *d * *d / 4.0, row, context);
-    if (!curve || curve->size() < 2) return {};
-    if (row.field->key == "tensile_strength")
-        return number(std::ranges::max(*curve, {}, [](const auto& point) { return point.second; }).second, row,
-                      context);
-    const auto& [strain, stress] = (*curve)[1];
-    return row.field->key == "youngs_modulus" && strain > 0.0 ? number(stress / strain, row, context) : QString();
-}
 
 ValueEditor* editorOf(const FormRow& row, const FormContext& context, QWidget* parent) {
     switch (row.field->kind) {
@@ -94,22 +46,20 @@ ValueEditor* makeValueEditor(const FormRow& row, const FormContext& context, QWi
 }
 
 QString automaticText(const FormRow& row, const FormContext& context) {
-    const Scene& scene = *context.document.scene();
-    const std::string_view key = row.field->key;
-    if (key == "spacing_out_of_plane") return number(scene.analysis.thickness, row, context);
-    if (key == "joint_material") return automaticJointMaterial(row, scene);
-    if (key == "region") return scene.domain ? QObject::tr("whole domain") : QString();
-    if (row.structure->name == "cutting") return cutLimit(row, context);
-    if (row.structure->name == "stage") return automaticOfStage(row, scene, context);
-    if (row.structure->name == "bolt type") return automaticOfSteel(row, context);
-    if (key == "residual_friction_angle" && row.structure->name == "joint material") {
-        const FieldValue peak = valueOf(*row.structure, row.at.object, "friction_angle");
-        return number(std::get<double>(peak), row, context);
-    }
-    if (key == "unbalanced") return number(std::min(1e-4, scene.analysis.tolerance), row, context);
-    if (key == "body") return number(1e-3, row, context);
-    if (key == "max_steps") return number(400, row, context);
-    return {};
+    const auto& cut = context.document.checked().cut;
+    const FieldValue value =
+        automaticOf(*row.field, *context.document.scene(), cut ? &*cut : nullptr, row.at.object);
+    if (const auto* word = std::get_if<std::string>(&value); word && row.field->kind == FieldKind::Word)
+        return choiceText(*row.field, *word);
+    if (const auto* name = std::get_if<std::string>(&value)) return QString::fromStdString(*name);
+    const auto* number = std::get_if<double>(&value);
+    return number ? numberText(*number, unitOf(row.at, *row.field), context.display, 3) : QString();
+}
+
+QString nullTextOf(const FormRow& row, const FormContext& context) {
+    if (!row.field->nullText.empty()) return shownText(row.field->nullText);
+    const QString automatic = automaticText(row, context);
+    return automatic.isEmpty() ? ValueEditor::tr("automatic") : ValueEditor::tr("auto (%1)").arg(automatic);
 }
 
 }  // namespace keyblock

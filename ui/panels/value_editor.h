@@ -53,4 +53,7 @@ ValueEditor* makeValueEditor(const FormRow& row, const FormContext& context, QWi
 /// The value used if the field is null, in the units shown; empty if it is only known in a run.
 QString automaticText(const FormRow& row, const FormContext& context);
 
+/// What null means for the field: `auto (1)`, `automatic`, `unlimited`.
+QString nullTextOf(const FormRow& row, const FormContext& context);
+
 }  // namespace keyblock

@@ -6,6 +6,7 @@
 #include "solver/engine/bolt/bolt_mesh.h"
 #include "solver/engine/bolt/slots.h"
 #include "solver/scene/anchor_curve.h"
+#include "solver/scene/automatic.h"
 #include "solver/scene/bolt_steel.h"
 #include "solver/scene/lookup.h"
 
@@ -27,29 +28,21 @@ constexpr double elementsBetween = 12.0;  // joints, where they are closer than 
 constexpr double softeningShare = 0.15;  // the same of a bond that falls from its peak: it is reached 8 % too late
 
 BeamSection sectionOf(const BoltType& type) {
-    const double d = type.diameter;
     BeamSection section;
     section.area = boltSteel(type).area;
-    const double inner2 = std::max(0.0, d * d - 4.0 * section.area / std::numbers::pi);
-    section.secondMoment = type.secondMoment.value_or(std::numbers::pi / 64.0 * (d * d * d * d - inner2 * inner2));
-    section.youngsModulus = type.steel.empty() ? type.youngsModulus.value_or(200e9)
-                                               : Backbone::of(type.steel).modulus;
+    section.secondMoment = type.secondMoment.value_or(automaticSecondMoment(type));
+    const bool isLinear = type.steel.empty();  // else the curve gives the modulus
+    section.youngsModulus = isLinear && type.youngsModulus ? *type.youngsModulus : automaticYoungsModulus(type);
     section.shearModulus = type.shearModulus;
     section.shearCoefficient = type.shearCoefficient;
     section.density = type.density;
     return section;
 }
 
-/// Of a tube (d³ − d_i³)/6, d_i² = d² − 4A/π; of a full bar d³/6 [m³].
-double plasticModulusOf(const BoltType& type, double area) {
-    const double d = type.diameter, inner = std::sqrt(std::max(0.0, d * d - 4.0 * area / std::numbers::pi));
-    return type.plasticModulus.value_or((d * d * d - inner * inner * inner) / 6.0);
-}
-
 void setSteel(const BoltType& type, BoltModel& bolt) {
     bolt.diameter = type.diameter;
     bolt.bends = type.bending != Bending::None;
-    bolt.plasticModulus = plasticModulusOf(type, bolt.section.area);
+    bolt.plasticModulus = type.plasticModulus.value_or(automaticPlasticModulus(type));
     bolt.tensileStrength = boltSteel(type).tensile.value_or(0.0);
     bolt.shearStrength = type.shearStrengthRatio * bolt.tensileStrength;
     if (type.steel.empty()) return;

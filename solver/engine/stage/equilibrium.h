@@ -12,14 +12,15 @@
 #pragma once
 
 #include "solver/engine/stage/engine.h"
+#include "solver/scene/automatic.h"
 
 namespace keyblock {
 
 struct StaticSettings {
     double unbalanced = 1e-4;  // over the reference force
-    double body = 1e-3;  // of its weight, unbalanced on a block
+    double body = automaticBody;  // of its weight, unbalanced on a block
     double smallest = 0.0;  // [m²] blocks under it do not decide
-    long maxSteps = 20000;  // pseudo-steps since the last event or accepted increment
+    long maxSteps = automaticIterations;  // pseudo-steps since the last event or accepted increment
     bool chosen = false;  // lengths of increments follow what happens in them
     bool followsFalls = true;  // what falls is followed over its own size, else only as far as shows that it does
 };

@@ -306,6 +306,33 @@ TEST(FieldForm, EmptyFieldMeansAutomaticIfAllowed) {
     EXPECT_TRUE(bench.line("spacing_out_of_plane")->placeholderText().startsWith("auto ("));
 }
 
+TEST(FieldForm, EmptyFieldShowsWhatARunUses) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    bench.choose({"/stages/0"});
+    EXPECT_EQ(bench.line("until/max_steps")->placeholderText().toStdString(), "auto (20\u2009000)");
+    EXPECT_EQ(bench.line("until/smallest")->placeholderText().toStdString(), "auto (0.01)");
+    EXPECT_EQ(bench.line("until/move")->placeholderText().toStdString(), "no limit");
+    bench.choose({"/joint_sets/0"});
+    EXPECT_EQ(bench.line("trace_length")->placeholderText().toStdString(), "through-going");
+    auto* region = bench.row("region")->editor().findChild<QComboBox*>();
+    ASSERT_TRUE(region);
+    EXPECT_EQ(region->itemText(0).toStdString(), "whole domain");
+}
+
+TEST(FieldForm, ChoicesAreShownInWordsForPeople) {
+    NEED_SCREEN();
+    FormBench bench(sampleScene("drift-bolted"));
+    bench.choose({"/tunnels/0"});
+    auto* profile = bench.row("profile")->editor().findChild<QComboBox*>();
+    ASSERT_TRUE(profile);
+    EXPECT_EQ(profile->currentText(), "D-shape");
+    bench.choose({"/bolt_patterns/0"});
+    auto* way = bench.row("way")->editor().findChild<QComboBox*>();
+    ASSERT_TRUE(way);
+    EXPECT_EQ(way->currentText(), "counter-clockwise");
+}
+
 /// All objects of a scene that a form can show, including items of nested lists.
 void collect(const Structure& structure, const void* object, const std::string& pointer,
              std::vector<std::string>& all) {
