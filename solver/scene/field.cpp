@@ -83,6 +83,13 @@ bool hasChildren(const Field& field) {
 
 bool isName(const Field& field) { return field.key == "name"; }
 
+bool hasNames(const Field& field) {
+    if (field.kind != FieldKind::List)
+        return field.kind == FieldKind::Map;
+    const std::vector<Field>& fields = field.children.structure().fields;
+    return std::any_of(fields.begin(), fields.end(), isName);
+}
+
 std::string labelText(const Field& field) {
     if (!field.label.empty())
         return std::string(field.label);

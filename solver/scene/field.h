@@ -114,6 +114,7 @@ struct Field {
     std::string_view heading{};  // in a form, above it and its neighbours; empty: the name of the structure
     bool isRare = false;  // few users change it: closed at first in the form of the whole scene
     bool isSentence = false;  // a Text of several words
+    bool isOrdered = false;  // a List whose order users choose
     /// The value that the program takes for null; null: it is only known in a run. `cut`: of the scene, if it was cut.
     FieldValue (*automatic)(const Scene& scene, const SceneCut* cut, const void* object) = nullptr;
     std::string_view nullText{};  // what null means where it is no value: `unlimited`
@@ -147,6 +148,9 @@ bool hasChildren(const Field& field);
 
 /// True for the field with the name of its object.
 bool isName(const Field& field);
+
+/// True for a Map, or a List of objects with a name.
+bool hasNames(const Field& field);
 
 /// The label of the field, or one made from its key: `Dip deviation`.
 std::string labelText(const Field& field);

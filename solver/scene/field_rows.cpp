@@ -48,7 +48,8 @@ const Structure& sceneStructure() {
             row<&Scene::bolts>("bolts", "Single bolts."),
             row<&Scene::boltPatterns>("bolt_patterns", "Bolts round tunnels."),
             row<&Scene::stages>("stages", "Stages of the run, in order; a scene without stages can be checked but not "
-                                          "run."),
+                                          "run.",
+                                {.isOrdered = true}),
             row<&Scene::monitors>("monitors", "Points and bolts whose values are recorded in the history."),
             row<&Scene::quantities>("quantities",
                                     "Numbers of interest: `max|min|last MONITOR[.ux|.uy]`, `max|min|last "

@@ -41,6 +41,7 @@ struct Says {
     std::string_view heading{};
     bool isRare = false;
     bool isSentence = false;
+    bool isOrdered = false;
     FieldValue (*automatic)(const Scene& scene, const SceneCut* cut, const void* object) = nullptr;
     std::string_view nullText{};
 };
@@ -322,6 +323,7 @@ Field row(std::string_view key, std::string_view help, Says says = {}) {
     field.heading = says.heading;
     field.isRare = says.isRare;
     field.isSentence = says.isSentence;
+    field.isOrdered = says.isOrdered;
     field.automatic = says.automatic;
     field.nullText = says.nullText;
     rows::describeAccess<member>(field);

@@ -131,7 +131,7 @@ Qt::ItemFlags TreeModel::flags(const QModelIndex& index) const {
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
     if (node.canRename) flags |= Qt::ItemIsEditable;
     if (node.canMove) flags |= Qt::ItemIsDragEnabled;
-    if (node.id == "/stages") flags |= Qt::ItemIsDropEnabled;
+    if (node.takesDrops) flags |= Qt::ItemIsDropEnabled;
     return flags;
 }
 
@@ -145,7 +145,7 @@ QMimeData* TreeModel::mimeData(const QModelIndexList& indexes) const {
 
 bool TreeModel::canDropMimeData(const QMimeData* dragged, Qt::DropAction, int row, int,
                                 const QModelIndex& parent) const {
-    return dragged->hasFormat(draggedType) && row >= 0 && nodeAt(parent).id == "/stages";
+    return dragged->hasFormat(draggedType) && row >= 0 && nodeAt(parent).takesDrops;
 }
 
 /// Moves the row to the drop position; the view must not remove the old row itself.

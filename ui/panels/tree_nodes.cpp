@@ -91,11 +91,11 @@ private:
         node->detail = detailOf(source_.document, source_.display, pointer);
         node->icon = iconOf(source_.document, pointer);
         node->isObject = true;
-        node->hasPlace = list != "/materials" && list != "/joint_materials" && list != "/stages" &&
-                         list != "/bolt_types";
+        const Field* row = list.isEmpty() ? nullptr : &rowOf(list);
+        node->hasPlace = !row || (row->kind == FieldKind::List && !row->isOrdered);
         node->canHide = node->hasPlace && list != "/tunnels";
-        node->canRename = list != "/supports" && !list.isEmpty();
-        node->canMove = list == "/stages";
+        node->canRename = row && hasNames(*row);
+        node->canMove = row && row->isOrdered;
         node->badge = badgeAt(pointer);
         return node;
     }
@@ -128,6 +128,7 @@ private:
     void addList(TreeNode& root, const QString& list, const QString& name, const QString& icon, bool canHide) {
         const std::size_t count = countOf(list);
         auto node = heading(list, name, icon, canHide && count > 0);
+        node->takesDrops = rowOf(list).isOrdered;
         node->detail = count > 0 ? Display::number(static_cast<double>(count), 12) : Texts::tr("none");
         fill(*node, list);
         addHeading(root, std::move(node));
@@ -136,7 +137,7 @@ private:
     void addGeometry(TreeNode& root) {
         auto node = heading("#geometry", Texts::tr("Geometry"), "outline", false);
         node->badge = worst({"/domain", "/regions", "/voronoi", "/blocks", "/cutting"});
-        if (scene_.domain) addOne(*node, "/domain", Texts::tr("Domain"));
+        if (scene_.domain) addOne(*node, "/domain", Texts::tr("Domain"), true);
         if (scene_.voronoi) addOne(*node, "/voronoi", Texts::tr("Voronoi cells"));
         for (auto& row : entries("/regions")) addChild(*node, std::move(row));
         addBlocks(*node);
@@ -156,11 +157,11 @@ private:
             addChild(geometry, std::move(blocks));
     }
 
-    void addOne(TreeNode& parent, const std::string& pointer, const QString& name) {
+    void addOne(TreeNode& parent, const std::string& pointer, const QString& name, bool hasPlace = false) {
         auto node = entry(pointer, {});
         node->name = name;
         node->canHide = false;
-        node->hasPlace = pointer == "/domain";
+        node->hasPlace = hasPlace;
         if (source_.filter.isEmpty() || matches(*node)) addChild(parent, std::move(node));
     }
 
@@ -215,23 +216,25 @@ private:
             node->children.back()->icon = "arrow";
         }
         if (scene_.inSituStress) addOne(*node, "/in_situ_stress", Texts::tr("In-situ stress"));
-        for (std::size_t stage = 0; stage < scene_.stages.size(); ++stage)
-            for (const char* list : {"loads", "motions"}) addOfStage(*node, stage, list);
+        for (std::size_t stage = 0; stage < scene_.stages.size(); ++stage) {
+            const Stage& held = scene_.stages[stage];
+            addOfStage(*node, stage, "loads", held.loads.size(), Texts::tr("Load %1"), "load");
+            addOfStage(*node, stage, "motions", held.motions.size(), Texts::tr("Motion %1"), "motion");
+        }
         node->detail = scene_.analysis.gravity.isZero() ? Texts::tr("no gravity") : Texts::tr("gravity");
         if (scene_.inSituStress)
             node->detail += ", " + detailOf(source_.document, source_.display, "/in_situ_stress");
         addHeading(root, std::move(node));
     }
 
-    void addOfStage(TreeNode& node, std::size_t stage, const char* list) {
-        const Stage& held = scene_.stages[stage];
-        const bool loads = std::string_view(list) == "loads";
-        const std::size_t count = loads ? held.loads.size() : held.motions.size();
+    void addOfStage(TreeNode& node, std::size_t stage, std::string_view list, std::size_t count, const QString& title,
+                    const QString& icon) {
+        const QString stageName = QString::fromStdString(scene_.stages[stage].name);
         for (std::size_t i = 0; i < count; ++i) {
             auto row = entry(under(under(under("/stages", stage), list), i), {});
-            row->name = (loads ? Texts::tr("Load %1") : Texts::tr("Motion %1")).arg(i + 1);
-            row->detail = (row->detail + ' ' + Texts::tr("in %1").arg(QString::fromStdString(held.name))).trimmed();
-            row->icon = loads ? "load" : "motion";
+            row->name = title.arg(i + 1);
+            row->detail = (row->detail + ' ' + Texts::tr("in %1").arg(stageName)).trimmed();
+            row->icon = icon;
             row->canHide = true;
             if (source_.filter.isEmpty() || matches(*row)) addChild(node, std::move(row));
         }

@@ -28,6 +28,7 @@ struct TreeNode {
     bool canHide = false;  // in the section
     bool canRename = false;
     bool canMove = false;  // by dragging, within its list
+    bool takesDrops = false;  // a list whose entries can be moved
     bool bold = false;
     std::optional<Severity> badge;
     int waiting = 0;  // children that are created on demand

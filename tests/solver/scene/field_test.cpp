@@ -68,7 +68,7 @@ TEST(Fields, NamedListsHaveEntriesWithNames) {
         for (const std::string_view key : field.names) {
             const Field* list = findField(sceneStructure(), key);
             ASSERT_TRUE(list && hasChildren(*list)) << titleOf(structure, field) << ' ' << key;
-            EXPECT_TRUE(list->kind == FieldKind::Map || findField(list->children.structure(), "name")) << key;
+            EXPECT_TRUE(hasNames(*list)) << key;
         }
     });
 }
