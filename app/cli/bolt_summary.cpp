@@ -71,7 +71,7 @@ std::string chainLine(const RunSource& run, const std::vector<Event>& events, co
 }  // namespace
 
 std::string eventPhrase(const RunSource& run, const Event& event) {
-    std::string text(wordOf(event.kind));
+    std::string text(rowOf(event.kind).title);
     if (event.bolt >= 0)
         text += " of " + boltName(run.scene(), event.bolt);
     else if (event.block >= 0)

@@ -289,9 +289,8 @@ std::string infoJson(const RunStore& store) {
     const std::vector<Event> happened = store.events();
     Json events = Json::object();
     const EventCounts counts(happened);
-    for (std::size_t k = 0; k < eventKindWords.size(); ++k)
-        if (const long count = counts.of(static_cast<EventKind>(k)); count > 0)
-            events[std::string(eventKindWords[k])] = count;
+    for (const EventKindRow& row : eventKinds)
+        if (const long count = counts.of(row.kind); count > 0) events[std::string(row.key)] = count;
     return dumped({{"title", store.scene().title},
                    {"program_version", store.programVersion()},
                    {"scene_hash", store.sceneHash()},

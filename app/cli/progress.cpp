@@ -56,7 +56,7 @@ std::string cutTo(const std::string& text, std::size_t width) {
 }
 
 std::string eventText(const Scene& scene, const Event& event) {
-    std::string text = std::string(wordOf(event.kind));
+    std::string text = std::string(rowOf(event.kind).title);
     if (event.bolt >= 0)
         text += " of " + boltName(scene, event.bolt);
     if (event.node >= 0)

@@ -61,7 +61,7 @@ std::string boltTable(const RunSource& run, const std::vector<FailedBolt>& bolts
     std::vector<TextRow> rows;
     for (const FailedBolt& bolt : bolts)
         if (rows.size() < mostListed)
-            rows.push_back({boltName(run.scene(), bolt.bolt), std::string(wordOf(bolt.event)),
+            rows.push_back({boltName(run.scene(), bolt.bolt), std::string(rowOf(bolt.event).title),
                             stageName(run.scene(), bolt.stage), rounded(bolt.time)});
     if (rows.empty()) return {};
     const std::string text = textTable({{"failed bolts across them"}, {""}, {"stage"}, {"time", Align::Right}}, rows);

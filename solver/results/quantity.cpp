@@ -37,8 +37,7 @@ Measurement atFirst(const Quantity& quantity, std::span<const HistoryRow> histor
     const auto kind = static_cast<EventKind>(quantity.eventKind);
     const auto found = std::find_if(events.begin(), events.end(), [&](const Event& e) { return e.kind == kind; });
     if (found == events.end())
-        return problem("no " + std::string(eventKindWords[static_cast<std::size_t>(quantity.eventKind)]) +
-                       " happened");
+        return problem("no " + std::string(rowOf(kind).key) + " happened");
     if (found->historyRow < 0 || static_cast<std::size_t>(found->historyRow) >= history.size())
         return problem("the history has no row before the event");
     return {history[static_cast<std::size_t>(found->historyRow)].values[column], ""};

@@ -5,7 +5,6 @@
 #include "solver/results/result_names.h"
 
 #include "solver/scene/lookup.h"
-#include "solver/scene/quantity_text.h"
 #include "solver/scene/enum_names.h"
 
 #include <algorithm>
@@ -39,7 +38,7 @@ bool holds(const std::vector<Item>& items, int index) {
 
 }  // namespace
 
-std::string_view wordOf(EventKind kind) { return eventKindWords[static_cast<std::size_t>(kind)]; }
+std::string_view wordOf(EventKind kind) { return rowOf(kind).key; }
 std::string_view wordOf(Outcome outcome) { return outcomeWords[static_cast<std::size_t>(outcome)]; }
 std::string_view wordOf(Movement mode) { return movementWords[static_cast<std::size_t>(mode)]; }
 std::string_view wordOf(NodeState state) { return nodeStateWords[static_cast<std::size_t>(state)]; }
@@ -48,7 +47,12 @@ std::string_view wordOf(ForceSource source) { return forceSourceWords[static_cas
 std::string_view wordOf(StageKind kind) { return stageKindWords[static_cast<std::size_t>(kind)]; }
 std::string_view anchorWord(bool real) { return real ? "real" : "artificial"; }
 
-std::optional<EventKind> eventKindOf(std::string_view word) { return valueOf<EventKind>(eventKindWords, word); }
+std::optional<EventKind> eventKindOf(std::string_view word) {
+    const auto row = std::ranges::find(eventKinds, word, &EventKindRow::key);
+    if (row == eventKinds.end()) return std::nullopt;
+    return row->kind;
+}
+
 std::optional<Outcome> outcomeOf(std::string_view word) { return valueOf<Outcome>(outcomeWords, word); }
 
 std::string blockName(const std::vector<std::string>& names, int block) {

@@ -8,17 +8,13 @@
 
 #include "geometry/point.h"
 #include "solver/results/step_work.h"
+#include "solver/scene/event_kinds.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
 namespace keyblock {
-
-enum class EventKind {
-    JointSlip, JointOpen, Debonding, Restick, Yield, Hinge, TensileRupture, ShearRupture,
-    PlateLoss, BoltLoss, PulledOut, BlockFalls, Collapse
-};
 
 /// A failure. Forces are those just before the release; −1 marks an index that does not apply.
 struct Event {

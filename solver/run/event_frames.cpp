@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/run/event_frames.h"
 
-#include "solver/results/event_groups.h"
 #include "solver/run/bolt_readings.h"
 
 #include <algorithm>

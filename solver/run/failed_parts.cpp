@@ -7,7 +7,6 @@
 #include "solver/scene/solved_blocks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -18,8 +17,6 @@ namespace keyblock {
 namespace {
 
 constexpr double leastShare = 0.1;  // of a block's largest joint movement
-constexpr std::array lossEvents{EventKind::TensileRupture, EventKind::ShearRupture, EventKind::PlateLoss,
-                                EventKind::BoltLoss, EventKind::PulledOut};
 
 /// What fails in one stage.
 class StageFailure {
@@ -94,10 +91,11 @@ private:
                 });
             };
             if (!isIn(true) || !isIn(false)) continue;
-            for (const EventKind kind : lossEvents) {
+            for (const EventKindRow& row : eventKinds) {
+                if (!isGrave(row.kind)) continue;
                 const auto event = std::ranges::find_if(
-                    events, [&](const Event& e) { return e.bolt == b && e.kind == kind; });
-                if (event != events.end()) bolts.push_back({b, kind, event->stage, event->time});
+                    events, [&](const Event& e) { return e.bolt == b && e.kind == row.kind; });
+                if (event != events.end()) bolts.push_back({b, row.kind, event->stage, event->time});
             }
             const bool plate = after.bolts[static_cast<std::size_t>(b)].plateHolds;
             for (const bool moving : {true, false})

@@ -52,6 +52,18 @@ int indexOfWord(const Words& words, std::string_view word) {
     return found == words.end() ? -1 : static_cast<int>(found - words.begin());
 }
 
+/// Rows of a table with keys.
+template <typename Rows>
+std::string listedKeys(const Rows& rows) {
+    return listed(rows, [](const auto& row) { return std::string(row.key); });
+}
+
+template <typename Rows>
+int indexOfKey(const Rows& rows, std::string_view key) {
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.key == key; });
+    return found == rows.end() ? -1 : static_cast<int>(found - rows.begin());
+}
+
 template <typename Named>
 int indexOfName(const std::vector<Named>& items, std::string_view name) {
     const auto found = std::find_if(items.begin(), items.end(), [&](const Named& item) { return item.name == name; });
@@ -126,9 +138,9 @@ QuantityReading readQuantity(std::string_view text, const Scene& scene) {
     Quantity quantity{.reduction = reduction->second};
     if (quantity.reduction == Reduction::First) {
         const std::string_view kind = takeWord(rest);
-        quantity.eventKind = indexOfWord(eventKindWords, kind);
+        quantity.eventKind = indexOfKey(eventKinds, kind);
         if (quantity.eventKind < 0)
-            return {{}, "'" + std::string(kind) + "' is not a kind of event: write one of " + listedWords(eventKindWords)};
+            return {{}, "'" + std::string(kind) + "' is not a kind of event: write one of " + listedKeys(eventKinds)};
     }
     const SubjectReading subject = readSubject(rest, scene);
     if (!subject.subject)

@@ -4,10 +4,11 @@
 // A scene requests numbers in words: `max B1.axial_force`, `first debonding
 // opening`, `last crown.uy`. This reads such a text against the scene that holds
 // it, so that the check finds a wrong one before a run and the results find the
-// right column after it. The words of events and bolt quantities are defined here once,
-// for scenes, tables and stores alike.
+// right column after it. The words of bolt quantities are defined here once, for scenes,
+// tables and stores alike; those of events in event_kinds.h.
 #pragma once
 
+#include "solver/scene/event_kinds.h"
 #include "solver/scene/scene.h"
 
 #include <array>
@@ -17,11 +18,6 @@
 #include <vector>
 
 namespace keyblock {
-
-/// The kinds of events, in the order of `EventKind`.
-inline constexpr std::array<std::string_view, 13> eventKindWords{
-    "joint-slip", "joint-open",      "debonding",     "restick",    "yield",     "hinge",
-    "tensile-rupture", "shear-rupture", "plate-loss", "bolt-loss", "pulled-out", "block-falls", "collapse"};
 
 /// The quantities of a bolt, in the order of `BoltQuantity`.
 inline constexpr std::array<std::string_view, 10> boltQuantityWords{
@@ -43,7 +39,7 @@ struct Subject {
 
 struct Quantity {
     Reduction reduction = Reduction::Max;
-    int eventKind = -1;  // of `First`: index into `eventKindWords`
+    int eventKind = -1;  // of `First`: index into `eventKinds`
     Subject subject{};
 
     bool operator==(const Quantity&) const = default;

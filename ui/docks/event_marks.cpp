@@ -4,22 +4,16 @@
 
 #include "ui/look/theme.h"
 
-#include <QCoreApplication>
 #include <QPainter>
 #include <QPolygonF>
 
-#include <array>
+#include <string_view>
 
 namespace keyblock {
 
 namespace {
 
-/// Names of the event groups in the window, in the order of `EventGroup`.
-constexpr std::array<const char*, eventGroups> groupNames{
-    QT_TRANSLATE_NOOP("EventGroup", "slip"),       QT_TRANSLATE_NOOP("EventGroup", "debonding"),
-    QT_TRANSLATE_NOOP("EventGroup", "re-stick"),   QT_TRANSLATE_NOOP("EventGroup", "yield"),
-    QT_TRANSLATE_NOOP("EventGroup", "rupture"),    QT_TRANSLATE_NOOP("EventGroup", "plate"),
-    QT_TRANSLATE_NOOP("EventGroup", "pulled out"), QT_TRANSLATE_NOOP("EventGroup", "block falls")};
+QString shown(std::string_view title) { return QString::fromUtf8(title.data(), static_cast<int>(title.size())); }
 
 class MarkPainter {
 public:
@@ -96,26 +90,21 @@ private:
 
 }  // namespace
 
-QString nameOf(EventGroup group) {
-    return QCoreApplication::translate("EventGroup", groupNames[static_cast<std::size_t>(group)]);
-}
+QString nameOf(EventGroup group) { return shown(rowOf(group).title); }
+QString nameOf(EventKind kind) { return shown(rowOf(kind).title); }
 
-void drawEventMark(QPainter& painter, const Theme& theme, EventKind kind, const QPointF& at) {
-    if (kind == EventKind::JointOpen) MarkPainter(painter, theme, at).opening();
-    else drawEventMark(painter, theme, groupOf(kind), at);
-}
-
-void drawEventMark(QPainter& painter, const Theme& theme, EventGroup group, const QPointF& at) {
-    MarkPainter mark(painter, theme, at);
-    switch (group) {
-        case EventGroup::Slip: return mark.slip();
-        case EventGroup::Debonding: return mark.debonding();
-        case EventGroup::Restick: return mark.restick();
-        case EventGroup::Yield: return mark.yield();
-        case EventGroup::Rupture: return mark.rupture();
-        case EventGroup::Plate: return mark.plate();
-        case EventGroup::PulledOut: return mark.pulledOut();
-        case EventGroup::Falls: return mark.falls();
+void drawEventMark(QPainter& painter, const Theme& theme, EventMark mark, const QPointF& at) {
+    MarkPainter ink(painter, theme, at);
+    switch (mark) {
+        case EventMark::Slip: return ink.slip();
+        case EventMark::Opening: return ink.opening();
+        case EventMark::Debonding: return ink.debonding();
+        case EventMark::Restick: return ink.restick();
+        case EventMark::Yield: return ink.yield();
+        case EventMark::Rupture: return ink.rupture();
+        case EventMark::Plate: return ink.plate();
+        case EventMark::PulledOut: return ink.pulledOut();
+        case EventMark::Falls: return ink.falls();
     }
 }
 

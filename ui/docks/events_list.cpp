@@ -28,17 +28,13 @@ namespace keyblock {
 
 namespace {
 
-QString words(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<int>(text.size())).replace('-', ' ');
-}
-
 QPixmap markOf(const Theme& theme, EventKind kind) {
     constexpr int side = 16, sharp = 2;
     QPixmap pixmap(side * sharp, side * sharp);
     pixmap.setDevicePixelRatio(sharp);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
-    drawEventMark(painter, theme, kind, {0.5 * side, 0.5 * side});
+    drawEventMark(painter, theme, rowOf(kind).mark, {0.5 * side, 0.5 * side});
     return pixmap;
 }
 
@@ -112,7 +108,7 @@ QVariant EventsModel::text(const Event& event, std::size_t number, int column) c
         case Time:
             return QString::fromStdString((run.scene().stages.size() > 1 ? stageName(run.scene(), event.stage) + "  " : "") +
                                           timeText(run.scene(), event.stage, event.time));
-        case What: return words(wordOf(event.kind));
+        case What: return nameOf(event.kind);
         case Where: {
             QString where = event.bolt >= 0 ? QString::fromStdString(boltName(run.scene(), event.bolt))
                                             : QString::fromStdString(blockName(run.blockNames(), event.block));
@@ -123,8 +119,7 @@ QVariant EventsModel::text(const Event& event, std::size_t number, int column) c
             return where;
         }
         case Force: {
-            const bool shear = event.kind == EventKind::ShearRupture || event.kind == EventKind::JointSlip;
-            const double force = shear ? std::abs(event.shearForce) : event.axialForce;  // a shear force is unsigned here
+            const double force = rowOf(event.kind).isOfShear ? std::abs(event.shearForce) : event.axialForce;  // a shear force is unsigned here
             const ShownUnit unit = display_.shown("N");
             return force == 0.0 ? QString() : Display::number(unit.factor * force, 4) + ' ' + unit.symbol;
         }
@@ -142,7 +137,7 @@ QString EventsModel::chainOf(std::size_t number) const {
         const Event& event = events[static_cast<std::size_t>(at)];
         lines.prepend(QStringLiteral("%1  %2 · %3")
                           .arg(at + 1)
-                          .arg(words(wordOf(event.kind)), text(event, static_cast<std::size_t>(at), Where).toString()));
+                          .arg(nameOf(event.kind), text(event, static_cast<std::size_t>(at), Where).toString()));
         if (event.cause >= at) break;
         at = event.cause;
     }
@@ -238,7 +233,7 @@ void EventsList::open(const QModelIndex& index) {
     cursor_.goToEvent(event);
     opening_ = false;
     if (event.bolt >= 0) choice_.choose(event.bolt);
-    else if (event.block >= 0) Q_EMIT blockAsked(event.block, words(wordOf(event.kind)));
+    else if (event.block >= 0) Q_EMIT blockAsked(event.block, nameOf(event.kind));
 }
 
 }  // namespace keyblock

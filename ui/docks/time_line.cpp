@@ -4,6 +4,7 @@
 
 #include "solver/results/history.h"
 #include "solver/results/result_names.h"
+#include "ui/docks/event_marks.h"
 #include "ui/docks/time_track.h"
 #include "ui/look/action_button.h"
 #include "ui/look/commands.h"
@@ -174,8 +175,8 @@ QWidget* TimeLine::makeCounts() {
     events_->setText(tr("Events"));
     events_->setMinimumWidth(events_->sizeHint().width());
     row->addWidget(events_);
-    for (std::size_t g = 0; g < eventGroups; ++g) {
-        const auto group = static_cast<EventGroup>(g);
+    for (std::size_t g = 0; g < eventGroups.size(); ++g) {
+        const EventGroup group = eventGroups[g].group;
         auto* button = new QToolButton(bar);
         button->setObjectName("count" + QString::number(g));
         button->setAccessibleName(tr("Show events: %1").arg(nameOf(group)));
@@ -207,15 +208,15 @@ void TimeLine::showIcons() {
     if (auto* end = full_->findChild<QToolButton*>("time.end")) end->setIcon(themes_.icon("end", themes_.current().text));
     loop_->setIcon(themes_.icon("loop"));
     showBookmark();
-    for (std::size_t g = 0; g < eventGroups; ++g) {
+    for (std::size_t g = 0; g < eventGroups.size(); ++g) {
         constexpr int side = 16, sharp = 3;
         QPixmap pixmap(side * sharp, side * sharp);
         pixmap.setDevicePixelRatio(sharp);
         pixmap.fill(Qt::transparent);
         QPainter painter(&pixmap);
-        const bool off = numbers_.of(static_cast<EventGroup>(g)) == 0 || !counts_[g]->isChecked();
+        const bool off = numbers_.of(eventGroups[g].group) == 0 || !counts_[g]->isChecked();
         if (off) painter.setOpacity(0.55);
-        drawEventMark(painter, themes_.current(), static_cast<EventGroup>(g), {0.5 * side, 0.5 * side});
+        drawEventMark(painter, themes_.current(), eventGroups[g].mark, {0.5 * side, 0.5 * side});
         painter.end();
         counts_[g]->setIcon(QIcon(pixmap));
     }
@@ -245,8 +246,8 @@ void TimeLine::showCounts() {
 }
 
 void TimeLine::nameCounts() {
-    for (std::size_t g = 0; g < eventGroups; ++g) {
-        const auto group = static_cast<EventGroup>(g);
+    for (std::size_t g = 0; g < eventGroups.size(); ++g) {
+        const EventGroup group = eventGroups[g].group;
         const QString number = Display::number(static_cast<double>(numbers_.of(group)), 9);
         const QString kinds = QString::fromStdString(numbers_.kindsText(group));
         counts_[g]->setText(short_ > 0 ? number : nameOf(group) + ' ' + number);

@@ -5,7 +5,7 @@
 // counts and the track below. Without a run it says how to get one.
 #pragma once
 
-#include "ui/docks/event_marks.h"
+#include "solver/results/event_groups.h"
 
 #include <QWidget>
 
@@ -64,7 +64,7 @@ private:
     QLabel *stage_ = nullptr, *time_ = nullptr, *frame_ = nullptr, *compare_ = nullptr;
     QToolButton *live_ = nullptr, *next_ = nullptr;
     QLabel* events_ = nullptr;
-    std::array<QToolButton*, eventGroups> counts_{};
+    std::array<QToolButton*, eventGroups.size()> counts_{};
     int short_ = 0;  // 0: all is shown
     std::size_t counted_ = 0;
     EventCounts numbers_;

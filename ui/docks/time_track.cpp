@@ -3,6 +3,7 @@
 #include "ui/docks/time_track.h"
 
 #include "solver/results/result_names.h"
+#include "ui/docks/event_marks.h"
 #include "ui/look/plain_text.h"
 #include "ui/look/theme.h"
 #include "ui/picture/captions.h"
@@ -25,20 +26,6 @@ namespace {
 constexpr double narrowest = 1e-4;  // of the axis
 constexpr double leastBetweenMarks = 12.0, grabs = 7.0;  // [px]
 
-int gravityOf(EventGroup group) {
-    switch (group) {
-        case EventGroup::Falls: return 6;
-        case EventGroup::Rupture: return 5;
-        case EventGroup::PulledOut: return 4;
-        case EventGroup::Plate: return 3;
-        case EventGroup::Yield: return 2;
-        case EventGroup::Debonding: return 1;
-        case EventGroup::Restick:
-        case EventGroup::Slip: break;
-    }
-    return 0;
-}
-
 /// Counts each event at the mark nearest to it. \param placed in order, at least one if there are events
 void countEvents(const std::vector<PlacedEvent>& all, std::vector<PlacedEvent>& placed) {
     for (PlacedEvent& mark : placed) mark.count = 0;
@@ -57,9 +44,10 @@ std::vector<PlacedEvent> placedEvents(const std::vector<Event>& events, const st
                                       double least) {
     std::vector<PlacedEvent> all;
     for (std::size_t i = 0; i < events.size(); ++i)
-        if (std::isfinite(places[i])) all.push_back({groupOf(events[i].kind), places[i], i});
-    std::stable_sort(all.begin(), all.end(), [](const PlacedEvent& a, const PlacedEvent& b) {
-        return gravityOf(a.group) > gravityOf(b.group);
+        if (std::isfinite(places[i])) all.push_back({rowOf(events[i].kind).group, places[i], i});
+    const auto severityOf = [&](const PlacedEvent& mark) { return rowOf(events[mark.event].kind).severity; };
+    std::stable_sort(all.begin(), all.end(), [&](const PlacedEvent& a, const PlacedEvent& b) {
+        return severityOf(a) > severityOf(b);
     });
     std::vector<double> taken;  // rising
     std::vector<PlacedEvent> placed;
@@ -156,7 +144,7 @@ QString TimeTrack::tipAt(const QPointF& at) const {
     for (const PlacedEvent& mark : marks()) {
         if (std::abs(mark.x - at.x()) > grabs || at.y() < 36.0) continue;
         const Event& event = run.eventList()[mark.event];
-        QString text = QString::fromUtf8(wordOf(event.kind).data(), int(wordOf(event.kind).size()));
+        QString text = nameOf(event.kind);
         const std::string subject = event.bolt >= 0 ? boltName(run.scene(), event.bolt)
                                                     : blockName(run.blockNames(), event.block);
         if (!subject.empty()) text += QStringLiteral(" · ") + QString::fromStdString(subject);

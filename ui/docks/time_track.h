@@ -5,7 +5,7 @@
 // cursors: click and drag to scrub, wheel to zoom.
 #pragma once
 
-#include "ui/docks/event_marks.h"
+#include "solver/results/results.h"
 #include "ui/runs/time_axis.h"
 
 #include <QWidget>

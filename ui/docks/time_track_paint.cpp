@@ -4,6 +4,7 @@
 // Painting of the timeline: bands, ticks, marks and flags, in px.
 #include "solver/results/result_names.h"
 #include "ui/canvas/call_out.h"
+#include "ui/docks/event_marks.h"
 #include "ui/docks/time_track.h"
 #include "ui/look/display.h"
 #include "ui/look/theme.h"
@@ -198,7 +199,7 @@ void TimeTrack::paintMarks(QPainter& painter) const {
             painter.setPen(QPen(clear(theme.error, 0.3), 1.0));
             painter.drawLine(QPointF(mark.x, bandTop + bandHeight), QPointF(mark.x, axisAt));
         }
-    for (const PlacedEvent& mark : placed) drawEventMark(painter, theme, mark.group, {mark.x, marksAt});
+    for (const PlacedEvent& mark : placed) drawEventMark(painter, theme, rowOf(mark.group).mark, {mark.x, marksAt});
     paintCounts(painter, placed);
     for (const std::size_t frame : cursor_.bookmarks()) {
         const FrameHead& head = cursor_.run()->frames()[frame];

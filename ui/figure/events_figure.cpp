@@ -8,7 +8,6 @@
 
 #include "solver/results/tables.h"
 #include "solver/results/result_names.h"
-#include "solver/scene/quantity_text.h"
 #include "ui/figure/mark_painter.h"
 #include "ui/figure/paper.h"
 #include "ui/figure/sheet.h"
@@ -35,38 +34,36 @@ constexpr double markDistance = 1.2;  // [mm]
 constexpr std::size_t mostListed = 40;
 
 struct KindRow {
-    EventKind kind = EventKind::JointSlip;
+    const EventKindRow* kind = nullptr;
     std::vector<double> times;  // on the axis, rising
 };
 
 std::vector<KindRow> kindRows(const std::vector<Event>& events, const RunTime& time) {
     std::vector<KindRow> rows;
-    for (std::size_t k = 0; k < eventKindWords.size(); ++k) {
-        KindRow row{static_cast<EventKind>(k), {}};
+    for (const EventKindRow& kind : eventKinds) {
+        KindRow row{&kind, {}};
         for (const Event& event : events)
-            if (event.kind == row.kind) row.times.push_back(time.at(event.stage, event.time));
+            if (event.kind == kind.kind) row.times.push_back(time.at(event.stage, event.time));
         if (!row.times.empty()) rows.push_back(std::move(row));
     }
     return rows;
 }
 
-/// The mark of a kind; ticks for joint events, which occur by the hundred.
-void drawEvent(Ink& ink, EventKind kind, const Point& at) {
-    switch (kind) {
-        case EventKind::Debonding: return drawMark(ink, MarkKind::Slipping, at, {1.0, 0.0}, true);
-        case EventKind::Yield:
-        case EventKind::Hinge: return drawMark(ink, MarkKind::Yielded, at, {1.0, 0.0});
-        case EventKind::TensileRupture:
-        case EventKind::ShearRupture:
-        case EventKind::BoltLoss: return drawMark(ink, MarkKind::Ruptured, at, {1.0, 0.0});
-        case EventKind::PlateLoss: return drawMark(ink, MarkKind::PlateLost, at - Point(0.0, 0.9), {0.0, 1.0});
-        case EventKind::PulledOut:
+/// The mark on paper; ticks for events that occur by the hundred.
+void drawEvent(Ink& ink, EventMark mark, const Point& at) {
+    switch (mark) {
+        case EventMark::Debonding: return drawMark(ink, MarkKind::Slipping, at, {1.0, 0.0}, true);
+        case EventMark::Yield: return drawMark(ink, MarkKind::Yielded, at, {1.0, 0.0});
+        case EventMark::Rupture: return drawMark(ink, MarkKind::Ruptured, at, {1.0, 0.0});
+        case EventMark::Plate: return drawMark(ink, MarkKind::PlateLost, at - Point(0.0, 0.9), {0.0, 1.0});
+        case EventMark::PulledOut:
             ink.polyline({at + Point(-0.7, -0.2), at + Point(0.0, -0.9), at + Point(0.7, -0.2)}, {0.28, error});
             return ink.line(at + Point(0.0, -0.8), at + Point(0.0, 0.9), {0.28, error});
-        case EventKind::BlockFalls:
-        case EventKind::Collapse:
+        case EventMark::Falls:
             return ink.polygon({at + Point(-0.9, -0.7), at + Point(0.9, -0.7), at + Point(0.0, 0.9)}, error, {});
-        default: return ink.line(at + Point(0.0, -1.1), at + Point(0.0, 1.1), {0.13, softText});
+        case EventMark::Slip:
+        case EventMark::Opening:
+        case EventMark::Restick: return ink.line(at + Point(0.0, -1.1), at + Point(0.0, 1.1), {0.13, softText});
     }
 }
 
@@ -107,16 +104,16 @@ private:
 
     void drawRow(Ink& ink, const KindRow& row, double y) const {
         ink.line({left_, y}, {right_, y}, {0.1, grid});
-        ink.text({left_ - 2.0, y + 0.7}, std::string(wordOf(row.kind)), text_style::body, Align::Right);
+        ink.text({left_ - 2.0, y + 0.7}, std::string(row.kind->title), text_style::body, Align::Right);
         ink.text({right_ + counts - 1.0, y + 0.7}, numberText(static_cast<double>(row.times.size()), 0),
                  text_style::body, Align::Right);
-        const bool joints = row.kind == EventKind::JointSlip || row.kind == EventKind::JointOpen;
+        const bool isTick = isMinor(row.kind->kind);
         double free = -1e9;
         for (const double time : row.times) {
             const double x = at(time);
             if (x < free) continue;
-            drawEvent(ink, row.kind, {x, y});
-            free = x + (joints ? 0.3 : markDistance);
+            drawEvent(ink, row.kind->mark, {x, y});
+            free = x + (isTick ? 0.3 : markDistance);
         }
     }
 

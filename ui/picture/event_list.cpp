@@ -7,55 +7,19 @@
 #include "ui/picture/captions.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace keyblock {
 
 namespace {
 
-/// Severity, from events that a picture may omit to those that it must show.
-int gravity(EventKind kind) {
-    switch (kind) {
-        case EventKind::JointSlip:
-        case EventKind::JointOpen:
-        case EventKind::Restick: return 0;
-        case EventKind::Debonding: return 1;
-        case EventKind::Yield:
-        case EventKind::Hinge: return 2;
-        case EventKind::PulledOut:
-        case EventKind::PlateLoss: return 3;
-        case EventKind::TensileRupture:
-        case EventKind::ShearRupture:
-        case EventKind::BoltLoss: return 4;
-        case EventKind::BlockFalls:
-        case EventKind::Collapse: break;
-    }
-    return 5;
-}
-
-std::string several(int count, const char* one, const char* more) {
-    return count == 1 ? one : std::to_string(count) + " " + more;
-}
-
-std::string wordsOf(EventKind kind, int n) {
-    switch (kind) {
-        case EventKind::Debonding: return several(n, "debonds at one node", "nodes debond");
-        case EventKind::Yield: return several(n, "yields", "elements yield");
-        case EventKind::Hinge: return several(n, "forms a plastic hinge", "plastic hinges");
-        case EventKind::TensileRupture: return several(n, "ruptures (tension)", "ruptures (tension)");
-        case EventKind::ShearRupture: return several(n, "ruptures (shear)", "ruptures (shear)");
-        case EventKind::PlateLoss: return "loses its face plate";
-        case EventKind::BoltLoss: return "is lost";
-        case EventKind::PulledOut: return several(n, "has one node pulled out", "nodes pulled out");
-        case EventKind::BlockFalls: return "falls";
-        case EventKind::Collapse: return "collapse";
-        default: return std::string(wordOf(kind));
-    }
+/// What happened, after the name of the bolt or block.
+std::string whatOf(const EventKindRow& kind, int count) {
+    return count == 1 ? std::string(kind.once) : std::to_string(count) + " " + std::string(kind.more);
 }
 
 double forceOf(const Event& event) {
-    return std::abs(event.kind == EventKind::ShearRupture ? event.shearForce : event.axialForce);
+    return std::abs(rowOf(event.kind).isOfShear ? event.shearForce : event.axialForce);
 }
 
 EventEntry entryOf(const RunSource& run, const Event& event) {
@@ -97,19 +61,12 @@ std::vector<EventEntry> grouped(const RunSource& run, std::span<const Event> eve
 std::string countedText(std::span<const Event> events) {
     const EventCounts counts(events);
     std::string text;
-    const auto add = [&](EventKind kind, const std::string& one, const std::string& more) {
-        if (const long n = counts.of(kind); n > 0)
-            text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + (n == 1 ? one : more);
-    };
-    add(EventKind::JointSlip, "joint slip", "joint slips");
-    add(EventKind::JointOpen, "joint opening", "joint openings");
-    add(EventKind::Restick, "bond re-stick", "bond re-sticks");
+    for (const EventKindRow& row : eventKinds)
+        if (isMinor(row.kind) && counts.of(row.kind) > 0) text += (text.empty() ? "" : ", ") + counts.kindText(row.kind);
     return text;
 }
 
 }  // namespace
-
-bool isGrave(EventKind kind) { return gravity(kind) >= 3; }
 
 std::vector<Event> eventsUntil(std::vector<Event> events, const FrameHead& frame) {
     events.resize(std::min(events.size(), static_cast<std::size_t>(frame.events)));
@@ -121,7 +78,7 @@ EventList eventList(const RunSource& run, std::span<const Event> events, std::si
     while (list.entries.size() > most) {
         const auto least = std::min_element(list.entries.rbegin(), list.entries.rend(),
                                             [](const EventEntry& a, const EventEntry& b) {
-                                                return gravity(a.kind) < gravity(b.kind);
+                                                return rowOf(a.kind).severity < rowOf(b.kind).severity;
                                             });
         list.entries.erase(std::next(least).base());
         ++list.leftOut;
@@ -129,7 +86,7 @@ EventList eventList(const RunSource& run, std::span<const Event> events, std::si
     int number = 0;
     for (EventEntry& entry : list.entries) {
         entry.number = ++number;
-        entry.what = wordsOf(entry.kind, entry.count);
+        entry.what = whatOf(rowOf(entry.kind), entry.count);
     }
     return list;
 }

@@ -37,9 +37,6 @@ struct EventList {
     std::string counted;  // events not listed: "690 joint slips, 121 joint openings"; empty: none
 };
 
-/// Whether support is lost or rock falls: a picture must label these events.
-bool isGrave(EventKind kind);
-
 /// The run's events up to and including a frame. \pre in order of time.
 std::vector<Event> eventsUntil(std::vector<Event> events, const FrameHead& frame);
 

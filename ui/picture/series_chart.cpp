@@ -24,7 +24,7 @@ void thinEvents(Chart& chart) {
 
 }  // namespace
 
-bool isOfBolts(const Event& event) { return event.bolt >= 0 && event.kind != EventKind::Restick; }
+bool isOfBolts(const Event& event) { return event.bolt >= 0 && !isMinor(event.kind); }
 
 Chart chartOverTime(const RunTime& time, const std::vector<Event>& events) {
     Chart chart;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/time_cursor.h"
 
-#include "solver/results/event_groups.h"
+#include "solver/scene/event_kinds.h"
 #include "ui/runs/live_run.h"
 
 #include <algorithm>

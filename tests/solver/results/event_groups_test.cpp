@@ -7,20 +7,16 @@
 namespace keyblock {
 namespace {
 
-TEST(EventGroups, EveryKindHasOneAndABondThatSticksAgainDidNotLetGo) {
+TEST(EventGroups, ContainEveryKindOnce) {
     std::size_t kinds = 0;
-    for (std::size_t g = 0; g < eventGroups; ++g) {
-        const auto group = static_cast<EventGroup>(g);
-        for (const EventKind kind : kindsOf(group)) EXPECT_EQ(groupOf(kind), group);
-        kinds += kindsOf(group).size();
+    for (const EventGroupRow& group : eventGroups) {
+        EXPECT_FALSE(kindsOf(group.group).empty()) << group.title;
+        kinds += kindsOf(group.group).size();
     }
-    EXPECT_EQ(kinds, eventKindWords.size());
-    EXPECT_NE(groupOf(EventKind::Restick), groupOf(EventKind::Debonding));
-    EXPECT_TRUE(isMinor(EventKind::JointOpen) && isMinor(EventKind::Restick));
-    EXPECT_FALSE(isMinor(EventKind::Debonding) || isMinor(EventKind::Collapse));
+    EXPECT_EQ(kinds, eventKinds.size());
 }
 
-TEST(EventGroups, CountsAreListedByGroupAndKind) {
+TEST(EventCounts, NameKindsAndGroupsByTheirTitles) {
     EventCounts counts;
     const auto add = [&](EventKind kind, int times) {
         Event event;
@@ -33,12 +29,15 @@ TEST(EventGroups, CountsAreListedByGroupAndKind) {
     add(EventKind::Debonding, 56);
     add(EventKind::Restick, 304);
     add(EventKind::Hinge, 21);
+    add(EventKind::PlateLoss, 1);
     add(EventKind::BlockFalls, 2);
     EXPECT_EQ(counts.of(EventGroup::Debonding), 56);
     EXPECT_EQ(counts.of(EventGroup::Slip), 1192);
-    EXPECT_EQ(counts.kindsText(EventGroup::Slip), "984 joint-slip, 208 joint-open");
-    EXPECT_EQ(counts.text(), "1192 slip (984 joint-slip, 208 joint-open), 56 debonding, 304 restick, "
-                             "21 yield (21 hinge), 2 block falls");
+    EXPECT_EQ(counts.kindText(EventKind::Yield), "");
+    EXPECT_EQ(counts.kindText(EventKind::PlateLoss), "1 plate loss");
+    EXPECT_EQ(counts.kindsText(EventGroup::Slip), "984 joint slips, 208 joint openings");
+    EXPECT_EQ(counts.text(), "1192 slip (984 joint slips, 208 joint openings), 56 debondings, 304 bond re-sticks, "
+                             "21 plastic hinges, 1 plate loss, 2 block falls");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // What the docks show of a run, and where clicks on them lead.
 #include "tests/ui/bricks.h"
 #include "tests/ui/screen/screen.h"
+#include "ui/docks/event_marks.h"
 #include "ui/docks/events_list.h"
 #include "ui/docks/health_strip.h"
 #include "ui/docks/run_warning.h"
@@ -214,12 +215,20 @@ TEST_F(DocksTest, AClickOnAnEventGoesToItsTimeAndSelectsItsBolt) {
     EXPECT_EQ(view->model()->rowCount(), 2);
 }
 
-TEST_F(DocksTest, EventGroupsHaveTheSameNamesEverywhere) {
-    for (std::size_t g = 0; g < eventGroups; ++g) {
-        const auto group = static_cast<EventGroup>(g);
-        const std::string word(wordOf(group));  // files keep a word without its hyphen
-        EXPECT_EQ(nameOf(group).toStdString(), word == "restick" ? "re-stick" : word);
+TEST_F(DocksTest, EventsAreShownByTheirTitles) {
+    for (const EventGroupRow& group : eventGroups) EXPECT_EQ(nameOf(group.group).toStdString(), group.title);
+    for (const EventKindRow& kind : eventKinds) EXPECT_EQ(nameOf(kind.kind).toStdString(), kind.title);
+    TimeCursor cursor;
+    cursor.setRun(elevenFrames(), false);
+    Themes themes;
+    Display display;
+    EventsModel model(themes, display, cursor);
+    model.takeRun();
+    for (int row = 0; row < model.rowCount(); ++row) {
+        const EventKind kind = cursor.run()->eventList()[model.eventAt(row)].kind;
+        EXPECT_EQ(model.index(row, EventsModel::What).data().toString().toStdString(), rowOf(kind).title);
     }
+    EXPECT_EQ(model.index(0, EventsModel::What).data().toString().toStdString(), "joint slip");
 }
 
 TEST_F(DocksTest, TheTimelineScrubsZoomsAndCounts) {

@@ -62,7 +62,7 @@ TEST_F(OtherFigures, HaveTheSameBytesEachTime) {
 TEST_F(OtherFigures, ContainTheirTextInPdf) {
     const std::vector<std::string> words[]{{"Bolt B: Bricks", "Axial force N (kN)", "distance from"},
                                            {"Bricks", "Axial force (kN)", "pull", "time (s)"},
-                                           {"Events: Bricks", "joint-slip", "B: 2 elements yield", "125 kN"}};
+                                           {"Events: Bricks", "joint slip", "B: 2 elements yield", "125 kN"}};
     for (std::size_t k = 0; k < 3; ++k) {
         const auto text = test::readBy("pdftotext", "-layout % -", painted(kinds[k], PaperFormat::Pdf).bytes, ".pdf");
         if (!text) GTEST_SKIP() << "no poppler here";
