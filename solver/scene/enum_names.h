@@ -20,6 +20,8 @@ using Words = std::span<const std::string_view>;
 inline constexpr std::array<std::string_view, 2> planeWords{"stress", "strain"};
 inline constexpr std::array<std::string_view, 4> integrationWords{"shi", "backward-euler", "newmark",
                                                                      "generalized-alpha"};
+inline constexpr std::array<std::string_view, 4> integrationTitles{"Shi", "backward Euler", "Newmark",
+                                                                      "generalised α"};  // as users read them
 inline constexpr std::array<std::string_view, 2> iterationWords{"convex", "open-close"};
 inline constexpr std::array<std::string_view, 2> contactMethodWords{"penalty", "augmented-lagrangian"};
 inline constexpr std::array<std::string_view, 4> fixWords{"all", "x", "y", "xy"};

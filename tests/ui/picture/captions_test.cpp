@@ -29,5 +29,16 @@ TEST(Captions, NameTheStageOnceAndShortenShortTimes) {
     EXPECT_EQ(titled("stage 4"), "Drift, stage 4 at pseudo-time 0.004");
 }
 
+TEST(Captions, NameTheIntegrationSchemeOfScenesInMotion) {
+    Scene scene = test::bricks();
+    scene.stages.front().kind = StageKind::Static;
+    EXPECT_EQ(analysisText(scene), "plane strain");
+    scene.stages.front().kind = StageKind::Dynamic;
+    scene.analysis.integration = Integration::Shi;
+    EXPECT_EQ(analysisText(scene), "plane strain · Shi scheme");
+    scene.analysis.integration = Integration::BackwardEuler;
+    EXPECT_EQ(analysisText(scene), "plane strain · backward Euler scheme");
+}
+
 }  // namespace
 }  // namespace keyblock
