@@ -7,6 +7,7 @@
 
 #include "solver/scene/units.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keyblock {
@@ -69,13 +70,18 @@ const FrameQuantity<ContactFrame> ofContacts[]{
      {"Contact normal along y", "", 1.0, "push on block a", true}},
 };
 
-const FrameQuantity<BoltNodeFrame> ofNodes[]{
-    {"axial_force", "axial_force_N", [](OfNode n) { return n.axialForce; }, force("Axial force N", "tension +", true)},
-    {"shear_force", "shear_force_N", [](OfNode n) { return n.shearForce; }, force("Shear force Q", "", true)},
-    {"moment", "moment_Nm", [](OfNode n) { return n.moment; }, {"Moment M", "kN m", perSi(namedUnit("kN m")), "", true}},
-    {"anchor_force", "anchor_force_N", [](OfNode n) { return n.anchorForce; },
-     force("Bond force", "rock drags the bolt towards the head +", true)},
-    {"slip", "slip_m", [](OfNode n) { return n.slip; }, millimetres("Slip", "rock towards the head +", true)},
+/// A quantity of bolts, read off a node of a frame.
+constexpr FrameQuantity<BoltNodeFrame> ofNode(BoltQuantity quantity, double (*value)(OfNode)) {
+    const BoltQuantityRow& row = rowOf(quantity);
+    return {row.key, row.column, value, {row.title, row.unit, row.factor, row.convention, row.isSigned}};
+}
+
+constexpr FrameQuantity<BoltNodeFrame> ofNodes[]{
+    ofNode(BoltQuantity::AxialForce, [](OfNode n) { return n.axialForce; }),
+    ofNode(BoltQuantity::ShearForce, [](OfNode n) { return n.shearForce; }),
+    ofNode(BoltQuantity::Moment, [](OfNode n) { return n.moment; }),
+    ofNode(BoltQuantity::AnchorForce, [](OfNode n) { return n.anchorForce; }),
+    ofNode(BoltQuantity::Slip, [](OfNode n) { return n.slip; }),
 };
 
 const FrameQuantity<Energy> ofEnergy[]{
@@ -98,6 +104,14 @@ std::span<const FrameQuantity<BlockState>> blockQuantities() { return ofBlocks; 
 std::span<const FrameQuantity<ContactFrame>> contactQuantities() { return ofContacts; }
 std::span<const FrameQuantity<BoltNodeFrame>> boltQuantities() { return ofNodes; }
 std::span<const FrameQuantity<Energy>> energyQuantities() { return ofEnergy; }
+
+const FrameQuantity<BoltNodeFrame>* findQuantity(BoltQuantity quantity) {
+    return findQuantity(boltQuantities(), rowOf(quantity).key);
+}
+
+const BoltQuantityRow& rowOf(const FrameQuantity<BoltNodeFrame>& quantity) {
+    return *std::ranges::find(boltQuantityRows, quantity.name, &BoltQuantityRow::key);
+}
 
 const BoltPeak* peakOf(const BoltExtremes& extremes, std::string_view quantity) {
     if (quantity == "axial_force") return &extremes.axialForce;

@@ -3,10 +3,12 @@
 //
 // The one table of what can be read off a frame: a row gives a number of a block,
 // a contact or a node of a bolt its name, its column in the tables and the way
-// figures show it. A new quantity is one row, and tables and figures have it.
+// figures show it. A new quantity is one row, and tables and figures have it. Rows of
+// bolts take all but the reading from solver/scene/bolt_quantities.
 #pragma once
 
 #include "solver/results/results.h"
+#include "solver/scene/bolt_quantities.h"
 
 #include <span>
 #include <string>
@@ -46,6 +48,12 @@ const FrameQuantity<Row>* findQuantity(std::span<const FrameQuantity<Row>> rows,
         if (row.name == name) return &row;
     return nullptr;
 }
+
+/// The row of a bolt quantity; null of one that frames do not keep along the bolt.
+const FrameQuantity<BoltNodeFrame>* findQuantity(BoltQuantity quantity);
+
+/// What the quantity is. \pre one of `boltQuantities()`.
+const BoltQuantityRow& rowOf(const FrameQuantity<BoltNodeFrame>& quantity);
 
 /// The names in the list, with commas between.
 template <typename Row>

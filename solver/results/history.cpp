@@ -6,15 +6,15 @@
 #include "solver/results/history.h"
 
 #include <algorithm>
-#include <array>
 
 namespace keyblock {
 
 namespace {
 
-/// Unit suffixes in the order of `BoltQuantity`.
-constexpr std::array<std::string_view, boltQuantityWords.size()> boltQuantitySuffixes{"_N", "_N", "_Nm", "_N",
-                                                                                      "_m", "_N", "_m",  ""};
+/// "_N": the unit as the end of a column's name.
+std::string unitSuffix(BoltQuantity quantity) {
+    return std::string(rowOf(quantity).column.substr(rowOf(quantity).key.size()));
+}
 
 std::string columnStem(std::string name) {
     std::replace(name.begin(), name.end(), ' ', '_');
@@ -29,7 +29,7 @@ void addMonitor(const Monitor& monitor, std::vector<std::string>& names) {
     } else if (monitor.between) {
         names.push_back(stem + "_m");
     } else {
-        names.push_back(stem + std::string(boltQuantitySuffixes[static_cast<std::size_t>(monitor.quantity)]));
+        names.push_back(stem + unitSuffix(monitor.quantity));
     }
 }
 
@@ -48,8 +48,8 @@ HistoryColumns historyColumns(const Scene& scene) {
         addMonitor(monitor, columns.names);
     columns.monitorValues = static_cast<int>(columns.names.size());
     for (const Bolt& bolt : scene.bolts)
-        for (const std::string_view word : boltQuantityWords)
-            columns.names.push_back(bolt.name + "." + std::string(word));
+        for (const BoltQuantityRow& row : boltQuantityRows)
+            columns.names.push_back(bolt.name + "." + std::string(row.key));
     return columns;
 }
 
@@ -57,7 +57,7 @@ int historyColumn(const Scene& scene, const Subject& subject) {
     if (subject.monitor >= 0)
         return firstColumnOf(scene, subject.monitor) + subject.component;
     const int monitorValues = firstColumnOf(scene, static_cast<int>(scene.monitors.size()));
-    return monitorValues + subject.bolt * static_cast<int>(boltQuantityWords.size()) +
+    return monitorValues + subject.bolt * static_cast<int>(boltQuantityRows.size()) +
            static_cast<int>(subject.boltQuantity);
 }
 

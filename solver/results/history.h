@@ -10,7 +10,8 @@
 
 namespace keyblock {
 
-/// Names every value of a history row: the monitors' as the history table prints them, then eight for every bolt.
+/// Names every value of a history row: the monitors' as the history table prints them, then one for each
+/// quantity of every bolt.
 HistoryColumns historyColumns(const Scene& scene);
 
 /// Position in a history row of what a quantity reads.

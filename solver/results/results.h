@@ -217,7 +217,7 @@ struct HistoryRow {
 };
 
 /// Names the history's values: first those of the monitors (as the history table
-/// prints them, e.g. `crown_ux_m`, `B1_force_N`), then ten for every bolt
+/// prints them, e.g. `crown_ux_m`, `B1_force_N`), then one for each quantity of every bolt
 /// (`BOLT.axial_force`, … in the order of `BoltQuantity`: the value of largest
 /// magnitude along the bolt, with its sign), which quantities read.
 struct HistoryColumns {

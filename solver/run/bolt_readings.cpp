@@ -6,6 +6,7 @@
 #include "solver/engine/bolt/shank.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace keyblock {
@@ -33,17 +34,59 @@ double debondedLength(const BoltModel& bolt, const BoltMotion& motion) {
     return length;
 }
 
-double ofElement(const BoltModel& bolt, const BoltMotion& motion, int element, BoltQuantity quantity) {
-    const BoltElementState& e = motion.elements[element];
-    switch (quantity) {
-        case BoltQuantity::AxialForce: return e.axialForce;
-        case BoltQuantity::ShearForce: return e.shearForce;
-        case BoltQuantity::Strain: return e.strain;
-        case BoltQuantity::Utilisation: return utilisationOf(bolt, motion, element).forces;
-        case BoltQuantity::UtilisationWithMoment: return utilisationOf(bolt, motion, element).withMoment;
-        default: return std::abs(e.moment1) > std::abs(e.moment2) ? -e.moment1 : e.moment2;
-    }
+/// The larger of the moments at the ends of an element, with its sign.
+double largerMoment(const BoltElementState& e) {
+    return std::abs(e.moment1) > std::abs(e.moment2) ? -e.moment1 : e.moment2;
 }
+
+double momentBetween(const BoltElementState& e, double share) {
+    return (1.0 - share) * -e.moment1 + share * e.moment2;
+}
+
+using OfBolt = const BoltModel&;
+using OfMotion = const BoltMotion&;
+using OfState = const BoltElementState&;
+
+/// How a quantity is read: of each element, of each node or of the whole bolt.
+struct Reading {
+    BoltQuantity quantity;
+    double (*ofElement)(OfBolt, OfMotion, int element) = nullptr;
+    double (*ofNode)(const BoltNode&) = nullptr;
+    double (*ofBolt)(OfBolt, OfMotion) = nullptr;
+    double (*between)(OfState, double share) = nullptr;  // of elements: from 0 to 1 along one; null: it is constant
+};
+
+/// In the order of `BoltQuantity`.
+constexpr std::array readings{
+    Reading{.quantity = BoltQuantity::AxialForce,
+            .ofElement = [](OfBolt, OfMotion motion, int e) { return motion.elements[e].axialForce; }},
+    Reading{.quantity = BoltQuantity::ShearForce,
+            .ofElement = [](OfBolt, OfMotion motion, int e) { return motion.elements[e].shearForce; }},
+    Reading{.quantity = BoltQuantity::Moment,
+            .ofElement = [](OfBolt, OfMotion motion, int e) { return largerMoment(motion.elements[e]); },
+            .between = momentBetween},
+    Reading{.quantity = BoltQuantity::AnchorForce, .ofNode = [](const BoltNode& node) { return node.bond.force; }},
+    Reading{.quantity = BoltQuantity::Slip, .ofNode = [](const BoltNode& node) { return node.bond.slip; }},
+    Reading{.quantity = BoltQuantity::PlateForce, .ofBolt = [](OfBolt, OfMotion motion) { return motion.plateNormal; }},
+    Reading{.quantity = BoltQuantity::DebondedLength, .ofBolt = debondedLength},
+    Reading{.quantity = BoltQuantity::Strain,
+            .ofElement = [](OfBolt, OfMotion motion, int e) { return motion.elements[e].strain; }},
+    Reading{.quantity = BoltQuantity::Utilisation,
+            .ofElement = [](OfBolt bolt, OfMotion motion, int e) { return utilisationOf(bolt, motion, e).forces; }},
+    Reading{.quantity = BoltQuantity::UtilisationWithMoment,
+            .ofElement = [](OfBolt bolt, OfMotion motion, int e) {
+                return utilisationOf(bolt, motion, e).withMoment;
+            }}};
+static_assert(readings.size() == boltQuantityRows.size(), "every bolt quantity has a reading");
+static_assert(
+    [] {
+        for (std::size_t i = 0; i < readings.size(); ++i)
+            if (readings[i].quantity != boltQuantityRows[i].quantity) return false;
+        return true;
+    }(),
+    "readings have the order of the bolt quantities");
+
+const Reading& readingOf(BoltQuantity quantity) { return readings[static_cast<std::size_t>(quantity)]; }
 
 NodeState stateOf(const AnchorModel& anchor, const BoltNode& node) {
     if (node.slot < 0) return NodeState::Free;
@@ -61,33 +104,25 @@ void addBondLimits(const AnchorModel& anchor, const BoltMotion& motion, const Bo
 }  // namespace
 
 double boltValueAt(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity quantity, double s) {
-    switch (quantity) {
-        case BoltQuantity::AnchorForce: return motion.nodes[nodeAt(bolt, s)].bond.force;
-        case BoltQuantity::Slip: return motion.nodes[nodeAt(bolt, s)].bond.slip;
-        case BoltQuantity::PlateForce: return motion.plateNormal;
-        case BoltQuantity::DebondedLength: return debondedLength(bolt, motion);
-        case BoltQuantity::Moment: {
-            const int i = elementAt(bolt, s);
-            const BoltElementState& e = motion.elements[i];
-            const double share = (s - bolt.s[i]) / bolt.elements[i].length;
-            return (1.0 - share) * -e.moment1 + share * e.moment2;
-        }
-        default: return ofElement(bolt, motion, elementAt(bolt, s), quantity);
-    }
+    const Reading& reading = readingOf(quantity);
+    if (reading.ofBolt) return reading.ofBolt(bolt, motion);
+    if (reading.ofNode) return reading.ofNode(motion.nodes[nodeAt(bolt, s)]);
+    const int e = elementAt(bolt, s);
+    if (!reading.between) return reading.ofElement(bolt, motion, e);
+    return reading.between(motion.elements[e], (s - bolt.s[e]) / bolt.elements[e].length);
 }
 
 double boltExtreme(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity quantity) {
-    if (quantity == BoltQuantity::PlateForce || quantity == BoltQuantity::DebondedLength)
-        return boltValueAt(bolt, motion, quantity, 0.0);
+    const Reading& reading = readingOf(quantity);
+    if (reading.ofBolt) return reading.ofBolt(bolt, motion);
     double extreme = 0.0;
     const auto take = [&](double value) {
         if (std::abs(value) > std::abs(extreme)) extreme = value;
     };
-    if (quantity == BoltQuantity::AnchorForce || quantity == BoltQuantity::Slip)
-        for (const BoltNode& node : motion.nodes)
-            take(quantity == BoltQuantity::Slip ? node.bond.slip : node.bond.force);
+    if (reading.ofNode)
+        for (const BoltNode& node : motion.nodes) take(reading.ofNode(node));
     else
-        for (int e = 0; e < static_cast<int>(motion.elements.size()); ++e) take(ofElement(bolt, motion, e, quantity));
+        for (int e = 0; e < static_cast<int>(motion.elements.size()); ++e) take(reading.ofElement(bolt, motion, e));
     return extreme;
 }
 

@@ -18,11 +18,6 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array boltQuantities{BoltQuantity::AxialForce, BoltQuantity::ShearForce,  BoltQuantity::Moment,
-                                    BoltQuantity::AnchorForce, BoltQuantity::Slip,       BoltQuantity::PlateForce,
-                                    BoltQuantity::DebondedLength, BoltQuantity::Strain,   BoltQuantity::Utilisation,
-                                    BoltQuantity::UtilisationWithMoment};
-
 std::array<double, 3> globalStress(const BlockModel& block, const BlockMotion& motion) {
     const Eigen::Vector3d own = frameStress(block, motion);
     Eigen::Matrix2d stress, turn;
@@ -176,8 +171,8 @@ HistoryRow Observation::history(const State& state, int stage, double time) cons
     row.step = state.step;
     for (std::size_t m = 0; m < scene_.monitors.size(); ++m) addMonitor(state, m, row.values);
     for (std::size_t b = 0; b < state.bolts.size(); ++b)
-        for (BoltQuantity quantity : boltQuantities)
-            row.values.push_back(boltExtreme(model_.bolts[b], state.bolts[b], quantity));
+        for (const BoltQuantityRow& quantity : boltQuantityRows)
+            row.values.push_back(boltExtreme(model_.bolts[b], state.bolts[b], quantity.quantity));
     return row;
 }
 

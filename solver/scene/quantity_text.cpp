@@ -41,17 +41,6 @@ std::string listed(const Range& range, Name name) {
     return text.empty() ? "none" : text;
 }
 
-template <typename Words>
-std::string listedWords(const Words& words) {
-    return listed(words, [](std::string_view word) { return std::string(word); });
-}
-
-template <typename Words>
-int indexOfWord(const Words& words, std::string_view word) {
-    const auto found = std::find(words.begin(), words.end(), word);
-    return found == words.end() ? -1 : static_cast<int>(found - words.begin());
-}
-
 /// Rows of a table with keys.
 template <typename Rows>
 std::string listedKeys(const Rows& rows) {
@@ -92,10 +81,10 @@ SubjectReading monitorPart(int monitor, std::string_view part, const Scene& scen
 }
 
 SubjectReading boltPart(int bolt, std::string_view part, const Scene& scene) {
-    const int quantity = indexOfWord(boltQuantityWords, part);
+    const int quantity = indexOfKey(boltQuantityRows, part);
     if (quantity < 0)
         return {{}, "bolt '" + scene.bolts[bolt].name + "' has no quantity '" + std::string(part) + "': write one of " +
-                        listedWords(boltQuantityWords)};
+                        listedKeys(boltQuantityRows)};
     return {Subject{.bolt = bolt, .boltQuantity = static_cast<BoltQuantity>(quantity)}, ""};
 }
 
@@ -116,7 +105,7 @@ SubjectReading readSubject(std::string_view text, const Scene& scene) {
     const std::string_view part = text.substr(dot + 1);
     const int monitor = indexOfName(scene.monitors, name);
     const int bolt = indexOfName(scene.bolts, name);
-    if (bolt >= 0 && (monitor < 0 || indexOfWord(boltQuantityWords, part) >= 0))
+    if (bolt >= 0 && (monitor < 0 || indexOfKey(boltQuantityRows, part) >= 0))
         return boltPart(bolt, part, scene);
     if (monitor >= 0)
         return monitorPart(monitor, part, scene);

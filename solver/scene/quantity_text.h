@@ -4,25 +4,18 @@
 // A scene requests numbers in words: `max B1.axial_force`, `first debonding
 // opening`, `last crown.uy`. This reads such a text against the scene that holds
 // it, so that the check finds a wrong one before a run and the results find the
-// right column after it. The words of bolt quantities are defined here once, for scenes,
-// tables and stores alike; those of events in event_kinds.h.
+// right column after it.
 #pragma once
 
 #include "solver/scene/event_kinds.h"
 #include "solver/scene/scene.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace keyblock {
-
-/// The quantities of a bolt, in the order of `BoltQuantity`.
-inline constexpr std::array<std::string_view, 10> boltQuantityWords{
-    "axial_force", "shear_force",     "moment", "anchor_force", "slip",
-    "plate_force", "debonded_length", "strain", "utilisation",  "utilisation_with_moment"};
 
 /// How a quantity makes one number of a column of the history.
 enum class Reduction { Max, Min, Last, First };

@@ -11,6 +11,7 @@
 
 #include "geometry/point.h"
 #include "geometry/tunnel_profile.h"
+#include "solver/scene/bolt_quantities.h"
 
 #include <array>
 #include <map>
@@ -467,12 +468,6 @@ struct ScenePattern {
     double pretension = 0.0;  // [N]
 
     bool operator==(const ScenePattern&) const = default;
-};
-
-enum class BoltQuantity {
-    AxialForce, ShearForce, Moment, AnchorForce, Slip, PlateForce, DebondedLength, Strain,
-    Utilisation,  // (N/N_p)² + (Q/Q_p)²
-    UtilisationWithMoment  // the same + |M|/M_p
 };
 
 /// Displacement of a point, opening between two points, or a quantity of a bolt.

@@ -35,26 +35,24 @@ constexpr ChartLayout strip{15.0, 15.0, 1.2, true};
 
 struct PanelChoice {
     const char* text;
-    std::vector<const char*> columns;  // how the panels' titles begin
+    std::vector<BoltQuantity> quantities;  // none: all
 };
 
 const std::vector<PanelChoice>& panelChoices() {
     static const std::vector<PanelChoice> all{
-        {QT_TRANSLATE_NOOP("keyblock::BoltStrip", "N · bond · slip"), {"Axial", "Bond", "Slip"}},
-        {QT_TRANSLATE_NOOP("keyblock::BoltStrip", "N · Q · M"), {"Axial", "Shear", "Moment"}},
-        {QT_TRANSLATE_NOOP("keyblock::BoltStrip", "all"), {""}}};
+        {QT_TRANSLATE_NOOP("keyblock::BoltStrip", "N · bond · slip"),
+         {BoltQuantity::AxialForce, BoltQuantity::AnchorForce, BoltQuantity::Slip}},
+        {QT_TRANSLATE_NOOP("keyblock::BoltStrip", "N · Q · M"),
+         {BoltQuantity::AxialForce, BoltQuantity::ShearForce, BoltQuantity::Moment}},
+        {QT_TRANSLATE_NOOP("keyblock::BoltStrip", "all"), {}}};
     return all;
 }
 
 /// Short names fit next to the panels.
 void shorten(ChartPanel& panel) {
-    static const std::pair<const char*, const char*> names[]{{"Axial force", "N"}, {"Shear force", "Q"},
-                                                             {"Moment", "M"},      {"Bond force", "Bond"},
-                                                             {"Slip", "Slip"}};
+    if (!panel.bolts) return;
     const std::size_t unit = panel.title.rfind(" (");
-    for (const auto& [title, name] : names)
-        if (panel.title.starts_with(title))
-            panel.title = name + (unit == std::string::npos ? std::string() : panel.title.substr(unit));
+    panel.title = std::string(rowOf(*panel.bolts).brief) + (unit == std::string::npos ? "" : panel.title.substr(unit));
 }
 
 }  // namespace
@@ -171,7 +169,7 @@ void BoltStrip::make() {
         if (cursor_.run() && cursor_.run()->scene().bolts.empty()) view_->clear(tr("The scene has no bolts."));
         return;
     }
-    const std::vector<const char*> wantedPanels = panelChoices()[panels_].columns;
+    const std::vector<BoltQuantity> wantedPanels = panelChoices()[panels_].quantities;
     const std::size_t stored = cursor_.goesOn() ? 0 : cursor_.run()->frames().size();
     painting_.ask([this, moment = cursor_.moment(), run = cursor_.run(), past = past_, wanted = choice_.bolt(),
                    wantedPanels, stored, numbers = display_.numbers()]() -> Background::Result {
@@ -194,8 +192,8 @@ void BoltStrip::make() {
             auto shown = std::make_shared<Shown>();
             shown->chart = boltChart(*moment, 0, known->reach);
             std::erase_if(shown->chart.chart.panels, [&](const ChartPanel& panel) {
-                return std::none_of(wantedPanels.begin(), wantedPanels.end(),
-                                    [&](const char* title) { return panel.title.starts_with(title); });
+                return !wantedPanels.empty() &&
+                       std::ranges::none_of(wantedPanels, [&](BoltQuantity of) { return panel.bolts == of; });
             });
             showAs(shown->chart.chart, numbers);
             for (ChartPanel& panel : shown->chart.chart.panels) shorten(panel);

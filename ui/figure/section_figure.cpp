@@ -57,7 +57,7 @@ SectionRequest sectionRequestOf(const RunSource& run, const FigureRequest& reque
     SectionRequest section;
     section.frame = frameAt(run, request.filter);
     section.blocks = findQuantity(blockQuantities(), "sigma1");
-    section.bolts = findQuantity(boltQuantities(), "axial_force");
+    section.bolts = findQuantity(BoltQuantity::AxialForce);
     section.ribbon = request.filter.bolt;
     section.factor = request.factor;
     section.whole = request.whole;

@@ -98,8 +98,7 @@ struct Teller {
     }
     QString of(const Monitor& m) const {
         if (m.bolt)
-            return QString::fromStdString(*m.bolt) + ' ' +
-                   fromUtf8(boltQuantityWords[static_cast<std::size_t>(m.quantity)]);
+            return QString::fromStdString(*m.bolt) + QStringLiteral(": ") + fromUtf8(plainTitle(rowOf(m.quantity)));
         if (m.between) return Texts::tr("opening");
         return m.point ? place(*m.point) : QString();
     }

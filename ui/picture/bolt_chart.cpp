@@ -26,7 +26,7 @@ using NodeQuantity = FrameQuantity<BoltNodeFrame>;
 
 /// Whether the value at a node applies to the element that starts there.
 bool isOfElement(const NodeQuantity& quantity) {
-    return quantity.name == "axial_force" || quantity.name == "shear_force";
+    return rowOf(quantity).part == BoltPart::Element;
 }
 
 double largest(const BoltFrame& bolt, const NodeQuantity& quantity) {
@@ -129,7 +129,7 @@ void BoltReach::add(const Frame& frame) {
         double& most = largest_[quantity.column];
         most = std::max(most, keyblock::largest(bolt, quantity));
     }
-    largestForce_ = std::max(largestForce_, keyblock::largest(bolt, *findQuantity(boltQuantities(), "axial_force")));
+    largestForce_ = std::max(largestForce_, keyblock::largest(bolt, *findQuantity(BoltQuantity::AxialForce)));
     addPeaks(frame);
 }
 
@@ -143,7 +143,7 @@ void BoltReach::addPeaks(const Frame& frame) {
         reached = {std::min(reached.low, peak->value), std::max(reached.high, peak->value)};
         double& most = largest_[quantity.column];
         most = std::max(most, std::abs(peak->value));
-        if (quantity.name == "axial_force") largestForce_ = std::max(largestForce_, std::abs(peak->value));
+        if (rowOf(quantity).quantity == BoltQuantity::AxialForce) largestForce_ = std::max(largestForce_, std::abs(peak->value));
     }
 }
 
@@ -199,7 +199,7 @@ private:
         if (steel.yield) text += "; yields at " + forceText(*steel.yield, {});
         if (steel.tensile) text += ", breaks at " + forceText(*steel.tensile, {});
         if (now().lost) text += "; lost";
-        const NodeQuantity& axial = *findQuantity(boltQuantities(), "axial_force");
+        const NodeQuantity& axial = *findQuantity(BoltQuantity::AxialForce);
         const double force = largest(now(), axial);
         return text + "; largest axial force in this frame " +
                forceText(force > nothing * reach_.largestForce() ? force : 0.0, {}) + usedText() + ".";
@@ -217,7 +217,8 @@ private:
     bool isOfRealNodes(const NodeQuantity& quantity) const {
         const bool all = std::all_of(now().nodes.begin(), now().nodes.end(),
                                      [](const BoltNodeFrame& node) { return node.real; });
-        return quantity.name == "anchor_force" || (quantity.name == "slip" && !all);
+        const BoltQuantityRow& row = rowOf(quantity);
+        return row.part == BoltPart::Anchor && (row.quantity == BoltQuantity::AnchorForce || !all);
     }
 
     void addBand(const Bolt& bolt) {
@@ -229,7 +230,8 @@ private:
 
     /// Shear and moment are shown if the bolt ever had any: a bar that was cut through carries none any more.
     bool isShown(const NodeQuantity& quantity) const {
-        const bool beside = quantity.name == "shear_force" || quantity.name == "moment";
+        const BoltQuantity of = rowOf(quantity).quantity;
+        const bool beside = of == BoltQuantity::ShearForce || of == BoltQuantity::Moment;
         return !beside || reach_.largest(quantity.column) > std::max(1.0, nothing * reach_.largestForce());
     }
 
@@ -272,13 +274,14 @@ private:
             if (!isShown(quantity)) continue;
             ChartPanel panel;
             panel.title = std::string(quantity.display.title) + " (" + std::string(quantity.display.unit) + ")";
+            panel.bolts = rowOf(quantity).quantity;
             for (const Envelope& envelope : chart_.envelopes)
                 if (envelope.quantity == quantity.column) addEnvelope(envelope, quantity.display.factor, panel);
             panel.note = quantity.display.convention;
             panel.curves.push_back(isOfRealNodes(quantity) ? stemsOf(now(), quantity) : curveOf(now(), quantity));
             for (const auto& [limit, name] : limitsOf(run_.scene(), bolt, quantity))
                 panel.limits.push_back({name, limit, name == "ultimate"});
-            if (quantity.name == "anchor_force") addBondLimits(now(), quantity.display.factor, panel);
+            if (panel.bolts == BoltQuantity::AnchorForce) addBondLimits(now(), quantity.display.factor, panel);
             const ValueRange reached = reach_.reached(quantity.column);
             panel.reached = {reached.low * quantity.display.factor, reached.high * quantity.display.factor};
             reachForCapacity(panel);
@@ -289,7 +292,7 @@ private:
 
     /// The first capacity that was not reached is shown, however high it is.
     static void reachForCapacity(ChartPanel& panel) {
-        if (!panel.title.starts_with("Axial")) return;
+        if (panel.bolts != BoltQuantity::AxialForce) return;
         const ChartLimit* next = nullptr;
         for (const ChartLimit& limit : panel.limits)
             if (limit.value >= panel.reached.high && (!next || limit.value < next->value)) next = &limit;
@@ -363,7 +366,7 @@ double loadOf(const Frame& frame, std::size_t bolt) {
     const double peak = bolt < frame.extremes.size() ? std::abs(frame.extremes[bolt].axialForce.value) : 0.0;
     const bool isThere = frame.bolts[bolt].nodes.size() > 1;
     if (!isThere) return peak > 0.0 ? peak : -1.0;
-    return std::max(peak, largest(frame.bolts[bolt], *findQuantity(boltQuantities(), "axial_force")));
+    return std::max(peak, largest(frame.bolts[bolt], *findQuantity(BoltQuantity::AxialForce)));
 }
 
 }  // namespace

@@ -5,9 +5,11 @@
 // with curves, limits and its own range. Paper and screen draw the same.
 #pragma once
 
+#include "solver/scene/bolt_quantities.h"
 #include "ui/picture/ticks.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,7 @@ struct ChartPanel {
     std::vector<ChartLimit> limits;
     ValueRange reached{0.0, 0.0};  // values so far of the quantities shown: included in their range
     ValueRange range;
+    std::optional<BoltQuantity> bolts;  // the quantity, of a panel along a bolt
 };
 
 /// An interval of abscissas with a meaning: a slipping zone, a stage.

@@ -171,15 +171,17 @@ private:
 
     /// The bolts with the longest debonded lengths.
     void addDebonded(Chart& chart) {
+        const BoltQuantityRow& debonded = rowOf(BoltQuantity::DebondedLength);
         std::vector<std::pair<double, Series>> bolts;
         for (std::size_t b = 0; b < run_.scene().bolts.size(); ++b) {
             const auto column = static_cast<std::size_t>(
-                historyColumn(run_.scene(), {-1, 0, static_cast<int>(b), BoltQuantity::DebondedLength}));
+                historyColumn(run_.scene(), {-1, 0, static_cast<int>(b), debonded.quantity}));
             double most = 0.0;
             for (const HistoryRow& row : history_)
                 if (std::isfinite(row.values[column])) most = std::max(most, row.values[column]);
             if (most > 0.0)
-                bolts.push_back({most, {run_.scene().bolts[b].name, "Debonded length (m)", column, 1.0, false, false}});
+                bolts.push_back({most, {run_.scene().bolts[b].name, titleWithUnit(debonded), column, debonded.factor,
+                                        false, false}});
         }
         std::stable_sort(bolts.begin(), bolts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
         std::vector<Series> shown;

@@ -3,37 +3,20 @@
 #include "ui/picture/history_series.h"
 
 #include "solver/results/history.h"
-#include "solver/scene/quantity_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <string_view>
 #include <utility>
 
 namespace keyblock {
 
 namespace {
 
-struct Shown {
-    const char* title;
-    double factor;
-};
-
-/// In the order of `BoltQuantity`.
-constexpr std::array<Shown, boltQuantityWords.size()> shownOfBolts{{{"Axial force (kN)", 1e-3},
-                                                                    {"Shear force (kN)", 1e-3},
-                                                                    {"Moment (kN m)", 1e-3},
-                                                                    {"Bond force (kN)", 1e-3},
-                                                                    {"Slip of bolts (mm)", 1e3},
-                                                                    {"Plate force (kN)", 1e-3},
-                                                                    {"Debonded length (m)", 1.0},
-                                                                    {"Strain of bolts (mm/m)", 1e3},
-                                                                    {"Utilisation", 1.0},
-                                                                    {"Utilisation with moment", 1.0}}};
-
-bool isForce(const char* title) { return std::string_view(title).ends_with("(kN)"); }
+/// A quantity of bolts over time.
+Series ofBolts(std::string name, const BoltQuantityRow& row, std::size_t column) {
+    return {std::move(name), titleWithUnit(row), column, row.factor, row.unit == "kN", false};
+}
 
 }  // namespace
 
@@ -50,8 +33,7 @@ std::vector<Series> monitorSeries(const Scene& scene) {
         } else if (monitor.between) {
             all.push_back({monitor.name, "Opening (mm)", column(0), 1e3, false, true});
         } else {
-            const Shown& shown = shownOfBolts[static_cast<std::size_t>(monitor.quantity)];
-            all.push_back({monitor.name, shown.title, column(0), shown.factor, isForce(shown.title), false});
+            all.push_back(ofBolts(monitor.name, rowOf(monitor.quantity), column(0)));
         }
     }
     return all;
@@ -61,11 +43,10 @@ std::vector<Series> allSeries(const RunSource& run) {
     const Scene& scene = run.scene();
     std::vector<Series> all = monitorSeries(scene);
     for (std::size_t b = 0; b < scene.bolts.size(); ++b)
-        for (std::size_t q = 0; q < shownOfBolts.size(); ++q) {
-            const Shown& shown = shownOfBolts[q];
-            const int column = historyColumn(scene, {-1, 0, static_cast<int>(b), static_cast<BoltQuantity>(q)});
-            all.push_back({scene.bolts[b].name + "." + std::string(boltQuantityWords[q]), shown.title,
-                           static_cast<std::size_t>(column), shown.factor, isForce(shown.title), false});
+        for (const BoltQuantityRow& row : boltQuantityRows) {
+            const int column = historyColumn(scene, {-1, 0, static_cast<int>(b), row.quantity});
+            all.push_back(ofBolts(scene.bolts[b].name + "." + std::string(row.key), row,
+                                  static_cast<std::size_t>(column)));
         }
     const bool small = hasSmallEnergies(run.frames());
     for (const FrameQuantity<Energy>& row : energyQuantities())

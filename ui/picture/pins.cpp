@@ -47,7 +47,7 @@ std::optional<Point> placeWithin(const Pin& pin, const std::vector<Point>& corne
 
 /// Forces along the steel belong to the element, bond values to the node.
 std::size_t rowOf(const Pin& pin) {
-    const bool ofElement = pin.ofBolt->name == "axial_force" || pin.ofBolt->name == "shear_force";
+    const bool ofElement = rowOf(*pin.ofBolt).part == BoltPart::Element;
     return static_cast<std::size_t>(ofElement || pin.node < 0 ? pin.element : pin.node);
 }
 

@@ -14,7 +14,6 @@ namespace keyblock {
 namespace {
 
 constexpr std::array<std::string_view, 4> ofBlocks{"sigma1", "sigma3", "displacement", "velocity"};
-constexpr std::array<std::string_view, 5> ofBolts{"axial_force", "shear_force", "moment", "anchor_force", "slip"};
 
 constexpr double beyond = 0.01;  // relative difference from which a peak is shown next to the current value
 
@@ -42,14 +41,17 @@ struct RowMaker {
         reading.rows.emplace_back(title, text);
     }
 
-    template <typename Row, std::size_t count>
-    void addAll(std::span<const FrameQuantity<Row>> all, const FrameQuantity<Row>* first,
-                const std::array<std::string_view, count>& usual, const Row& row,
-                const BlockExtremes* extremes = nullptr) {
-        if (first) add(*first, row, extremes);
-        for (const std::string_view name : usual)
-            if (const auto* quantity = findQuantity(all, name); quantity && quantity != first)
-                add(*quantity, row, extremes);
+    void addBlock(const FrameQuantity<BlockState>* first, const BlockState& block, const BlockExtremes* extremes) {
+        if (first) add(*first, block, extremes);
+        for (const std::string_view name : ofBlocks)
+            if (const auto* quantity = findQuantity(blockQuantities(), name); quantity && quantity != first)
+                add(*quantity, block, extremes);
+    }
+
+    void addNode(const FrameQuantity<BoltNodeFrame>* first, const BoltNodeFrame& node) {
+        if (first) add(*first, node, nullptr);
+        for (const FrameQuantity<BoltNodeFrame>& quantity : boltQuantities())
+            if (&quantity != first) add(quantity, node, nullptr);
     }
 };
 
@@ -63,8 +65,8 @@ ProbeReading probed(const SectionPicture& picture, const Frame& frame, const Pic
         reading.head = "Block " + picture.blocks[pick.shape].name;
         const auto block = static_cast<std::size_t>(pick.block);
         if (block < frame.blocks.size())
-            make.addAll(blockQuantities(), blocksFirst, ofBlocks, frame.blocks[block],
-                        block < frame.blockExtremes.size() ? &frame.blockExtremes[block] : nullptr);
+            make.addBlock(blocksFirst, frame.blocks[block],
+                          block < frame.blockExtremes.size() ? &frame.blockExtremes[block] : nullptr);
         return reading;
     }
     const BoltShape& shape = picture.bolts[pick.shape];
@@ -77,7 +79,7 @@ ProbeReading probed(const SectionPicture& picture, const Frame& frame, const Pic
     const BoltNodeFrame& element = frame.bolts[bolt].nodes[static_cast<std::size_t>(std::max(pick.element, 0))];
     node.axialForce = element.axialForce;
     node.shearForce = element.shearForce;
-    make.addAll(boltQuantities(), boltsFirst, ofBolts, node);
+    make.addNode(boltsFirst, node);
     if (pick.node >= 0) reading.rows.emplace_back("Bond", std::string(wordOf(node.state)));
     return reading;
 }

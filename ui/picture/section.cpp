@@ -183,7 +183,7 @@ private:
         };
         for (const auto& [limit, name] : limitsOf(scene_, scene_.bolts[bolt], *request_.bolts))
             take(name, std::vector<double>(shape.values.size(), limit));
-        if (request_.bolts->name != "anchor_force") return;
+        if (rowOf(*request_.bolts).quantity != BoltQuantity::AnchorForce) return;
         std::vector<double> peaks;
         for (std::size_t e = 0; e < shape.values.size(); ++e)
             peaks.push_back(frame_.bolts[bolt].nodes[e].bondStrength * request_.bolts->display.factor);

@@ -134,7 +134,7 @@ std::optional<LegendBar> boltLegend(const FrameQuantity<BoltNodeFrame>& quantity
         if (limit > high && limit < 1.5 * high) high = limit;
     bar.reach = {0.0, std::max(std::abs(whole.low), std::abs(whole.high))};
     if (display.isSigned && whole.low < -negligible * bar.reach.high) {
-        bar.dashed = quantity.name == "axial_force" ? "compression" : "negative";
+        bar.dashed = rowOf(quantity).quantity == BoltQuantity::AxialForce ? "compression" : "negative";
         bar.notes.push_back("dashed: " + bar.dashed);
     }
     bar.limits = limits;
@@ -165,7 +165,7 @@ double spacingOf(const Scene& scene) {
 std::vector<std::pair<double, std::string>> limitsOf(const Scene& scene, const Bolt& bolt,
                                                      const FrameQuantity<BoltNodeFrame>& quantity) {
     const BoltType* type = findBoltType(scene, bolt.type);
-    if (!type || quantity.name != "axial_force") return {};
+    if (!type || rowOf(quantity).quantity != BoltQuantity::AxialForce) return {};
     std::vector<std::pair<double, std::string>> limits;
     const BoltSteel steel = boltSteel(*type);
     if (steel.yield) limits.emplace_back(*steel.yield * quantity.display.factor, "yield");

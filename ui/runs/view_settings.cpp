@@ -6,7 +6,7 @@ namespace keyblock {
 
 ViewSettings::ViewSettings(QObject* parent) : QObject(parent) {
     choice_.blocks = findQuantity(blockQuantities(), "sigma1");
-    choice_.bolts = findQuantity(boltQuantities(), "axial_force");
+    choice_.bolts = findQuantity(BoltQuantity::AxialForce);
 }
 
 void ViewSettings::choose(const ViewChoice& choice) {

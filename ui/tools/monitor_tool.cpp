@@ -3,7 +3,7 @@
 #include "ui/tools/monitor_tool.h"
 
 #include "geometry/segment.h"
-#include "solver/scene/enum_names.h"
+#include "solver/scene/bolt_quantities.h"
 #include "ui/edit/edits.h"
 #include "ui/look/theme.h"
 #include "ui/tools/sign_painter.h"
@@ -40,8 +40,10 @@ std::vector<ToolField> MonitorTool::fields() {
     std::vector<ToolField> fields{
         choiceField("what", tr("Target"), {tr("a point"), tr("an opening"), tr("a bolt")}, what_, tell)};
     QStringList quantities;
-    for (const std::string_view word : boltQuantityWords)
-        quantities << QString::fromUtf8(word.data(), static_cast<int>(word.size())).replace('_', ' ');
+    for (const BoltQuantityRow& row : boltQuantityRows) {
+        const std::string_view title = plainTitle(row);
+        quantities << QString::fromUtf8(title.data(), static_cast<int>(title.size()));
+    }
     if (what_ == OnBolt) fields.push_back(choiceField("quantity", tr("Quantity"), quantities, quantity_, tell));
     return fields;
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/probe_binding.h"
 
-#include "solver/scene/quantity_text.h"
 #include "solver/scene/solved_blocks.h"
 #include "ui/canvas/canvas.h"
 #include "ui/canvas/probe_tool.h"
@@ -29,7 +28,7 @@ const FrameQuantity<BlockState>* ofBlocks(const ViewChoice& choice) {
     return choice.blocks ? choice.blocks : findQuantity(blockQuantities(), "displacement");
 }
 const FrameQuantity<BoltNodeFrame>* ofBolts(const ViewChoice& choice) {
-    return choice.bolts ? choice.bolts : findQuantity(boltQuantities(), "axial_force");
+    return choice.bolts ? choice.bolts : findQuantity(BoltQuantity::AxialForce);
 }
 
 Monitor monitorOf(const Pin& pin, const Scene& solved) {
@@ -38,9 +37,8 @@ Monitor monitorOf(const Pin& pin, const Scene& solved) {
         monitor.point = placeBefore(pin, cornersBefore(solvedBlocks(solved)));
         return monitor;
     }
-    const auto word = std::find(boltQuantityWords.begin(), boltQuantityWords.end(), pin.ofBolt->name);
     monitor.bolt = solved.bolts[static_cast<std::size_t>(pin.bolt)].name;
-    monitor.quantity = static_cast<BoltQuantity>(word - boltQuantityWords.begin());
+    monitor.quantity = rowOf(*pin.ofBolt).quantity;
     monitor.at = pin.s;
     return monitor;
 }

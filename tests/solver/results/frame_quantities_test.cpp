@@ -30,6 +30,25 @@ TEST(FrameQuantities, NoNameMeansTwoThings) {
     EXPECT_EQ(findQuantity(boltQuantities(), "slip")->column, "slip_m");
 }
 
+TEST(FrameQuantities, OfBoltsAreThoseOfTheTableInItsOrder) {
+    int before = -1;
+    for (const FrameQuantity<BoltNodeFrame>& quantity : boltQuantities()) {
+        const BoltQuantityRow& row = rowOf(quantity);
+        EXPECT_EQ(quantity.name, row.key);
+        EXPECT_EQ(quantity.column, row.column);
+        EXPECT_EQ(quantity.display.title, row.title);
+        EXPECT_EQ(findQuantity(row.quantity), &quantity);
+        EXPECT_NE(row.part, BoltPart::Bolt) << row.key;  // has no value at a node
+        EXPECT_LT(before, static_cast<int>(row.quantity));
+        before = static_cast<int>(row.quantity);
+    }
+    EXPECT_EQ(findQuantity(BoltQuantity::Strain), nullptr);
+    BoltNodeFrame node;
+    node.axialForce = 5e3;
+    const auto* axial = findQuantity(BoltQuantity::AxialForce);
+    EXPECT_DOUBLE_EQ(axial->value(node) * axial->display.factor, 5.0);
+}
+
 TEST(FrameQuantities, PrincipalStressesAreCompressionPositiveAndTurned) {
     const PrincipalStress upright = principalStress({-2e6, -5e6, 0.0});
     EXPECT_DOUBLE_EQ(upright.major, 5e6);
