@@ -162,11 +162,11 @@ void checkAnchorCurve(const Anchor& anchor, const std::string& pointer, CheckRep
 }
 
 void checkLaw(const Anchor& anchor, const std::string& pointer, CheckReport& report) {
-    if (anchor.law == AnchorLaw::Curve)
+    if (rowOf(anchor.law).hasPoints)
         return checkAnchorCurve(anchor, pointer, report);
     if (anchor.stiffness == 0.0)
         report.error(under(pointer, "stiffness"), "the law needs a stiffness", "Give a stiffness above 0");
-    if (anchor.law != AnchorLaw::Elastic)
+    if (rowOf(anchor.law).hasStrength)
         checkLimited(anchor, pointer, report);
     checkSoftening(anchor, pointer, report);
 }

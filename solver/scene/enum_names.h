@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The words that scene files use for enumerations, each list in the order of its
-// enumerators, found by the type of the value.
+// enumerators, found by the type of the value. Those of anchor laws and of bolt
+// quantities are columns of their tables.
 #pragma once
 
 #include "solver/scene/quantity_text.h"
@@ -31,7 +32,6 @@ inline constexpr std::array<std::string_view, 2> onCollapseWords{"end", "dynamic
 inline constexpr std::array<std::string_view, 4> boltClassWords{"CMC", "CFC", "DMC", "DFC"};
 inline constexpr std::array<std::string_view, 3> bendingWords{"none", "elastic", "elastic-plastic"};
 inline constexpr std::array<std::string_view, 2> perWords{"node", "length"};
-inline constexpr std::array<std::string_view, 4> anchorLawWords{"elastic", "peak-residual", "frictional", "curve"};
 inline constexpr std::array<std::string_view, 2> afterCurveWords{"last", "zero"};
 inline constexpr std::array<std::string_view, 2> onFailureWords{"none", "bolt-lost"};
 inline constexpr std::array<std::string_view, 2> ruptureRuleWords{"independent", "interaction"};

@@ -50,12 +50,22 @@ bool normalPerLength(const void* object, const void*) {
     return static_cast<const BoltType*>(object)->normalPer == Per::Length;
 }
 
+/// A field of the anchor laws for which this is true.
+Only ofLaws(bool (*has)(const AnchorLawRow&)) {
+    Only only{.key = "law", .words = {}};
+    for (const AnchorLawRow& row : anchorLaws)
+        if (has(row)) only.words.push_back(row.key);
+    return only;
+}
+
 }  // namespace
 
 const Structure& structureOf(const Anchor*) {
-    static const Only noCurve{.key = "law", .words = {"elastic", "peak-residual", "frictional"}};
-    static const Only limited{.key = "law", .words = {"peak-residual", "frictional"}};
-    static const Only curved{.key = "law", .words = {"curve"}};
+    static const Only noCurve = ofLaws([](const AnchorLawRow& row) { return !row.hasPoints; });
+    static const Only limited = ofLaws([](const AnchorLawRow& row) { return row.hasStrength; });
+    static const Only residual = ofLaws([](const AnchorLawRow& row) { return row.hasResidual; });
+    static const Only curved = ofLaws([](const AnchorLawRow& row) { return row.hasPoints; });
+    static const Only failing = ofLaws([](const AnchorLawRow& row) { return canFail(row); });
     static const Structure structure{
         "anchor",
         "Bonds nodes of a bolt to the rock (real anchors): the node nearest to `at`, or the nodes from `from` to `to`. "
@@ -82,12 +92,11 @@ const Structure& structureOf(const Anchor*) {
                                     .only = limited}),
             row<&Anchor::residual>("residual", "Friction that remains after failure.",
                                    {.unit = "N, or N/m", .takesSecond = perLength, .range = atLeast(0),
-                                    .only = {.key = "law", .words = {"peak-residual"}}}),
+                                    .only = residual}),
             row<&Anchor::softeningSlip>("softening_slip",
                                         "Slip from the peak to the residual, linear; 0: brittle. Fracture energy "
                                         "per metre: ½·(strength − residual)·(slip + (strength − residual)/stiffness).",
-                                        {.unit = "m", .range = atLeast(0),
-                                         .only = {.key = "law", .words = {"peak-residual"}}}),
+                                        {.unit = "m", .range = atLeast(0), .only = residual}),
             row<&Anchor::restick>("restick",
                                   "Whether the anchor re-sticks when its sliding stops; otherwise it keeps the force "
                                   "it had after failure.",
@@ -105,7 +114,7 @@ const Structure& structureOf(const Anchor*) {
             row<&Anchor::after>("after", "Force beyond the last point of the curve: the "
                                          "last force, or none.", {.only = curved}),
             row<&Anchor::onFailure>("on_failure", "Whether the bolt is lost when this anchor fails.",
-                                    {.only = {.key = "law", .words = {"peak-residual", "frictional", "curve"}}}),
+                                    {.only = failing}),
         }};
     return structure;
 }

@@ -11,6 +11,7 @@
 
 #include "geometry/point.h"
 #include "geometry/tunnel_profile.h"
+#include "solver/scene/anchor_laws.h"
 #include "solver/scene/bolt_quantities.h"
 
 #include <array>
@@ -353,7 +354,6 @@ struct Stage {
 enum class BoltClass { CMC, CFC, DMC, DFC };
 enum class Bending { None, Elastic, ElasticPlastic };
 enum class Per { Node, Length };
-enum class AnchorLaw { Elastic, PeakResidual, Frictional, Curve };
 enum class AfterCurve { Last, Zero };
 enum class OnFailure { None, BoltLost };
 enum class RuptureRule { Independent, Interaction };

@@ -112,14 +112,14 @@ bool sameLaw(Anchor a, const Anchor& b) {
 }
 
 QString lawTitle(const Anchor& anchor) {
-    const QString law = fromUtf8(anchorLawWords[static_cast<std::size_t>(anchor.law)]);
+    const QString law = fromUtf8(rowOf(anchor.law).title);
     return anchor.at || anchor.per == Per::Node ? Texts::tr("Bond per node, %1").arg(law)
         : Texts::tr("Bond per metre, %1").arg(law);
 }
 
 double farthestSlip(const Anchor& written) {
     const Anchor anchor = withCurve(written);
-    if (anchor.law == AnchorLaw::Curve) return anchor.curve.empty() ? 0.001 : anchor.curve.back().first;
+    if (rowOf(anchor.law).hasPoints) return anchor.curve.empty() ? 0.001 : anchor.curve.back().first;
     const bool limited = anchor.strength && anchor.stiffness > 0.0;
     return limited ? 6.0 * *anchor.strength / anchor.stiffness : 0.002;
 }
@@ -154,15 +154,12 @@ ShownCurve steelCurve(const BoltType& type, const Display& display) {
 
 Table bondCurve(const Anchor& written, double farthest) {
     const Anchor anchor = withCurve(written);
-    switch (anchor.law) {
-        case AnchorLaw::Curve: return anchor.curve;
-        case AnchorLaw::Elastic: return {{0.0, 0.0}, {farthest, anchor.stiffness * farthest}};
-        case AnchorLaw::PeakResidual:
-        case AnchorLaw::Frictional: break;
-    }
-    if (!anchor.strength || anchor.stiffness <= 0.0) return {{0.0, 0.0}, {farthest, anchor.stiffness * farthest}};
+    const AnchorLawRow& law = rowOf(anchor.law);
+    if (law.hasPoints) return anchor.curve;
+    if (!law.hasStrength || !anchor.strength || anchor.stiffness <= 0.0)
+        return {{0.0, 0.0}, {farthest, anchor.stiffness * farthest}};
     const double peak = *anchor.strength, slip = peak / anchor.stiffness;
-    if (anchor.law == AnchorLaw::Frictional) return {{0.0, 0.0}, {slip, peak}, {farthest, peak}};
+    if (law.keepsStrength) return {{0.0, 0.0}, {slip, peak}, {farthest, peak}};
     return {{0.0, 0.0}, {slip, peak}, {slip * 1.0001, anchor.residual}, {farthest, anchor.residual}};
 }
 

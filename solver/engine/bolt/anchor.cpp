@@ -229,7 +229,7 @@ bool sticksAgain(const BoltNode& before, const BoltNode& after) {
 }
 
 void enterRock(const AnchorModel& anchor, const AnchorNeighbour* neighbour, NodeBond& bond) {
-    if (anchor.law == AnchorLaw::Elastic || anchor.curveEnds) bond.gone = true;
+    if (!anchor.canFail || anchor.curveEnds) bond.gone = true;
     if (anchor.curve) bond.curve.accumulated = anchor.curve->plastic.back();
     if (!neighbour || anchor.per != Per::Length || neighbour->anchor.entry != anchor.entry) return;
     const NodeBond& beside = neighbour->bond;

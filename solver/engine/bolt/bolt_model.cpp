@@ -63,22 +63,22 @@ Anchor strengthened(Anchor anchor, double factor) {
 
 AnchorModel anchorModel(const Anchor& written, double dynamicFactor) {
     const Anchor anchor = withCurve(written);
-    const bool softens = written.law == AnchorLaw::PeakResidual;  // by a slip that does not change with its strength
+    const bool isMade = anchor.law != written.law;  // the curve is made of numbers: it scales with the strength alone
     AnchorModel model;
     model.real = true;
-    model.law = anchor.law;
+    model.canFail = canFail(rowOf(anchor.law));
     model.per = anchor.at ? Per::Node : anchor.per;
     model.stiffness = anchor.stiffness;
     model.strength = anchor.strength;
-    model.residual = anchor.law == AnchorLaw::Frictional ? anchor.strength.value_or(0.0) : anchor.residual;
+    model.residual = rowOf(anchor.law).keepsStrength ? anchor.strength.value_or(0.0) : anchor.residual;
     model.tanPhi = std::tan(anchor.frictionAngle * std::numbers::pi / 180.0);
     model.restick = anchor.restick;
     model.boltLost = anchor.onFailure == OnFailure::BoltLost;
-    model.curveEnds = anchor.law == AnchorLaw::Curve && anchor.after == AfterCurve::Zero;
-    if (anchor.law == AnchorLaw::Curve) model.curve = Backbone::of(anchor.curve);
+    model.curveEnds = rowOf(anchor.law).hasPoints && anchor.after == AfterCurve::Zero;
+    if (rowOf(anchor.law).hasPoints) model.curve = Backbone::of(anchor.curve);
     if (model.curve && dynamicFactor != 1.0)
-        model.dynamicCurve = softens ? Backbone::of(withCurve(strengthened(written, dynamicFactor)).curve)
-                                     : model.curve->strengthened(dynamicFactor);
+        model.dynamicCurve = isMade ? Backbone::of(withCurve(strengthened(written, dynamicFactor)).curve)
+                                    : model.curve->strengthened(dynamicFactor);
     return model;
 }
 
@@ -193,9 +193,9 @@ struct Bond {
 };
 
 Bond bondOf(const Anchor& anchor) {
-    if (anchor.law != AnchorLaw::Curve) {
+    if (!rowOf(anchor.law).hasPoints) {
         const double peak = anchor.strength.value_or(0.0);
-        const double residual = anchor.law == AnchorLaw::Frictional ? peak : anchor.residual;
+        const double residual = rowOf(anchor.law).keepsStrength ? peak : anchor.residual;
         return {anchor.stiffness, peak, residual, anchor.softeningSlip};
     }
     Bond bond;

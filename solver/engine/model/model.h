@@ -84,7 +84,7 @@ using Interval = std::pair<double, double>;  // from and to along the unstrained
 /// What ties a node to the rock along the bolt, before its tributary length is known.
 struct AnchorModel {
     bool real = false;
-    AnchorLaw law = AnchorLaw::Elastic;
+    bool canFail = false;  // otherwise elastic without limit
     Per per = Per::Node;
     double stiffness = 0.0, residual = 0.0;  // [N/m, N] or per metre
     std::optional<double> strength;
