@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Texts for users are written in plain technical English: no word of the list below is
-// used in README.md, CHANGELOG.md, the help pages, or string literals of the window, the
+// used in README.md, CONTRIBUTING.md, CHANGELOG.md, the help pages, or string literals of the window, the
 // command line, and the parts of the solver that write messages and help. Comments,
 // includes, and code in Markdown are not checked. Keys, states and event names of files
 // are exempt through `exceptions`, where each entry gives its reason.
@@ -296,7 +296,7 @@ std::string contentOf(const fs::path& path) {
 
 /// The files whose texts are checked, relative to the root.
 std::vector<std::string> checkedFiles(const fs::path& root) {
-    std::vector<std::string> files{"README.md", "CHANGELOG.md"};
+    std::vector<std::string> files{"README.md", "CONTRIBUTING.md", "CHANGELOG.md"};
     const auto addBelow = [&](const char* folder, const std::vector<std::string>& extensions) {
         for (const auto& entry : fs::recursive_directory_iterator(root / folder))
             if (std::ranges::count(extensions, entry.path().extension().string()))
