@@ -54,9 +54,24 @@ TextRow useRow(const RunSource& run, const BoltUse& use) {
                 peaks.axialForce.stage < 0 ? "" : rounded(peaks.axialForce.time), peakText(peaks.shearForce, axial),
                 peakText(peaks.moment, axial)};
     for (const std::optional<double>& share : use.use) row.push_back(useText(share));
-    row.push_back(use.governs ? std::string(boltStrengthWords[static_cast<std::size_t>(*use.governs)]) : "–");
+    row.push_back(use.governs ? std::string(rowOf(*use.governs).key) : "–");
     row.push_back(heldText(run, use.holds));
     return row;
+}
+
+/// "N, kN (at m)".
+TextColumn peakColumn(BoltQuantity quantity) {
+    const BoltQuantityRow& row = rowOf(quantity);
+    return {std::string(row.brief) + ", " + std::string(row.unit) + " (at m)", Align::Right};
+}
+
+std::vector<TextColumn> useColumns() {
+    std::vector<TextColumn> columns{{"bolt"}, peakColumn(BoltQuantity::AxialForce), {"stage"}, {"time", Align::Right},
+                                    peakColumn(BoltQuantity::ShearForce), peakColumn(BoltQuantity::Moment)};
+    for (const BoltStrengthRow& row : boltStrengths) columns.push_back({std::string(row.key) + ", %", Align::Right});
+    columns.push_back({"governs"});
+    columns.push_back({"supports"});
+    return columns;
 }
 
 std::string chainLine(const RunSource& run, const std::vector<Event>& events, const std::vector<std::size_t>& chain) {
@@ -104,19 +119,7 @@ std::string boltUseTable(const RunSource& run) {
     std::vector<TextRow> rows;
     for (std::size_t i = 0; i < std::min(uses.size(), mostBolts); ++i) rows.push_back(useRow(run, uses[i]));
     std::string text = "\nlargest forces of each bolt and use of its strengths over the run\n" +
-                       textTable({{"bolt"},
-                                  {"N, kN (at m)", Align::Right},
-                                  {"stage"},
-                                  {"time", Align::Right},
-                                  {"Q, kN (at m)", Align::Right},
-                                  {"M, kN m (at m)", Align::Right},
-                                  {"steel, %", Align::Right},
-                                  {"shear, %", Align::Right},
-                                  {"bond, %", Align::Right},
-                                  {"plate, %", Align::Right},
-                                  {"governs"},
-                                  {"supports"}},
-                                 rows);
+                       textTable(useColumns(), rows);
     if (uses.size() > rows.size())
         text += "and " + std::to_string(uses.size() - rows.size()) + " more with lower use; all are in 'info --json'\n";
     return text;

@@ -110,9 +110,9 @@ Json boltJson(const RunSource& run, const BoltUse& use, const BoltFrame& last) {
     putPeak(json, run, use.extremes.axialForce, "axial", "_N", "");
     putPeak(json, run, use.extremes.shearForce, "shear", "_N", "shear_");
     putPeak(json, run, use.extremes.moment, "moment", "_Nm", "moment_");
-    for (std::size_t i = 0; i < use.use.size(); ++i)
-        json["use"][std::string(boltStrengthWords[i])] = orNull(use.use[i]);
-    json["governs"] = use.governs ? Json(boltStrengthWords[static_cast<std::size_t>(*use.governs)]) : Json(nullptr);
+    for (const BoltStrengthRow& row : boltStrengths)
+        json["use"][std::string(row.key)] = orNull(use.use[static_cast<std::size_t>(row.strength)]);
+    json["governs"] = use.governs ? Json(rowOf(*use.governs).key) : Json(nullptr);
     json["holds"] = Json::array();
     for (const int block : use.holds) json["holds"].push_back(blockName(run.blockNames(), block));
     json["name"] = name;

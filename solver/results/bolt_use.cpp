@@ -33,21 +33,21 @@ BoltUse boltUse(int bolt, const BoltExtremes& extremes) {
     BoltUse result;
     result.bolt = bolt;
     result.extremes = extremes;
-    const BoltPeak* peaks[]{&extremes.steel, &extremes.shear, &extremes.bond, &extremes.plate};
     double highest = 0.0;
-    for (std::size_t i = 0; i < result.use.size(); ++i) {
-        if (peaks[i]->value < 0.0) continue;
-        result.use[i] = peaks[i]->value;
-        if (peaks[i]->value <= highest) continue;
-        highest = peaks[i]->value;
-        result.governs = static_cast<BoltStrength>(i);
+    for (const BoltStrengthRow& row : boltStrengths) {
+        const double use = (extremes.*row.use).value;
+        if (use < 0.0) continue;
+        result.use[static_cast<std::size_t>(row.strength)] = use;
+        if (use <= highest) continue;
+        highest = use;
+        result.governs = row.strength;
     }
     return result;
 }
 
 std::string useText(const BoltUse& use) {
     if (!use.governs) return {};
-    return std::string(boltStrengthWords[static_cast<std::size_t>(*use.governs)]) + " used to " +
+    return std::string(rowOf(*use.governs).key) + " used to " +
            rounded(std::round(1000.0 * use.highest()) / 10.0) + " %";
 }
 

@@ -8,6 +8,7 @@
 #include "solver/results/run_source.h"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,13 +19,29 @@ namespace keyblock {
 /// The strengths of a bolt, in the order in which answers list them.
 enum class BoltStrength { Steel, Shear, Bond, Plate };
 
-inline constexpr std::array<std::string_view, 4> boltStrengthWords{"steel", "shear", "bond", "plate"};
+struct BoltStrengthRow {
+    BoltStrength strength;
+    std::string_view key;  // in answers
+    std::string_view title;  // as users read it
+    BoltPeak BoltExtremes::*use;
+};
+
+/// In the order of `BoltStrength`.
+inline constexpr std::array boltStrengths{
+    BoltStrengthRow{BoltStrength::Steel, "steel", "Steel", &BoltExtremes::steel},
+    BoltStrengthRow{BoltStrength::Shear, "shear", "Shear", &BoltExtremes::shear},
+    BoltStrengthRow{BoltStrength::Bond, "bond", "Bond", &BoltExtremes::bond},
+    BoltStrengthRow{BoltStrength::Plate, "plate", "Face plate", &BoltExtremes::plate}};
+
+constexpr const BoltStrengthRow& rowOf(BoltStrength strength) {
+    return boltStrengths.at(static_cast<std::size_t>(strength));
+}
 
 struct BoltUse {
     int bolt = -1;
     BoltExtremes extremes;
     /// Highest use over the run, in the order of `BoltStrength`; none: no such strength, or never installed.
-    std::array<std::optional<double>, 4> use;
+    std::array<std::optional<double>, boltStrengths.size()> use;
     std::optional<BoltStrength> governs;  // the one used most; none: nothing limits the bolt, or it carried no force
     /// First rows of the blocks that the bolt passed when it was installed, from its head on, without the block that
     /// holds its far end.

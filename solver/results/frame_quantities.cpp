@@ -114,9 +114,9 @@ const BoltQuantityRow& rowOf(const FrameQuantity<BoltNodeFrame>& quantity) {
 }
 
 const BoltPeak* peakOf(const BoltExtremes& extremes, std::string_view quantity) {
-    if (quantity == "axial_force") return &extremes.axialForce;
-    if (quantity == "shear_force") return &extremes.shearForce;
-    return quantity == "moment" ? &extremes.moment : nullptr;
+    for (const BoltPeakRow& row : boltPeakRows)
+        if (rowOf(row.quantity).key == quantity) return &(extremes.*row.peak);
+    return nullptr;
 }
 
 const BlockPeak* peakOf(const BlockExtremes& extremes, std::string_view quantity) {

@@ -10,6 +10,7 @@
 #include "solver/results/results.h"
 #include "solver/scene/bolt_quantities.h"
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -62,6 +63,16 @@ std::string namesOf(std::span<const FrameQuantity<Row>> rows) {
     for (const FrameQuantity<Row>& row : rows) names += (names.empty() ? "" : ", ") + std::string(row.name);
     return names;
 }
+
+/// A quantity of bolts whose largest value over the run is kept.
+struct BoltPeakRow {
+    BoltQuantity quantity;
+    BoltPeak BoltExtremes::*peak;
+};
+
+inline constexpr std::array boltPeakRows{BoltPeakRow{BoltQuantity::AxialForce, &BoltExtremes::axialForce},
+                                         BoltPeakRow{BoltQuantity::ShearForce, &BoltExtremes::shearForce},
+                                         BoltPeakRow{BoltQuantity::Moment, &BoltExtremes::moment}};
 
 /// The largest value of a quantity of bolts over the run until a frame; null where none is kept.
 const BoltPeak* peakOf(const BoltExtremes& extremes, std::string_view quantity);

@@ -51,9 +51,10 @@ struct RowMaker {
 
     void add(const QString& name, const QString& value) { rows.push_back({name, value}); }
 
-    void peak(const QString& name, const BoltPeak& peak, std::string_view unit, double factor, double axial) {
+    void peak(const BoltQuantityRow& quantity, const BoltPeak& peak, double axial) {
+        const QString name = Texts::tr("Largest %1").arg(text(quantity.brief));
         if (peak.stage < 0 || std::abs(peak.value) < nothing * std::abs(axial)) return add(name, QStringLiteral("0"));
-        rows.push_back({name, shown(peak.value, unit, factor),
+        rows.push_back({name, shown(peak.value, quantity.unit, quantity.factor),
                         Texts::tr("at %1 m, %2").arg(Display::number(peak.at, 3), timeText(run.scene(), peak.stage, peak.time))});
     }
 
@@ -139,13 +140,9 @@ ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, con
     make.add(Texts::tr("State now"), text(wordOf(report.condition)));
     const BoltExtremes& peaks = report.use.extremes;
     const double axial = peaks.axialForce.value;
-    make.peak(Texts::tr("Largest N"), peaks.axialForce, "kN", 1e-3, axial);
-    make.peak(Texts::tr("Largest Q"), peaks.shearForce, "kN", 1e-3, axial);
-    make.peak(Texts::tr("Largest M"), peaks.moment, "kN m", 1e-3, axial);
-    make.use(Texts::tr("Steel utilisation"), peaks.steel);
-    make.use(Texts::tr("Shear utilisation"), peaks.shear);
-    make.use(Texts::tr("Bond utilisation"), peaks.bond);
-    make.use(Texts::tr("Face plate utilisation"), peaks.plate);
+    for (const BoltPeakRow& row : boltPeakRows) make.peak(rowOf(row.quantity), peaks.*row.peak, axial);
+    for (const BoltStrengthRow& row : boltStrengths)
+        make.use(Texts::tr("%1 utilisation").arg(text(row.title)), peaks.*row.use);
     if (report.isInstalled()) {
         addPlate(report, make);
         addBond(report, make);

@@ -213,7 +213,7 @@ void StabilityPanel::fillBolts() {
             bolts_,
             {QString::fromStdString(boltName(run_->scene(), use.bolt)),
              text(wordOf(end.condition)),
-             use.governs ? tr("%1 %2 %").arg(text(boltStrengthWords[static_cast<std::size_t>(*use.governs)]),
+             use.governs ? tr("%1 %2 %").arg(text(rowOf(*use.governs).key),
                                              percent(use.highest()))
                          : QStringLiteral("–"),
              namesOf(use.holds), peakText(peaks.axialForce, "N", axial), peakText(peaks.shearForce, "N", axial),
