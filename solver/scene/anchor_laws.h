@@ -7,6 +7,8 @@
 // here, and its curve in anchor_curve.cpp; the engine needs nothing else.
 #pragma once
 
+#include "solver/scene/translatable.h"
+
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -27,10 +29,11 @@ struct AnchorLawRow {
 
 /// In the order of `AnchorLaw`.
 inline constexpr std::array anchorLaws{
-    AnchorLawRow{AnchorLaw::Elastic, "elastic", "elastic", false, false, false, false},
-    AnchorLawRow{AnchorLaw::PeakResidual, "peak-residual", "peak and residual", false, true, true, false},
-    AnchorLawRow{AnchorLaw::Frictional, "frictional", "frictional", false, true, false, true},
-    AnchorLawRow{AnchorLaw::Curve, "curve", "force–slip curve", true, false, false, false}};
+    AnchorLawRow{AnchorLaw::Elastic, "elastic", translatable("Fields", "elastic"), false, false, false, false},
+    AnchorLawRow{AnchorLaw::PeakResidual, "peak-residual", translatable("Fields", "peak and residual"), false, true, true,
+                 false},
+    AnchorLawRow{AnchorLaw::Frictional, "frictional", translatable("Fields", "frictional"), false, true, false, true},
+    AnchorLawRow{AnchorLaw::Curve, "curve", translatable("Fields", "force–slip curve"), true, false, false, false}};
 
 /// The row of a law. A law without a row ends the program: the table is incomplete.
 constexpr const AnchorLawRow& rowOf(AnchorLaw law) { return anchorLaws.at(static_cast<std::size_t>(law)); }
@@ -42,6 +45,13 @@ inline constexpr auto anchorLawWords = [] {
     std::array<std::string_view, anchorLaws.size()> keys;
     for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = anchorLaws[i].key;
     return keys;
+}();
+
+/// The titles, in the same order.
+inline constexpr auto anchorLawTitles = [] {
+    std::array<std::string_view, anchorLaws.size()> titles;
+    for (std::size_t i = 0; i < titles.size(); ++i) titles[i] = anchorLaws[i].title;
+    return titles;
 }();
 
 }  // namespace keyblock

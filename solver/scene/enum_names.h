@@ -21,8 +21,6 @@ using Words = std::span<const std::string_view>;
 inline constexpr std::array<std::string_view, 2> planeWords{"stress", "strain"};
 inline constexpr std::array<std::string_view, 4> integrationWords{"shi", "backward-euler", "newmark",
                                                                      "generalized-alpha"};
-inline constexpr std::array<std::string_view, 4> integrationTitles{"Shi", "backward Euler", "Newmark",
-                                                                      "generalised α"};  // as users read them
 inline constexpr std::array<std::string_view, 2> iterationWords{"convex", "open-close"};
 inline constexpr std::array<std::string_view, 2> contactMethodWords{"penalty", "augmented-lagrangian"};
 inline constexpr std::array<std::string_view, 4> fixWords{"all", "x", "y", "xy"};
@@ -52,9 +50,6 @@ inline constexpr std::array<std::string_view, 2> contactMethodLabels{translatabl
                                                                      translatable("Fields", "augmented Lagrangian")};
 inline constexpr std::array<std::string_view, 2> rotationLabels{translatable("Fields", "fixed"),
                                                                 translatable("Fields", "free")};
-inline constexpr std::array<std::string_view, 4> anchorLawLabels{
-    translatable("Fields", "elastic"), translatable("Fields", "peak and residual"),
-    translatable("Fields", "frictional"), translatable("Fields", "curve")};
 inline constexpr std::array<std::string_view, 2> onFailureLabels{translatable("Fields", "none"),
                                                                  translatable("Fields", "bolt lost")};
 inline constexpr std::array<std::string_view, 5> profileKindLabels{
@@ -95,7 +90,7 @@ constexpr Words labelsOf(Integration) { return integrationLabels; }
 constexpr Words labelsOf(Iteration) { return iterationLabels; }
 constexpr Words labelsOf(ContactMethod) { return contactMethodLabels; }
 constexpr Words labelsOf(Rotation) { return rotationLabels; }
-constexpr Words labelsOf(AnchorLaw) { return anchorLawLabels; }
+constexpr Words labelsOf(AnchorLaw) { return anchorLawTitles; }
 constexpr Words labelsOf(OnFailure) { return onFailureLabels; }
 constexpr Words labelsOf(ProfileKind) { return profileKindLabels; }
 constexpr Words labelsOf(Way) { return wayLabels; }

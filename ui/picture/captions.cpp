@@ -97,7 +97,7 @@ std::string analysisText(const Scene& scene) {
     std::string text = scene.analysis.plane == Plane::Strain ? "plane strain" : "plane stress";
     if (std::any_of(scene.stages.begin(), scene.stages.end(),
                     [](const Stage& stage) { return stage.kind == StageKind::Dynamic; }))
-        text += " · " + std::string(integrationTitles[static_cast<std::size_t>(scene.analysis.integration)]) + " scheme";
+        text += " · " + std::string(integrationLabels[static_cast<std::size_t>(scene.analysis.integration)]) + " scheme";
     return text;
 }
 
