@@ -60,7 +60,7 @@ void tellCut(const SceneCut& cut, bool all) {
           std::to_string(cut.vertices) + " corners; tolerance " + rounded(cut.tolerance) + " m, minimum area " +
           rounded(cut.minArea) + " m², minimum width " + rounded(cut.minWidth) + " m\n");
     if (cut.open > 0)
-        print("  left out in open tunnels: " + std::to_string(cut.open) + '\n');
+        print("  removed inside tunnels open from the start: " + std::to_string(cut.open) + '\n');
     if (cut.split > 0)
         print("  cuts through intact rock next to openings: " + std::to_string(cut.split) + '\n');
     tellNotes(cut, all);

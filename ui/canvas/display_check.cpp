@@ -38,8 +38,8 @@ std::optional<QString> tryContext() {
 std::optional<QString> check() {
     const QString platform = QGuiApplication::platformName();
     if (platform == "offscreen" || platform == "minimal")
-        return Texts::tr("The Qt platform '%1' has no OpenGL.").arg(platform);
-    if (platform == "xcb" && !glxWorks()) return Texts::tr("This display has no OpenGL (GLX).");
+        return Texts::tr("The Qt platform '%1' does not support OpenGL.").arg(platform);
+    if (platform == "xcb" && !glxWorks()) return Texts::tr("This display does not support OpenGL (GLX).");
     return tryContext();
 }
 

@@ -38,7 +38,7 @@ struct Item {
 
 QString deformationText(double factor) {
     if (factor == 1.0) return Texts::tr("Deformation drawn true to scale");
-    return Texts::tr("Deformation drawn ×%1").arg(QString::fromStdString(numberText(factor)));
+    return Texts::tr("Deformation magnified ×%1").arg(QString::fromStdString(numberText(factor)));
 }
 
 /// Colour bars, and the entries of arrows and contact forces.

@@ -122,25 +122,25 @@ QString HealthStrip::adviceOn(const HealthRow& row) const {
     const QString block = row.block >= 0 && known_
                               ? QString::fromStdString(blockName(cursor_.run()->blockNames(), row.block))
                               : QString();
-    const QString who = block.isEmpty() ? tr("A step") : tr("Block %1").arg(block);
     switch (row.measure) {
         case HealthMeasure::Passes:
-            return tr("%1 needs %2 of at most %3 iterations. Reduce the time step or use more increments.")
-                .arg(who, valueText(row), Display::number(row.limit, 3));
+            return tr("A step needs %1 of at most %2 iterations. Reduce the time step or use more increments.")
+                .arg(valueText(row), Display::number(row.limit, 3));
         case HealthMeasure::StepCuts:
             return tr("%1 of the last 100 steps were subdivided. Results are not affected, but the run is slower; a shorter time "
                       "step, or more increments in a static stage, avoids it.")
                 .arg(valueText(row));
         case HealthMeasure::Penetration:
-            return tr("%1 penetrates its neighbour by %2 of its size. Increase the penalty ratio, or use augmented "
+            return tr("%1: penetration of its neighbour by %2 of its size. Increase the penalty ratio, or use augmented "
                       "Lagrangian contacts.")
-                .arg(who, valueText(row));
+                .arg(block.isEmpty() ? tr("A block") : tr("Block %1").arg(block), valueText(row));
         case HealthMeasure::Balance:
             return tr("%1 of the energy is unaccounted for. Reduce the time step or the tolerance.")
                 .arg(valueText(row));
         case HealthMeasure::Residual: break;
     }
-    return tr("The unbalanced force of %1 is %2 of the acting forces. Reduce the time step.").arg(who, valueText(row));
+    return tr("%1: the unbalanced force is %2 of the acting forces. Reduce the time step.")
+        .arg(block.isEmpty() ? tr("A block") : tr("Block %1").arg(block), valueText(row));
 }
 
 void HealthStrip::paintEvent(QPaintEvent*) {

@@ -121,8 +121,8 @@ void addPlate(const BoltReport& report, RowMaker& make) {
 void addBond(const BoltReport& report, RowMaker& make) {
     const int nodes = report.bonded + report.slipping + report.failed;
     if (nodes == 0) return;
-    make.add(Texts::tr("Debonded length now"), make.shown(report.debonded, "m", 1.0));
-    make.add(Texts::tr("Bonded nodes now"), Texts::tr("%1 bonded, %2 slipping, %3 failed")
+    make.add(Texts::tr("Debonded length"), make.shown(report.debonded, "m", 1.0));
+    make.add(Texts::tr("Bond state of nodes"), Texts::tr("%1 bonded, %2 slipping, %3 failed")
                                                 .arg(report.bonded)
                                                 .arg(report.slipping)
                                                 .arg(report.failed));
@@ -137,7 +137,7 @@ ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, con
     const BoltReport report = boltReport(scene, frame, bolt, events);
     ResultReport result{Texts::tr("%1 · bolt").arg(QString::fromStdString(shown.name)), QString::fromStdString(shown.type), {}, {}};
     RowMaker make{run, numbers, result.rows};
-    make.add(Texts::tr("State now"), text(wordOf(report.condition)));
+    make.add(Texts::tr("State"), text(wordOf(report.condition)));
     const BoltExtremes& peaks = report.use.extremes;
     const double axial = peaks.axialForce.value;
     for (const BoltPeakRow& row : boltPeakRows) make.peak(rowOf(row.quantity), peaks.*row.peak, axial);
@@ -161,7 +161,7 @@ ResultReport blockResults(const RunSource& run, const Frame& frame, int block, c
                         Texts::tr("block of this run"), {}, {}};
     RowMaker make{run, numbers, result.rows};
     if (state.area <= 0.0) {
-        make.add(Texts::tr("State now"), Texts::tr("excavated"));
+        make.add(Texts::tr("State"), Texts::tr("excavated"));
     } else {
         for (const char* name : quantities) make.quantity(name, state);
     }

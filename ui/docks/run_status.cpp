@@ -23,7 +23,7 @@ class RunStatus::Progress : public QWidget {
 public:
     Progress(const Themes& themes, const Runs& runs, QWidget* parent) : QWidget(parent), themes_(themes), runs_(runs) {
         setObjectName("runProgress");
-        setAccessibleName(RunStatus::tr("Progress of the run"));
+        setAccessibleName(RunStatus::tr("Run progress"));
         setFixedHeight(34);
         setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     }

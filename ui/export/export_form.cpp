@@ -231,7 +231,7 @@ void ExportForm::showFields() {
 
 QString ExportForm::note() const {
     if (kind() == Kind::Film && !canWriteMovies())
-        return tr("MP4 and WebM need the program ffmpeg, which is not installed.");
+        return tr("MP4 and WebM export requires ffmpeg, which is not installed.");
     if (kind() != Kind::Everything || !now_.run) return {};
     const QString frame = QString::fromStdString(frameText(*now_.run, request().filter));
     if (frame.isEmpty()) return {};

@@ -120,9 +120,12 @@ void MapPainter::drawShank(Ink& ink, std::size_t index) const {
                    (bolt.values.empty() || picture_.boltLegend->colourOf(std::abs(bolt.values[next])) == colour);
         };
         for (; e + 1 < nodes.size() && (e == first || alike(e)); ++e) run.push_back(nodes[e + 1]);
-        if (!broken) ink.polyline(run, {width, colour});
-        if (!broken && isDashed(first)) ink.polyline(run, {dashShare * width, white, {0.7, 0.7}});
-        else ink.polyline(run, {0.15, softText, {0.6, 0.5}});
+        if (broken) {
+            ink.polyline(run, {0.15, softText, {0.6, 0.5}});
+            continue;
+        }
+        ink.polyline(run, {width, colour});
+        if (isDashed(first)) ink.polyline(run, {dashShare * width, white, {0.7, 0.7}});
     }
 }
 

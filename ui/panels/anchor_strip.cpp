@@ -41,7 +41,7 @@ QString metres(double s) { return Display::number(std::round(1000.0 * s) / 1000.
 
 AnchorLine::AnchorLine(const Themes& themes, QWidget* parent) : QWidget(parent), themes_(themes) {
     setObjectName("anchorLine");
-    setAccessibleName(tr("Anchored points"));
+    setAccessibleName(tr("Bonded nodes"));
     setFixedHeight(lineHeight);
     setMouseTracking(true);
     connect(&themes, &Themes::changed, this, QOverload<>::of(&QWidget::update));
@@ -147,7 +147,7 @@ bool AnchorLine::event(QEvent* event) {
     const std::size_t node = nodeAt(help->pos());
     QString text =
         tr("Node %1 at %2 m: %3").arg(node).arg(metres(nodes_[node]), real_[node] ? tr("bonded") : tr("intermediate"));
-    if (editable_) text += tr(". Click to change, drag to change several");
+    if (editable_) text += tr(". Click to switch this node, drag to switch several.");
     QToolTip::showText(help->globalPos(), text, this);
     return true;
 }
@@ -163,7 +163,7 @@ AnchorStrip::AnchorStrip(const FormContext& context, QWidget* parent)
     heading->setFixedHeight(26);
     auto* row = new QHBoxLayout(heading);
     row->setContentsMargins(12, 0, 12, 0);
-    auto* title = new QLabel(tr("Anchored points"), heading);
+    auto* title = new QLabel(tr("Bonded nodes"), heading);
     title->setProperty("role", "title");
     count_ = new QLabel(heading);
     count_->setObjectName("anchorCount");

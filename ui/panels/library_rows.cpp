@@ -73,7 +73,7 @@ public:
         add(boltTypeStructure(), &type_, "", {});
         const Field* anchors = findField(boltTypeStructure(), "anchors");
         for (std::size_t i = 0; i < type_.anchors.size(); ++i)
-            add(anchors->children.structure(), &type_.anchors[i], "anchors", Texts::tr("Anchor %1").arg(i + 1));
+            add(anchors->children.structure(), &type_.anchors[i], "anchors", Texts::tr("Bonded range %1").arg(i + 1));
         add(findField(boltTypeStructure(), "plate")->children.structure(), &type_.plate, "plate.", Texts::tr("Plate"));
         return std::move(rows_);
     }

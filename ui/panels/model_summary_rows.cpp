@@ -49,7 +49,7 @@ std::vector<ModelSummaryRow> modelSummaryRows(const ModelSummary& summary) {
          number(counts.blockUnknowns), whyBlocks(counts)}};
     if (counts.bolts > 0)
         rows.push_back({Texts::tr("Bolts"), boltCount(counts), number(counts.boltUnknowns),
-                        Texts::tr("%1 bonded nodes; the others act only across the bolt")
+                        Texts::tr("%1 bonded nodes; the other nodes transfer force only across the bolt")
                             .arg(number(counts.realAnchors))});
     if (counts.plates > 0)
         rows.push_back({Texts::tr("Plates"), number(counts.plates), number(counts.plateUnknowns),

@@ -155,7 +155,7 @@ private:
         row.sign = ProblemRow::Sign::Report;
         row.title = cut.blocks == 1 ? Texts::tr("Cut report: 1 block")
                                    : Texts::tr("Cut report: %1 blocks").arg(Display::number(cut.blocks, 12));
-        if (cut.open > 0) row.title += Texts::tr(", %1 left out in open tunnels").arg(cut.open);
+        if (cut.open > 0) row.title += Texts::tr(", %1 removed inside tunnels open from the start").arg(cut.open);
         row.detail = counts(kinds);
         row.where = Texts::tr("whole section");
         if (!kinds.empty()) row.link = reportIsOpen_ ? Texts::tr("Hide report") : Texts::tr("Show report");

@@ -151,7 +151,7 @@ private:
         const std::size_t all = cut ? cut->scene.blocks.size() : scene_.blocks.size();
         blocks->detail = Display::number(static_cast<double>(all), 12);
         if (all > scene_.blocks.size() && !scene_.blocks.empty())
-            blocks->detail = Texts::tr("%1, %2 drawn").arg(blocks->detail).arg(scene_.blocks.size());
+            blocks->detail = Texts::tr("%1 (%2 drawn)").arg(blocks->detail).arg(scene_.blocks.size());
         fill(*blocks, "/blocks");
         if (source_.filter.isEmpty() || matches(*blocks) || !blocks->children.empty())
             addChild(geometry, std::move(blocks));

@@ -83,7 +83,7 @@ void addTimeCommands(Commands& commands, TimeCursor& cursor) {
         TimeCursor::tr("Add or remove a bookmark at this frame on the timeline"), QKeySequence("Ctrl+B"),
         [&cursor] { cursor.toggleBookmark(); });
     add("time.compare", TimeCursor::tr("Compare from here"), "", 
-        TimeCursor::tr("Set cursor B at this frame to read differences from it (again: remove cursor B)"),
+        TimeCursor::tr("Set cursor B at this frame to show differences from it; the same command removes it"),
         QKeySequence("Shift+B"), [&cursor] { cursor.toggleCursorB(); });
     const auto enable = [&] { enableTimeCommands(commands, cursor); };
     for (const auto signal : {&TimeCursor::runChanged, &TimeCursor::moved, &TimeCursor::runGrew, &TimeCursor::changed})

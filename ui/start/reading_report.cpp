@@ -27,8 +27,8 @@ QString titleOf(const PartReading& reading) {
                                ? ReadingReport::tr("1 problem")
                                : ReadingReport::tr("%1 problems").arg(reading.problems.size());
     if (!reading.isOpen) return ReadingReport::tr("%1 was not opened: %2.").arg(file, errors);
-    const QString out = reading.leftOut == 1 ? ReadingReport::tr("1 object was left out")
-                                             : ReadingReport::tr("%1 objects were left out").arg(reading.leftOut);
+    const QString out = reading.leftOut == 1 ? ReadingReport::tr("1 object skipped")
+                                             : ReadingReport::tr("%1 objects skipped").arg(reading.leftOut);
     return ReadingReport::tr("%1 was opened partially as a new scene: %2, %3. The file itself is unchanged.")
         .arg(file, errors, out);
 }

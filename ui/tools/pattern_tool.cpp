@@ -78,8 +78,8 @@ std::vector<ToolField> PatternTool::fields() {
     }
     fields.push_back(row("length", tr("Length")));
     fields.push_back(choiceField("fit", tr("Layout"), {tr("from the start"), tr("centred"), tr("end to end")}, fit_, tell));
-    fields.back().help = tr("From the start at the given spacing, centred with equal distances to both ends, or a given "
-                            "number of bolts from end to end.");
+    fields.back().help = tr("From the start: bolts at the given spacing from the first end. Centred: at the given spacing, with "
+                            "equal distances to both ends. End to end: a given number of bolts, evenly spaced.");
     fields.push_back(row("angle_from_wall", tr("Angle from wall")));
     fields.push_back(row("plate", tr("Plate")));
     if (fit() == PatternFit::FromStart) fields.push_back(given("offset", tr("Offset"), given_.offset));

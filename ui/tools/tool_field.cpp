@@ -64,9 +64,9 @@ ToolField numberField(const QString& id, const QString& label, const QString& he
     field.get = [&value] { return FieldValue(value); };
     field.set = [&value, range, changed = std::move(changed)](const FieldValue& given) {
         const auto* number = std::get_if<double>(&given);
-        if (!number || !std::isfinite(*number)) return QCoreApplication::translate("tools", "Give a number.");
+        if (!number || !std::isfinite(*number)) return QCoreApplication::translate("tools", "Enter a number.");
         if (!contains(range, *number))
-            return QCoreApplication::translate("tools", "Give a number %1.").arg(textOf(rangeText(range)));
+            return QCoreApplication::translate("tools", "Enter a number %1.").arg(textOf(rangeText(range)));
         value = *number;
         changed();
         return QString();

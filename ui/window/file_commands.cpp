@@ -129,7 +129,7 @@ void addEditCommands(Commands& commands, Document& document) {
 
 void addCanvasCommands(Commands& commands, Canvas& canvas) {
     const auto middle = [&canvas] { return QPointF(canvas.rect().center()); };
-    commands.add({"view.fit", QWidget::tr("Fit"), "View", "fit", QWidget::tr("Zooms to the excavation; again: to the whole section."),
+    commands.add({"view.fit", QWidget::tr("Fit"), "View", "fit", QWidget::tr("Zooms to the excavation; press again for the whole section."),
                   {QKeySequence("F")}, false, "zoom"},
                  [&canvas] { canvas.fit(); });
     commands.add({"view.zoomBox", QWidget::tr("Zoom window"), "View", "zoom-box",

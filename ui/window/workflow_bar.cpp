@@ -36,7 +36,7 @@ QString wordOf(WorkState state) {
         case WorkState::Warning: return WorkflowBar::tr("has warnings");
         case WorkState::Error: return WorkflowBar::tr("has errors");
         case WorkState::Running: return WorkflowBar::tr("running");
-        case WorkState::NotYet: return WorkflowBar::tr("not yet");
+        case WorkState::NotYet: return WorkflowBar::tr("not started");
         case WorkState::Nothing: break;
     }
     return {};

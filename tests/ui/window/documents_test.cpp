@@ -74,7 +74,7 @@ protected:
 
 TEST_F(Documents, OpeningAnotherSceneWhileResultsAreShownFitsItWithoutARun) {
     open("incline");
-    EXPECT_EQ(stateOf("workflow.4"), "not yet");
+    EXPECT_EQ(stateOf("workflow.4"), "not started");
     run();
     EXPECT_EQ(stateOf("workflow.4"), "done");
     open("drift-bolted");
@@ -83,7 +83,7 @@ TEST_F(Documents, OpeningAnotherSceneWhileResultsAreShownFitsItWithoutARun) {
     const Box seen = canvas_->map().window();
     EXPECT_TRUE((seen.min.array() <= about.min.array()).all() && (seen.max.array() >= about.max.array()).all());
     EXPECT_LT((seen.max - seen.min).minCoeff(), 2.0 * (about.max - about.min).maxCoeff());
-    EXPECT_EQ(stateOf("workflow.4"), "not yet");
+    EXPECT_EQ(stateOf("workflow.4"), "not started");
     EXPECT_FALSE(window_->findChild<Runs*>()->session());
 }
 
