@@ -4,6 +4,10 @@
 // The scenes are small on purpose: these tests are about the program around them.
 #include "tests/cli/command_line_fixture.h"
 
+#include "solver/files/read_error.h"
+#include "solver/files/run_store/run_store.h"
+#include "tests/wait_for.h"
+
 #include <sstream>
 
 namespace keyblock::test {
@@ -52,6 +56,16 @@ constexpr const char* endlessScene = R"({
 void CommandLine::putPullScene() const { put("pull.json", pullScene); }
 
 void CommandLine::putEndlessScene() const { put("rest.json", endlessScene); }
+
+bool CommandLine::waitForFrames(const std::string& run, std::size_t frames) const {
+    return waitFor([&] {
+        try {
+            return exists(run) && RunStore(folder() / run).frames().size() > frames;
+        } catch (const CannotRead&) {  // it is being created
+            return false;
+        }
+    });
+}
 
 std::vector<std::string> CommandLine::lines(const std::string& text) {
     std::vector<std::string> result;

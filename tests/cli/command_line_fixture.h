@@ -27,6 +27,8 @@ protected:
     void put(const std::string& name, const std::string& text) const { putContent(folder() / name, text); }
     std::string content(const std::string& name) const { return contentOf(folder() / name); }
     bool exists(const std::string& name) const { return std::filesystem::exists(folder() / name); }
+    /// Waits until `run`, which may be in progress, has more than `frames` frames; false if it does not get there.
+    bool waitForFrames(const std::string& run, std::size_t frames = 0) const;
     /// Lines of a text, without their ends.
     static std::vector<std::string> lines(const std::string& text);
     /// Exports a table of `run` and returns its bytes.

@@ -64,6 +64,8 @@ Program::~Program() {
 
 void Program::signal(int number) const { ::kill(process_, number); }
 
+std::string Program::errors() const { return contentOf(err_); }
+
 Ended Program::wait() {
     int status = 0;
     ::waitpid(process_, &status, 0);

@@ -28,6 +28,8 @@ public:
     Program& operator=(const Program&) = delete;
 
     void signal(int number) const;
+    /// What it has written to its error output so far.
+    std::string errors() const;
     Ended wait();
 
 private:

@@ -10,7 +10,6 @@
 
 #include <signal.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <chrono>
 
@@ -21,12 +20,11 @@ using nlohmann::json;
 
 class Resume : public CommandLine {
 protected:
-    /// A run that was asked to stop half a second after it began: `rest.kbrun`.
+    /// A run that was asked to stop after its first frames: `rest.kbrun`.
     void putStoppedRun() const {
         putEndlessScene();
         Program program({"run", "rest.json"}, folder());
-        while (!exists("rest.kbrun")) ::usleep(10000);
-        ::usleep(500000);
+        ASSERT_TRUE(waitForFrames("rest.kbrun", 5));
         program.signal(SIGTERM);
         const Ended ended = program.wait();
         ASSERT_EQ(ended.code, 75) << ended.err;
@@ -107,7 +105,7 @@ TEST_F(Resume, GoesOnPastWhereItStopped) {
     putStoppedRun();
     const std::size_t before = framesIn("rest.kbrun");
     Program program({"run", "rest.json", "--resume", "--progress", "json"}, folder());
-    ::usleep(1000000);
+    ASSERT_TRUE(waitForFrames("rest.kbrun", before));
     EXPECT_GT(framesIn("rest.kbrun"), before);  // read while it is written
     EXPECT_GT(lines(table("rest.kbrun", "blocks")).size(), 1u);
     program.signal(SIGINT);
@@ -139,8 +137,9 @@ TEST_F(Resume, ARunThatItsWallTimeEndsGoesOnToTheSameBytes) {
 
 TEST_F(Resume, ASecondRunOnTheSameStoreIsRefused) {
     putStoppedRun();
+    const std::size_t before = framesIn("rest.kbrun");
     Program program({"run", "rest.json", "--resume"}, folder());
-    ::usleep(500000);
+    ASSERT_TRUE(waitForFrames("rest.kbrun", before));
     for (const std::string word : {"--resume", "--overwrite"}) {
         const Ended second = keyblock({"run", "rest.json", word});
         EXPECT_EQ(second.code, 6) << second.err;
@@ -153,8 +152,7 @@ TEST_F(Resume, ASecondRunOnTheSameStoreIsRefused) {
 TEST_F(Resume, ASecondSignalEndsAtOnce) {
     putEndlessScene();
     Program program({"run", "rest.json"}, folder());
-    while (!exists("rest.kbrun")) ::usleep(10000);
-    ::usleep(200000);
+    ASSERT_TRUE(waitForFrames("rest.kbrun"));
     program.signal(SIGSTOP);  // so that both come at the same moment
     program.signal(SIGTERM);
     program.signal(SIGINT);
@@ -178,7 +176,7 @@ TEST_F(Resume, AFullDiskIsReportedAndTheStoreStaysWhole) {
     const std::size_t frames = framesIn("rest.kbrun");
     EXPECT_GT(frames, 0u);
     Program program({"run", "rest.json", "--resume"}, folder());  // there is space again
-    for (int i = 0; i < 100 && framesIn("rest.kbrun") <= frames; ++i) ::usleep(50000);
+    EXPECT_TRUE(waitForFrames("rest.kbrun", frames));
     program.signal(SIGTERM);
     EXPECT_EQ(program.wait().code, 75);
     EXPECT_GT(framesIn("rest.kbrun"), frames);

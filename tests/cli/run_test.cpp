@@ -4,11 +4,11 @@
 // A scene goes in, a store and tables come out: the same bytes on any number of
 // threads and in any locale, and what is done is kept when a run is interrupted.
 #include "tests/cli/command_line_fixture.h"
+#include "tests/wait_for.h"
 
 #include <nlohmann/json.hpp>
 
 #include <signal.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <clocale>
@@ -212,25 +212,28 @@ TEST_F(Runs, ProgressComesAsJsonLines) {
 
 TEST_F(Runs, TheBarShowsTheTimeLeft) {
     putEndlessScene();
-    const Ended ended = keyblock(
-        {"run", "rest.json", "--progress", "bar", "--set", "stages[0].duration=300", "output.every=1"});
-    ASSERT_EQ(ended.code, 0) << ended.err;
+    Program program({"run", "rest.json", "--progress", "bar", "--set", "stages[0].duration=300", "output.every=1"},
+                    folder());
+    const auto isEstimated = [&] { return program.errors().find(" left  ") != std::string::npos; };
+    EXPECT_TRUE(waitFor(isEstimated)) << program.errors();
+    program.signal(SIGINT);
+    const Ended ended = program.wait();
     EXPECT_NE(ended.err.find("rest ["), std::string::npos) << ended.err;
-    EXPECT_NE(ended.err.find(" left  "), std::string::npos) << ended.err;
 }
 
 TEST_F(Runs, AnInterruptedRunKeepsWhatIsDone) {
     putEndlessScene();
     const std::string expectation = "about.expected=[{\"quantity\": \"last top.uy\", \"value\": 1}]";
     for (const int signal : {SIGTERM, SIGINT}) {
-        Program program({"run", "rest.json", "--overwrite", "--set", expectation}, folder());
-        ::sleep(1);
+        const std::string store = "rest-" + std::to_string(signal) + ".kbrun";
+        Program program({"run", "rest.json", "--out", store, "--set", expectation}, folder());
+        ASSERT_TRUE(waitForFrames(store));
         program.signal(signal);
         const Ended ended = program.wait();
         EXPECT_EQ(ended.code, 75) << ended.err;
         EXPECT_NE(ended.err.find("interrupted"), std::string::npos) << ended.err;
         EXPECT_NE(ended.out.find("incomplete"), std::string::npos) << ended.out;
-        const Ended info = keyblock({"info", "rest.kbrun", "--json"});
+        const Ended info = keyblock({"info", store, "--json"});
         ASSERT_EQ(info.code, 0) << info.err;
         EXPECT_EQ(json::parse(info.out).at("stages").at(0).at("outcome"), "stopped");
         EXPECT_GT(json::parse(info.out).at("frames").get<int>(), 0);
@@ -240,7 +243,7 @@ TEST_F(Runs, AnInterruptedRunKeepsWhatIsDone) {
 TEST_F(Runs, AKilledRunLeavesAStoreThatOpens) {
     putEndlessScene();
     Program program({"run", "rest.json"}, folder());
-    ::sleep(1);
+    ASSERT_TRUE(waitForFrames("rest.kbrun"));
     const Ended live = keyblock({"info", "rest.kbrun", "--json"});
     EXPECT_EQ(live.code, 0) << live.err;
     program.signal(SIGKILL);

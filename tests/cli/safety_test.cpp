@@ -4,11 +4,11 @@
 // The factor of safety as a user asks for it: text, JSON, refusals with their
 // places, and a bracket that an interruption leaves behind.
 #include "tests/cli/command_line_fixture.h"
+#include "tests/wait_for.h"
 
 #include <nlohmann/json.hpp>
 
 #include <signal.h>
-#include <unistd.h>
 
 #include <cmath>
 
@@ -121,9 +121,10 @@ TEST_F(SafetyCommand, ALimitOfTheSceneEndsTheSearch) {
 
 TEST_F(SafetyCommand, AnInterruptionLeavesTheBracketSoFar) {
     putPullScene();
-    Program program({"safety", "pull.json", "--json", "--set", "stages[0].increments=100000", "safety.reduce=bonds"},
+    Program program({"safety", "pull.json", "--json", "--progress", "json", "--set", "stages[0].increments=100000",
+                     "safety.reduce=bonds"},
                     folder());
-    ::sleep(1);
+    ASSERT_TRUE(waitFor([&] { return !program.errors().empty(); }));  // the search reports its progress
     program.signal(SIGINT);
     const Ended ended = program.wait();
     EXPECT_EQ(ended.code, 75) << ended.err;
