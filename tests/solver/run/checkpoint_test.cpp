@@ -9,6 +9,7 @@
 #include "solver/run/run.h"
 #include "solver/verify/scenes.h"
 #include "tests/solver/run/small_stages.h"
+#include "tests/wait_for.h"
 
 #include <gtest/gtest.h>
 
@@ -185,23 +186,30 @@ TEST(Checkpoints, APausedRunTakesOneStepForEachThatIsAsked) {
     MemorySink sink;
     Control control;
     std::atomic<long> steps{0};
+    std::atomic<int> looks{0};
     control.progress = [&](const Progress& progress) { steps = progress.steps; };
+    control.looked = [&](const Frame&) { ++looks; };
     control.pause = true;
     std::thread worker([&] { run(scene, sink, control); });
-    const auto settledAt = [&](long expected) {
-        for (int i = 0; i < 500 && (steps != expected || control.steps != 0); ++i)
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    // A state is handed over between two steps only. The first one after the last request follows the requested step;
+    // a run that did not pause would take another step before the second one.
+    const auto stepsAtRest = [&] {
+        EXPECT_TRUE(test::waitFor([&] { return control.steps == 0; }));
+        for (int look = 0; look < 2; ++look) {
+            const int before = looks;
+            control.look = true;
+            EXPECT_TRUE(test::waitFor([&] { return looks > before; }));
+        }
         return steps.load();
     };
     control.steps = 1;  // the stage begins
-    EXPECT_EQ(settledAt(0), 0);
+    EXPECT_EQ(stepsAtRest(), 0);
     control.steps = 5;  // progress tells of the step that is being solved
-    EXPECT_EQ(settledAt(4), 4);
+    EXPECT_EQ(stepsAtRest(), 4);
     control.steps = 2;
-    EXPECT_EQ(settledAt(6), 6);
+    EXPECT_EQ(stepsAtRest(), 6);
     control.pause = false;
-    while (steps < 20) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_TRUE(test::waitFor([&] { return steps >= 20; }));
     control.pause = true;
     control.stop = true;  // also while paused
     worker.join();
