@@ -18,14 +18,18 @@
 
 #include <gtest/gtest.h>
 
+#include <sched.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <new>
 #include <sstream>
 
 namespace keyblock {
@@ -149,31 +153,61 @@ TEST_F(RunStoreTest, KeepsEveryCommittedFrameOfAKilledRun) {
     EXPECT_FALSE(store.stages()[0].ended);
 }
 
+/// A counter that a child process shares.
+class SharedCount {
+public:
+    SharedCount()
+        : memory_(::mmap(nullptr, sizeof(std::atomic<int>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)),
+          count_(new (memory_) std::atomic<int>(0)) {}
+    ~SharedCount() { ::munmap(memory_, sizeof(std::atomic<int>)); }
+    SharedCount(const SharedCount&) = delete;
+    SharedCount& operator=(const SharedCount&) = delete;
+
+    std::atomic<int>& operator*() const { return *count_; }
+
+private:
+    void* memory_;
+    std::atomic<int>* count_;
+};
+
+/// Killed within every write of a store, and while another replaces it.
 TEST_F(RunStoreTest, OpensAfterAKillAtAnyMoment) {
-    for (int pause = 0; pause < 40; ++pause) {
+    constexpr int frames = 20, writes = frames + 4, ofReplacement = 6;
+    int opened = 0;
+    for (int write = 0; write < writes + ofReplacement; ++write) {
         for (const fs::directory_entry& left : fs::directory_iterator(folder_.path()))
             fs::remove(left);
+        const SharedCount done;
         const pid_t child = ::fork();
         if (child == 0) {
-            // Opened, written and closed again and again, so that a kill may fall into any of it.
             for (bool overwrite = false;; overwrite = true) {
                 RunStoreWriter writer(storePath(), overwrite);
+                ++*done;
                 writer.begin(test::sampleScene(), test::sampleResults().columns);
+                ++*done;
                 writer.stageBegins(0);
-                for (int count = 0; count < 20; ++count)
+                ++*done;
+                for (int count = 0; count < frames; ++count) {
                     writer.frame(laterFrame(count));
+                    ++*done;
+                }
                 writer.close();
+                ++*done;
             }
         }
-        ::usleep(static_cast<useconds_t>(1300 * pause));
+        // A wait that sleeps would be too late for the next write.
+        while (*done < write && ::waitpid(child, nullptr, WNOHANG) == 0) ::sched_yield();
+        ASSERT_GE(*done, write) << "the writer has ended";
         ::kill(child, SIGKILL);
         ::waitpid(child, nullptr, 0);
         if (!fs::exists(storePath()))
             continue;  // killed before the store had its scene
         const RunStore store(storePath());
+        ++opened;
         for (std::size_t index = 0; index < store.frames().size(); ++index)
             ASSERT_EQ(store.frame(index), laterFrame(static_cast<int>(index)));
     }
+    EXPECT_GE(opened, writes);
 }
 
 TEST_F(RunStoreTest, IsReadWhileItIsWritten) {
