@@ -61,8 +61,9 @@ std::int64_t BoxGrid::cellIndex(double offset, double cell) const {
     return static_cast<std::int64_t>(std::clamp(std::floor(offset / cell), -farthest, farthest));
 }
 
+/// All boxes in the cells that can hold boxes that meet `box`.
 template <class Visit>
-void BoxGrid::visitMeeting(const Level& level, const Box& box, Visit visit) const {
+void BoxGrid::visitCells(const Level& level, const Box& box, Visit visit) const {
     const Point low = box.min - origin_;
     const Point high = box.max - origin_;
     const std::int64_t firstColumn = cellIndex(low.x(), level.cell) - 1;
@@ -82,10 +83,17 @@ void BoxGrid::visitMeeting(const Level& level, const Box& box, Visit visit) cons
         } else if (entry->column > lastColumn) {
             entry = startOf(entry->row + 1);
         } else {
-            if (meets(boxes_[static_cast<std::size_t>(entry->box)], box)) visit(entry->box);
+            visit(entry->box);
             ++entry;
         }
     }
+}
+
+template <class Visit>
+void BoxGrid::visitMeeting(const Level& level, const Box& box, Visit visit) const {
+    visitCells(level, box, [&](int other) {
+        if (meets(boxes_[static_cast<std::size_t>(other)], box)) visit(other);
+    });
 }
 
 std::vector<std::pair<int, int>> BoxGrid::meetingPairs() const {
@@ -105,6 +113,12 @@ std::vector<int> BoxGrid::meeting(const Box& box) const {
     for (const Level& level : levels_) visitMeeting(level, box, [&](int other) { found.push_back(other); });
     std::sort(found.begin(), found.end());
     return found;
+}
+
+std::size_t BoxGrid::compared(const Box& box) const {
+    std::size_t count = 0;
+    for (const Level& level : levels_) visitCells(level, box, [&](int) { ++count; });
+    return count;
 }
 
 }  // namespace keyblock

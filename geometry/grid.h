@@ -8,6 +8,7 @@
 
 #include "geometry/polygon.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -25,6 +26,9 @@ public:
     /// The boxes that meet `box`, sorted.
     std::vector<int> meeting(const Box& box) const;
 
+    /// The number of boxes that `meeting` compares with `box`.
+    std::size_t compared(const Box& box) const;
+
 private:
     struct Entry {
         std::int64_t row = 0;  // of the cell that holds the lower left corner of the box
@@ -37,6 +41,8 @@ private:
         std::vector<Entry> entries;  // by row, column, box
     };
 
+    template <class Visit>
+    void visitCells(const Level& level, const Box& box, Visit visit) const;
     template <class Visit>
     void visitMeeting(const Level& level, const Box& box, Visit visit) const;
     std::int64_t cellIndex(double offset, double cell) const;

@@ -44,6 +44,16 @@ TEST(BoxGrid, FindsTheSamePairsAsAskingAll) {
     }
 }
 
+TEST(BoxGrid, ComparesOnlyBoxesNearby) {
+    const std::vector<Box> boxes = scattered(10000, 4.0, {0, 0});
+    const BoxGrid grid(boxes);
+    const Box box{{50, 50}, {50.5, 50.5}};
+    const std::size_t met = grid.meeting(box).size();
+    EXPECT_GT(met, 0u);
+    EXPECT_GE(grid.compared(box), met);
+    EXPECT_LT(grid.compared(box), boxes.size() / 20);
+}
+
 TEST(BoxGrid, WorksFarFromTheOrigin) {
     const std::vector<Box> boxes = scattered(400, 1.0, {1e6, -1e6});
     EXPECT_EQ(BoxGrid(boxes).meetingPairs(), everyPair(boxes));

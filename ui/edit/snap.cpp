@@ -150,6 +150,10 @@ std::vector<Box> SnapIndex::boxesOf(const std::vector<Line>& lines) {
     return boxes;
 }
 
+std::size_t SnapIndex::compared(const Point& place, double radius) const {
+    return grid_ ? grid_->compared(grown(Box{place, place}, radius)) : 0;
+}
+
 std::optional<Snap> SnapIndex::at(const Point& place, const SnapWish& wish) const {
     if (!place.allFinite()) return std::nullopt;
     return Search(*this, place, wish).run();

@@ -9,6 +9,7 @@
 #include "geometry/grid.h"
 #include "ui/edit/scene_objects.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ public:
 
     /// The best snap near `place`; none if nothing is near and there is no grid.
     std::optional<Snap> at(const Point& place, const SnapWish& wish) const;
+
+    /// The number of lines that `at` compares with the mouse.
+    std::size_t compared(const Point& place, double radius) const;
 
 private:
     struct Line {
