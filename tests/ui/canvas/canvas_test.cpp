@@ -56,7 +56,7 @@ protected:
         ASSERT_TRUE(QTest::qWaitForWindowExposed(canvas.get()));
     }
     QImage painted() {
-        waitFor([] { return false; }, 100);
+        settle();
         return canvas->grab().toImage();
     }
     QColor at(const QImage& image, const Point& place) const {

@@ -56,7 +56,7 @@ TEST(DisplayCheck, PanelShowsAllInstructionsInASmallWindow) {
     const std::unique_ptr<QWidget> panel(makeWithoutGlPanel("This display has no OpenGL.", nullptr));
     panel->resize(700, 420);
     panel->show();
-    waitFor([] { return false; }, 50);
+    settle();
     const auto* message = panel->findChild<QLabel*>("withoutGlMessage");
     ASSERT_TRUE(message);
     EXPECT_TRUE(message->text().contains("LIBGL_ALWAYS_SOFTWARE=1"));

@@ -61,7 +61,7 @@ TEST_F(StabilityPanelTest, ShowsAHungBlockAsStableWithTheUtilisationOfItsBolt) {
     EXPECT_TRUE(shown.answer().startsWith("Stable: yes")) << shown.answer().toStdString();
     EXPECT_TRUE(shown.tree("unstableBlocks")->isHidden());
     QTreeWidget* bolts = shown.tree("boltUses");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return bolts->topLevelItemCount() == 1; }));
+    ASSERT_TRUE(waitFor([&] { return bolts->topLevelItemCount() == 1; }));
     const QTreeWidgetItem* row = bolts->topLevelItem(0);
     EXPECT_EQ(row->text(0), "B");
     EXPECT_EQ(row->text(1), "intact");

@@ -13,8 +13,11 @@
 #include "ui/panels/plan_view.h"
 #include "ui/panels/stages_panel.h"
 
+#include <QLabel>
 #include <QToolButton>
 #include <QTreeWidget>
+
+#include <algorithm>
 
 namespace keyblock {
 namespace {
@@ -126,7 +129,13 @@ TEST(ModelSummaryPanel, ShowsTheCountsOfTheModel) {
     document.apply("break", broken);
     EXPECT_FALSE(panel.summary());
     ASSERT_TRUE(waitFor([&] { return document.checkIsCurrent(); }));
-    QTest::qWait(700);
+    const auto isRefused = [&] {
+        const QList<QLabel*> labels = panel.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [](const QLabel* label) { return label->text().startsWith("Fix the errors"); });
+    };
+    ASSERT_TRUE(waitFor(isRefused));
+    settle();
     EXPECT_FALSE(panel.summary());
 }
 

@@ -77,6 +77,14 @@ bool start() {
 
 }  // namespace
 
+void settle() {
+    constexpr int rounds = 5;  // each waits for the X server and runs the timers of 0 ms twice
+    for (int i = 0; i < rounds; ++i) {
+        QGuiApplication::sync();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+}
+
 bool haveScreen() {
     static const bool started = start();
     return started;

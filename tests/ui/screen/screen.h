@@ -12,9 +12,13 @@ namespace keyblock {
 /// Starts Xvfb and the application once per process. False where Xvfb is not installed; the test is then skipped.
 bool haveScreen();
 
-/// Handles events until `done` or for at most `milliseconds`; says whether it was done.
+/// Handles events until `done`; false if it is not within `milliseconds`, a limit that only ends a broken test.
 template <typename Done>
-bool waitFor(Done done, int milliseconds = 20000);
+bool waitFor(Done done, int milliseconds = 60000);
+
+/// Handles all events and those that follow from them, among them answers of the X server, timers of 0 ms and
+/// deferred deletions.
+void settle();
 
 }  // namespace keyblock
 

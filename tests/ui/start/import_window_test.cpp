@@ -12,8 +12,9 @@
 #include "ui/start/picture_pane.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
+#include <QPointer>
 #include <QPushButton>
-#include <QTest>
 #include <QTreeWidget>
 #include <gtest/gtest.h>
 
@@ -47,11 +48,14 @@ TEST(ImportWindows, ChosenRolesGiveAScene) {
     const auto role = [&](const char* layer) { return window->findChild<QComboBox*>(QString("import.role.") + layer); };
     auto* import = window->findChild<QPushButton*>("import.import");
     const auto choose = [&](const char* layer, LayerRole wanted) {
-        QComboBox* box = role(layer);
+        const QPointer<QComboBox> box = role(layer);
         box->setCurrentIndex(box->findData(int(wanted)));
         Q_EMIT box->activated(box->currentIndex());
-        QTest::qWait(300);
-        EXPECT_TRUE(waitFor([&] { return role(layer) && role(layer)->currentData().toInt() == int(wanted); }));
+        // The result of the new reading replaces the boxes.
+        EXPECT_TRUE(waitFor([&] {
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            return !box && role(layer) && role(layer)->currentData().toInt() == int(wanted);
+        }));
     };
     auto* unit = window->findChild<QComboBox*>("import.unit");
     unit->setCurrentIndex(unit->findData("m"));

@@ -132,18 +132,28 @@ TEST_F(Documents, ValuesAtTheCursorAreShownOverTheSectionOnly) {
     EXPECT_TRUE(under->text().isEmpty()) << under->text().toStdString();
 }
 
-/// Answers the file dialog with a name, and a question after it with no.
-void answerWith(const QString& name, int& asked) {
-    QTimer::singleShot(0, [=, &asked] {
+/// Answers questions until it is destroyed.
+struct Answers : QObject {
+    int asked = 0;
+};
+
+/// Cancels the question that appears.
+void cancelQuestion(Answers& answers) {
+    QTimer::singleShot(0, &answers, [&answers] {
+        auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!question) return cancelQuestion(answers);
+        ++answers.asked;
+        question->button(QMessageBox::Cancel)->click();
+    });
+}
+
+/// Answers the file dialog with a name, and cancels the question after it.
+void answerWith(const QString& name, Answers& answers) {
+    QTimer::singleShot(0, &answers, [=, &answers] {
         auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (!dialog) return answerWith(name, asked);
+        if (!dialog) return answerWith(name, answers);
         dialog->findChild<QLineEdit*>("fileNameEdit")->setText(name);
-        QTimer::singleShot(100, [&asked] {
-            auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (!question) return;
-            ++asked;
-            question->button(QMessageBox::Cancel)->click();
-        });
+        cancelQuestion(answers);
         QMetaObject::invokeMethod(dialog, "accept");
     });
 }
@@ -214,10 +224,10 @@ TEST_F(Documents, SavingANameWithoutExtensionAsksBeforeItOverwrites) {
     open("incline");
     const fs::path other = folder_.path() / "other.json";
     test::putContent(other, "mine");
-    int asked = 0;
-    answerWith(QString::fromStdString((folder_.path() / "other").string()), asked);
+    Answers answers;
+    answerWith(QString::fromStdString((folder_.path() / "other").string()), answers);
     window_->findChild<Commands*>()->action("file.saveAs")->trigger();
-    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(answers.asked, 1);
     EXPECT_EQ(test::contentOf(other), "mine");
     EXPECT_TRUE(document_->path().endsWith("incline.json"));
 }

@@ -4,6 +4,7 @@
 // Screen readers: every widget that takes a click or a key has an accessible name.
 #include "tests/ui/screen/screen.h"
 
+#include "ui/document/document.h"
 #include "ui/look/theme.h"
 #include "ui/window/main_window.h"
 
@@ -18,7 +19,6 @@
 #include <QPlainTextEdit>
 #include <QScrollBar>
 #include <QTabBar>
-#include <QTest>
 #include <QTextEdit>
 #include <gtest/gtest.h>
 
@@ -76,7 +76,9 @@ TEST(Names, EveryWidgetThatTakesInputHasAnAccessibleName) {
     window.show();
     expectNames(window);
     window.openPath(KEYBLOCK_SAMPLES_DIR "/drift-bolted.json");
-    QTest::qWait(500);
+    const auto& document = *window.findChild<Document*>();
+    ASSERT_TRUE(waitFor([&] { return document.checkIsCurrent() && document.checked().picture; }));
+    settle();
     expectNames(window);
 }
 

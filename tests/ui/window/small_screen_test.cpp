@@ -80,7 +80,7 @@ TEST_P(SmallScreens, RunButtonOfTheModelSummaryIsNotCut) {
     QPushButton* run = nullptr;
     for (auto* button : window_->findChild<QWidget*>("modelSummaryCosts")->findChildren<QPushButton*>()) run = button;
     ASSERT_TRUE(run);
-    EXPECT_TRUE(waitFor([&] { return isWhole(*run) && isWhole(*time); }, 5000))
+    EXPECT_TRUE(waitFor([&] { return isWhole(*run) && isWhole(*time); }))
         << run->visibleRegion().boundingRect().height() << " of " << run->height() << " px";
 }
 
@@ -90,7 +90,7 @@ TEST_P(SmallScreens, BoltDiagramAndCurvesAreDrawn) {
     for (QWidget* dock : {static_cast<QWidget*>(window_->findChild<BoltStrip*>()),
                           static_cast<QWidget*>(window_->findChild<Curves*>("curves"))}) {
         const auto* chart = dock->findChild<ChartView*>();
-        EXPECT_TRUE(waitFor([&] { return chart->isDrawn(); }, 10000))
+        EXPECT_TRUE(waitFor([&] { return chart->isDrawn(); }))
             << dock->objectName().toStdString() << " is " << chart->width() << " x " << chart->height() << " px";
     }
 }
@@ -101,14 +101,16 @@ TEST_P(SmallScreens, ViewControlsWithoutRoomAreInTheMenu) {
     auto* bar = window_->findChild<ViewBar*>();
     auto* more = bar->findChild<QToolButton*>("viewMore");
     ASSERT_TRUE(waitFor([&] { return bar->isVisible() && more; }));
-    QTest::qWait(50);
-    Q_EMIT more->menu()->aboutToShow();
-    QStringList offered;
-    for (const QAction* action : more->menu()->actions()) offered << action->text();
+    settle();
+    const auto isInMenu = [&](const QWidget& control) {
+        Q_EMIT more->menu()->aboutToShow();
+        QStringList offered;
+        for (const QAction* action : more->menu()->actions()) offered << action->text();
+        return control.isHidden() && offered.contains(control.accessibleName());
+    };
     for (const char* name : {"viewBlocks", "viewBolts", "viewFactor", "viewArrows", "export.figureBar"}) {
         const auto* control = bar->findChild<QWidget*>(name);
-        const bool inMenu = control->isHidden() && offered.contains(control->accessibleName());
-        EXPECT_TRUE(isWhole(*control) || inMenu) << name;
+        EXPECT_TRUE(waitFor([&] { return isWhole(*control) || isInMenu(*control); })) << name;
     }
 }
 
@@ -120,19 +122,19 @@ TEST_P(Widths, HelpGivesPropertiesTheirWidthBackAndResetRestoresAll) {
     auto* properties = window_->findChild<QDockWidget*>("propertyDock");
     auto* help = window_->findChild<QDockWidget*>("helpDock");
     const Commands& commands = *window_->findChild<Commands*>();
-    QTest::qWait(100);
+    settle();
     const int before = properties->width();
     commands.action("help.theory")->trigger();
-    EXPECT_TRUE(waitFor([&] { return help->isVisible() && help->width() > before; }, 5000)) << help->width();
+    EXPECT_TRUE(waitFor([&] { return help->isVisible() && help->width() > before; })) << help->width();
     help->findChild<QToolButton*>("help.close")->click();
-    EXPECT_TRUE(waitFor([&] { return properties->isVisible() && properties->width() == before; }, 5000))
+    EXPECT_TRUE(waitFor([&] { return properties->isVisible() && properties->width() == before; }))
         << properties->width() << " instead of " << before;
     commands.action("help.theory")->trigger();
-    QTest::qWait(100);
+    EXPECT_TRUE(waitFor([&] { return help->isVisible() && help->width() > before; })) << help->width();
+    settle();
     properties->setFloating(true);
     commands.action("view.resetLayout")->trigger();
-    EXPECT_TRUE(waitFor([&] { return !help->isVisible() && !properties->isFloating() && properties->width() == before; },
-                        5000))
+    EXPECT_TRUE(waitFor([&] { return !help->isVisible() && !properties->isFloating() && properties->width() == before; }))
         << properties->width() << " instead of " << before;
 }
 

@@ -7,6 +7,8 @@
 #include "tests/scratch_folder.h"
 #include "tests/ui/screen/screen.h"
 
+#include "ui/docks/chart_view.h"
+#include "ui/docks/curves.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/look/commands.h"
@@ -20,7 +22,6 @@
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
-#include <QTest>
 #include <QTranslator>
 #include <QXmlStreamReader>
 #include <gtest/gtest.h>
@@ -132,12 +133,16 @@ TEST(Texts, EveryShownTextIsFoundByLupdate) {
     ASSERT_TRUE(waitFor([&] { return document.checkIsCurrent(); }));
     for (const char* pointer : {"/blocks/0", "/bolts/0", "/stages/0", "/materials/0", "/analysis"}) {
         window.findChild<Selection*>()->set({QString(pointer)});
-        QTest::qWait(50);
+        settle();
     }
     Runs& runs = *window.findChild<Runs*>();
     runs.start();
     ASSERT_TRUE(waitFor([&] { return !runs.isRunning() && window.findChild<TimeCursor*>()->hasMoment(); }, 120000));
-    QTest::qWait(500);
+    const auto* curves = window.findChild<Curves*>("curves");
+    ASSERT_TRUE(curves);
+    const auto* chart = curves->findChild<ChartView*>("chart");
+    ASSERT_TRUE(waitFor([&] { return !curves->isVisible() || chart->chart(); }));  // read in the background
+    settle();
     const Texts found = foundTexts(scratch.path() / "keyblock.ts");
     EXPECT_GT(found.size(), 1000u);
     EXPECT_GT(language.asked().size(), 400u);
