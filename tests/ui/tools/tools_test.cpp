@@ -24,9 +24,11 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QContextMenuEvent>
+#include <QCursor>
 #include <QFrame>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QTest>
 #include <QToolButton>
 #include <QUndoStack>
@@ -34,6 +36,22 @@
 namespace {
 
 using namespace keyblock;
+
+/// Notes that the mouse has arrived at a point of the screen.
+class MouseArrival : public QObject {
+public:
+    explicit MouseArrival(const QPoint& target) : place(target) { QCoreApplication::instance()->installEventFilter(this); }
+
+    const QPoint place;
+    bool isReported = false;
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() == QEvent::MouseMove)
+            isReported = isReported || static_cast<QMouseEvent*>(event)->globalPos() == place;
+        return false;
+    }
+};
 
 /// Canvas, desk and the objects they need, without a window.
 struct Place {
@@ -66,7 +84,13 @@ struct Place {
     }
 
     QPoint pixel(const Point& place) const { return canvas.map().toPixel(place).toPoint(); }
-    void move(const Point& place) { QTest::mouseMove(&canvas, pixel(place)), QTest::qWait(5); }
+    /// Moves the mouse and waits until the X server reports it.
+    void move(const Point& place) {
+        MouseArrival arrival(canvas.mapToGlobal(pixel(place)));
+        const bool isReported = canvas.rect().contains(pixel(place)) && QCursor::pos() != arrival.place;
+        QTest::mouseMove(&canvas, pixel(place));
+        EXPECT_TRUE(!isReported || waitFor([&] { return arrival.isReported; }));
+    }
     void click(const Point& place, Qt::KeyboardModifiers modifiers = {}) {
         move(place);
         QTest::mouseClick(&canvas, Qt::LeftButton, modifiers, pixel(place));
@@ -121,7 +145,7 @@ TEST(Tools, FromAnEmptySceneToAPattern) {
     place.choose("pattern");
     place.click({2.55, 0.0});
     place.move({-2.55, 0.0});
-    EXPECT_TRUE(QTest::qWaitFor([&] { return place.desk->tool().commitText().contains("8"); }))  // the X server's time
+    EXPECT_TRUE(place.desk->tool().commitText().contains("8"))
         << place.desk->tool().commitText().toStdString();
     place.click({-2.55, 0.0});
     place.key(Qt::Key_Return);
@@ -515,9 +539,9 @@ TEST(Tools, OptionsThatDoNotFitAreInAPopup) {
     place.desk->bar().QWidget::show();
     place.desk->bar().resize(560, 36);
     place.choose("pattern");
-    QTest::qWait(50);
     auto* more = place.desk->bar().findChild<QToolButton*>("toolMore");
-    ASSERT_TRUE(more->isVisible());
+    ASSERT_TRUE(waitFor([&] { return more->isVisible(); }));
+    settle();
     EXPECT_FALSE(place.desk->bar().findChild<QLineEdit*>("option.spacing_out_of_plane")->isVisible());
     more->click();
     auto* popup = place.desk->bar().findChild<QFrame*>("toolMorePopup");
@@ -533,8 +557,7 @@ TEST(Tools, OptionsThatDoNotFitAreInAPopup) {
     ASSERT_EQ(place.scene().boltPatterns.size(), 1u);
     EXPECT_DOUBLE_EQ(place.scene().boltPatterns[0].spacingOutOfPlane.value_or(0.0), 1.25);
     place.desk->bar().resize(1600, 36);
-    QTest::qWait(50);
-    EXPECT_FALSE(more->isVisible());
+    EXPECT_TRUE(waitFor([&] { return !more->isVisible(); }));
 }
 
 TEST(Tools, EveryToolAcceptsClicksInAnEmptyScene) {
