@@ -9,6 +9,7 @@
 #include "tests/scratch_folder.h"
 #include "tests/ui/runs/stored_run.h"
 #include "tests/ui/screen/screen.h"
+#include "tests/wait_for.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/picture/section.h"
@@ -17,6 +18,8 @@
 #include "ui/runs/section_feed.h"
 #include "ui/runs/time_cursor.h"
 #include "ui/runs/view_settings.h"
+
+#include <QAbstractEventDispatcher>
 
 namespace keyblock {
 namespace {
@@ -116,9 +119,13 @@ TEST_F(PinsTest, ASecondRunFollowsTheFirstByTime) {
     EXPECT_EQ(comparison.second().frame(), 0u);
     comparison.end();
     EXPECT_FALSE(comparison.isOn());
+    settle();
     comparison.begin(store);
-    cursor.setRun(nullptr, false);  // the document was replaced while it was read
-    waitFor([&] { return comparison.isOn(); }, 500);
+    ASSERT_TRUE(test::waitFor([] { return QCoreApplication::eventDispatcher()->hasPendingEvents(); }));
+    cursor.setRun(nullptr, false);  // the document is replaced once the run is read, before it is shown
+    message.clear();
+    comparison.begin("/nowhere/none.kbrun");  // its failure is reported after the run
+    ASSERT_TRUE(waitFor([&] { return !message.isEmpty(); }));
     EXPECT_FALSE(comparison.isOn());
 }
 
