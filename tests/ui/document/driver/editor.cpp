@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Edits a scene in an endless loop, with undo and redo in between, keeps a journal
-// in the given folder, and prints the time of each state: for tests that kill it.
+// in the given folder, and prints the hash of each state: for tests that kill it.
 // `editor FOLDER SCENE SEED`
 #include "solver/files/scene/scene_file.h"
 #include "ui/document/document.h"
@@ -12,7 +12,6 @@
 #include <QTimer>
 #include <QUndoStack>
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
@@ -21,12 +20,8 @@ namespace {
 
 using namespace keyblock;
 
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 void tell(const Document& document) {
-    std::printf("%.6f %s\n", now(), sceneHash(*document.scene()).c_str());
+    std::printf("%s\n", sceneHash(*document.scene()).c_str());
     std::fflush(stdout);
 }
 
