@@ -185,9 +185,9 @@ class Drift:
 
     def watch(self):
         """Waits for bonds to fail during the run."""
-        began = time.time()
+        began = time.monotonic()
         self.expect(lambda: self.info()["events"].get("debonding", 0) > 0, "no bond failed", LONGEST_RUN)
-        self.seconds = time.time() - began
+        self.seconds = time.monotonic() - began
         if self.info()["stages"][-1]["outcome"] is not None:
             raise Missed("the run ended before a failed bond was seen")
         self.click_on("Events  .*", "page tab")

@@ -87,8 +87,8 @@ def edit_and_run(studio, scene_file, seed, home):
     screen.press_at(800, 420)
     screen.keys("ctrl+a")
     stack, times = Stack(), []
-    end = time.time() + chance.uniform(0.5, 7.0)
-    while time.time() < end:
+    end = time.monotonic() + chance.uniform(0.5, 7.0)
+    while time.monotonic() < end:
         what = chance.random()
         key = "Right"
         if what < 0.2 and stack.go(-1):
@@ -98,9 +98,9 @@ def edit_and_run(studio, scene_file, seed, home):
         else:
             stack.move()
         screen._run("xdotool", "key", key)
-        times.append(time.time())
+        times.append(time.monotonic())
         screen.pause(chance.uniform(0.0, 0.35))
-    killed = time.time()
+    killed = time.monotonic()
     screen.kill()
     screen.copy_home(screen.home, home)
     screen.close()

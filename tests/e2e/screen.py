@@ -21,8 +21,8 @@ class Gone(Exception):
 
 def wait(condition, seconds=20, step=0.05):
     """Waits until `condition()` is true and returns it; None after `seconds`."""
-    end = time.time() + seconds
-    while time.time() < end:
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
         value = condition()
         if value:
             return value
