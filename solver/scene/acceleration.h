@@ -1,41 +1,42 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Records, sines and constant values of acceleration as functions of time, and what a record
-// leaves behind when it is integrated: the one reading of them for the check and
-// for the run.
+// Evaluates the accelerations of a stage (records, sines and constant values) as functions
+// of time, and integrates records to velocity and displacement. The check and the run
+// both use these functions.
 #pragma once
 
 #include "solver/scene/scene.h"
 
 namespace keyblock {
 
-/// Straight lines between the rows, nothing before the first and after the last. \pre times rise.
+/// Value of a record at a time [s], interpolated linearly; zero before the first row and after the last.
+/// \pre times increase from row to row.
 double recordAt(const Table& record, double time);
 
-/// The acceleration at `time` of its stage [m/s²]; of a static stage a constant one, which acts in full at the stage's
-/// end. \pre it was checked.
+/// Acceleration [m/s²] at a time [s] from the start of the stage. A constant value is returned in full; static stages
+/// scale it with pseudo-time. \pre `acceleration` was checked without errors.
 Point accelerationAt(const Acceleration& acceleration, double time);
 
-/// What acts on every mass in addition to gravity at `time` of a stage: the body acceleration less that of the ground
-/// (theory, "Shaking") [m/s²]; zero where the stage has neither.
+/// Body force per unit mass [m/s²] in addition to gravity, at a time [s] from the start of the stage: the body
+/// acceleration minus the acceleration of the ground (theory, "Shaking"); zero if the stage has neither.
 Point bodyForceAt(const Stage& stage, double time);
 
-/// Velocity and displacement of a ground that moved by a record, from rest, at its last row, and the largest on the
-/// way at a row.
+/// Ground velocity and displacement from integrating a record from rest: the final values, and the peak absolute values
+/// at any row.
 struct Baseline {
     double velocity = 0.0, peakVelocity = 0.0;  // [m/s]
     double displacement = 0.0, peakDisplacement = 0.0;  // [m]
 };
 
-/// Integrates the straight lines exactly. \param factor [m/s²] per unit
+/// Integrates the piecewise-linear record exactly. \param factor acceleration [m/s²] per unit of the record
 Baseline baselineOf(const Table& record, double factor);
 
-/// Mean time between the rows [s]; 0 for less than two.
+/// Mean time between rows [s]; 0 for fewer than two rows.
 double spacingOf(const Table& record);
 
-/// Longest step that still follows the accelerations of a stage [s]: the spacing of a record, a fortieth of a sine's
-/// period; infinite where the stage has neither.
+/// Longest time step [s] that resolves the accelerations of a stage: the row spacing of a record, or 1/40 of the period
+/// of a sine; infinite if the stage has neither.
 double longestStepFor(const Stage& stage);
 
 }  // namespace keyblock

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is there in which stage. Blocks go and bolts come and go at the start of
-// a stage, by name; this follows the names, in one way for check and run.
+// Active blocks and bolts of each stage. Stages name the blocks that they excavate and
+// the bolts that they install or remove; the check and the run both use these
+// functions to resolve the names.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -12,17 +13,19 @@
 
 namespace keyblock {
 
-/// Blocks of the scene that the stage takes out, by index: those that it names, and those in tunnels that it names.
-/// Names that nothing has are left out. \pre the scene is cut.
+/// Indices of the blocks that the stage excavates: blocks that it names, and blocks in tunnels that it names. Unknown
+/// names are ignored. \pre the scene has been cut.
 std::vector<int> excavatedBlocks(const Scene& scene, const Stage& stage);
 
-/// Bolts of that name or of the pattern of that name, by rising index. \pre the scene is cut.
+/// Indices of the bolts with this name, or of the pattern with this name, in increasing order.
+/// \pre the scene has been cut.
 std::vector<int> boltsNamed(const Scene& scene, const std::string& name);
 
-/// True where some stage installs the bolt, by its own name or that of its pattern: it is not there before.
+/// True if a stage installs the bolt, by its own name or by that of its pattern, so that the bolt is not present from
+/// the start.
 bool isInstalledLater(const Scene& scene, const Bolt& bolt);
 
-/// Stress in situ at a place of the scene [Pa]; zero where the scene has none.
+/// In-situ stress [Pa] at a point of the scene; zero if the scene has none.
 Stress inSituStressAt(const Scene& scene, const Point& place);
 
 }  // namespace keyblock

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A bond that softens over a slip is written by its strength, its residual and
-// that slip, and acts as the force–slip curve which they make.
+// Bonds that soften gradually. A scene gives their strength, residual strength and
+// softening slip; the engine models them by the equivalent force–slip curve.
 #pragma once
 
 #include "solver/scene/scene.h"
 
 namespace keyblock {
 
-/// The anchor with a curve in place of its softening slip; any other as it is, and one that lacks strength or stiffness.
+/// The anchor with a force–slip curve instead of its softening slip. Anchors without a softening slip, strength or
+/// stiffness are returned unchanged.
 Anchor withCurve(const Anchor& anchor);
 
 }  // namespace keyblock

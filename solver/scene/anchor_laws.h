@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The one table of anchor laws: which numbers a scene gives for a law, and what is left
-// when it fails. Fields, checks, the engine and the library of the window read it. A law
-// that is a curve of force over slip with elastic unloading is an enumerator and a row
-// here, and its curve in anchor_curve.cpp; the engine needs nothing else.
+// The only table of anchor laws: the values that a scene gives for each law, and the
+// strength that remains after failure. The field table, the checks, the engine and the
+// bolt library panel use it. A new law that is a force–slip curve with elastic unloading
+// needs an enumerator and a row here, and its curve in anchor_curve.cpp; the engine does
+// not change.
 #pragma once
 
 #include "solver/scene/translatable.h"
@@ -20,11 +21,11 @@ enum class AnchorLaw { Elastic, PeakResidual, Frictional, Curve };
 struct AnchorLawRow {
     AnchorLaw law;
     std::string_view key;  // in files
-    std::string_view title;  // as users read it
-    bool hasPoints;  // given by `points` and `after`; otherwise by `stiffness` and the numbers below
-    bool hasStrength;  // needs `strength`; may have `friction_angle` and `restick`
-    bool hasResidual;  // may have `residual` and `softening_slip`
-    bool keepsStrength;  // slides at its strength
+    std::string_view title;  // as shown to the user
+    bool hasPoints;  // given by `points` and `after`; otherwise by `stiffness` and the fields below
+    bool hasStrength;  // requires `strength`; `friction_angle` and `restick` are optional
+    bool hasResidual;  // `residual` and `softening_slip` are optional
+    bool keepsStrength;  // after failure it slides at its full strength
 };
 
 /// In the order of `AnchorLaw`.
@@ -35,7 +36,7 @@ inline constexpr std::array anchorLaws{
     AnchorLawRow{AnchorLaw::Frictional, "frictional", translatable("Fields", "frictional"), false, true, false, true},
     AnchorLawRow{AnchorLaw::Curve, "curve", translatable("Fields", "force–slip curve"), true, false, false, false}};
 
-/// The row of a law. A law without a row ends the program: the table is incomplete.
+/// The row of a law. A law without a row throws, since the table is then incomplete.
 constexpr const AnchorLawRow& rowOf(AnchorLaw law) { return anchorLaws.at(static_cast<std::size_t>(law)); }
 
 constexpr bool canFail(const AnchorLawRow& row) { return row.hasStrength || row.hasPoints; }
@@ -47,7 +48,7 @@ inline constexpr auto anchorLawWords = [] {
     return keys;
 }();
 
-/// The titles, in the same order.
+/// The titles, in the order of `AnchorLaw`.
 inline constexpr auto anchorLawTitles = [] {
     std::array<std::string_view, anchorLaws.size()> titles;
     for (std::size_t i = 0; i < titles.size(); ++i) titles[i] = anchorLaws[i].title;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Values that the program takes where a scene gives null. The engine and the field
-// table both take them from here, so that a form shows what a run uses.
+// Values that the program uses if the scene gives null. The engine and the field table
+// both take them from here, so that forms show the values that a run uses.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -11,29 +11,31 @@
 
 namespace keyblock {
 
-inline constexpr double automaticBody = 1e-3;  // `until.body`, of a block's weight
-inline constexpr double automaticSmallest = 0.01;  // `until.smallest` [m²]
-inline constexpr int automaticIterations = 20000;  // `limits.iterations`
+inline constexpr double automaticBody = 1e-3;  // for `until.body`, relative to the block's weight
+inline constexpr double automaticSmallest = 0.01;  // for `until.smallest` [m²]
+inline constexpr int automaticIterations = 20000;  // for `limits.iterations`
 
-/// `until.unbalanced`, over the reference force: 1e-4, or the tolerance of the analysis if that is less.
+/// Value for `until.unbalanced`, relative to the reference force: 1e-4, or the tolerance of the analysis if smaller.
 double automaticUnbalanced(const Scene& scene);
 
-/// The longest time step of a dynamic stage [s].
+/// Longest time step [s] of a dynamic stage that does not give one.
 double automaticTimeStep(const Stage& stage);
 
-/// Of a tube by its diameter and area, π/64·(d⁴ − d_i⁴), d_i² = d² − 4A/π; of a full bar π·d⁴/64 [m⁴].
+/// Second moment of area [m⁴] of a tube from its diameter d and area A, π/64·(d⁴ − d_i⁴) with d_i² = d² − 4A/π, or of a
+/// solid bar, π·d⁴/64.
 double automaticSecondMoment(const BoltType& type);
 
-/// Of a tube (d³ − d_i³)/6; of a full bar d³/6 [m³].
+/// Plastic section modulus [m³] of a tube, (d³ − d_i³)/6 with d_i as for the second moment, or of a solid bar, d³/6.
 double automaticPlasticModulus(const BoltType& type);
 
-/// Young's modulus of the first piece of `steel`; without `steel` 200 GPa [Pa].
+/// Young's modulus [Pa]: slope of the first segment of `steel`, or 200 GPa if there is no `steel`.
 double automaticYoungsModulus(const BoltType& type);
 
-/// Joint material of the faces of blocks and of the domain: the first of the scene; empty: the built-in one.
+/// Name of the default joint material of block faces and of the domain: the first of the scene; empty: the built-in one.
 std::string automaticJointMaterial(const Scene& scene);
 
-/// Joint material of joints, joint sets and cells: that of the domain, else the first of the scene.
+/// Name of the default joint material of joints, joint sets and Voronoi cells: that of the domain, or if it has none,
+/// `automaticJointMaterial`.
 std::string automaticTraceMaterial(const Scene& scene);
 
 }  // namespace keyblock

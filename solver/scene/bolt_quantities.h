@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The one table of bolt quantities: monitors, requests, the history, charts, legends,
-// probes and the columns of tables take their names, units and signs from here. How a
-// value is read is added where the numbers are: from the state of the engine in
+// The only table of bolt quantities: monitors, scene quantities, the history, charts,
+// legends, probes and table columns take their names, units and sign conventions from
+// it. Values are read elsewhere: from the state of the engine in
 // solver/run/bolt_readings, from the nodes of a stored frame in
 // solver/results/frame_quantities.
 #pragma once
@@ -20,22 +20,22 @@ namespace keyblock {
 enum class BoltQuantity {
     AxialForce, ShearForce, Moment, AnchorForce, Slip, PlateForce, DebondedLength, Strain,
     Utilisation,  // (N/N_p)² + (Q/Q_p)²
-    UtilisationWithMoment  // the same + |M|/M_p
+    UtilisationWithMoment  // (N/N_p)² + (Q/Q_p)² + |M|/M_p
 };
 
-/// The part of a bolt that a value belongs to.
+/// Part of a bolt to which a value belongs.
 enum class BoltPart { Element, Node, Anchor, Bolt };
 
 struct BoltQuantityRow {
     BoltQuantity quantity;
-    std::string_view key;  // in scenes, requests and answers
-    std::string_view column;  // in tables: the key and the SI unit
-    std::string_view title;  // as users read it, with its symbol at the end where it has one
-    std::string_view brief;  // the symbol, or a short title for narrow places
+    std::string_view key;  // in scenes and JSON output
+    std::string_view column;  // column name in tables: the key and the SI unit
+    std::string_view title;  // as shown to the user, ending with the symbol if there is one
+    std::string_view brief;  // symbol, or a short title for narrow columns
     std::string_view unit;  // as shown; empty: none
-    double factor;  // shown = factor · SI
-    std::string_view convention;  // what a positive value means; empty: not needed
-    bool isSigned;  // both signs occur
+    double factor;  // displayed value = factor · SI value
+    std::string_view convention;  // meaning of a positive value; empty: none needed
+    bool isSigned;  // true if both signs occur
     BoltPart part;
 };
 
@@ -62,7 +62,7 @@ inline constexpr std::array boltQuantityRows{
     BoltQuantityRow{BoltQuantity::UtilisationWithMoment, "utilisation_with_moment", "utilisation_with_moment",
                     "Utilisation with moment", "Use with M", "", 1.0, "", false, BoltPart::Element}};
 
-/// The row of a quantity. One without a row ends the program: the table is incomplete.
+/// The row of a quantity. A quantity without a row throws, since the table is then incomplete.
 constexpr const BoltQuantityRow& rowOf(BoltQuantity quantity) {
     return boltQuantityRows.at(static_cast<std::size_t>(quantity));
 }
@@ -74,7 +74,7 @@ inline constexpr auto boltQuantityWords = [] {
     return keys;
 }();
 
-/// The title without its symbol: "Axial force".
+/// Title without its symbol, e.g. "Axial force".
 constexpr std::string_view plainTitle(const BoltQuantityRow& row) {
     const std::size_t symbol = row.brief.size() + 1;
     const bool has = row.title.size() > symbol && row.title.ends_with(row.brief) &&
@@ -82,7 +82,7 @@ constexpr std::string_view plainTitle(const BoltQuantityRow& row) {
     return has ? row.title.substr(0, row.title.size() - symbol) : row.title;
 }
 
-/// "Axial force (kN)".
+/// Title with the displayed unit, e.g. "Axial force (kN)".
 inline std::string titleWithUnit(const BoltQuantityRow& row) {
     return std::string(plainTitle(row)) + (row.unit.empty() ? "" : " (" + std::string(row.unit) + ")");
 }

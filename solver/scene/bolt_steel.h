@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Area and strength of the steel of a bolt type. The model, the figures, the library
-// and the command line take them from here, so that they agree.
+// Cross-sectional area and strength of the steel of a bolt type, computed in one place
+// for the engine, the figures, the bolt library and the command line.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -13,14 +13,15 @@ namespace keyblock {
 
 struct BoltSteel {
     double area = 0.0;  // [m²]
-    std::optional<double> yield;  // axial force at the end of the first piece of `steel` [N]; none: linear
-    std::optional<double> tensile;  // axial force at the tensile strength [N]; none: unbreakable
+    std::optional<double> yield;  // axial force [N] at the end of the first segment of `steel`; none: linear
+    std::optional<double> tensile;  // axial force [N] at the tensile strength; none: without rupture
 };
 
-/// A type without `steel` is linear and unbreakable, even if it gives a tensile strength. The type need not be checked.
+/// Area and strength of the steel of a type. A type without `steel` is linear without rupture, even if it gives a
+/// tensile strength. The type need not have been checked.
 BoltSteel boltSteel(const BoltType& type);
 
-/// Area of a full bar of this diameter [m → m²].
+/// Cross-sectional area [m²] of a solid bar of this diameter [m].
 double fullBarArea(double diameter);
 
 }  // namespace keyblock

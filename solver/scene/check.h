@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether a scene makes sense: numbers in range, names that lead somewhere,
-// blocks that are blocks, bolts that lie in them. The same check serves a scene
-// read from a file and one built in code.
+// Checks a scene: numbers in range, names that refer to existing objects, valid block
+// outlines, bolts that run through rock. Scenes read from a file and scenes built in
+// code are checked in the same way.
 #pragma once
 
 #include "solver/scene/problem.h"
@@ -16,14 +16,14 @@
 
 namespace keyblock {
 
-/// Everything that is wrong with `scene`, in the order of its parts, with pointers but without file and line.
-/// Bears any scene, however broken; a scene without errors can be run.
-/// \param cut takes what the scene was cut to; none where it needs no cut, or something keeps it from being cut.
-/// \param stop where it becomes true, the check ends soon and says nothing that counts; null: it goes to its end.
+/// All problems of a scene, in the order of its parts, with pointers but without file and line. Accepts any scene, however
+/// invalid. A scene without errors can be run.
+/// \param cut receives the result of cutting the scene; none if no cut is needed or errors prevent it
+/// \param stop if it becomes true, the check ends early and its result must not be used; null: never
 std::vector<Problem> checkScene(const Scene& scene, std::optional<SceneCut>* cut = nullptr,
                                 const std::atomic<bool>* stop = nullptr);
 
-/// Only what is wrong with single values: ranges, empty names, fields where they do not belong.
+/// Only the problems of single values: numbers out of range, empty names, and fields that do not apply.
 std::vector<Problem> checkValues(const Scene& scene);
 
 }  // namespace keyblock

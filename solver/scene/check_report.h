@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the parts of the check share: where they put what they find, and what
-// they already know of the scene.
+// Shared by the parts of the scene check: the report that collects their problems,
+// the results of earlier parts, and common checks.
 #pragma once
 
 #include "solver/scene/field.h"
@@ -16,10 +16,10 @@
 
 namespace keyblock {
 
-/// A block is cut into at most so many cells.
+/// Maximum number of cells of one block.
 inline constexpr double mostCells = 1e6;
 
-/// Collects problems.
+/// Collects the problems of a scene.
 struct CheckReport {
     std::vector<Problem> problems;
 
@@ -28,42 +28,46 @@ struct CheckReport {
     void note(std::string pointer, std::string message, std::string remedy);
 };
 
-/// A scene on the way through its check.
+/// State of the check of one scene, passed from part to part.
 struct CheckContext {
-    const Scene& scene;
-    double tolerance = 0.0;  // geometric [m]
-    std::vector<bool> sound;  // per block: an outline that places can be looked up in
-    std::vector<bool> fixed;  // per block: held as a whole
-    const Scene& document;  // as it was given, before the cut
-    bool isCut = true;  // false where something kept the domain from being cut, so that not all blocks are there
+    const Scene& scene;  // after the cut, if there was one
+    double tolerance = 0.0;  // geometric tolerance [m]
+    std::vector<bool> sound;  // per block: the outline is valid, so that points can be located in it
+    std::vector<bool> fixed;  // per block: fixed as a whole
+    const Scene& document;  // the scene as given, before the cut
+    bool isCut = true;  // false if errors prevented the cut, so that blocks are missing
     CheckReport& report;
 
-    bool allSound() const;  // false without blocks: then nothing can be looked up either
+    bool allSound() const;  // all blocks are there and valid, and there is at least one
 };
 
-/// Numbers finite and in range, required texts not empty, fields where they belong; below `object`, by the table.
+/// Checks all fields of `object` and of the objects in it against the field table: numbers must be finite and in range,
+/// required texts not empty, and the conditions of fields met.
 void checkFields(const Structure& structure, const void* object, const std::string& pointer, CheckReport& report);
 
-/// One value against its row: finite, in range.
+/// Checks that the numbers in a value are finite and in the range of its field.
 void checkValue(const Field& field, const FieldValue& value, const std::string& pointer, CheckReport& report);
 
-/// What is to be cut, and the patterns of bolts: all that must hold before `cutScene`. \pre `context.scene` is the
-/// document.
+/// Checks all preconditions of `cutScene`: everything that is cut, and the bolt patterns.
+/// \pre `context.scene` is the scene before the cut.
 void checkSection(CheckContext& context);
 
-/// No bolt, given or laid out by a pattern, has the name of a pattern.
+/// Reports bolts, including those of patterns, that have the same name as a pattern.
 void checkBoltNames(CheckContext& context);
 
-/// Outline of a block, a domain or a region: corners enough, none twice, an area, no crossing. False when not.
-/// \param what for people, e.g. `the block`
+/// Checks the outline of a block, domain or region: at least three corners, no repeated corner, a positive area, and no
+/// self-intersection.
+/// \param what the object as named in messages, e.g. `the block`
+/// \return false if the outline has an error
 bool checkOutline(const std::vector<Point>& points, const std::string& pointer, std::string_view what,
                   double tolerance, CheckReport& report);
 
-/// Reports that `name` is not among `names`, those in the scene's `list`; an empty one is reported elsewhere.
+/// Reports a name that is not among `names`, the names in the scene's list with key `list`. An empty name is reported
+/// elsewhere.
 void checkReference(const std::string& name, const std::vector<std::string_view>& names, std::string_view list,
                     const std::string& pointer, CheckReport& report);
 
-/// Names of the entries of a map, or of a list of things with names.
+/// Names of the entries of a map, or of a list of named objects.
 template <typename Item>
 std::vector<std::string_view> namesOf(const std::vector<Item>& items) {
     std::vector<std::string_view> names;
@@ -75,8 +79,8 @@ std::vector<std::string_view> namesOf(const std::vector<Item>& items) {
     return names;
 }
 
-void checkRock(CheckContext& context);  // blocks, materials, supports; fills `sound` and `fixed`
-void checkBodies(CheckContext& context);  // cells and plates that are blocks; after rock and bolts
+void checkRock(CheckContext& context);  // blocks, materials, supports; sets `sound` and `fixed`
+void checkBodies(CheckContext& context);  // cells, and plates modelled as blocks; after `checkRock` and `checkBolts`
 void checkBoltTypes(CheckContext& context);
 void checkBolts(CheckContext& context);
 void checkStages(CheckContext& context);
@@ -84,27 +88,29 @@ void checkAccelerations(const Stage& stage, const std::string& pointer, CheckCon
 void checkLengthOfRecords(CheckContext& context);
 void checkStrengthChanges(const Stage& stage, const std::string& pointer, CheckContext& context);
 void checkActivation(CheckContext& context);  // names that stages excavate, install and remove
-void checkWatch(CheckContext& context);  // monitors, quantities, expected numbers
+void checkWatch(CheckContext& context);  // monitors, quantities and expected values
 
-/// True where the bolt runs through a block that is not `gone`; empty: none is.
+/// True if the bolt runs through a valid block that is not excavated.
+/// \param gone per block: true if excavated; empty: no block is
 bool runsThroughRock(const Bolt& bolt, const CheckContext& context, const std::vector<bool>& gone);
 
-/// Anchors of a type or a bolt, without their place on a bolt.
+/// Checks the anchors of a bolt type or bolt, except their positions along the bolt.
 void checkAnchors(const std::vector<Anchor>& anchors, const std::string& pointer, CheckReport& report);
 
-/// Reports a block that has been excavated at the start of a stage; ignores −1.
+/// Reports a reference to a block that has been excavated by the start of a stage. \param block index; −1 is ignored
 void checkStands(int block, std::size_t stage, const std::string& pointer, CheckContext& context);
 
-/// Finds the block for a `block_at`, or reports that there is none and gives −1.
+/// Index of the block around a `block_at` point; −1 if there is none, which is reported if all blocks are valid.
 int checkBlockAt(CheckContext& context, const Point& place, const std::string& pointer);
 
-/// Finds the block that holds a point inside or on its boundary, or reports that there is none and gives −1.
+/// Index of the block that contains a point, inside or on its boundary; −1 if there is none, which is reported if all
+/// blocks are valid.
 int checkPointOnBlock(CheckContext& context, const Point& point, const std::string& pointer);
 
-/// A direction must have a length.
+/// Reports an axis of zero length.
 void checkAxis(const Point& axis, const std::string& pointer, CheckReport& report);
 
-/// Reports every name that occurred before; empty names are left alone.
+/// Reports every name that is used by an earlier item; empty names are ignored.
 void checkNamesDiffer(std::size_t count, const std::function<std::string(std::size_t)>& nameOf,
                       const std::function<std::string(std::size_t)>& pointerOf, std::string_view what,
                       CheckReport& report);

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which blocks are large enough to decide whether a stage is stable.
+// Size of the blocks that decide whether a stage is stable.
 #pragma once
 
 #include "solver/scene/automatic.h"
 
 namespace keyblock {
 
-/// Area under which a block does not decide [m²].
+/// Area [m²] below which a block does not decide the stability of the stage.
 inline double smallestOf(const Stage& stage) { return stage.until.smallest.value_or(automaticSmallest); }
 
 }  // namespace keyblock

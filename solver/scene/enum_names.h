@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The words that scene files use for enumerations, each list in the order of its
-// enumerators, found by the type of the value. Those of anchor laws and of bolt
-// quantities are columns of their tables.
+// The words that scene files use for the values of enumerations. Each list is in the
+// order of the enumerators and is selected by the type of the value. The words of anchor
+// laws and bolt quantities come from the tables of those.
 #pragma once
 
 #include "solver/scene/quantity_text.h"
@@ -40,7 +40,7 @@ inline constexpr std::array<std::string_view, 3> reduceWords{"joints", "bonds", 
 inline constexpr std::array<std::string_view, 2> boltForcesWords{"mobilised", "frozen"};
 inline constexpr std::array<std::string_view, 2> wayWords{"ccw", "cw"};
 
-// Labels for people where the words of the file are not fit for them.
+// Labels shown to the user instead of the words of the file.
 inline constexpr std::array<std::string_view, 4> integrationLabels{
     translatable("Fields", "Shi"), translatable("Fields", "backward Euler"), translatable("Fields", "Newmark"),
     translatable("Fields", "generalised α")};
@@ -81,7 +81,7 @@ constexpr Words wordsOf(BoltForces) { return boltForcesWords; }
 constexpr Words wordsOf(Way) { return wayWords; }
 constexpr Words wordsOf(BoltQuantity) { return boltQuantityWords; }
 
-/// Labels of the words; empty where the words are their own.
+/// Labels of the words; empty if the words themselves are shown.
 template <typename Enumeration>
 constexpr Words labelsOf(Enumeration) {
     return {};

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The one table of event kinds: files, answers, the timeline, lists and figures take
-// their words, groups, marks and severities from here. A new kind is an enumerator and
-// a row, and the code that reports it. The table belongs to the scene because a scene
-// requests numbers at events: `first debonding opening`.
+// The only table of event kinds: files, JSON output, the timeline, lists and figures
+// take their words, groups, marks and severities from it. A new kind needs an
+// enumerator, a row and the code that reports it. The table belongs to the scene because
+// a scene can request values at events, e.g. `first debonding opening`.
 #pragma once
 
 #include <array>
@@ -18,31 +18,31 @@ enum class EventKind {
     PlateLoss, BoltLoss, PulledOut, BlockFalls, Collapse
 };
 
-/// Kinds that users count, show and hide as one.
+/// Groups of kinds that are counted, shown and hidden together.
 enum class EventGroup { Slip, Debonding, Restick, Yield, Rupture, Plate, PulledOut, Falls };
 
-/// The symbol of an event: its shape and colour.
+/// Symbols of events; each has a shape and a colour.
 enum class EventMark { Slip, Opening, Debonding, Restick, Yield, Rupture, Plate, PulledOut, Falls };
 
 struct EventGroupRow {
     EventGroup group;
-    std::string_view title;  // as users read it
+    std::string_view title;  // as shown to the user
     EventMark mark;
 };
 
-// Severities that code compares with.
-inline constexpr int minorSeverity = 0;  // no support is lost; occurs by the thousand, so it is counted, not listed
-inline constexpr int graveSeverity = 3;  // support is lost or rock falls, from here on: a picture must show it
+// Severities with a special meaning.
+inline constexpr int minorSeverity = 0;  // no support is lost; occurs thousands of times, so is only counted
+inline constexpr int graveSeverity = 3;  // from here on support is lost or rock falls; every picture must show it
 
 struct EventKindRow {
     EventKind kind;
-    std::string_view key;  // in files, tables, JSON and requests
-    std::string_view title, plural;  // as users read it; the plural after a number
+    std::string_view key;  // in files, tables, JSON and scene quantities
+    std::string_view title, plural;  // as shown to the user; the plural follows a number
     EventGroup group;
     EventMark mark;
-    int severity;  // where there is no room for all events, the most severe are shown
-    std::string_view once, more;  // after the name of the bolt or block; `more` after a number. Not of minor events
-    bool isOfShear = false;  // the force to show is the shear force, otherwise the axial or normal force
+    int severity;  // if there is no room for all events, the most severe are shown
+    std::string_view once, more;  // follows the bolt or block name, or a number; not for minor events
+    bool isOfShear = false;  // true: the shear force is shown; false: the axial or normal force
 };
 
 /// In the order of `EventGroup`.
@@ -85,7 +85,7 @@ inline constexpr std::array eventKinds{
     EventKindRow{EventKind::Collapse, "collapse", "collapse", "collapses", EventGroup::Falls, EventMark::Falls, 6,
                  "collapse", "collapses"}};
 
-/// The row of a kind. A kind without a row ends the program: the table is incomplete.
+/// The row of a kind or group. A value without a row throws, since the table is then incomplete.
 constexpr const EventKindRow& rowOf(EventKind kind) { return eventKinds.at(static_cast<std::size_t>(kind)); }
 constexpr const EventGroupRow& rowOf(EventGroup group) { return eventGroups.at(static_cast<std::size_t>(group)); }
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One table defines everything about the fields of a scene: name in the file, kind,
-// unit, default, range, help. Reading, writing, the JSON Schema, the checks of
-// ranges and the reference page are made from it, so that a new field is one row
-// here and one member in scene.h.
+// The field table: key, kind, unit, default, range and help of every field of a
+// scene. The reader, the writer, the JSON Schema, the range checks and the
+// reference page are all generated from it, so that a new field needs only one
+// row and one member in scene.h.
 //
-// The rows are type-erased: values pass as one variant and objects as void
-// pointers, whose type only the row knows. What walks the table is therefore
-// compiled once and quickly, and never sees the structs of the scene.
+// The rows are type-erased: values are passed as one variant type, and objects as
+// void pointers whose type only the row knows. Code that traverses the table is
+// therefore compiled only once and does not depend on the structs of the scene.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -24,30 +24,31 @@
 
 namespace keyblock {
 
-/// What is in the file for a field.
+/// Form of a field's value in the file.
 enum class FieldKind {
     Flag, Number, Integer, Text,
-    Word,  // one of a list of texts
+    Word,  // one of a fixed list of strings
     Vector,  // [x, y]
     Axis,  // "x", "y" or [x, y]
     PointPair,  // [[x, y], [x, y]]
     Points,  // [[x, y], …]
     Pairs,  // [[a, b], …]
     Triple,  // [sxx, syy, sxy]
-    Place,  // a number or "head"
+    Place,  // position along a bolt: a number or "head"
     TextList,
     TextMap,  // {name: text}
     Object,  // {…} of the row's structure
     List,  // [{…}, …]
     Map,  // {name: {…}}
-    Fixed  // no member: only the listed values, which change nothing, are accepted
+    Fixed  // without a member: only the listed values, which have no effect, are accepted
 };
 
-/// Any value of a field without a structure of its own; words as texts, integers as numbers, nothing as null.
+/// Any value of a field other than Object, List and Map. Words are stored as strings, integers as doubles, null as
+/// `monostate`.
 using FieldValue = std::variant<std::monostate, bool, double, std::string, Point, std::vector<Point>, Table, Stress,
                                 BoltPlace, std::vector<std::string>, std::map<std::string, std::string>>;
 
-/// Numbers that a field takes.
+/// Valid range of a number.
 struct Range {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
@@ -55,35 +56,35 @@ struct Range {
     bool mostExcluded = false;
 };
 
-/// The field makes sense only where another of the same object has one of these words, or is given at all.
+/// Condition for a field: another field of the same object has one of these words, or is not null.
 struct Only {
     std::string_view key{};
-    std::vector<std::string_view> words{};  // empty: where `key` is not null
+    std::vector<std::string_view> words{};  // empty: the field `key` only has to be given
 };
 
 /// A column of a table of pairs.
 struct PairColumn {
-    std::string_view title{};  // for people
+    std::string_view title{};  // as shown to the user
     std::string_view unit{};  // empty: none
-    std::string_view second{};  // the same where the field takes its second unit
+    std::string_view second{};  // unit of the column if the second unit of the field applies
 };
 
 struct Structure;
 struct SceneCut;
 
-/// How the objects inside an Object, List or Map are reached; `owner` is the struct that has the member.
+/// Access to the objects inside an Object, List or Map. `owner` points to the struct that contains the member.
 struct Children {
-    std::size_t (*count)(const void* owner) = nullptr;  // 0 when null; 1 of an Object
+    std::size_t (*count)(const void* owner) = nullptr;  // 0 if null; otherwise 1 for an Object
     const void* (*item)(const void* owner, std::size_t index) = nullptr;
-    std::string_view (*name)(const void* owner, std::size_t index) = nullptr;  // of a Map, else empty
+    std::string_view (*name)(const void* owner, std::size_t index) = nullptr;  // of a Map entry; empty for other kinds
     bool (*isNull)(const void* owner) = nullptr;
-    void (*clear)(void* owner) = nullptr;  // present and empty; leaves an Object as it is
-    void (*setNull)(void* owner) = nullptr;  // of a nullable one
-    void* (*append)(void* owner, std::string_view name) = nullptr;  // valid until the next; the member of an Object
-    void (*assign)(void* item, const void* from) = nullptr;  // all but the name of a Map's entry
-    void (*erase)(void* owner, std::size_t index) = nullptr;  // of a List or Map
-    void (*move)(void* owner, std::size_t from, std::size_t to) = nullptr;  // of a List or Map; shifts those between
-    void (*rename)(void* owner, std::size_t index, std::string_view name) = nullptr;  // of a Map
+    void (*clear)(void* owner) = nullptr;  // to an empty List or Map; not for an Object
+    void (*setNull)(void* owner) = nullptr;  // of a nullable member
+    void* (*append)(void* owner, std::string_view name) = nullptr;  // pointer is valid until the next call
+    void (*assign)(void* item, const void* from) = nullptr;  // copies all but the name of a Map entry
+    void (*erase)(void* owner, std::size_t index) = nullptr;  // for a List or Map
+    void (*move)(void* owner, std::size_t from, std::size_t to) = nullptr;  // of a List or Map
+    void (*rename)(void* owner, std::size_t index, std::string_view name) = nullptr;  // for a Map
     const Structure& (*structure)() = nullptr;
 };
 
@@ -91,104 +92,105 @@ struct Children {
 struct Field {
     std::string_view key{};
     FieldKind kind = FieldKind::Fixed;
-    std::string_view label{};  // for people; empty: the key gives it, see `labelText`
-    std::string_view unit{};  // as people write it, two as `a, or b`; empty: none
-    bool isModulus = false;  // of elasticity: a window may show it in GPa where stresses are in MPa
-    bool (*takesSecond)(const void* object, const void* owner) = nullptr;  // whether the second unit applies
-    std::vector<PairColumn> columns{};  // of Pairs
+    std::string_view label{};  // as shown to the user; empty: derived from the key, see `labelText`
+    std::string_view unit{};  // as displayed; two alternatives as `a, or b`; empty: none
+    bool isModulus = false;  // elastic modulus; may be shown in GPa where stresses are shown in MPa
+    bool (*takesSecond)(const void* object, const void* owner) = nullptr;  // true if the second unit applies
+    std::vector<PairColumn> columns{};  // for Pairs
     std::string_view help{};
-    std::string_view source{};  // where the default comes from; empty: a choice of this program
+    std::string_view source{};  // source of the default; empty: chosen by this program
     Range range{};
     bool required = false;
-    bool nullable = false;  // null is a value of its own, or means the empty one
-    bool emptyIsNull = false;  // the latter
-    bool emptyIsZero = false;  // a Vector that may be written []
-    bool isStress = false;  // of rock, positive in tension: a window may show it with the opposite sign
+    bool nullable = false;  // null is accepted: as a value of its own, or meaning empty
+    bool emptyIsNull = false;  // null means the empty string, list or table
+    bool emptyIsZero = false;  // for a Vector: [] is accepted and means zero
+    bool isStress = false;  // rock stress, tension positive; may be shown with the opposite sign
     Only only{};
-    std::span<const std::string_view> words{};  // of a Word, or all texts that a TextList may have
-    std::span<const std::string_view> wordLabels{};  // of `words`, for people; empty: the words themselves
-    std::vector<std::string_view> laterWords{};  // words of the format that this program does not know
-    std::vector<FieldValue> accepted{};  // of Fixed
-    std::vector<std::string_view> names{};  // of a Text or TextList that names entries of these lists of the scene
-    bool namesSingleBolts = false;  // in place of a bolt pattern its bolts: `P1.1`, `P1.2`, …
-    std::string_view heading{};  // in a form, above it and its neighbours; empty: the name of the structure
-    bool isRare = false;  // few users change it: closed at first in the form of the whole scene
-    bool isSentence = false;  // a Text of several words
-    bool isOrdered = false;  // a List whose order users choose
-    /// The value that the program takes for null; null: it is only known in a run. `cut`: of the scene, if it was cut.
+    std::span<const std::string_view> words{};  // of a Word; or all strings that a TextList may contain
+    std::span<const std::string_view> wordLabels{};  // labels of `words` shown to the user; empty: the words themselves
+    std::vector<std::string_view> laterWords{};  // words of the format that this version does not support
+    std::vector<FieldValue> accepted{};  // values accepted for Fixed
+    std::vector<std::string_view> names{};  // lists of the scene whose entries a Text or TextList refers to by name
+    bool namesSingleBolts = false;  // refers to single bolts `P1.1`, `P1.2`, … of a pattern, not to the pattern
+    std::string_view heading{};  // of its group of fields in a form; empty: the name of the structure
+    bool isRare = false;  // rarely changed: initially collapsed in the form of the whole scene
+    bool isSentence = false;  // a Text that may contain several words
+    bool isOrdered = false;  // a List whose order the user can change
+    /// Value that the program uses for null; null if this is only known during a run.
+    /// \param cut result of cutting the scene; null if the scene has not been cut
     FieldValue (*automatic)(const Scene& scene, const SceneCut* cut, const void* object) = nullptr;
-    std::string_view nullText{};  // what null means where it is no value: `unlimited`
+    std::string_view nullText{};  // text for null if null does not stand for a number, e.g. `unlimited`
     FieldValue (*get)(const void* owner) = nullptr;
-    void (*set)(void* owner, const FieldValue& value) = nullptr;  // of the right alternative
-    Children children{};  // of Object, List and Map
+    void (*set)(void* owner, const FieldValue& value) = nullptr;  // `value` must hold the type of the member, or null
+    Children children{};  // for Object, List and Map
 };
 
-/// The table of one struct.
+/// Field table of one struct.
 struct Structure {
     std::string_view name{};  // in the schema and as a heading, e.g. "joint material"
     std::string_view help{};
-    const void* defaults = nullptr;  // a default-made object of the struct
+    const void* defaults = nullptr;  // default-constructed object of the struct
     std::vector<Field> fields{};
 };
 
-/// The whole scene's table; everything else hangs below it.
+/// Field table of the scene, the root of all other tables.
 const Structure& sceneStructure();
 
-/// The table of a bolt type, whose `like` a reader follows by itself.
+/// Field table of a bolt type. The reader resolves `like` separately.
 const Structure& boltTypeStructure();
 
-/// The scene's table and all below it, each once, in the order of the rows that lead to them.
+/// The scene's table and all tables below it, each once, in depth-first order of the rows that refer to them.
 std::vector<const Structure*> allStructures();
 
-/// The row of that key; null when there is none.
+/// The row with this key; null if there is none.
 const Field* findField(const Structure& structure, std::string_view key);
 
 /// True for Object, List and Map.
 bool hasChildren(const Field& field);
 
-/// True for the field with the name of its object.
+/// True for the field that holds the name of its object.
 bool isName(const Field& field);
 
-/// True for a Map, or a List of objects with a name.
+/// True for a Map, or for a List of objects that have a name.
 bool hasNames(const Field& field);
 
-/// The label of the field, or one made from its key: `Dip deviation`.
+/// Label of the field, or if it has none, one made from its key, e.g. `Dip deviation`.
 std::string labelText(const Field& field);
 
-/// One of the field's words for people: `clockwise` for `cw`.
+/// Label of one of the field's words as shown to the user, e.g. `clockwise` for `cw`.
 std::string_view wordLabel(const Field& field, std::string_view word);
 
-/// What `field.automatic` gives; null: the field has no automatic value, or it is only known in a run.
+/// The value given by `field.automatic`; null if the field has no automatic value or it is only known during a run.
 FieldValue automaticOf(const Field& field, const Scene& scene, const SceneCut* cut, const void* object);
 
-/// The unit in this object. `owner`: the object that has the list or member that holds it; null: not known.
+/// Unit of the field in `object`. \param owner the object whose list or member contains `object`; null: not known.
 std::string_view unitIn(const Field& field, const void* object, const void* owner);
 
-/// The same of a column of Pairs.
+/// Unit of a column of a Pairs field in `object`. \param owner as above.
 std::string_view unitIn(const Field& field, const PairColumn& column, const void* object, const void* owner);
 
-/// The value that the field has when its key is missing.
+/// Value of the field if its key is missing.
 FieldValue defaultOf(const Structure& structure, const Field& field);
 
-/// True when `field.only` is met by the other fields of `object`, or is empty.
+/// True if the other fields of `object` meet the condition `field.only`, or if it is empty.
 bool applies(const Structure& structure, const Field& field, const void* object);
 
-/// True when two objects of the field's struct say the same in it, down to the last value.
+/// True if the field has equal values in two objects of its struct, including all values nested in it.
 bool sameValue(const Field& field, const void* a, const void* b);
 
-/// Where the field applies, e.g. `where 'kind' is 'dynamic'`. \pre it is not empty.
+/// Text of the condition `field.only`, e.g. `where 'kind' is 'dynamic'`. \pre `field.only` is not empty.
 std::string condition(const Field& field);
 
-/// Says of a misplaced field where it would apply.
+/// Error message for a field whose condition is not met: `'duration' is allowed only where 'kind' is 'dynamic'`.
 std::string misplaced(const Field& field);
 
-/// True when no number in the value is infinite or NaN.
+/// True if no number in the value is infinite or NaN.
 bool isFinite(const FieldValue& value);
 
-/// True when a number lies in the range.
+/// True if the number lies in the range.
 bool contains(const Range& range, double number);
 
-/// The range in words for people, e.g. `> 0`, `0 … 90`; empty when unlimited.
+/// The range as text, e.g. `> 0` or `≥ 0, < 90`; empty if it is unlimited.
 std::string rangeText(const Range& range);
 
 }  // namespace keyblock

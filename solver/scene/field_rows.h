@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes a row of the field table from a member: the kind, the words and the
-// access follow from the member's type, the rest is said in `Says`. Only the
-// files that hold rows include this.
+// Makes a row of the field table from a member of a struct. The kind, the words and
+// the access functions follow from the type of the member; `Says` gives the rest.
+// Only source files that contain rows include this header.
 #pragma once
 
 #include "solver/scene/field.h"
@@ -19,7 +19,7 @@
 
 namespace keyblock {
 
-/// What a row says beyond its member.
+/// Options of a row that do not follow from its member; see `Field`.
 struct Says {
     std::string_view label{};
     std::string_view unit{};
@@ -28,14 +28,14 @@ struct Says {
     std::vector<PairColumn> columns{};
     Range range{};
     bool required = false;
-    bool emptyIsNull = false;  // null means the empty text, list or table
+    bool emptyIsNull = false;  // null means the empty string, list or table
     bool emptyIsZero = false;
     bool isStress = false;
     bool isAxis = false;
     Only only{};
     std::vector<std::string_view> laterWords{};
     std::string_view source{};
-    Words words{};  // of a TextList
+    Words words{};  // for a TextList
     std::vector<std::string_view> names{};
     bool namesSingleBolts = false;
     std::string_view heading{};
@@ -46,10 +46,10 @@ struct Says {
     std::string_view nullText{};
 };
 
-/// Coordinates of places [m].
+/// Range of coordinates [m].
 inline constexpr Range coordinates{.least = -farthestCoordinate, .most = farthestCoordinate};
 
-/// What a solid can have, with room to either side: beyond, products of such numbers leave the range of a double.
+/// Ranges of solids, with a wide margin. Outside them, products of such numbers could overflow or underflow a double.
 inline constexpr Range densities{.least = 1e-6, .most = 1e9};  // [kg/m³]
 inline constexpr Range moduli{.least = 1.0, .most = 1e18};  // [Pa]
 
@@ -79,7 +79,7 @@ struct Optional<std::optional<T>> : std::true_type {
     using Inner = T;
 };
 
-// A single struct, a list of them, or a list with names.
+// A single struct, a list of structs, or a list of structs with names.
 template <typename T>
 struct Holder {
     using Item = T;
@@ -177,7 +177,7 @@ void set(void* owner, const FieldValue& value) {
         held.clear();
 }
 
-/// Reaches the structs inside one member.
+/// Implements `Children` for one member.
 template <auto member>
 struct Reach {
     using Held = Holder<Inner<member>>;
@@ -302,7 +302,7 @@ void describeAccess(Field& field) {
 
 }  // namespace rows
 
-/// A row for a member, e.g. `row<&Block::points>("points", "Corners…", {.unit = "m", .required = true})`.
+/// Makes the row of a member, e.g. `row<&Block::points>("points", "Corners…", {.unit = "m", .required = true})`.
 template <auto member>
 Field row(std::string_view key, std::string_view help, Says says = {}) {
     Field field{.key = key, .label = says.label, .unit = says.unit, .help = help, .source = says.source,
@@ -351,16 +351,16 @@ FieldValue automaticValue(FieldValue (*function)(const Scene&, const Object&), c
 
 }  // namespace rows
 
-/// The column `automatic` from a function of the scene, of the object that has the row, or of both.
+/// Value of `Field::automatic` made from a function of the scene, of the object with the field, or of both.
 template <auto function>
 FieldValue automatic(const Scene& scene, const SceneCut*, const void* object) {
     return rows::automaticValue(function, scene, object);
 }
 
-/// A row without a member: a key of which only these values are accepted, because they change nothing.
+/// Makes a row without a member: a key that accepts only the values `accepted`, which have no effect.
 Field fixedRow(std::string_view key, std::string_view help, std::vector<FieldValue> accepted, bool required = false);
 
-/// A default-made object, which the table reads the defaults from.
+/// A default-constructed object from which the table reads the defaults.
 template <typename T>
 const void* defaultsOf() {
     static const T defaults{};

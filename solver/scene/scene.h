@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The document: one scene as plain values. Everything a scene file can say
-// is here with its unit and its default; nothing here is computed. Objects
-// refer to each other by name, never by pointer, so a scene can be copied,
-// compared, kept for undo and handed to a worker.
+// The document: one scene as plain values. Every field of a scene file is here
+// with its unit and default; nothing is computed. Objects refer to each other by
+// name, never by pointer, so a scene can be copied, compared, kept for undo and
+// passed to a worker thread.
 //
-// Angles are in degrees, as the user types them; everything else is SI.
+// Angles are in degrees, as the user types them; all other values are in SI units.
 #pragma once
 
 #include "geometry/point.h"
@@ -29,7 +29,7 @@ enum class Integration { Shi, BackwardEuler, Newmark, GeneralizedAlpha };
 enum class Iteration { Convex, OpenClose };
 enum class ContactMethod { Penalty, AugmentedLagrangian };
 
-/// Rayleigh damping of dynamic stages: forces mass·M·v, and stiffness·K·(rate of strain) of blocks and bolts.
+/// Rayleigh damping of dynamic stages. Damping forces on blocks and bolts: mass·M·v and stiffness·K·(strain rate).
 struct Damping {
     double mass = 0.0;  // [1/s]
     double stiffness = 0.0;  // [s]
@@ -42,15 +42,15 @@ struct Analysis {
     Plane plane = Plane::Strain;
     double thickness = 1.0;  // [m]
     Point gravity{0.0, 0.0};  // [m/s²]
-    Integration integration = Integration::Shi;  // dynamic stages that name none
-    double rhoInf = 0.8;  // generalized-alpha: share of very stiff motion that a step keeps; stages that give none
+    Integration integration = Integration::Shi;  // of dynamic stages that do not set their own
+    double rhoInf = 0.8;  // generalised-α: spectral radius at infinite frequency; of stages that do not set their own
     Damping damping;
-    Iteration iteration = Iteration::Convex;  // how the states of contacts are found
-    ContactMethod contact = ContactMethod::Penalty;  // how contacts are kept closed
-    double penaltyRatio = 40.0;  // contact spring = ratio · E · thickness
-    double shearRatio = 0.4;  // shear over normal contact stiffness
-    double tolerance = 1e-4;  // pass tolerance: unbalanced force over the forces at play
-    int maxPasses = 40;  // passes of one step before it is cut
+    Iteration iteration = Iteration::Convex;  // method that determines the contact states
+    ContactMethod contact = ContactMethod::Penalty;  // method that prevents penetration
+    double penaltyRatio = 40.0;  // contact stiffness = ratio · E · thickness
+    double shearRatio = 0.4;  // ratio of shear to normal contact stiffness
+    double tolerance = 1e-4;  // of an iteration: unbalanced force relative to the acting forces
+    int maxPasses = 40;  // iterations of a step before the time step or increment is reduced
 
     bool operator==(const Analysis&) const = default;
 };
@@ -63,30 +63,29 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// Strength of the faces of blocks.
+/// Strength and stiffness of block faces.
 struct JointMaterial {
     double frictionAngle = 30.0;  // [°]
     double cohesion = 0.0;  // [Pa]
     double tensileStrength = 0.0;  // [Pa]
-    std::optional<double> residualFrictionAngle{};  // after the first slip [°]; none: as before
-    std::optional<double> normalStiffness{}, shearStiffness{};  // [Pa/m]; none: from the analysis
-    std::optional<double> crushingStrength{};  // [Pa] under a bolt that presses across its hole; null: no limit
+    std::optional<double> residualFrictionAngle{};  // [°] after the first slip; null: unchanged
+    std::optional<double> normalStiffness{}, shearStiffness{};  // [Pa/m]; null: from the analysis settings
+    std::optional<double> crushingStrength{};  // [Pa] bearing pressure under a bolt; null: no limit
 
     bool operator==(const JointMaterial&) const = default;
 };
 
-/// Stress in the plane: sxx, syy, sxy [Pa], tension positive.
+/// In-plane stress sxx, syy, sxy [Pa]; tension is positive.
 using Stress = std::array<double, 3>;
 
-/// Change of a stress per metre upwards [Pa/m].
+/// Gradient of stress with elevation [Pa/m].
 struct StressGradient {
     double sxx = 0.0, syy = 0.0, sxy = 0.0;
 
     bool operator==(const StressGradient&) const = default;
 };
 
-/// Stress in the rock before excavation: at height y it is the given one plus
-/// `gradientY`·(y − referenceY).
+/// In-situ stress before excavation. At elevation y it is (sxx, syy, sxy) + `gradientY`·(y − `referenceY`).
 struct InSituStress {
     double sxx = 0.0, syy = 0.0, sxy = 0.0;  // [Pa]
     StressGradient gradientY;
@@ -95,62 +94,62 @@ struct InSituStress {
     bool operator==(const InSituStress&) const = default;
 };
 
-/// Cuts a block into cells joined by glue, so that its stress may vary within it.
+/// Divides a block into cells that are glued together, so that the stress can vary within the block.
 struct CellSettings {
-    double size = 0.0;  // of a cell, about [m]
+    double size = 0.0;  // approximate cell size [m]
 
     bool operator==(const CellSettings&) const = default;
 };
 
-/// Joint materials that no scene lists, in addition to the indices of those that it does.
-inline constexpr int builtInJoint = -1;  // where the scene has none
-inline constexpr int intactJoint = -2;  // rock that only a tunnel's outline parts: neither slips nor opens
+/// Values of a joint-material index that do not refer to an entry of the scene's list.
+inline constexpr int builtInJoint = -1;  // if the scene defines no joint material
+inline constexpr int intactJoint = -2;  // intact rock across a tunnel outline or a split: neither slips nor opens
 
 enum class BoundarySide { Left, Right, Bottom, Top, All };
 
-/// Where the face on an edge of a cut block comes from.
+/// Origin and joint material of the face on one edge of a cut block.
 struct CutFace {
-    int joint = builtInJoint;  // index into the scene's joint materials, or one of the above
-    int source = -1;  // the joint that it lies on, or joints.size() + the joint set; −1: neither
-    std::optional<BoundarySide> side;  // of the domain, on its boundary
+    int joint = builtInJoint;  // index into the scene's joint materials, `builtInJoint` or `intactJoint`
+    int source = -1;  // index of its joint, or joints.size() + index of its joint set; −1: neither
+    std::optional<BoundarySide> side;  // side of the domain; null: not on the domain's boundary
 
     bool operator==(const CutFace&) const = default;
 };
 
 struct Block {
-    std::string name;  // empty: b1, b2, … by order
-    std::vector<Point> points;  // [m], in either direction
+    std::string name;  // empty: displayed as b1, b2, … by position in the list
+    std::vector<Point> points;  // corners [m], clockwise or counter-clockwise
     std::string material;
     std::optional<std::string> jointMaterial;
     Stress initialStress{0.0, 0.0, 0.0};  // [Pa]
-    std::optional<CellSettings> subBlocks;  // null: one block with one stress
-    bool inOpening = false;  // wholly in a tunnel that no stage excavates: no stress in situ; `cutScene` says it, no file
-    // of blocks that `cutScene` made; no file says it
-    std::vector<CutFace> faces{};  // a row per edge, counter-clockwise; empty: not cut
-    std::vector<int> tunnels{};  // the scene's that it lies in
+    std::optional<CellSettings> subBlocks;  // null: not divided, uniform stress
+    bool inOpening = false;  // in a tunnel open from the start: no in-situ stress; set by `cutScene`
+    // Set by `cutScene` for the blocks that it cuts; not stored in files.
+    std::vector<CutFace> faces{};  // one per edge, counter-clockwise; empty: block not made by `cutScene`
+    std::vector<int> tunnels{};  // indices of the scene's tunnels that contain the block
 
     bool operator==(const Block&) const = default;
 };
 
-/// The region that is cut into blocks.
+/// Region of the section that is cut into blocks.
 struct SceneDomain {
-    std::vector<Point> boundary;  // [m], in either direction
+    std::vector<Point> boundary;  // corners [m], clockwise or counter-clockwise
     std::string material;
-    std::optional<std::string> jointMaterial;  // of its boundary, and of joints that name none; null: as of a block
+    std::optional<std::string> jointMaterial;  // of the boundary, and default of the joints; null: first of the scene
 
     bool operator==(const SceneDomain&) const = default;
 };
 
-/// Limits of the cut; null: relative to the domain's size.
+/// Tolerance and minimum block size of the cut; null: chosen relative to the domain or to the mean block.
 struct Cutting {
-    std::optional<double> tolerance;  // what is closer than this meets [m]
-    std::optional<double> minArea;  // smaller blocks join a neighbour [m²]; 0: none
-    std::optional<double> minWidth;  // narrower ones do [m]; 0: none
+    std::optional<double> tolerance;  // [m]; points and lines closer than this are joined
+    std::optional<double> minArea;  // [m²]; smaller blocks are merged with a neighbour; 0: none are merged
+    std::optional<double> minWidth;  // [m]; narrower blocks are merged with a neighbour; 0: none are merged
 
     bool operator==(const Cutting&) const = default;
 };
 
-/// One joint along a line of points.
+/// A single joint along a polyline.
 struct SceneJoint {
     std::string name;
     std::vector<Point> points;  // [m]
@@ -159,18 +158,18 @@ struct SceneJoint {
     bool operator==(const SceneJoint&) const = default;
 };
 
-/// Traces of a joint set, as geometry/joint_set.h draws them.
+/// A joint set; geometry/joint_set.h generates its traces.
 struct SceneJointSet {
     std::string name;
     double dip = 0.0;  // [°] counter-clockwise from +x
     double dipDeviation = 0.0;  // [°]
     double spacing = 0.0;  // [m]
     double spacingDeviation = 0.0;  // [m]
-    std::optional<double> traceLength;  // [m]; null: right through
+    std::optional<double> traceLength;  // [m]; null: through-going
     double traceLengthDeviation = 0.0;  // [m]
     double bridge = 0.0;  // [m]
     double bridgeDeviation = 0.0;  // [m]
-    std::optional<double> stagger = 0.0;  // null: at random
+    std::optional<double> stagger = 0.0;  // offset between lines, as a fraction of trace length + bridge; null: random
     Point origin{0.0, 0.0};  // [m]
     int seed = 1;
     std::optional<std::string> jointMaterial;  // null: the domain's
@@ -181,11 +180,11 @@ struct SceneJointSet {
 
 enum class ProfileKind { Circle, DShape, Horseshoe, Arched, Polygon };
 
-/// A tunnel by the few numbers of its profile.
+/// A tunnel, defined by the dimensions of its profile or by a polygon.
 struct SceneTunnel {
     std::string name;
     ProfileKind profile = ProfileKind::Circle;
-    Point center{0.0, 0.0};  // of the bounding box [m]; not of a polygon
+    Point center{0.0, 0.0};  // of the bounding box [m]; not used for a polygon
     double diameter = 0.0;  // [m]
     double width = 0.0, height = 0.0;  // [m]
     double wallHeight = 0.0, rise = 0.0;  // [m]
@@ -194,17 +193,17 @@ struct SceneTunnel {
     bool operator==(const SceneTunnel&) const = default;
 };
 
-/// A part of the section that joint sets and Voronoi cells refer to.
+/// Part of the section to which joint sets or Voronoi cells can be confined.
 struct SceneRegion {
     std::string name;
-    std::vector<Point> points;  // [m], in either direction
+    std::vector<Point> points;  // corners [m], clockwise or counter-clockwise
 
     bool operator==(const SceneRegion&) const = default;
 };
 
-/// Voronoi cells over a region.
+/// Voronoi cells that fill a region.
 struct SceneVoronoi {
-    double size = 0.0;  // of a cell, about [m]
+    double size = 0.0;  // approximate cell size [m]
     int seed = 1;
     std::optional<std::string> region;  // null: the whole domain
     std::optional<std::string> jointMaterial;  // null: the domain's
@@ -214,8 +213,8 @@ struct SceneVoronoi {
 
 enum class Fix { All, X, Y, XY };
 
-/// Holds a whole block (`blockAt`, fix all), one point of a block (`point`, fix x, y or xy), or what lies on a side of
-/// the domain: whole blocks (fix all) or the corners of their faces there.
+/// Fixes a whole block (`blockAt`, fix all), one point of a block (`point`, fix x, y or xy), or the blocks on a side of
+/// the domain (`boundary`): as a whole (fix all), or only the corners of their faces on that side.
 struct Support {
     std::optional<Point> blockAt;  // [m]
     std::optional<Point> point;  // [m]
@@ -225,30 +224,30 @@ struct Support {
     bool operator==(const Support&) const = default;
 };
 
-/// Piecewise-linear table of (time, value); time is pseudo-time 0 … 1 in a static stage.
+/// Piecewise-linear table of (x, y) pairs, mostly (time, value). In a static stage time is pseudo-time, 0 … 1.
 using Table = std::vector<std::pair<double, double>>;
 
 enum class Rotation { Held, Free };
 
-/// Prescribes the displacement of a block's centroid along `axis`, counted from the start of the run or the last
-/// `zero_displacements` [m].
+/// Prescribed displacement [m] of a block's centroid along `axis`, measured from the start of the run or from the last
+/// stage with `zero_displacements`.
 struct Motion {
     Point blockAt{0.0, 0.0};  // [m]
-    Point axis{1.0, 0.0};  // any length but zero
+    Point axis{1.0, 0.0};  // of any length except zero
     Table table;  // (time, displacement [m])
     Rotation rotation = Rotation::Held;
 
     bool operator==(const Motion&) const = default;
 };
 
-/// A force on a block; exactly one of `blockAt`, `point`, `along` says where.
+/// Force or pressure on blocks, located by exactly one of `blockAt`, `point` and `along`.
 struct Load {
-    std::optional<Point> blockAt;  // force at the centroid, or at `at`
-    std::optional<Point> at;  // [m], with `blockAt` only
-    std::optional<Point> point;  // force at this point of the block that holds it
-    std::optional<std::array<Point, 2>> along;  // pressure on the edges along this line
+    std::optional<Point> blockAt;  // [m]; force on the block around this point, at its centroid or at `at`
+    std::optional<Point> at;  // [m]; only with `blockAt`
+    std::optional<Point> point;  // [m]; force at this point, on the block that contains it
+    std::optional<std::array<Point, 2>> along;  // [m]; pressure on the block edges along this line
     Point force{0.0, 0.0};  // [N], total over the thickness
-    double pressure = 0.0;  // [Pa], positive presses on the block
+    double pressure = 0.0;  // [Pa]; positive: compresses the block
     Table table;  // (time, factor); empty: 1 throughout
 
     bool operator==(const Load&) const = default;
@@ -264,54 +263,54 @@ struct InitialVelocity {
 
 /// amplitude · sin(2π·frequency·t + phase)
 struct Sine {
-    double amplitude = 0.0;  // of what `Acceleration::factor` multiplies
+    double amplitude = 0.0;  // before multiplication by `Acceleration::factor`
     double frequency = 1.0;  // [Hz]
     double phase = 0.0;  // [rad]
 
     bool operator==(const Sine&) const = default;
 };
 
-/// An acceleration along `axis`: a record or a sine over the seconds of a dynamic stage, or a constant value, times
-/// `factor`. A static stage takes a constant one only and puts it on in proportion to pseudo-time.
+/// Acceleration along `axis`: a record, a sine or a constant value, multiplied by `factor`. Time starts at 0 in each
+/// dynamic stage. Static stages accept only a constant value, which is applied in proportion to pseudo-time.
 struct Acceleration {
-    std::string file;  // where the record was read from, as the scene names it; empty: it is in the scene
-    Table record;  // (time [s], value); nothing before its first and after its last row, straight lines between
+    std::string file;  // record file as named in the scene; empty: the record is part of the scene
+    Table record;  // (time [s], value), interpolated linearly; zero before the first row and after the last
     std::optional<Sine> sine;
-    std::optional<double> value;  // constant; at the end of a static stage
-    Point axis{1.0, 0.0};  // any length but zero
+    std::optional<double> value;  // constant; reached at the end of a static stage
+    Point axis{1.0, 0.0};  // of any length except zero
     double factor = 1.0;  // [m/s²] per unit of the record, the sine or the value
 
     bool operator==(const Acceleration&) const = default;
 };
 
-/// New strength of a joint material; what is null stays as it is.
+/// New strength of a joint material; null values leave the strength unchanged.
 struct StrengthChange {
     std::string jointMaterial;
     std::optional<double> frictionAngle;  // [°]
     std::optional<double> cohesion;  // [Pa]
     std::optional<double> tensileStrength;  // [Pa]
-    std::optional<double> residualFrictionAngle{};  // [°] from the first slip on
+    std::optional<double> residualFrictionAngle{};  // [°] after the first slip
 
     bool operator==(const StrengthChange&) const = default;
 };
 
-/// When a static stage is at equilibrium, and when it gives up looking for it.
+/// Equilibrium criteria of a static stage, and the limit of the search for equilibrium.
 struct Until {
-    std::optional<double> unbalanced;  // unbalanced force over reference force; null: 1e-4, or the pass tolerance if less
-    std::optional<double> body;  // of its own weight, unbalanced on a block; null: 1e-3
-    std::optional<double> move = 0.1;  // of its size, how far a block may have gone in a stage; null: any way
-    std::optional<double> smallest;  // [m²] blocks under it do not decide; null: 0.01
-    std::optional<int> maxSteps;  // pseudo-steps of a search; null: `RunLimits::iterations` alone
+    std::optional<double> unbalanced;  // unbalanced force / reference force; null: `automaticUnbalanced`
+    std::optional<double> body;  // unbalanced force on a block / its own weight; null: 1e-3
+    std::optional<double> move = 0.1;  // largest displacement of a block in the stage / its size; null: no limit
+    std::optional<double> smallest;  // [m²]; smaller blocks do not decide stability; null: 0.01
+    std::optional<int> maxSteps;  // pseudo-steps of the search; null: limited by `RunLimits::iterations` only
 
     bool operator==(const Until&) const = default;
 };
 
-/// Opens what lies on a joint or a joint set, or every contact of a joint material, as a joint that swells or a wedge
-/// that is driven in.
+/// Prescribed opening of the faces on a joint or joint set, or of all contacts of a joint material, for example by
+/// swelling or by a wedge that is driven in.
 struct Dilation {
-    std::string joint;  // name of a joint, else of a joint set, else of a joint material
-    double rate = 0.0;  // [m/s], or [m] over a static stage
-    int source = -1;  // `CutFace::source` of the joint or set, by `cutScene`; −1: a joint material; no file says it
+    std::string joint;  // name of a joint, joint set or joint material, looked up in this order
+    double rate = 0.0;  // [m/s]; in a static stage, the opening over the whole stage [m]
+    int source = -1;  // `CutFace::source` of the joint or set, set by `cutScene`; −1: a joint material
 
     bool operator==(const Dilation&) const = default;
 };
@@ -325,28 +324,28 @@ struct Stage {
     std::vector<Motion> motions;
     std::vector<Load> loads;
     std::vector<Dilation> dilations;
-    std::vector<StrengthChange> set;  // at the start of the stage, for this and all later ones
-    std::vector<std::string> excavate;  // names of blocks that go at the start of the stage
-    std::vector<std::string> install, remove;  // names of bolts that come or go at the start of the stage
+    std::vector<StrengthChange> set;  // strength changes at the start of the stage; they remain in later stages
+    std::vector<std::string> excavate;  // names of tunnels and blocks excavated at the start of the stage
+    std::vector<std::string> install, remove;  // names of bolts and patterns, at the start of the stage
     bool zeroDisplacements = false;
-    bool continueAfterCollapse = true;  // "continue"
-    // static
+    bool continueAfterCollapse = true;  // key `continue`
+    // Static stages only.
     Until until;
-    std::optional<int> increments;  // over pseudo-time 0 … 1; null: chosen by the program
-    std::optional<double> relaxation;  // share of the walls' forces released by the end; null: 1 of what it excavates
-    OnCollapse onCollapse = OnCollapse::End;  // what a collapse is followed by
-    double collapseDuration = 1.0;  // [s] of the motion that follows it
-    // dynamic
+    std::optional<int> increments;  // equal increments of pseudo-time 0 … 1; null: chosen by the program
+    std::optional<double> relaxation;  // fraction of the wall forces released by the end; null: 1 for new walls
+    OnCollapse onCollapse = OnCollapse::End;  // what follows a collapse
+    double collapseDuration = 1.0;  // [s]; duration of the motion that follows a collapse
+    // Dynamic stages only.
     double duration = 0.0;  // [s]
-    std::optional<double> timeStep;  // [s]; null: chosen by the program
+    std::optional<double> timeStep;  // longest time step [s]; null: chosen by the program
     std::optional<Integration> integration;  // null: that of the analysis
     std::optional<double> rhoInf;  // null: that of the analysis
     std::vector<InitialVelocity> initialVelocities;
-    std::vector<std::string> viscousBoundaries;  // left, right, bottom, top, all: sides that let waves out
-    std::optional<Acceleration> baseAcceleration;  // of the ground, which everything that is held follows
-    // static and dynamic
-    std::optional<Acceleration> bodyAcceleration;  // force per mass in addition to gravity
-    bool followsCollapse = false;  // runs only after a collapse of the stage before, by `withCollapseStages`; no file says it
+    std::vector<std::string> viscousBoundaries;  // sides that absorb outgoing waves: left, right, bottom, top, all
+    std::optional<Acceleration> baseAcceleration;  // acceleration of the ground, which all supports follow
+    // Static and dynamic stages.
+    std::optional<Acceleration> bodyAcceleration;  // body force per unit mass, in addition to gravity
+    bool followsCollapse = false;  // runs only if the previous stage collapsed; set by `withCollapseStages`
 
     bool operator==(const Stage&) const = default;
 };
@@ -358,35 +357,35 @@ enum class AfterCurve { Last, Zero };
 enum class OnFailure { None, BoltLost };
 enum class RuptureRule { Independent, Interaction };
 
-/// A place along a bolt: metres from its far end, or the head.
+/// Position along a bolt: a distance from its far end, or its head.
 struct BoltPlace {
     bool head = false;
-    double s = 0.0;  // [m] from the far end, when not `head`
+    double s = 0.0;  // [m] from the far end; not used if `head`
 
     bool operator==(const BoltPlace& other) const { return head == other.head && (head || s == other.s); }
 };
 
-/// One entry of a bolt's anchor table: which nodes are real, and the law that holds them along the bolt.
+/// One entry of a bolt's anchor table: selects nodes that are bonded to the rock and gives their bond law.
 struct Anchor {
-    std::optional<BoltPlace> at;  // the nearest node; else the range [from, to]
+    std::optional<BoltPlace> at;  // selects the node nearest to this position; null: the nodes from `from` to `to`
     BoltPlace from;
     BoltPlace to{true, 0.0};
-    Per per = Per::Length;  // `at` entries are per node
+    Per per = Per::Length;  // entries with `at` are always per node
     AnchorLaw law = AnchorLaw::Elastic;
-    double stiffness = 0.0;  // [N/m], or [N/m per m] per length
-    std::optional<double> strength;  // [N] or [N/m]; null: unlimited (elastic)
-    double residual = 0.0;  // [N] or [N/m], peak–residual only
-    double softeningSlip = 0.0;  // [m] from the peak to the residual, peak–residual only; 0: brittle
-    double frictionAngle = 0.0;  // [°] adds tan of it times the normal spring's force to strength and residual
+    double stiffness = 0.0;  // [N/m] per node, or [N/m per m] per length
+    std::optional<double> strength;  // [N] per node, or [N/m] per length; null: unlimited (elastic)
+    double residual = 0.0;  // [N] or [N/m]; peak–residual law only
+    double softeningSlip = 0.0;  // [m] from peak to residual strength; peak–residual law only; 0: brittle
+    double frictionAngle = 0.0;  // [°]; strength and residual increase by its tangent times the normal spring force
     bool restick = true;
-    Table curve;  // (slip [m], force [N] or [N/m]), from the origin
+    Table curve;  // (slip [m], force [N] or [N/m]), starting at the origin
     AfterCurve after = AfterCurve::Last;
     OnFailure onFailure = OnFailure::None;
 
     bool operator==(const Anchor&) const = default;
 };
 
-/// Face plate between the head node and the rock. Null strength: unlimited.
+/// Face plate between the head node of a bolt and the rock. A null strength is unlimited.
 struct Plate {
     double normalStiffness = 1e9;  // [N/m]
     double shearStiffness = 1e8;  // [N/m]
@@ -401,34 +400,34 @@ struct Plate {
     bool operator==(const Plate&) const = default;
 };
 
-/// A type of bolt with every `like` already followed.
+/// A bolt type in which all values inherited through `like` have been filled in.
 struct BoltType {
     std::string name;
-    bool builtIn = false;  // from the library: not written with the scene
-    std::string like;  // the type it was derived from; empty: none
+    bool builtIn = false;  // from the bolt library, so not written with the scene
+    std::string like;  // name of the type it is derived from; empty: none
     BoltClass boltClass = BoltClass::CMC;
     std::string source;
     double diameter = 0.02;  // [m]
-    std::optional<double> area;  // [m²]; null: the full circle
+    std::optional<double> area;  // [m²]; null: solid bar of this diameter
     std::optional<double> secondMoment;  // [m⁴]; null: from diameter and area
     std::optional<double> plasticModulus;  // [m³]; null: from diameter and area
     double density = 7850.0;  // [kg/m³]
     double shearModulus = 80e9;  // [Pa]
     double shearCoefficient = 4.0 / 3.0;
-    std::optional<double> youngsModulus;  // [Pa]; null: from the first piece of `steel`
-    Table steel;  // (strain, stress [Pa]) from the origin; empty: linear and unbreakable
+    std::optional<double> youngsModulus;  // [Pa]; null: slope of the first segment of `steel`
+    Table steel;  // (strain, stress [Pa]), starting at the origin; empty: linear, without rupture
     std::optional<double> tensileStrength;  // [Pa]; null: the largest stress of `steel`
-    double shearStrengthRatio = 0.6;  // of the tensile strength
+    double shearStrengthRatio = 0.6;  // ratio of shear to tensile strength
     RuptureRule ruptureRule = RuptureRule::Independent;
     Bending bending = Bending::ElasticPlastic;
-    std::optional<double> normalStiffness;  // [N/m] per node, or [N/m per m]; null: chosen, per length
+    std::optional<double> normalStiffness;  // across the bolt, [N/m] per node or [N/m per m]; null: chosen, per length
     Per normalPer = Per::Node;
     std::vector<Anchor> anchors;
     Plate plate;
-    double dynamicFactor = 1.0;  // dynamic over static strength of the bond
-    double steelDynamicFactor = 1.0;  // and of the steel, in tension, shear and bending
-    double plateDynamicFactor = 1.0;  // and of the plate
-    std::map<std::string, std::string> sources;  // field name → where its number comes from
+    double dynamicFactor = 1.0;  // ratio of dynamic to static strength of the bond
+    double steelDynamicFactor = 1.0;  // the same ratio for the steel, in tension, shear and bending
+    double plateDynamicFactor = 1.0;  // the same ratio for the face plate
+    std::map<std::string, std::string> sources;  // field name → source of its value
 
     bool operator==(const BoltType&) const = default;
 };
@@ -440,92 +439,93 @@ struct Bolt {
     std::string type;
     Point farEnd{0.0, 0.0};  // [m]
     Point head{0.0, 0.0};  // [m]
-    std::optional<int> divisions;  // null: chosen by the program
+    std::optional<int> divisions;  // number of elements; null: chosen by the program
     PlateKind plate = PlateKind::Spring;
-    std::optional<double> spacingOutOfPlane;  // [m]; null: the thickness
-    double pretension = 0.0;  // [N] that the plate pulls the head to when the bolt is installed
-    std::optional<std::vector<Anchor>> anchors;  // null: those of the type
-    std::optional<double> dynamicFactor, steelDynamicFactor, plateDynamicFactor;  // null: those of the type
-    int pattern = -1;  // the scene's pattern that `cutScene` made it from; no file says it
+    std::optional<double> spacingOutOfPlane;  // [m]; null: thickness of the analysis
+    double pretension = 0.0;  // [N] to which the head is tensioned against the plate at installation
+    std::optional<std::vector<Anchor>> anchors;  // null: anchors of the type
+    std::optional<double> dynamicFactor, steelDynamicFactor, plateDynamicFactor;  // null: of the type
+    int pattern = -1;  // index of the bolt pattern from which `cutScene` made the bolt; −1: none; not stored in files
 
     bool operator==(const Bolt&) const = default;
 };
 
-/// Bolts at equal lengths along the wall of a tunnel, as geometry/bolt_pattern.h lays them out: P.1, P.2, …
+/// Bolts at equal spacing along the wall of a tunnel, laid out by geometry/bolt_pattern.h. The bolts of pattern P are
+/// named P.1, P.2, …
 struct ScenePattern {
     std::string name;
     std::string type;
     std::string tunnel;
-    Point from{0.0, 0.0}, to{0.0, 0.0};  // nearest places of the wall [m]
+    Point from{0.0, 0.0}, to{0.0, 0.0};  // the pattern starts and ends at the wall points nearest to these [m]
     Way way = Way::CounterClockwise;
     double spacing = 0.0;  // along the wall [m]
-    double offset = 0.0;  // [m]
-    double length = 0.0;  // of a bolt [m]
+    double offset = 0.0;  // of the first bolt from the start, along the wall [m]
+    double length = 0.0;  // of each bolt [m]
     double angleFromWall = 90.0;  // [°]
-    std::optional<int> divisions;  // null: chosen by the program
+    std::optional<int> divisions;  // number of elements per bolt; null: chosen by the program
     PlateKind plate = PlateKind::Spring;
-    std::optional<double> spacingOutOfPlane;  // [m]; null: the thickness
+    std::optional<double> spacingOutOfPlane;  // [m]; null: thickness of the analysis
     double pretension = 0.0;  // [N]
 
     bool operator==(const ScenePattern&) const = default;
 };
 
-/// Displacement of a point, opening between two points, or a quantity of a bolt.
+/// Records the displacement of a point, the opening between two points, or a quantity of a bolt.
 struct Monitor {
     std::string name;
-    std::optional<Point> point;  // → two values: ux, uy [m]
-    std::optional<std::array<Point, 2>> between;  // → second minus first on `axis` [m]
+    std::optional<Point> point;  // [m]; records two values: displacements ux, uy [m]
+    std::optional<std::array<Point, 2>> between;  // [m]; records the increase of their distance along `axis` [m]
     Point axis{1.0, 0.0};
-    std::optional<std::string> bolt;  // → one value
+    std::optional<std::string> bolt;  // name of the bolt; records one value
     BoltQuantity quantity = BoltQuantity::AxialForce;
     std::optional<double> at;  // [m] from the far end
-    std::optional<double> atFromHead;  // [m]
+    std::optional<double> atFromHead;  // [m] from the head
     std::optional<double> atFraction;  // 0 … 1 from the far end
 
     bool operator==(const Monitor&) const = default;
 };
 
 struct Output {
-    std::optional<int> frames;  // over the whole run; null: at most `defaultFrames`
-    std::optional<double> every;  // [s] of dynamic time or pseudo-time; overrides `frames`
+    std::optional<int> frames;  // number of frames over the whole run; null: at most `defaultFrames`
+    std::optional<double> every;  // interval between frames, time [s] or pseudo-time; overrides `frames`
 
     bool operator==(const Output&) const = default;
 };
 
-/// Frames over the whole run at most, where a scene does not give a number.
+/// Maximum number of frames over the whole run if the scene does not set one.
 inline constexpr int defaultFrames = 200;
 
-/// Where a run ends even if its stages do not.
+/// Limits at which a run or stage ends before it is complete.
 struct RunLimits {
-    std::optional<double> wallTime;  // [s] by the clock on the wall
-    std::optional<int> steps;  // accepted ones, over all stages
-    std::optional<int> iterations;  // pseudo-steps without an event or an accepted increment; null: 20,000
-    double energy = 0.05;  // that a dynamic stage leaves over, of the largest term of the energy balance
+    std::optional<double> wallTime;  // wall-clock time [s]; null: no limit
+    std::optional<int> steps;  // accepted steps over all stages; null: no limit
+    std::optional<int> iterations;  // pseudo-steps since the last event or accepted increment; null: 20,000
+    double energy = 0.05;  // largest energy-balance error of a dynamic stage / largest term of the balance
 
     bool operator==(const RunLimits&) const = default;
 };
 
-/// What a factor of safety divides: the strength of joints, of the anchors of bolts, or of both.
+/// Strengths that are divided by the factor of safety: those of joints, of bolt anchors, or of both.
 enum class Reduce { Joints, Bonds, Both };
 
-/// What bolts do while strengths are divided: they are modelled as in a run, or their forces at a factor of 1 act as
-/// dead loads in their place.
+/// Treatment of bolts while strengths are reduced: modelled as in an ordinary run, or replaced by dead loads equal to
+/// their forces at a factor of 1.
 enum class BoltForces { Mobilised, Frozen };
 
-/// How a factor of safety is looked for; no ordinary run reads it.
+/// Settings of the search for a factor of safety; ordinary runs ignore them.
 struct Safety {
     Reduce reduce = Reduce::Joints;
-    double tolerance = 0.01;  // of the factor
+    double tolerance = 0.01;  // largest difference between the stable and the failing factor at the end
     BoltForces boltForces = BoltForces::Mobilised;
 
     bool operator==(const Safety&) const = default;
 };
 
 struct Expected {
-    std::string quantity;  // as in `quantities`
-    double value = 0.0;  // SI
-    double tolerance = 0.01;  // relative; absolute where `value` is 0
-    std::string source;  // where the number comes from, for people
+    std::string quantity;  // written as in `Scene::quantities`
+    double value = 0.0;  // in SI units
+    double tolerance = 0.01;  // relative; absolute if `value` is 0
+    std::string source;  // source of the number, as text for the user
 
     bool operator==(const Expected&) const = default;
 };
@@ -539,7 +539,7 @@ struct About {
     bool operator==(const About&) const = default;
 };
 
-/// A whole scene. Maps and lists keep the file's order where order matters.
+/// A whole scene. Named entries are stored as lists, so they keep the order of the file.
 struct Scene {
     std::string title;
     About about;
@@ -556,7 +556,7 @@ struct Scene {
     std::vector<Block> blocks;
     std::vector<Support> supports;
     std::optional<InSituStress> inSituStress;
-    std::vector<BoltType> boltTypes;  // the scene's own and the built-in ones that its bolts use; `like` followed
+    std::vector<BoltType> boltTypes;  // the scene's own types and the built-in ones that its bolts use
     std::vector<Bolt> bolts;
     std::vector<ScenePattern> boltPatterns;
     std::vector<Stage> stages;
@@ -569,7 +569,7 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
-/// Friction and strength between blocks whose scene names no joint material at all.
+/// Joint material of all block faces in a scene that defines none.
 inline const JointMaterial builtInJointMaterial{};
 
 }  // namespace keyblock

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The one table of units: readers of files, typed numbers, forms and pictures all take
-// symbols and factors from here. A unit is a factor and its dimensions, so that units of
-// one kind can be converted and a force typed for a length is detected. Each reader has
-// its own list of the symbols that it accepts, because `in` ends many a title.
+// The only table of units: file readers, number input, forms and pictures take all unit
+// symbols and factors from it. A unit is a factor with its dimensions, so that units of
+// the same dimensions can be converted, and a force entered as a length is detected. Each
+// reader has its own list of accepted symbols, because `in` (inch) can also be a word.
 #pragma once
 
 #include <array>
@@ -16,10 +16,11 @@
 
 namespace keyblock {
 
-/// A unit: 1 of it is `up`/`down` in metre, kilogram, second and radian. A fraction, so that 25 mm is exactly 0.025 m.
+/// A unit, equal to `up`/`down` of the unit with the same dimensions in metres, kilograms, seconds and radians. The
+/// factor is stored as a fraction, so that 25 mm is exactly 0.025 m.
 struct Unit {
     double up = 1.0, down = 1.0;
-    std::array<int, 4> powers{};  // of metre, kilogram, second, radian
+    std::array<int, 4> powers{};  // exponents of metre, kilogram, second and radian
 
     bool operator==(const Unit&) const = default;
 };
@@ -32,7 +33,7 @@ struct UnitSymbol {
 namespace unit_table {
 inline constexpr std::array<int, 4> length{1, 0, 0, 0}, mass{0, 1, 0, 0}, time{0, 0, 1, 0}, angle{0, 0, 0, 1};
 inline constexpr std::array<int, 4> force{1, 1, -2, 0}, pressure{-1, 1, -2, 0}, moment{2, 1, -2, 0}, rate{0, 0, -1, 0};
-inline constexpr double poundForce = 4.4482216152605, squareInch = 0.00064516;  // [N, m²]
+inline constexpr double poundForce = 4.4482216152605, squareInch = 0.00064516;  // [N], [m²]
 
 inline constexpr UnitSymbol symbols[] = {
     {"m", {1, 1, length}}, {"mm", {1, 1000, length}}, {"cm", {1, 100, length}}, {"dm", {1, 10, length}},
@@ -57,45 +58,47 @@ inline constexpr UnitSymbol symbols[] = {
 };
 }  // namespace unit_table
 
-/// The symbol in the table; null if it is not there. No products: see `readUnit`.
+/// The table entry of a symbol; null if there is none. For products of symbols use `readUnit`.
 constexpr const UnitSymbol* findUnit(std::string_view symbol) {
     for (const UnitSymbol& known : unit_table::symbols)
         if (known.text == symbol) return &known;
     return nullptr;
 }
 
-/// The unit of a symbol that the program itself names; an unknown one does not compile.
+/// Unit of a symbol that is fixed in the code; an unknown symbol does not compile.
 consteval Unit namedUnit(std::string_view symbol) { return findUnit(symbol)->unit; }
 
-/// Reads products and quotients of known symbols (`N/m per m`, `m⁴`, `1/s`); an empty text is a pure number. None
-/// if a symbol is unknown. Text after a comma is a remark of the field table and is ignored.
+/// Reads products and quotients of known symbols, e.g. `N/m per m`, `m⁴` or `1/s`. Empty text is dimensionless. Text
+/// after a comma is a remark of the field table and is ignored.
+/// \return the unit; none if a symbol is unknown.
 std::optional<Unit> readUnit(std::string_view text);
 
-/// True if both have the same dimensions and can be converted.
+/// True if both units have the same dimensions, so that one can be converted into the other.
 bool sameKind(const Unit& a, const Unit& b);
 
-/// Converts `number` from `from` to `to`. \pre sameKind(from, to).
+/// Converts a number from unit `from` to unit `to`. \pre sameKind(from, to).
 double converted(double number, const Unit& from, const Unit& to);
 
 constexpr double toSi(double number, const Unit& unit) { return number * unit.up / unit.down; }
 constexpr double fromSi(double value, const Unit& unit) { return value * unit.down / unit.up; }
 
-/// A value in SI times this is the number in the unit: 0.001 for kN.
+/// Factor from a value in SI to the number in this unit, e.g. 0.001 for kN.
 constexpr double perSi(const Unit& unit) { return unit.down / unit.up; }
 
-/// The quantity of the unit and how it is typed, for messages: `a length (m, mm, cm, km, ft, in)`; empty for kinds
-/// without a name.
+/// Quantity and accepted symbols of a unit, for messages, e.g. `a length (m, mm, cm, km, ft, in)`; empty if the
+/// quantity has no name.
 std::string kindText(const Unit& unit);
 
-/// Where the practical unit replaces the SI unit. Forms keep lengths in metres, since sections are typed in metres.
+/// Places where the practical unit replaces the SI unit. Forms show lengths in metres, since sections are entered in
+/// metres.
 enum class UnitUse { Everywhere, Forms, Pictures };
 
 struct PracticalUnit {
-    std::string_view si, practical;  // as `readUnit` reads them
+    std::string_view si, practical;  // in the notation of `readUnit`
     UnitUse use = UnitUse::Everywhere;
 };
 
-/// Units in which numbers are shown unless the user chooses SI: MPa for Pa, kN for N.
+/// Units in which numbers are shown unless the user chooses SI, e.g. MPa for Pa and kN for N.
 std::span<const PracticalUnit> practicalUnits();
 
 }  // namespace keyblock
