@@ -22,7 +22,7 @@ struct AnchorLawRow {
     AnchorLaw law;
     std::string_view key;  // in files
     std::string_view title;  // as shown to the user
-    bool hasPoints;  // given by `points` and `after`; otherwise by `stiffness` and the fields below
+    bool hasPoints;  // given by `points` and `after`; otherwise by `stiffness`
     bool hasStrength;  // requires `strength`; `friction_angle` and `restick` are optional
     bool hasResidual;  // `residual` and `softening_slip` are optional
     bool keepsStrength;  // after failure it slides at its full strength

@@ -21,7 +21,7 @@ double automaticUnbalanced(const Scene& scene);
 /// Longest time step [s] of a dynamic stage that does not give one.
 double automaticTimeStep(const Stage& stage);
 
-/// Second moment of area [m⁴] of a tube from its diameter d and area A, π/64·(d⁴ − d_i⁴) with d_i² = d² − 4A/π, or of a
+/// Second moment of area [m⁴] of a tube with diameter d and area A, π/64·(d⁴ − d_i⁴) with d_i² = d² − 4A/π, or of a
 /// solid bar, π·d⁴/64.
 double automaticSecondMoment(const BoltType& type);
 
@@ -31,7 +31,7 @@ double automaticPlasticModulus(const BoltType& type);
 /// Young's modulus [Pa]: slope of the first segment of `steel`, or 200 GPa if there is no `steel`.
 double automaticYoungsModulus(const BoltType& type);
 
-/// Name of the default joint material of block faces and of the domain: the first of the scene; empty: the built-in one.
+/// Name of the default joint material of blocks and of the domain: the first of the scene; empty: the built-in one.
 std::string automaticJointMaterial(const Scene& scene);
 
 /// Name of the default joint material of joints, joint sets and Voronoi cells: that of the domain, or if it has none,

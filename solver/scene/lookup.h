@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The objects of a scene refer to each other by name and place. This follows
-// those references, in one way for the check, the engine and the tables.
+// Objects of a scene refer to each other by name and by position. These functions
+// resolve such references for the check, the engine and the tables.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -12,71 +12,73 @@
 
 namespace keyblock {
 
-/// Places lie no farther from the origin in x and y [m]; beyond, nothing of a tunnel is left in the digits of a double.
+/// Largest absolute value of a coordinate [m]. Beyond it, a double cannot resolve the dimensions of a tunnel.
 inline constexpr double farthestCoordinate = 1e9;
 
-/// True when both coordinates are finite and not too far.
+/// True if both coordinates are finite and their absolute values at most `farthestCoordinate`.
 bool isUsable(const Point& place);
 
-/// Diagonal of the box around the domain and all blocks, of those corners that are usable [m]; 1 without any.
+/// Diagonal [m] of the bounding box of the domain and all blocks, without corners that are not usable; 1 if it is zero.
 double sceneSize(const Scene& scene);
 
-/// Below this distance two points are one, and a point is on an edge [m]: 1e-9 of the scene's size,
-/// but never less than what doubles resolve at the scene's distance from the origin.
+/// Distance [m] within which two points coincide, or a point lies on an edge: 1e-9 of the scene's size, but at least
+/// the resolution of doubles at the scene's distance from the origin.
 double geometricTolerance(const Scene& scene);
 
-/// Index of the block that holds `place`; −1 when none does or it lies on a boundary within the geometric tolerance.
+/// Index of the block with `place` in its interior; −1 if there is none, also if `place` lies on a block boundary within
+/// the geometric tolerance.
 int blockAt(const Scene& scene, const Point& place);
 
-/// The same with a known tolerance [m], for many places.
+/// Like the overload above, with a given tolerance [m]; faster for many points.
 int blockAt(const Scene& scene, const Point& place, double tolerance);
 
-/// Index of a block that holds `point` inside or on its boundary, the first in order; −1 when none does.
+/// Index of the first block that contains `point`, inside or on its boundary; −1 if there is none.
 int blockWithPoint(const Scene& scene, const Point& point);
 
 /// \pre the scene was checked without errors.
 const Material& materialOf(const Scene& scene, const Block& block);
 
-/// Index of the block's joint material: its own, else the scene's first; −1: the built-in one.
+/// Index of the block's joint material: the one that it names, otherwise the scene's first; −1: the built-in one.
 /// \pre the scene was checked without errors.
 int jointMaterialIndex(const Scene& scene, const Block& block);
 
-/// The material at an index from `jointMaterialIndex`; −1 gives the built-in one.
+/// The joint material with an index from `jointMaterialIndex`; a negative index gives the built-in one.
 const JointMaterial& jointMaterialAt(const Scene& scene, int index);
 
-/// The type of that name; null when there is none.
+/// The bolt type with this name; null if there is none.
 const BoltType* findBoltType(const Scene& scene, std::string_view name);
 
 /// \pre the scene was checked without errors.
 const BoltType& boltTypeOf(const Scene& scene, const Bolt& bolt);
 
-/// The bolt's own anchors, else those of its type.
+/// The bolt's own anchors, or if it has none, those of its type.
 /// \pre the scene was checked without errors.
 const std::vector<Anchor>& anchorsOf(const Scene& scene, const Bolt& bolt);
 
-/// The bolt's plane length [m].
+/// Length of the bolt in the plane [m].
 double lengthOf(const Bolt& bolt);
 
-/// Metres from the far end of a place along a bolt of `length` [m].
+/// Distance [m] of a position from the far end of a bolt. \param length of the bolt [m]
 double distanceAlong(const BoltPlace& place, double length);
 
-/// Metres from the far end at which a monitor records a bolt of `length` [m]; its head when it names no place.
+/// Distance [m] from the far end at which a monitor records a bolt; at the head if the monitor gives no position.
+/// \param length of the bolt [m]
 double distanceAlong(const Monitor& monitor, double length);
 
-/// `CutFace::source` of the joint of that name, else of the joint set; −1: neither.
-/// \pre the scene is not cut yet.
+/// `CutFace::source` of the joint with this name, otherwise of the joint set with this name; −1 if there is neither.
+/// \pre the scene has not been cut yet.
 int traceSource(const Scene& scene, std::string_view name);
 
-/// True where the face lies on that side of the domain; on any, where all are requested.
+/// True if the face lies on this side of the domain, or for `BoundarySide::All` on any side.
 bool isOnSide(const CutFace& face, BoundarySide side);
 
-/// Where a scene file says a bolt: `/bolts/N`, or `/bolt_patterns/N` of one that a pattern gives.
+/// JSON pointer to the definition of a bolt: `/bolts/N`, or `/bolt_patterns/N` for a bolt of a pattern.
 std::string boltPointer(const Scene& scene, std::size_t bolt);
 
-/// The same of a block: `/blocks/N`, or `/domain` of one that was cut.
+/// JSON pointer to the definition of a block: `/blocks/N`, or `/domain` for a block cut from the domain.
 std::string blockPointer(const Scene& scene, std::size_t block);
 
-/// The block's name, or b1, b2, … by its order when it has none.
+/// The block's name, or b1, b2, … by its position in the list if it has none.
 /// \pre 0 ≤ block < number of blocks.
 std::string displayName(const Scene& scene, int block);
 

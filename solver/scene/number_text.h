@@ -1,23 +1,23 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers as text, the same in every locale.
+// Numbers as text, independent of the locale.
 #pragma once
 
 #include <string>
 
 namespace keyblock {
 
-/// Four digits, for people.
+/// Four significant digits, for display.
 std::string rounded(double number);
 
-/// A coordinate [m] to the millimetre, for people.
+/// A coordinate in metres, rounded to the millimetre, for display.
 std::string coordinateText(double metres);
 
-/// A stress or modulus with unit and prefix, for people.
+/// A stress or modulus with its unit in Pa, kPa, MPa or GPa, for display.
 std::string pressureText(double pascals);
 
-/// The shortest text that reads back as the same double; `inf` and `nan` for what is not finite.
+/// The shortest text that is read back as the same double; `inf` or `nan` if the number is not finite.
 std::string shortest(double number);
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// JSON pointers (RFC 6901) say where in a scene something is.
+// JSON pointers (RFC 6901) to parts of a scene.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 
 namespace keyblock {
 
-/// The pointer to member `key` of what `parent` points to; `~` and `/` in the key are escaped.
+/// Pointer to the member `key` of the object at `parent`; `~` and `/` in the key are escaped.
 std::string under(std::string_view parent, std::string_view key);
 
-/// The pointer to element `index` of the list that `parent` points to.
+/// Pointer to the element `index` of the list at `parent`.
 std::string under(std::string_view parent, std::size_t index);
 
-/// True when `pointer` is `ancestor` or leads to something inside it.
+/// True if `pointer` is `ancestor` or points to something inside it.
 bool isWithin(std::string_view pointer, std::string_view ancestor);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is wrong with a scene, for the user: where it is, what it is and what
-// to do about it. A bad scene is not an exception but a list of these, all at once.
+// Problems of a scene, for the user: the location, what is wrong and how to fix it.
+// An invalid scene does not throw; all its problems are returned in one list.
 #pragma once
 
 #include <cstddef>
@@ -13,56 +13,57 @@
 
 namespace keyblock {
 
-/// An error keeps a scene from running; a warning is likely a mistake; a note reports what has no effect.
+/// An error prevents a run, a warning reports a likely mistake, and a note reports input that has no effect.
 enum class Severity { Error, Warning, Note };
 
-/// An edit that removes a problem and needs no decision of the user.
+/// Kind of edit that removes a problem without a decision by the user.
 enum class RepairKind {
     None,  // the user has to decide
-    Rename,  // the object at the pointer gets a free name
-    Omit,  // the field at the pointer gets its default; an element of a list is removed
-    SetAutomatic,  // the field at the pointer becomes null
-    RemovePlate,  // the plate at the pointer becomes `none`
-    AddNamed,  // an entry `name` is added to the map at the pointer
-    AddStage  // to the end of the list at the pointer
+    Rename,  // gives the object at the pointer an unused name
+    Omit,  // resets the field at the pointer to its default, or removes the list element
+    SetAutomatic,  // sets the field at the pointer to null
+    RemovePlate,  // sets the plate at the pointer to `none`
+    AddNamed,  // adds an entry `name` to the map at the pointer
+    AddStage  // adds a stage at the end of the list at the pointer
 };
 
 struct Repair {
     RepairKind kind = RepairKind::None;
     std::string pointer{};  // JSON pointer into the scene
-    std::string name{};  // of the entry that is added
+    std::string name{};  // name of the entry to add
 
     bool operator==(const Repair&) const = default;
 };
 
 struct Problem {
     Severity severity = Severity::Error;
-    std::string file;  // as given by the caller, or the option that set the value; empty for scenes built in code
-    int line = 0;  // from 1; 0: not known, or not from a file
+    std::string file;  // file name as given, or the option that set the value; empty for scenes built in code
+    int line = 0;  // starting at 1; 0: unknown, or not from a file
     std::string pointer;  // JSON pointer (RFC 6901) into the scene; empty: the whole scene
     std::string message;  // what is wrong
     std::string remedy;  // what to do
-    Repair repair{};  // the same as an edit, where the program can make it
+    Repair repair{};  // the remedy as an automatic edit, if there is one
 
     bool operator==(const Problem&) const = default;
 };
 
-/// No list holds more: with a thousand problems the user corrects some and checks again.
+/// Maximum number of problems in a list. If there are more, the user fixes some and checks again.
 inline constexpr std::size_t mostProblems = 1000;
 
-/// Appends to a list that is not full. Half of it is kept for errors; the last entry says that more follow.
+/// Appends a problem unless the list is full. Half of the list is reserved for errors; the text of the last entry says
+/// that there are more problems.
 void addProblem(std::vector<Problem>& problems, Problem problem);
 
-/// True when nothing more can be appended, so that looking further is of no use.
+/// True if no more problems can be appended, so that further checks are useless.
 bool isFull(std::span<const Problem> problems);
 
-/// True when one of them is an error.
+/// True if at least one of the problems is an error.
 bool hasErrors(std::span<const Problem> problems);
 
 /// `error`, `warning` or `note`.
 std::string_view wordOf(Severity severity);
 
-/// The problem on one line: file, line, severity, pointer, message, remedy.
+/// The problem as one line of text: file, line, severity, pointer, message and remedy.
 std::string oneLine(const Problem& problem);
 
 }  // namespace keyblock

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a scene with a domain to one with blocks alone. What the user draws by a
-// few numbers (joint sets, tunnels, cells, patterns of bolts) becomes blocks and
-// bolts of the same kinds as those that a scene gives one by one, so that everything
-// after this treats them alike. It is done once for checking, running or reading.
+// Converts a scene with a domain into one that contains only blocks. Joint sets,
+// tunnels, Voronoi cells and bolt patterns are converted into blocks and bolts of the
+// same kind as those that a scene lists one by one, so that all later code treats them
+// alike. It is done once before a scene is checked, run or its results are read.
 #pragma once
 
 #include "geometry/cut.h"
@@ -16,36 +16,37 @@
 
 namespace keyblock {
 
-/// What became of a scene.
+/// Result of cutting a scene.
 struct SceneCut {
-    /// The scene with the cut blocks after its own, and the bolts of patterns after its own; without domain, joints,
-    /// joint sets and Voronoi cells. Cut blocks are in the order of geometry/cut.h and have no name of their own, so
-    /// they are called b and their place among all blocks. Tunnels and patterns stay, for blocks and bolts to refer to.
+    /// The scene with the cut blocks and the bolts of patterns appended to its own, without domain, joints, joint sets
+    /// and Voronoi cells. Cut blocks are in the order of geometry/cut.h and have no names, so they are displayed as b and
+    /// their number among all blocks. Tunnels and patterns remain, since blocks and bolts refer to them.
     Scene scene;
-    int blocks = 0;  // that were cut and are left
-    int vertices = 0;  // of these, each place once
-    int edges = 0;  // of these, those between two blocks twice
-    double area = 0.0;  // of these [m²]
-    int open = 0;  // blocks left out, in tunnels that are open from the start
-    int split = 0;  // cuts through intact rock, that part blocks round an opening
-    double tolerance = 0.0, minArea = 0.0, minWidth = 0.0;  // of the cut [m, m², m]
-    std::vector<CutNote> notes;  // by kind, place, source, other, measure
-    std::vector<std::string> sources;  // for people, by the sources in `notes`
+    int blocks = 0;  // number of blocks from the cut, without those in open tunnels
+    int vertices = 0;  // number of distinct vertices of these blocks
+    int edges = 0;  // number of edges of these blocks; an edge between two blocks counts twice
+    double area = 0.0;  // total area of these blocks [m²]
+    int open = 0;  // number of blocks omitted in tunnels that are open from the start
+    int split = 0;  // number of cuts through intact rock that divide blocks around an opening
+    double tolerance = 0.0, minArea = 0.0, minWidth = 0.0;  // limits used in the cut [m], [m²], [m]
+    std::vector<CutNote> notes;  // sorted by kind, place, source, other, measure
+    std::vector<std::string> sources;  // names of the sources in `notes`, by index
 };
 
-/// False for a scene whose blocks and bolts are all given one by one.
+/// True if the scene has a domain, or bolt patterns that have not been laid out.
 bool needsCut(const Scene& scene);
 
-/// Cuts the domain and lays out the patterns; a scene that needs neither comes back as it is. The result does not
-/// depend on the order of joints, sets and tunnels but where their traces coincide: the first has the face.
-/// \param stop where it becomes true, the cut ends soon and is not to be used; null: it goes to its end.
+/// Cuts the domain and lays out the bolt patterns; a scene that needs neither is returned unchanged. The result does not
+/// depend on the order of joints, joint sets and tunnels, except where their traces coincide: the first then gives the
+/// face its joint material.
+/// \param stop if it becomes true, the cut ends early and its result must not be used; null: never
 /// \pre the scene was checked without errors.
 SceneCut cutScene(const Scene& scene, const std::atomic<bool>* stop = nullptr);
 
 /// The word for a kind of note, e.g. `trimmed end`.
 std::string_view wordOf(CutNoteKind kind);
 
-/// What the note says, on one line without its place.
+/// Text of the note on one line, without its position.
 std::string noteText(const SceneCut& cut, const CutNote& note);
 
 }  // namespace keyblock

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a scene says of its section in the words of geometry: the one place where
-// the document's fields become the shapes that are drawn, so that the check judges
-// what the cut will draw.
+// Converts the section of a scene into shapes of the geometry library. The check and
+// the cut both use these functions, so that they always work on the same shapes.
 #pragma once
 
 #include "geometry/bolt_pattern.h"
@@ -21,34 +20,36 @@ ProfileShape shapeOf(const SceneTunnel& tunnel);
 JointSet jointSetOf(const SceneJointSet& set);
 BoltPattern patternOf(const ScenePattern& pattern);
 
-/// The region of that name; null when there is none.
+/// The region with this name; null if there is none.
 const SceneRegion* findRegion(const Scene& scene, const std::string& name);
 
-/// Index of the tunnel of that name; −1 when there is none.
+/// Index of the tunnel with this name; −1 if there is none.
 int findTunnel(const Scene& scene, const std::string& name);
 
-/// Index of the joint material that a joint names, else of the domain's, else the first; `builtInJoint` without any.
+/// Index of the joint material of a joint: the one that it names, otherwise that of the domain, otherwise the first;
+/// `builtInJoint` if there is none.
+/// \param name joint material that the joint names, if any
 /// \pre the scene has a domain.
 int jointOf(const Scene& scene, const std::optional<std::string>& name);
 
-/// The side of the domain that an edge lies on, run counter-clockwise: the one that its outward normal points to, at 45°
-/// bottom or top.
+/// Side of the domain on which an edge lies: the direction of its outward normal. At 45° it is the bottom or top.
+/// \param from, to ends of the edge, with the domain on the left
 BoundarySide sideOf(const Point& from, const Point& to);
 
-/// True for a tunnel that no stage excavates.
+/// True if no stage excavates the tunnel.
 bool isOpenFromStart(const Scene& scene, const SceneTunnel& tunnel);
 
-/// True for an outline that lies wholly in such a tunnel, where there is no rock. \pre the scene has a domain,
-/// and `points` do not cross themselves.
+/// True if an outline lies entirely in a tunnel that is open from the start, where there is no rock.
+/// \pre the scene has a domain, and the outline `points` does not cross itself.
 bool standsInOpening(const Scene& scene, const std::vector<Point>& points);
 
-/// Where traces come from, by their source.
+/// Origin of traces, indexed by `CutTrace::source`.
 struct TraceSource {
-    std::string text;  // for people: joint 'fault', tunnel 'drift', …
-    int joint = builtInJoint;  // of the faces
+    std::string text;  // name for messages: joint 'fault', tunnel 'drift', …
+    int joint = builtInJoint;  // joint-material index of the faces
 };
 
-/// All that cuts the domain: joints, joint sets, Voronoi cells, then outlines of tunnels, with rising sources.
+/// All traces that cut the domain, with increasing sources: joints, joint sets, Voronoi cells, then tunnel outlines.
 struct SceneTraces {
     std::vector<CutTrace> traces;
     std::vector<TraceSource> sources;
@@ -57,7 +58,7 @@ struct SceneTraces {
 /// \pre the scene has a domain and its section was checked without errors.
 SceneTraces tracesOf(const Scene& scene);
 
-/// What the cut takes for the scene's `cutting`.
+/// Settings of the cut for the scene's `cutting`.
 CutSettings cutSettings(const Scene& scene);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The list of blocks that are solved, made in one place for engine, results and
-// tables: the scene's blocks, each whole or as its cells, then the plates that
-// are blocks. Rows of a frame, and every index of a block in a result, follow it.
+// The list of solved blocks, shared by the engine, the results and the tables: the
+// scene's blocks, each either whole or divided into its cells, followed by the plates
+// modelled as blocks. The rows of a frame and all block indices in results refer to it.
 #pragma once
 
 #include "geometry/sub_blocks.h"
@@ -15,25 +15,26 @@
 namespace keyblock {
 
 struct SolvedBlock {
-    std::string name;  // the block's; of a cell BLOCK:1, BLOCK:2, …; of a plate BOLT:plate
-    int block = -1;  // the scene's block that it is, or is cut from; of a plate, the one that it lies against
-    bool cell = false;  // cut from that block
-    int plateOf = -1;  // bolt whose plate it is
-    std::vector<Point> points;  // from `SolvedBlocks::origin` [m]
-    std::vector<char> inner;  // a row per edge: glued from end to end; empty: none
+    std::string name;  // name of the block; for a cell BLOCK:1, BLOCK:2, …; for a plate BOLT:plate
+    int block = -1;  // index of the scene's block; for a plate, of the block it lies against
+    bool cell = false;  // true for a cell of this block
+    int plateOf = -1;  // index of the bolt for a plate; −1: not a plate
+    std::vector<Point> points;  // corners relative to `SolvedBlocks::origin` [m]
+    std::vector<char> inner;  // per edge: 1 if glued over its whole length; empty: no edge is
 };
 
 struct SolvedBlocks {
     Point origin{0.0, 0.0};  // subtracted from every coordinate of the scene
     std::vector<SolvedBlock> blocks;
-    std::vector<int> firstOf;  // row where each block of the scene begins, then where the plates do
-    std::vector<SharedEdge> glued;  // between cells of one block, by rows
+    std::vector<int> firstOf;  // first row of each block of the scene, then of the plates
+    std::vector<SharedEdge> glued;  // edges between cells of the same block; `a` and `b` are rows
 };
 
-/// \pre the scene was checked without errors, or has no cells and no plates as blocks; what `cutScene` makes of it.
+/// The solved blocks of a scene after `cutScene`.
+/// \pre the scene was checked without errors, or has neither cells nor plates modelled as blocks.
 SolvedBlocks solvedBlocks(const Scene& scene);
 
-/// Names of all blocks that are solved, in the order of the rows. \pre as above.
+/// Names of all solved blocks, in the order of the rows. \pre as for `solvedBlocks`.
 std::vector<std::string> blockNames(const Scene& scene);
 
 }  // namespace keyblock

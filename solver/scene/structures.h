@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The field table of each struct of a scene, found by its type.
+// The field table of each struct of a scene, selected by the type of the argument.
 #pragma once
 
 #include "solver/scene/field.h"
@@ -45,7 +45,7 @@ const Structure& structureOf(const StressGradient*);
 const Structure& structureOf(const Support*);
 const Structure& structureOf(const Until*);
 
-/// The table of the struct T; to be compared by its address.
+/// The field table of the struct T. Tables are compared by address.
 template <typename T>
 const Structure& tableOf() {
     return structureOf(static_cast<const T*>(nullptr));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Suggests the right name for a mistyped one.
+// Suggestions for mistyped names.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace keyblock {
 
-/// `text` between single quotes; at most 60 characters of it.
+/// `text` in single quotes, shortened to 60 bytes.
 std::string inQuotes(std::string_view text);
 
-/// The names, quoted, with commas between; at most twelve of them. `none` when there are none.
+/// The names in quotes, separated by commas; at most twelve are listed. `none` if the list is empty.
 std::string listed(const std::vector<std::string_view>& names);
 
-/// The name that `text` was probably meant to be: few letters differ. Empty when none is near.
+/// The name that was probably meant by `text`, i.e. one that differs in few letters; empty if there is none.
 std::string_view nearestName(std::string_view text, const std::vector<std::string_view>& names);
 
-/// A remedy: `Did you mean 'x'?` when a name is near, else what there is.
+/// Text of a remedy: `Did you mean 'x'?` if a name is similar, otherwise the list of names.
 std::string suggestion(std::string_view text, const std::vector<std::string_view>& names);
 
 }  // namespace keyblock

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Marks texts for the user in tables of the solver, which a window may translate.
+// Marks user-visible texts in tables of the solver, so that a user interface can translate them.
 #pragma once
 
 #include <string_view>
 
 namespace keyblock {
 
-/// The text itself. Qt's lupdate finds the marked texts by the name of this function (target `texts`); both arguments
-/// must be literals.
+/// Returns the text unchanged. Qt's lupdate (target `texts`) finds marked texts by the name of this function; both
+/// arguments must be string literals.
 constexpr std::string_view translatable(std::string_view /*context*/, std::string_view text) { return text; }
 
 }  // namespace keyblock
