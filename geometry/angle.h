@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Angles as the user types them. A quarter turn is exact, so a joint of dip 90 runs
-// along a vertical border and not 6e-17 away from it.
+// Angles in degrees, as the user enters them. Multiples of 90° are exact, so that a
+// joint with a dip of 90° is exactly parallel to a vertical boundary.
 #pragma once
 
 #include "geometry/point.h"
@@ -11,7 +11,7 @@ namespace keyblock {
 
 inline constexpr double radiansPerDegree = 0.017453292519943295;
 
-/// The unit vector `degrees` counter-clockwise from +x; exact at multiples of 90.
+/// Unit vector at an angle counter-clockwise from +x; exact at multiples of 90°. \param degrees angle [°]
 Point directionOf(double degrees);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs that draw polygons as fans of triangles paint a concave one over its
-// own outline. Convex pieces are handed to such programs instead.
+// Divides concave polygons into convex pieces, for programs that draw polygons as
+// triangle fans and would paint beyond the outline of a concave polygon.
 #pragma once
 
 #include "geometry/point.h"
@@ -12,10 +12,10 @@
 
 namespace keyblock {
 
-/// The convex pieces of a polygon as indices of its corners, each counter-clockwise: all corners where it is convex,
-/// else triangles. A corner that turns right by less than 1e-9 counts as straight. A polygon that crosses itself gets
-/// as many triangles, which then do not tile it.
-/// \pre counter-clockwise, three corners or more.
+/// The convex pieces of a polygon, as indices of its corners in counter-clockwise order: one piece if the polygon is
+/// convex, otherwise triangles. A corner that turns right by less than 1e-9 counts as straight. A polygon that crosses
+/// itself gives the same number of triangles, which then do not tile it.
+/// \pre the polygon runs counter-clockwise and has at least three corners.
 std::vector<std::vector<int>> convexPieces(std::span<const Point> polygon);
 
 }  // namespace keyblock

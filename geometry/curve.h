@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Curves of drawings as lines of points. Points lie on the curve, its ends are
-// kept as they were given, and no edge lies farther from the curve than the
+// Converts the curves of drawings to polylines. All points lie on the curve, its ends
+// are kept exactly, and the distance between an edge and the curve is at most the
 // requested sagitta.
 #pragma once
 
@@ -13,28 +13,30 @@
 
 namespace keyblock {
 
-/// Points of an ellipse c + cos t·p + sin t·q for t from `start` over `sweep` [rad], in either direction. Of a circle,
-/// p and q are normal to each other and as long. At least 32 edges to a full turn, at most 4096; `sagitta` > 0 [m].
+/// Points of the ellipse center + cos t·p + sin t·q for t from `start` to `start + sweep` [rad]; `sweep` may be negative.
+/// For a circle p and q are perpendicular and of equal length. A full ellipse has from 32 to 4096 edges.
+/// \param sagitta [m], above 0
 std::vector<Point> ellipsePoints(const Point& center, const Point& p, const Point& q, double start, double sweep,
                                  double sagitta);
 
-/// Points of the arc from a to b whose bulge is the tangent of a quarter of its angle: positive with the arc to the
-/// right of a→b, 0 straight, 1 a half circle. Edges as above.
+/// Points of a circular arc from a to b. The number of edges is limited as in `ellipsePoints`.
+/// \param bulge tangent of a quarter of the arc's angle; positive: to the right of a→b; 0: straight; 1: semicircle
+/// \param sagitta [m], above 0
 std::vector<Point> bulgePoints(const Point& a, const Point& b, double bulge, double sagitta);
 
 /// A rational B-spline.
 struct Spline {
     int degree = 3;
-    std::vector<double> knots;  // not falling; control.size() + degree + 1
-    std::vector<Point> control;  // [m]
-    std::vector<double> weights;  // as many as control points, all > 0; empty: 1
+    std::vector<double> knots;  // in non-decreasing order; control.size() + degree + 1 values
+    std::vector<Point> control;  // control points [m]
+    std::vector<double> weights;  // one per control point, all > 0; empty: all 1
 };
 
-/// What keeps a spline from being drawn, for people; empty when nothing does.
+/// Message about the first problem that prevents `splinePoints`; empty if the spline is valid.
 std::string splineProblem(const Spline& spline);
 
-/// Points of a spline: every span between knots is halved until its middle and quarters lie within `sagitta` [m] of the
-/// chord, twelve times at most. \pre splineProblem(spline) is empty.
+/// Points of a spline. Every knot span is bisected until its middle and quarter points lie within the sagitta of the
+/// chord, at most twelve times. \param sagitta [m] \pre splineProblem(spline) is empty.
 std::vector<Point> splinePoints(const Spline& spline, double sagitta);
 
 }  // namespace keyblock

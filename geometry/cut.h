@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cuts a section into blocks: closed domains, parted by the traces of joints and
-// by the outlines of tunnels. Which faces are adjacent is decided in exact
-// arithmetic; before it near-misses are closed, and after it slivers are merged,
-// and all changes are reported.
+// Cuts a section into blocks: closed domains are divided by joint traces and tunnel
+// outlines. The topology is computed in exact arithmetic. Before that, small gaps
+// between traces are closed; afterwards, slivers are merged. All changes are reported.
 //
-// The blocks depend on what was given alone: not on its order, nor on the way a
-// trace or an outline runs, nor on traces given twice.
+// The blocks do not depend on the order of the input, on the direction of traces and
+// outlines, or on repeated traces.
 #pragma once
 
 #include "geometry/point.h"
@@ -18,11 +17,11 @@
 
 namespace keyblock {
 
-/// The source of an edge that comes from the outline of a domain.
+/// Source of the edges on the outline of a domain.
 inline constexpr int borderSource = -1;
 
-/// A region that is cut. Outlines of several domains may touch but not overlap.
-/// \pre the outline does not cross itself; either direction.
+/// A region to be cut. The outlines of several domains may touch but should not overlap.
+/// \pre the outline does not cross itself; it may run clockwise or counter-clockwise.
 struct CutDomain {
     int id = 0;
     std::vector<Point> outline;  // [m]
@@ -31,73 +30,74 @@ struct CutDomain {
 /// A straight trace of a joint, or one edge of a closed outline such as a tunnel's.
 struct CutTrace {
     Point from{0.0, 0.0}, to{0.0, 0.0};  // [m]
-    int source = 0;  // 0 or more; several traces may have the same. Where traces coincide, the lower one wins.
+    int source = 0;  // 0 or more, shared by any number of traces; where traces coincide, the lower applies
 };
 
-/// Limits. An empty one takes a default relative to the scene: the longer side of the box of all domains, or the faces.
+/// Limits of the cut. The defaults are relative to the size (longer side of the bounding box of all domains) or to the
+/// mean face.
 struct CutSettings {
-    std::optional<double> tolerance;  // what is closer than this meets [m]; 1e-6 of the size
-    std::optional<double> minArea;  // smaller faces join a neighbour [m²]; 1e-3 of the mean face; 0 merges none
-    std::optional<double> minWidth;  // narrower faces do [m]; the larger of 1e-2 of the mean face's side and
-                                    // 10 tolerances; 0: none
-    bool keepStraight = false;  // keep vertices where edges go straight on: neighbours then share whole edges
+    std::optional<double> tolerance;  // [m]; points and lines closer than this are joined; default: 1e-6 of the size
+    std::optional<double> minArea;  // [m²]; smaller faces are merged; default: 1e-3 of the mean area; 0: none
+    std::optional<double> minWidth;  // [m]; narrower faces are merged; default: 1e-2 of the square root of the
+                                    // mean area, at least 10 tolerances; 0: none
+    bool keepStraight = false;  // keeps vertices on straight edges, so that neighbours share whole edges
 };
 
-/// A closed line of vertices, none twice, the first not repeated; starting with the lowest vertex.
+/// A closed ring of distinct vertices, starting with the lowest index; the first is not repeated at the end.
 struct CutRing {
     std::vector<int> vertices;  // indices into Cut::vertices
-    std::vector<int> sources;  // of the edge from vertex i to the next
+    std::vector<int> sources;  // source of the edge from vertex i to the next
 };
 
-/// Vertices at which an edge goes straight on with the same source are left out, so where a neighbour's edge ends on
-/// the edge of a block that block has no vertex (but see CutSettings::keepStraight). Corners that blocks share are the
-/// same vertex.
+/// A block. Vertices on a straight line between edges of the same source are omitted, so a block has no vertex where an
+/// edge of its neighbour ends on one of its own edges, unless CutSettings::keepStraight is set. A corner shared by
+/// several blocks is the same vertex in all of them.
 struct CutBlock {
-    int domain = 0;  // id
+    int domain = 0;  // id of the domain
     CutRing outer;  // counter-clockwise
-    std::vector<CutRing> holes;  // clockwise; a hole may touch another ring in a vertex
+    std::vector<CutRing> holes;  // clockwise; a hole may touch another ring at a vertex
     double area = 0.0;  // without the holes [m²]
-    double width = 0.0;  // 2·area / perimeter with that of the holes: of a long strip its width, half of a square's [m]
+    double width = 0.0;  // 2·area / perimeter, holes included [m]; of a long strip its width, of a square half its side
 };
 
 enum class CutNoteKind {
-    MergedTrace,  // a stretch lies on `other`, which has it; measure: its length [m]
-    MovedEnd,  // an end went to the vertex it was close to; measure: how far [m]
-    PulledEnd,  // an end was extended to a trace or border that it nearly reached; measure: how far it was away [m]
-    TrimmedEnd,  // a loose end bounds no block; measure: its length [m]
-    TrimmedStretch,  // as a loose end, but between places where the trace does bound blocks
-    DroppedShort,  // a trace no longer than the tolerance; measure: its length [m]
-    DroppedOutside,  // a trace without a part inside a domain; measure: its length [m]
-    DroppedLoose,  // a trace that bounds no block; measure: its length inside [m]
-    DroppedNotFinite,  // a trace or a domain with a coordinate that is not a number below 1e100; measure 0
-    DroppedDomain,  // a domain without an area; source: its id; measure 0
-    MergedSliver,  // a face under a limit joined a neighbour; source: of the longest edge between; measure: area [m²]
-    MergedUnsound,  // the same for a face that would cross itself once its corners are rounded
-    KeptSliver,  // a face under a limit without a neighbour in its domain; source: border; measure: area [m²]
+    MergedTrace,  // part of the trace coincides with `other` and was merged with it; measure: its length [m]
+    MovedEnd,  // an end was moved to a nearby vertex; measure: the distance [m]
+    PulledEnd,  // an end was extended to a trace or boundary that it nearly reached; measure: the gap [m]
+    TrimmedEnd,  // an end part bounds no block and was removed; measure: its length [m]
+    TrimmedStretch,  // an intermediate part bounds no block and was removed; measure: its length [m]
+    DroppedShort,  // the trace is too short for the tolerance; measure: its length [m]
+    DroppedOutside,  // no part of the trace lies inside a domain; measure: its length [m]
+    DroppedLoose,  // the trace bounds no block; measure: its length inside the domains [m]
+    DroppedNotFinite,  // a coordinate of the trace or domain is not a number below 1e100; measure: 0
+    DroppedDomain,  // the domain has no area; source: its id; measure: 0
+    MergedSliver,  // a face below a limit was merged; source: of the longest edge removed; measure: its area [m²]
+    MergedUnsound,  // as MergedSliver, for a face that would cross itself after rounding of its corners
+    KeptSliver,  // a face below a limit has no neighbour in its domain; source: border; measure: its area [m²]
 };
 
-/// Something that was changed or left out.
+/// A change or omission made by the cut.
 struct CutNote {
     CutNoteKind kind = CutNoteKind::MergedTrace;
     Point place{0.0, 0.0};  // [m]
     int source = borderSource;
-    int other = borderSource;  // the source it met, or was merged with
+    int other = borderSource;  // source of the trace or boundary that it was extended to or merged with
     double measure = 0.0;
 };
 
 struct Cut {
-    std::vector<Point> vertices;  // rising in x, then y; no two alike [m]
-    std::vector<CutBlock> blocks;  // by domain id, then by the places of the outer ring's corners
-    std::vector<CutNote> notes;  // by kind, place, source, other, measure
-    double tolerance = 0.0, minArea = 0.0, minWidth = 0.0;  // that were used [m, m², m]
+    std::vector<Point> vertices;  // distinct, in increasing order of x, then y [m]
+    std::vector<CutBlock> blocks;  // sorted by domain id, then by the corners of the outer ring
+    std::vector<CutNote> notes;  // sorted by kind, place, source, other, measure
+    double tolerance = 0.0, minArea = 0.0, minWidth = 0.0;  // limits that were used [m], [m²], [m]
 };
 
-/// Cuts domains by traces. The tolerance that is used is at least 64 units in the last place of the coordinates and at
-/// most a hundredth of the size. Traces are cut off at the border without a note. An outline that crosses itself
-/// counts as inside where it winds round an odd number of times; where domains overlap, the lower id has the part.
-/// Blocks tile their domains but for the rounding of corners, about 1e-15 of the size each, or the last place of the
-/// coordinates where that is coarser.
-/// \pre sources are 0 or more. Coordinates that are not finite are noted and left out.
+/// Cuts domains by traces. The tolerance used is at least 64 units in the last place of the coordinates and at most a
+/// hundredth of the size. Traces are trimmed at the boundary without a note. The interior of an outline that crosses
+/// itself follows from the even-odd rule; where domains overlap, the one with the lower id applies. Blocks tile their
+/// domains except for the rounding of corners, which is about 1e-15 of the size, or the last place of the coordinates
+/// if that is coarser. Traces and domains with coordinates that are not finite are noted and omitted.
+/// \pre sources are 0 or more.
 Cut cutIntoBlocks(std::span<const CutDomain> domains, std::span<const CutTrace> traces, const CutSettings& settings);
 
 }  // namespace keyblock

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Faces of a planar map put together into blocks: each knows its domain, and a
-// face that is too small joins the neighbour with which it shares most edge. An
-// edge with the same block on both sides bounds nothing; that is how loose ends
-// vanish as well.
+// Groups the faces of a planar map into blocks. Every face belongs to a domain, and a
+// face that is too small is merged with the neighbour with the longest common edge.
+// Edges with the same block on both sides bound nothing; this also removes loose ends.
 #pragma once
 
 #include "geometry/planar_map.h"
@@ -16,17 +15,17 @@ namespace keyblock {
 
 class FaceGroups {
 public:
-    /// Every face by itself. The map must outlive the groups.
+    /// Starts with one group per face. The map must outlive this object.
     explicit FaceGroups(const PlanarMap& map);
 
-    /// The group that a face is in: the lowest of its faces.
+    /// Group of a face, identified by the lowest index of the faces in it.
     int groupOf(int face) const;
-    /// Index of the domain that a face lies in, the lowest where domains overlap; −1 outside.
+    /// Index of the domain that contains a face, the lowest if domains overlap; −1: outside all domains.
     int domainOf(int face) const { return domain_[static_cast<std::size_t>(face)]; }
     double area(int group) const { return area_[static_cast<std::size_t>(group)]; }  // [m²]
     double width(int group) const;  // 2·area / perimeter [m]
 
-    /// True when a half-edge has another group on its other side.
+    /// True if the groups on the two sides of a half-edge differ.
     bool bounds(int halfEdge) const { return groupAt(halfEdge) != groupAt(halfEdge ^ 1); }
     int groupAt(int halfEdge) const { return groupOf(map_.halfEdges[static_cast<std::size_t>(halfEdge)].face); }
 
@@ -41,18 +40,19 @@ public:
         } while (face != group);
     }
 
-    /// An adjacent group of the same domain.
+    /// An adjacent group in the same domain.
     struct Neighbour {
         int group = -1;
-        double length = 0.0;  // of all edges between [m]
-        int edge = -1;  // the longest of them
+        double length = 0.0;  // total length of the common edges [m]
+        int edge = -1;  // longest common edge
     };
     std::vector<Neighbour> neighbours(int group) const;
 
-    /// The neighbour with the longest common edge; of several the larger, then the first. None without neighbours.
+    /// The neighbour with the greatest common length. Of several, the one with the larger area, then the first; none if the
+    /// group has no neighbours.
     std::optional<Neighbour> longestNeighbour(int group) const;
 
-    /// Puts a group and its neighbour together. \return the new group.
+    /// Merges a group with its neighbour. \return the merged group
     int join(int group, const Neighbour& neighbour);
 
 private:
@@ -66,20 +66,23 @@ private:
 
     const PlanarMap& map_;
     mutable std::vector<int> parent_;
-    std::vector<int> nextFace_;  // round the faces of a group
+    std::vector<int> nextFace_;  // next face of the same group, in a cycle
     std::vector<int> domain_;
-    std::vector<int> ofFaces_, start_;  // half-edges face by face
+    std::vector<int> ofFaces_, start_;  // half-edges of face f: ofFaces_[start_[f]] to ofFaces_[start_[f + 1] − 1]
     std::vector<double> area_, perimeter_;
 };
 
-/// A group that was under a limit.
+/// A group that was below a limit.
 struct Sliver {
-    int edge = -1;  // the longest of those that vanished, −1 where there was no neighbour
-    int halfEdge = -1;  // one of the group
+    int edge = -1;  // longest edge that was removed; −1: no neighbour, not merged
+    int halfEdge = -1;  // a half-edge of the group
     double area = 0.0;  // [m²]
 };
 
-/// Joins groups under a limit to neighbours, the smallest first, until none is left that has a neighbour.
+/// Merges groups below a limit with neighbours, the smallest first, until no group below a limit has a neighbour.
+/// \param faces number of faces of the map
+/// \param minArea [m²]
+/// \param minWidth [m]
 std::vector<Sliver> joinSlivers(FaceGroups& groups, int faces, double minArea, double minWidth);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The outlines of groups of faces: closed lines of vertices without loose ends,
-// pinches or needless corners. Corners are rounded by now, and rounding may turn
-// a face inside out; so every outline is checked again in its final form.
+// The outlines of groups of faces: closed rings of vertices without loose ends,
+// repeated vertices or redundant corners. Rounding of the corners may have turned a
+// face inside out, so every outline is checked again in its final form.
 #pragma once
 
 #include "geometry/cut.h"
@@ -15,26 +15,28 @@
 
 namespace keyblock {
 
-/// Outlines with indices of vertices of the map.
+/// Outlines of one block; the rings refer to vertices of the map.
 struct TracedBlock {
     CutRing outer;
     std::vector<CutRing> holes;
     double area = 0.0;  // without the holes [m²]
-    double perimeter = 0.0;  // with that of the holes [m]
+    double perimeter = 0.0;  // including the holes [m]
 };
 
-/// A group is one block; none where rounding leaves nothing of it, several where it parts it at a vertex.
+/// Blocks of one group: usually one; none if rounding reduces the group to nothing; several if rounding splits it at a
+/// vertex.
 struct TracedGroup {
     std::vector<TracedBlock> blocks;
-    bool sound = false;  // edges of a block meet at most at common vertices, holes lie inside
+    bool sound = false;  // edges of a block meet only at common vertices, and holes lie inside it
 };
 
 class RingTracer {
 public:
-    /// `sources` of the owners that the map's marks name. Within `straight` [m] of the chord a vertex between edges of
-    /// the same source goes; between edges of the same owner it always does; negative: all stay. All three must outlive
-    /// the tracer.
-    /// \pre the map's points rise in x, then y, and no two are alike.
+    /// `map`, `groups` and `sources` must outlive the tracer.
+    /// \param sources source of each owner in the marks of the map
+    /// \param straight [m] vertices between edges of the same source are removed within this distance of the chord;
+    /// negative: none are removed
+    /// \pre the points of the map are distinct and in increasing order of x, then y.
     RingTracer(const PlanarMap& map, const FaceGroups& groups, std::span<const int> sources, double straight);
 
     TracedGroup trace(int group);
@@ -42,7 +44,7 @@ public:
 private:
     struct Corner {
         int vertex = 0;
-        int owner = 0;  // of the edge that leaves
+        int owner = 0;  // owner of the edge to the next corner
     };
     using Loop = std::vector<Corner>;
 
@@ -61,10 +63,10 @@ private:
     const FaceGroups& groups_;
     std::span<const int> sources_;
     double straight_;
-    std::vector<int> walked_;  // the number of the walk that came over a half-edge
+    std::vector<int> walked_;  // per half-edge: number of the last walk that visited it
     int walks_ = 0;
-    std::vector<int> place_;  // of a vertex in the line that is being walked, −1 elsewhere
-    std::vector<int> uses_;  // by the loops of the group, of vertices
+    std::vector<int> place_;  // per vertex: position in the current line; −1: not in it
+    std::vector<int> uses_;  // per vertex: number of times that the loops of the group use it
     Loop line_;
     std::vector<Loop> loops_;
 };

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which boxes come near each other, in time proportional to their number. Every
-// box lies in one cell of a uniform grid whose cells are about its own size, so a
-// base slab among pebbles costs no more than another pebble.
+// Finds the pairs of boxes that meet, in time proportional to their number. Each box is
+// stored in a uniform grid whose cell size is about its own size, so that a large slab
+// among small blocks costs no more than another small block.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -20,7 +20,7 @@ public:
     /// \pre all coordinates are finite.
     explicit BoxGrid(std::vector<Box> boxes);
 
-    /// All pairs i < j of boxes that meet, sorted: the same for the same boxes, always.
+    /// All pairs i < j of boxes that meet, sorted.
     std::vector<std::pair<int, int>> meetingPairs() const;
 
     /// The boxes that meet `box`, sorted.
@@ -31,14 +31,14 @@ public:
 
 private:
     struct Entry {
-        std::int64_t row = 0;  // of the cell that holds the lower left corner of the box
+        std::int64_t row = 0;  // of the cell with the lower left corner of the box
         std::int64_t column = 0;
         int box = 0;
     };
-    /// Boxes larger than half a cell and at most as large as one.
+    /// The boxes larger than half a cell and not larger than a cell, for one cell size.
     struct Level {
         double cell = 0.0;  // [m]
-        std::vector<Entry> entries;  // by row, column, box
+        std::vector<Entry> entries;  // sorted by row, column, box
     };
 
     template <class Visit>
@@ -49,7 +49,7 @@ private:
 
     std::vector<Box> boxes_;
     Point origin_{0.0, 0.0};
-    std::vector<Level> levels_;  // from fine to coarse
+    std::vector<Level> levels_;  // in increasing order of cell size
 };
 
 }  // namespace keyblock

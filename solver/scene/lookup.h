@@ -25,8 +25,8 @@ double sceneSize(const Scene& scene);
 /// the resolution of doubles at the scene's distance from the origin.
 double geometricTolerance(const Scene& scene);
 
-/// Index of the block with `place` in its interior; −1 if there is none, also if `place` lies on a block boundary within
-/// the geometric tolerance.
+/// Index of the block with `place` in its interior; −1 if there is none. Points within the geometric tolerance of a
+/// block's boundary are not in its interior.
 int blockAt(const Scene& scene, const Point& place);
 
 /// Like the overload above, with a given tolerance [m]; faster for many points.

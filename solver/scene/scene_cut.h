@@ -19,8 +19,8 @@ namespace keyblock {
 /// Result of cutting a scene.
 struct SceneCut {
     /// The scene with the cut blocks and the bolts of patterns appended to its own, without domain, joints, joint sets
-    /// and Voronoi cells. Cut blocks are in the order of geometry/cut.h and have no names, so they are displayed as b and
-    /// their number among all blocks. Tunnels and patterns remain, since blocks and bolts refer to them.
+    /// and Voronoi cells. Cut blocks are in the order of geometry/cut.h and have no names, so they are displayed as `b`
+    /// followed by their number among all blocks. Tunnels and patterns remain, since blocks and bolts refer to them.
     Scene scene;
     int blocks = 0;  // number of blocks from the cut, without those in open tunnels
     int vertices = 0;  // number of distinct vertices of these blocks
@@ -36,9 +36,9 @@ struct SceneCut {
 /// True if the scene has a domain, or bolt patterns that have not been laid out.
 bool needsCut(const Scene& scene);
 
-/// Cuts the domain and lays out the bolt patterns; a scene that needs neither is returned unchanged. The result does not
-/// depend on the order of joints, joint sets and tunnels, except where their traces coincide: the first then gives the
-/// face its joint material.
+/// Cuts the domain and lays out the bolt patterns; a scene that needs neither is returned unchanged. The result does
+/// not depend on the order of joints, joint sets and tunnels, except where their traces coincide: there the first one
+/// determines the joint material of the face.
 /// \param stop if it becomes true, the cut ends early and its result must not be used; null: never
 /// \pre the scene was checked without errors.
 SceneCut cutScene(const Scene& scene, const std::atomic<bool>* stop = nullptr);
