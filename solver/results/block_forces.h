@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every single force on the blocks of a frame, so that the balance of a block can be
+// Every single force on the blocks of a frame, so that the equilibrium of a block can be
 // checked by adding them up.
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace keyblock {
 
-/// All forces on the blocks of a frame, block by block, those of one block in the order of `ForceSource`; none of blocks
-/// that are not there. Empty where the frame has kept none.
+/// All forces on the blocks of a frame, sorted by block and then in the order of `ForceSource`. Inactive (excavated or
+/// removed) blocks have none. Empty if the frame stores no forces.
 std::vector<BlockForce> blockForces(const Frame& frame);
 
-/// Moment about `centre` of a force that acts at `at`, counter-clockwise positive [N m].
+/// Moment about `centre` of a force acting at the point `at`, counter-clockwise positive [N m].
 double momentAbout(const Point& centre, const Point& at, const Point& force);
 
 }  // namespace keyblock

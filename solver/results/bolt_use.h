@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a designer needs of every bolt of a run: its largest forces, how much of its
-// strengths they use, which of them governs, and which rock it holds.
+// Design data for every bolt of a run: its largest forces, the utilisation of its
+// strengths, the strength that governs, and the blocks that it supports.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -16,17 +16,17 @@
 
 namespace keyblock {
 
-/// The strengths of a bolt, in the order in which answers list them.
+/// The strengths of a bolt, in the order in which they are listed in the output.
 enum class BoltStrength { Steel, Shear, Bond, Plate };
 
 struct BoltStrengthRow {
     BoltStrength strength;
-    std::string_view key;  // in answers
-    std::string_view title;  // as users read it
+    std::string_view key;  // in JSON output
+    std::string_view title;  // for display
     BoltPeak BoltExtremes::*use;
 };
 
-/// In the order of `BoltStrength`.
+/// All strengths, in the order of `BoltStrength`.
 inline constexpr std::array boltStrengths{
     BoltStrengthRow{BoltStrength::Steel, "steel", "Steel", &BoltExtremes::steel},
     BoltStrengthRow{BoltStrength::Shear, "shear", "Shear", &BoltExtremes::shear},
@@ -40,26 +40,26 @@ constexpr const BoltStrengthRow& rowOf(BoltStrength strength) {
 struct BoltUse {
     int bolt = -1;
     BoltExtremes extremes;
-    /// Highest use over the run, in the order of `BoltStrength`; none: no such strength, or never installed.
+    /// Highest utilisation over the run, in the order of `BoltStrength`; none if the bolt has no such strength.
     std::array<std::optional<double>, boltStrengths.size()> use;
-    std::optional<BoltStrength> governs;  // the one used most; none: nothing limits the bolt, or it carried no force
-    /// First rows of the blocks that the bolt passed when it was installed, from its head on, without the block that
-    /// holds its far end.
+    std::optional<BoltStrength> governs;  // highest utilisation; none if the bolt has no strength or carried no force
+    /// First rows of the blocks that the bolt crossed when it was installed, starting at its head, without the block
+    /// that contains its far end.
     std::vector<int> holds;
 
     double highest() const { return governs ? *use[static_cast<std::size_t>(*governs)] : 0.0; }
 };
 
-/// Without the blocks that it holds.
+/// Utilisation of a bolt; `holds` is left empty.
 BoltUse boltUse(int bolt, const BoltExtremes& extremes);
 
-/// The strength that governs, as in "bond used to 87 %"; empty where none does.
+/// The governing strength and its utilisation, as in "bond used to 87 %"; empty if none governs.
 std::string useText(const BoltUse& use);
 
-/// Nodes of every bolt as it was first seen, when it was installed; none of a bolt that no stage so far has installed.
+/// Nodes of every bolt in the first frame after its installation; empty for a bolt that has not been installed yet.
 std::vector<std::vector<BoltNodeFrame>> boltsAsInstalled(const RunSource& run);
 
-/// A row per bolt of the scene; none of a run without frames or of a store without extremes.
+/// One row per bolt of the scene; empty for a run without frames or a store without bolt extremes.
 std::vector<BoltUse> boltUses(const RunSource& run);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What led to what: one event that the load brought about, and all that followed
-// from it at the same load, each set over by the release of another.
+// Chains of events: one event caused by the load, and all events that followed from
+// it at the same load, each caused by the release of an earlier one.
 #pragma once
 
 #include "solver/results/results.h"
@@ -13,8 +13,8 @@
 
 namespace keyblock {
 
-/// Numbers of events, each list beginning with one that no event caused and going on with those that it caused,
-/// straight or through others, in their order. Events that led to nothing and came of nothing are in no list.
+/// Chains of event indices. Each begins with an event caused by no other and continues with the events that it caused,
+/// directly or indirectly, in their order. Isolated events are left out.
 std::vector<std::vector<std::size_t>> causeChains(std::span<const Event> events);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Comma-separated values as RFC 4180 has them, with `.` decimals and 17
-// significant digits in every locale, so that a table read back gives
+// Comma-separated values according to RFC 4180, with a decimal point and 17
+// significant digits in every locale, so that reading a table back gives
 // the same doubles.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// `value` with 17 significant digits, which read back as the same double; `nan`, `inf`, `-inf`.
+/// `value` with 17 significant digits, enough to read back the same double; otherwise `nan`, `inf` or `-inf`.
 std::string exactText(double value);
 
 /// Writes a table cell by cell; rows end with a line feed.
@@ -20,11 +20,11 @@ class CsvWriter {
 public:
     explicit CsvWriter(std::ostream& out) : out_(out) {}
 
-    /// A text, quoted when it holds a comma, a quote or a line break.
+    /// Writes a text, quoted if it contains a comma, a quote or a line break.
     CsvWriter& text(std::string_view value);
     CsvWriter& number(double value);
     CsvWriter& integer(long value);
-    /// An index that −1 marks as not applying: then an empty cell.
+    /// Writes an index, or an empty cell for −1 (does not apply).
     CsvWriter& index(int value);
     void endRow();
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How many events of each kind and group there were: the numbers and words of the
-// window's timeline, of `info` and of figures.
+// Number of events of each kind and group, with the texts shown in the window's
+// timeline, in `info` and in figures.
 #pragma once
 
 #include "solver/results/results.h"
@@ -25,13 +25,13 @@ public:
     long of(EventKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
     long of(EventGroup group) const;
 
-    /// "984 joint slips"; empty where there were none.
+    /// "984 joint slips"; empty if there were none.
     std::string kindText(EventKind kind) const;
 
-    /// "984 joint slips, 208 joint openings": the kinds of a group that there were; empty where there were none.
+    /// The kinds of a group that occurred, as in "984 joint slips, 208 joint openings"; empty if there were none.
     std::string kindsText(EventGroup group) const;
 
-    /// "1192 slip (984 joint slips, 208 joint openings), 56 debondings"; empty where there were none.
+    /// "1192 slip (984 joint slips, 208 joint openings), 56 debondings"; empty if there were no events.
     std::string text() const;
 
     bool operator==(const EventCounts&) const = default;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The one table of what can be read off a frame: a row gives a number of a block,
-// a contact or a node of a bolt its name, its column in the tables and the way
-// figures show it. A new quantity is one row, and tables and figures have it. Rows of
-// bolts take all but the reading from solver/scene/bolt_quantities.
+// The one table of the quantities that can be read from a frame. Each row gives a
+// quantity of a block, contact or bolt node its name, its column in the tables and
+// its display in figures; adding a row adds the quantity to tables and figures. Rows
+// for bolts define only how the value is read; solver/scene/bolt_quantities has the rest.
 #pragma once
 
 #include "solver/results/results.h"
@@ -18,31 +18,31 @@
 
 namespace keyblock {
 
-/// How people are shown a number: title, unit, and what a positive one means.
+/// How a quantity is displayed: title, unit and sign convention.
 struct QuantityDisplay {
     std::string_view title;  // Block stress σ₁
     std::string_view unit;  // MPa
-    double factor = 1.0;  // shown = factor · SI; negative where the shown sign is the other one
-    std::string_view convention;  // of what is shown: compression +
-    bool isSigned = false;  // both signs are alike, and 0 is the middle of the colours
+    double factor = 1.0;  // displayed value = factor · SI value; negative if the displayed sign is reversed
+    std::string_view convention;  // sign convention of the displayed value: compression +
+    bool isSigned = false;  // both signs occur, so the colour scale is centred on 0
 };
 
-/// A number of a row of a frame.
+/// Numerical quantity that can be read from each row (block, contact, bolt node or energy) of a frame.
 template <typename Row>
 struct FrameQuantity {
-    std::string_view name;  // as the user requests it: sigma1
-    std::string_view column;  // in tables, with its SI unit: sigma1_compressive_Pa
+    std::string_view name;  // name by which the user requests it: sigma1
+    std::string_view column;  // column name in tables, with its SI unit: sigma1_compressive_Pa
     double (*value)(const Row&);  // SI
     QuantityDisplay display;
 };
 
-// Each list in the order of the table's columns.
+// Each list is in the order of the columns of its table.
 std::span<const FrameQuantity<BlockState>> blockQuantities();
 std::span<const FrameQuantity<ContactFrame>> contactQuantities();
 std::span<const FrameQuantity<BoltNodeFrame>> boltQuantities();
 std::span<const FrameQuantity<Energy>> energyQuantities();
 
-/// The row of that name; null when there is none.
+/// The quantity with this name; null if there is none.
 template <typename Row>
 const FrameQuantity<Row>* findQuantity(std::span<const FrameQuantity<Row>> rows, std::string_view name) {
     for (const FrameQuantity<Row>& row : rows)
@@ -50,13 +50,13 @@ const FrameQuantity<Row>* findQuantity(std::span<const FrameQuantity<Row>> rows,
     return nullptr;
 }
 
-/// The row of a bolt quantity; null of one that frames do not keep along the bolt.
+/// The row for a bolt quantity; null if frames do not store it along the bolt.
 const FrameQuantity<BoltNodeFrame>* findQuantity(BoltQuantity quantity);
 
-/// What the quantity is. \pre one of `boltQuantities()`.
+/// The description of a bolt quantity. \pre `quantity` is an element of `boltQuantities()`.
 const BoltQuantityRow& rowOf(const FrameQuantity<BoltNodeFrame>& quantity);
 
-/// The names in the list, with commas between.
+/// Comma-separated names of the quantities in the list.
 template <typename Row>
 std::string namesOf(std::span<const FrameQuantity<Row>> rows) {
     std::string names;
@@ -64,7 +64,7 @@ std::string namesOf(std::span<const FrameQuantity<Row>> rows) {
     return names;
 }
 
-/// A quantity of bolts whose largest value over the run is kept.
+/// A bolt quantity whose largest value over the run is recorded.
 struct BoltPeakRow {
     BoltQuantity quantity;
     BoltPeak BoltExtremes::*peak;
@@ -74,25 +74,25 @@ inline constexpr std::array boltPeakRows{BoltPeakRow{BoltQuantity::AxialForce, &
                                          BoltPeakRow{BoltQuantity::ShearForce, &BoltExtremes::shearForce},
                                          BoltPeakRow{BoltQuantity::Moment, &BoltExtremes::moment}};
 
-/// The largest value of a quantity of bolts over the run until a frame; null where none is kept.
+/// Largest value of a bolt quantity from the start of the run to a frame; null if none is recorded for this quantity.
 const BoltPeak* peakOf(const BoltExtremes& extremes, std::string_view quantity);
 
-/// The extreme of a quantity of blocks over the run until a frame; null where none is kept.
+/// Extreme value of a block quantity from the start of the run to a frame; null if none is recorded for this quantity.
 const BlockPeak* peakOf(const BlockExtremes& extremes, std::string_view quantity);
 
-/// Force with which block b pushes block a [N]; −1 times that is the force on b.
+/// Contact force on block a [N]; block b gets the opposite force.
 Point forceOnA(const ContactFrame& contact);
 
-/// Principal stresses in the plane, compression positive.
+/// In-plane principal stresses, compression positive.
 struct PrincipalStress {
     double major = 0.0, minor = 0.0;  // σ₁ ≥ σ₃ [Pa]
-    Point direction{1.0, 0.0};  // of σ₁, a unit vector; along x where both are equal
+    Point direction{1.0, 0.0};  // unit vector in the direction of σ₁; along x if both stresses are equal
 };
 
-/// σ₁ and σ₃ of sxx, syy, sxy [Pa], which are positive in tension; σ₁ and σ₃ are positive in compression.
+/// σ₁ and σ₃ [Pa], compression positive. \param stress sxx, syy, sxy [Pa], tension positive.
 std::pair<double, double> principalValues(const std::array<double, 3>& stress);
 
-/// The same with the direction of σ₁.
+/// Principal stresses and the direction of σ₁. \param stress sxx, syy, sxy [Pa], tension positive.
 PrincipalStress principalStress(const std::array<double, 3>& stress);
 
 }  // namespace keyblock

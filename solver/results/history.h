@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the values of a history row are, derived from the scene alone: all code that fills a
-// row, prints it or reads a quantity from it uses this.
+// The columns of a history row, derived from the scene alone. All code that fills a
+// row, prints it or reads a quantity from it uses them.
 #pragma once
 
 #include "solver/results/results.h"
@@ -10,11 +10,11 @@
 
 namespace keyblock {
 
-/// Names every value of a history row: the monitors' as the history table prints them, then one for each
-/// quantity of every bolt.
+/// Names of all values of a history row: first those of the monitors, as printed in the history table, then one for
+/// each quantity of every bolt.
 HistoryColumns historyColumns(const Scene& scene);
 
-/// Position in a history row of what a quantity reads.
+/// Column of a history row from which a quantity of this subject is read.
 int historyColumn(const Scene& scene, const Subject& subject);
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers that a scene requests, read from the results of its run.
+// Quantities requested by a scene, read from the results of its run.
 #pragma once
 
 #include "solver/results/results.h"
@@ -14,33 +14,33 @@
 
 namespace keyblock {
 
-/// A number, or why there is none.
+/// A number, or the reason why there is none.
 struct Measurement {
     std::optional<double> value;  // SI
     std::string problem;
 };
 
-/// Reads a quantity from the history [rows in order of time, columns of `historyColumns(scene)`] and the events.
-/// No row, no number in the column, or no such event: a problem.
+/// Reads a quantity from the history and the events. The result is a problem if there is no history row, no number in
+/// the column or no such event. \param history rows in order of time, with the columns of `historyColumns(scene)`.
 Measurement measure(const Quantity& quantity, const Scene& scene, std::span<const HistoryRow> history,
                     std::span<const Event> events);
 
-/// The same for a text as in `quantities`; a text that does not fit the scene is a problem.
+/// Reads a quantity given as text, as in `quantities`; the result is a problem if the text does not fit the scene.
 Measurement measure(std::string_view text, const Scene& scene, std::span<const HistoryRow> history,
                     std::span<const Event> events);
 
-/// The same for a run kept in memory.
+/// Reads a quantity given as text, as in `quantities`, from a run kept in memory.
 Measurement measure(std::string_view text, const Scene& scene, const Results& results);
 
-/// A measured number and the one that the scene expects.
+/// Comparison of a measured value with the value expected by the scene.
 struct MeasuredComparison {
     Expected expected;
     Measurement measured;
-    double deviation = 0.0;  // relative to the expected value; absolute where that is 0
-    bool within = false;  // of the tolerance; false where nothing was measured
+    double deviation = 0.0;  // relative to the expected value; absolute if that is 0
+    bool within = false;  // deviation is within the tolerance; false if nothing was measured
 };
 
-/// Compares one of `about.expected` with what the run gave.
+/// Compares one entry of `about.expected` with the results of the run.
 MeasuredComparison compare(const Expected& expected, const Scene& scene, std::span<const HistoryRow> history,
                    std::span<const Event> events);
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What others measured or published, to be compared with a run: columns of numbers in
-// SI, each with the kind of measure that its unit says, so that a load in kN meets
-// the forces of the run and never its displacements.
+// Measured or published data to compare with a run: columns of numbers in SI units,
+// each with its dimension (force, length, …) taken from its unit, so that a load in
+// kN is compared with the forces of the run and never with its displacements.
 #pragma once
 
 #include "solver/scene/units.h"
@@ -19,45 +19,46 @@ namespace keyblock {
 enum class Measure { Number, Time, Length, Force, Moment, Energy };
 
 struct MeasureUnit {
-    Measure measure = Measure::Number;  // which tells an energy from a moment
+    Measure measure = Measure::Number;  // distinguishes an energy from a moment, which have the same unit
     Unit unit{};
 };
 
-/// The unit of that name, `kN`, `N m` or `mm/m`, in either case; none if the tables of references have no such unit.
+/// The unit with this name, e.g. `kN`, `N m` or `mm/m`, in upper or lower case; none if reference tables do not support
+/// such a unit.
 std::optional<MeasureUnit> measureUnitOf(std::string_view word);
 
-/// The units' names, for people.
+/// Comma-separated names of the supported units, for messages.
 std::string measureUnitWords();
 
-/// `force`, `length`, …, for people.
+/// `force`, `length`, …, for messages.
 std::string_view wordOf(Measure measure);
 
-/// A name for comparing: in lower case, and `_`, `-`, `.` and blanks are all one blank.
+/// Normalises a name for comparison: lower case, with each run of `_`, `-`, `.` and blanks replaced by one blank.
 std::string plainName(std::string_view name);
 
 struct Title {
     std::string name;  // `load`
-    std::string unit;  // `kN`; empty: it says none
+    std::string unit;  // `kN`; empty if the title gives none
 };
 
-/// Parts a title as tables and charts write them: `load_kN`, `Load (kN)`, `load [kN]`, `load kN`.
+/// Splits a title into name and unit: `load_kN`, `Load (kN)`, `load [kN]` or `load kN`.
 Title partedTitle(std::string_view title);
 
 struct ReferenceColumn {
-    std::string title;  // as it was written
-    std::string name;  // without the unit
+    std::string title;  // as written in the file
+    std::string name;  // the title without the unit
     Measure measure = Measure::Number;
-    std::vector<double> values{};  // by row [SI]; NaN where the cell is empty
+    std::vector<double> values{};  // one per row [SI]; NaN for an empty cell
 };
 
 struct ReferenceTable {
-    std::string file;  // for messages
-    std::string name;  // for people: the file's without its ending
-    std::vector<std::string> stages{};  // by row, of a column of that name; empty: none
+    std::string file;  // file name for messages
+    std::string name;  // display name: the file name without its extension
+    std::vector<std::string> stages{};  // one per row, from the column named `stage`; empty without such a column
     std::vector<ReferenceColumn> columns{};
 };
 
-/// Writes the table as `reference_file` reads it: SI units in the column names.
+/// Writes the table in the form that `readReferenceTable` reads, with SI units in the column names.
 void writeReferenceTable(const ReferenceTable& table, std::ostream& out);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The words that tables, stores and answers use for kinds, outcomes and states,
-// each in one place and readable both ways.
+// The words used in tables, stores and JSON output for event kinds, outcomes and
+// states, and the conversion back from some of these words.
 #pragma once
 
 #include "solver/results/results.h"
@@ -15,7 +15,7 @@
 namespace keyblock {
 
 std::string_view wordOf(EventKind kind);  // joint-slip … collapse
-std::string_view wordOf(Outcome outcome);  // equilibrium, duration, limit, collapse, stopped, failed, displaced, undecided
+std::string_view wordOf(Outcome outcome);  // equilibrium, duration, limit, collapse, stopped, failed, …
 std::string_view wordOf(Movement mode);  // slides, falls, topples, follows
 std::string_view wordOf(NodeState state);  // bonded, slipping, gone, free
 std::string_view wordOf(ContactState state);  // open, sliding, locked, bonded
@@ -23,22 +23,23 @@ std::string_view wordOf(ForceSource source);  // weight, contact, bolt, support,
 std::string_view wordOf(StageKind kind);  // static, dynamic
 std::string_view anchorWord(bool real);  // real, artificial
 
-/// The kind of that word; nothing when there is none.
+/// The event kind for this word; none if there is no such kind.
 std::optional<EventKind> eventKindOf(std::string_view word);
 
-/// The outcome of that word; nothing when there is none.
+/// The outcome for this word; none if there is no such outcome.
 std::optional<Outcome> outcomeOf(std::string_view word);
 
-/// The name at a row of the solved blocks; empty for an index that is not of a block.
+/// Name of a solved block, given its row; empty if the index does not refer to a block.
 std::string blockName(const std::vector<std::string>& names, int block);
 
-/// The bolt's name; empty for an index that is not of a bolt.
+/// Name of a bolt; empty if the index does not refer to a bolt.
 std::string boltName(const Scene& scene, int bolt);
 
-/// The stage's name; empty for an index that is not of a stage.
+/// Name of a stage; empty if the index does not refer to a stage.
 std::string stageName(const Scene& scene, int stage);
 
-/// The name with the word before it, said once: "stage release", "stage 4"; empty for an index that is not of a stage.
+/// Name of a stage preceded by the word "stage", which is not repeated: "stage release", "stage 4"; empty if the index
+/// does not refer to a stage.
 std::string stageTitle(const Scene& scene, int stage);
 
 }  // namespace keyblock

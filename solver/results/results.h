@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run produces, as plain values: events, frames, history rows, energies
+// The results of a run as plain values: events, frames, history rows, energies
 // and solver diagnostics. Every table, store and figure is made from
-// these; the engine fills them and keeps no copy. SI units throughout.
+// these; the engine fills them in and keeps no copy. SI units throughout.
 #pragma once
 
 #include "geometry/point.h"
@@ -16,24 +16,24 @@
 
 namespace keyblock {
 
-/// A failure. Forces are those just before the release; −1 marks an index that does not apply.
+/// A failure or other discrete event. Forces are those just before the event; −1 marks an index that does not apply.
 struct Event {
     int stage = 0;
     double time = 0.0;  // [s], or pseudo-time 0 … 1
     long step = 0;
     EventKind kind = EventKind::Debonding;
     int bolt = -1;
-    int node = -1;  // from 0 at the far end
-    int element = -1;  // from 0 at the far end
+    int node = -1;  // counted from 0 at the far end
+    int element = -1;  // counted from 0 at the far end
     int block = -1;
     int otherBlock = -1;  // the second block of a joint event
     Point position{0.0, 0.0};  // [m]
-    double axialForce = 0.0;  // [N] tension positive; of a node: the larger |N| of the adjacent elements
+    double axialForce = 0.0;  // [N] tension positive; at a node: that of the adjacent element with the larger |N|
     double shearForce = 0.0;  // [N]
-    double anchorForce = 0.0;  // [N] positive when the rock pulls the bolt towards its head
-    double slip = 0.0;  // [m] rock minus bolt along the axis
-    long historyRow = -1;  // the history row just before it, from 0; the sink that keeps both counts; −1: none
-    long cause = -1;  // the event of the run, from 0, whose release set this one over; −1: the load itself did
+    double anchorForce = 0.0;  // [N] positive if the rock pulls the bolt towards its head
+    double slip = 0.0;  // [m] rock displacement minus bolt displacement along the axis
+    long historyRow = -1;  // index of the history row just before the event, set by the sink; −1: none
+    long cause = -1;  // index of the event whose release triggered this one; −1: triggered by the load
 
     bool operator==(const Event&) const = default;
 };
@@ -41,12 +41,12 @@ struct Event {
 struct BlockState {
     Point centroid{0.0, 0.0};  // [m]
     Point displacement{0.0, 0.0};  // [m] since the start or the last `zero_displacements`
-    double rotation = 0.0;  // [rad] likewise
+    double rotation = 0.0;  // [rad] since the start or the last `zero_displacements`
     std::array<double, 3> stress{};  // sxx, syy, sxy [Pa], global axes, tension positive
     Point velocity{0.0, 0.0};  // [m/s]
-    double area = 0.0;  // [m²]; 0 of a block that is not there, with nothing else stored of it
+    double area = 0.0;  // [m²]; 0 for an inactive (excavated or removed) block, of which nothing else is stored
     double weight = 0.0;  // [N]
-    std::vector<Point> points;  // the corners where they are now [m]
+    std::vector<Point> points;  // current positions of the corners [m]
 
     bool operator==(const BlockState&) const = default;
 };
@@ -54,15 +54,15 @@ struct BlockState {
 enum class ContactState { Open, Sliding, Locked, Bonded };
 
 struct ContactFrame {
-    int blockA = -1;  // holds the corner
-    int blockB = -1;  // holds the edge
+    int blockA = -1;  // block with the corner
+    int blockB = -1;  // block with the edge
     int jointMaterial = -1;  // index into the scene's joint materials, `builtInJoint` or `intactJoint`
     Point position{0.0, 0.0};  // [m]
-    Point normal{0.0, 0.0};  // unit vector in which compression pushes block a: outward from b's edge as it lies now
+    Point normal{0.0, 0.0};  // current outward unit normal of block b's edge; compression pushes block a along it
     ContactState state = ContactState::Open;
     double normalForce = 0.0;  // [N] compression positive
-    double shearForce = 0.0;  // [N] positive where it pushes block a to the right of `normal`
-    double penetration = 0.0;  // [m] positive when the corner is inside
+    double shearForce = 0.0;  // [N] positive if it pushes block a to the right of `normal`
+    double penetration = 0.0;  // [m] positive if the corner is inside block b
     double slip = 0.0;  // [m]
 
     bool operator==(const ContactFrame&) const = default;
@@ -70,59 +70,59 @@ struct ContactFrame {
 
 enum class NodeState { Bonded, Slipping, Gone, Free };
 
-/// One node of a bolt; the element's forces are those of the element that starts here,
-/// the last node's are the plate's (axial force: its normal force, shear force: its shear).
+/// A node of a bolt. Axial and shear force are those of the element that starts at the node;
+/// at the last node they are the normal and shear force of the face plate.
 struct BoltNodeFrame {
     double s = 0.0;  // [m] from the far end, unstrained
     Point position{0.0, 0.0};  // [m]
-    int block = -1;  // −1: in a gap, on a joint or outside
-    bool real = false;  // real or artificial anchor
+    int block = -1;  // block that contains the node; −1: in a gap, on a joint or outside the rock
+    bool real = false;  // true: real anchor; false: artificial anchor
     NodeState state = NodeState::Free;
     double axialForce = 0.0;  // [N]
     double shearForce = 0.0;  // [N]
     double moment = 0.0;  // [N m] at the node
     double anchorForce = 0.0;  // [N]
     double slip = 0.0;  // [m]
-    double bondStrength = 0.0;  // [N] at which its bond fails, as embedded and clamped now; 0: none, or no limit
-    double bondResidual = 0.0;  // [N] that the bond keeps once it slides; 0: none
-    bool ruptured = false;  // the element that starts here is broken
+    double bondStrength = 0.0;  // [N] peak bond force at the current embedment and confinement; 0: no bond, or no limit
+    double bondResidual = 0.0;  // [N] residual bond force after slip begins; 0: none
+    bool ruptured = false;  // the element that starts at the node is broken
 
     bool operator==(const BoltNodeFrame&) const = default;
 };
 
 struct BoltFrame {
-    std::vector<BoltNodeFrame> nodes;  // none of a bolt that is not there
+    std::vector<BoltNodeFrame> nodes;  // empty if the bolt is not installed or was removed
     bool plateHolds = false;
-    bool lost = false;  // the whole bolt (expansion shell)
-    double elasticEnergy = 0.0;  // [J] held now, over the model's thickness
-    double plasticEnergy = 0.0;  // [J] taken since the start by steel, hinges and crushed rock
-    double bondEnergy = 0.0;  // [J] dissipated by sliding anchors and failing bonds
+    bool lost = false;  // the whole bolt has failed (expansion shell)
+    double elasticEnergy = 0.0;  // [J] stored now, for the thickness of the model
+    double plasticEnergy = 0.0;  // [J] dissipated since the start in yielding steel, plastic hinges and crushed rock
+    double bondEnergy = 0.0;  // [J] dissipated since the start by sliding anchors and failing bonds
 
     bool operator==(const BoltFrame&) const = default;
 };
 
-/// The value of largest magnitude over the run, with its location on the bolt and its time.
+/// Value of largest magnitude over the run, with its location on the bolt and its time.
 struct BoltPeak {
-    double value = 0.0;  // with its sign
+    double value = 0.0;  // signed
     double at = 0.0;  // [m] from the far end, unstrained
-    int stage = -1;  // −1: never above zero
+    int stage = -1;  // −1: no value other than zero so far
     double time = 0.0;  // within the stage
 
     bool operator==(const BoltPeak&) const = default;
 };
 
-/// The largest forces in a bolt over the run so far, at every accepted step and before every failure; per bolt, not
-/// per metre of the section. A use is the share of a strength, 1 where it is reached; below zero: no such strength.
+/// Largest forces in a bolt over the run so far, from every accepted step and the state before every failure. They are
+/// per bolt, not per metre of section. A utilisation is 1 if the strength is reached; below zero: no such strength.
 struct BoltExtremes {
-    BoltPeak axialForce, shearForce;  // [N] at the middle of the element
-    BoltPeak moment;  // [N m] at the node
-    BoltPeak steel;  // use of the steel by axial force and moment together
-    BoltPeak shear, bond, plate;  // use of the shear strength, of a node's bond and of the face plate
+    BoltPeak axialForce, shearForce;  // [N] located at the middle of the element
+    BoltPeak moment;  // [N m] located at the node
+    BoltPeak steel;  // utilisation of the steel by axial force and moment together
+    BoltPeak shear, bond, plate;  // utilisation of the shear strength, the bond of a node and the face plate
 
     bool operator==(const BoltExtremes&) const = default;
 };
 
-/// The extreme value of a block over the run so far, with its time.
+/// Extreme value of a block quantity over the run so far, with its time.
 struct BlockPeak {
     double value = 0.0;
     int stage = -1;  // −1: none yet
@@ -131,7 +131,7 @@ struct BlockPeak {
     bool operator==(const BlockPeak&) const = default;
 };
 
-/// Extremes of a block over the run so far, at every accepted step and before every failure.
+/// Extremes of a block over the run so far, from every accepted step and the state before every failure.
 struct BlockExtremes {
     BlockPeak displacement;  // largest since the start or the last `zero_displacements` [m]
     BlockPeak velocity;  // largest [m/s]
@@ -140,11 +140,11 @@ struct BlockExtremes {
     bool operator==(const BlockExtremes&) const = default;
 };
 
-/// Energies since the start of the run [J].
+/// Energy balance of the run so far [J].
 struct Energy {
     double kinetic = 0.0, strain = 0.0, contact = 0.0, bolt = 0.0, friction = 0.0, plastic = 0.0, released = 0.0,
            damped = 0.0, external = 0.0;
-    double balanceError = 0.0;  // what is left, over the largest term
+    double balanceError = 0.0;  // residual of the balance divided by its largest term
 
     bool operator==(const Energy&) const = default;
 };
@@ -155,37 +155,38 @@ enum class ForceSource { Weight, Contact, Bolt, Support, Load, Wall, Glue, Dashp
 struct BlockForce {
     int block = -1;
     ForceSource source = ForceSource::Weight;
-    int other = -1;  // the other block of a contact or bond; the bolt; −1: neither
-    Point position{0.0, 0.0};  // where it acts [m]
-    Point force{0.0, 0.0};  // on the block [N]
-    double moment = 0.0;  // of force and couple about the block's centroid, counter-clockwise positive [N m]
+    int other = -1;  // the other block of a contact or bond, or the bolt; −1: neither
+    Point position{0.0, 0.0};  // point of application [m]
+    Point force{0.0, 0.0};  // force on the block [N]
+    double moment = 0.0;  // moment of force and couple about the block's centroid, counter-clockwise positive [N m]
 
     bool operator==(const BlockForce&) const = default;
 };
 
-/// Forces in proportion to the mass of a block.
+/// Body forces: forces proportional to the mass of a block.
 struct BodyForce {
-    Point weight{0.0, 0.0};  // of gravity and of accelerations that act like it, as much of them as acts [N]
-    Point inertia{0.0, 0.0};  // −m·a over the frame's step; 0 at rest [N]
-    double inertiaMoment = 0.0;  // likewise [N m]
+    Point weight{0.0, 0.0};  // from gravity and body accelerations, as far as they are applied [N]
+    Point inertia{0.0, 0.0};  // −m·a over the step of the frame; 0 in a static stage [N]
+    double inertiaMoment = 0.0;  // moment of inertia forces over the step of the frame; 0 in a static stage [N m]
 
     bool operator==(const BodyForce&) const = default;
 };
 
-/// Force of a contact over a step, where its blocks were in the middle of it.
+/// Contact force over a dynamic step, for the block positions at the middle of the step.
 struct ContactStepForce {
-    Point force{0.0, 0.0};  // on block a; its opposite acts on block b [N]
-    double momentA = 0.0, momentB = 0.0;  // on either block about its centroid [N m]
+    Point force{0.0, 0.0};  // force on block a; the opposite force acts on block b [N]
+    double momentA = 0.0, momentB = 0.0;  // moments on blocks a and b about their centroids [N m]
 
     bool operator==(const ContactStepForce&) const = default;
 };
 
-/// Single forces on the blocks that the frame's contacts do not give; `blockForces` (block_forces.h) lists all of them.
+/// Single forces on the blocks that do not follow from the frame's contacts; `blockForces` (block_forces.h) lists all
+/// forces.
 struct FrameForces {
-    std::vector<BodyForce> bodies;  // a row per block; empty: no forces were kept
-    std::vector<ContactStepForce> contacts;  // a row per contact of a frame in motion; empty at rest: they are the contacts'
-    std::vector<Point> nodes;  // a row per node of all bolts: what its anchor gives the block that holds it [N]
-    std::vector<BlockForce> others;  // a bond between cells once: its opposite acts on the other cell
+    std::vector<BodyForce> bodies;  // one row per block; empty if no forces were stored
+    std::vector<ContactStepForce> contacts;  // dynamic stage: one row per contact; static: empty, see `Frame::contacts`
+    std::vector<Point> nodes;  // one row per node of all bolts: force of its anchor on the block around it [N]
+    std::vector<BlockForce> others;  // all other forces; a bond between cells is listed for one of the two cells only
 
     bool operator==(const FrameForces&) const = default;
 };
@@ -199,14 +200,14 @@ struct Frame {
     std::vector<BoltFrame> bolts;
     Energy energy;
     FrameForces forces;
-    std::vector<BoltExtremes> extremes;  // a row per bolt, from the start of the run to this frame
-    std::vector<BlockExtremes> blockExtremes;  // a row per block, likewise
-    long events = 0;  // of the run until this frame: the frames just before and after one may have the same time
+    std::vector<BoltExtremes> extremes;  // one row per bolt, from the start of the run to this frame
+    std::vector<BlockExtremes> blockExtremes;  // one row per block, from the start of the run to this frame
+    long events = 0;  // number of events so far, which distinguishes frames at the same time before and after an event
 
     bool operator==(const Frame&) const = default;
 };
 
-/// One row of the history: a value per column of `HistoryColumns`.
+/// One row of the history: one value per column of `HistoryColumns`.
 struct HistoryRow {
     int stage = 0;
     double time = 0.0;
@@ -216,84 +217,84 @@ struct HistoryRow {
     bool operator==(const HistoryRow&) const = default;
 };
 
-/// Names the history's values: first those of the monitors (as the history table
-/// prints them, e.g. `crown_ux_m`, `B1_force_N`), then one for each quantity of every bolt
-/// (`BOLT.axial_force`, … in the order of `BoltQuantity`: the value of largest
-/// magnitude along the bolt, with its sign), which quantities read.
+/// Names of the history's columns: first those of the monitors, as printed in the history
+/// table (e.g. `crown_ux_m`, `B1_force_N`), then one for each quantity of every bolt
+/// (`BOLT.axial_force`, … in the order of `BoltQuantity`): the signed value of largest
+/// magnitude along the bolt, from which `quantities` are read.
 struct HistoryColumns {
     std::vector<std::string> names;
-    int monitorValues = 0;  // how many of them the history table shows
+    int monitorValues = 0;  // number of leading columns shown in the history table
 
     bool operator==(const HistoryColumns&) const = default;
 };
 
 enum class Outcome { Equilibrium, Duration, Limit, Collapse, Stopped, Failed, Displaced, Undecided };
 
-/// How an unstable block moves; `Follows`: others set it moving.
+/// How an unstable block moves; `Follows`: set in motion by other blocks.
 enum class Movement { Slides, Falls, Topples, Follows };
 
-/// An unstable block, or the one farthest from where it was.
+/// Movement of an unstable block, or of the block with the largest displacement.
 struct UnstableBlock {
-    int block = -1;  // row of the frames; of a block in cells the first
+    int block = -1;  // row in the frames; the first row of a block divided into cells
     Movement mode = Movement::Slides;
-    double moved = 0.0;  // of the corner that went farthest, seen from what it touched when the stage began [m]
-    double weight = 0.0;  // [N] of the whole thickness
+    double moved = 0.0;  // largest corner displacement [m] relative to the neighbours at the start of the stage
+    double weight = 0.0;  // [N] for the thickness of the model
 
     bool operator==(const UnstableBlock&) const = default;
 };
 
-/// The block or node farthest from balance at the last equilibrium of a static stage.
+/// The block or bolt node with the largest relative unbalanced force at the last equilibrium of a static stage.
 struct WorstBalance {
-    int block = -1;  // row of the frames; −1: none was judged, or a node of a bolt
-    double share = 0.0;  // unbalanced force over the block's weight, or its substitute
-    double force = 0.0;  // [N]
+    int block = -1;  // row in the frames; −1: nothing was checked, or it is a bolt node
+    double share = 0.0;  // unbalanced force divided by the block's weight or its substitute
+    double force = 0.0;  // unbalanced force [N]
 
     bool operator==(const WorstBalance&) const = default;
 };
 
-/// How well the numbers behaved over a stage.
+/// Solver diagnostics of a stage.
 struct Health {
     long steps = 0;
-    long passes = 0;
-    long stepCuts = 0;
-    long energyCuts = 0;  // steps made shorter because their energy did not balance; not among `stepCuts`
+    long passes = 0;  // iterations
+    long stepCuts = 0;  // time-step or increment reductions, without `energyCuts`
+    long energyCuts = 0;  // steps shortened because of their energy error
     StepWork work;
-    double maxPenetrationRatio = 0.0;  // deepest penetration over the size of the block
-    double maxResidual = 0.0;  // largest accepted unbalanced force over the forces at play
+    double maxPenetrationRatio = 0.0;  // deepest penetration divided by the size of the block
+    double maxResidual = 0.0;  // largest accepted unbalanced force divided by the magnitude of the acting forces
     double balanceError = 0.0;
     WorstBalance worst;
 
     bool operator==(const Health&) const = default;
 };
 
-/// How the newest step went, for observers; nothing of a run depends on it. Blocks are −1 where there is none.
+/// Diagnostics of the latest step, for observers; the run does not depend on them. −1: no such block.
 struct StepHealth {
-    int passes = 0;
-    int worst = -1;  // block that was balanced worst
-    double residual = 0.0;  // accepted, over the forces at play
-    double penetrationRatio = 0.0;  // deepest penetration over the size of the block
-    int penetrated = -1;  // block there
-    long searched = 0;  // solves of the search for equilibrium in progress; 0: none, or in motion
-    int moving = -1;  // block that has moved farthest in it
-    double moved = 0.0;  // that far [m]
+    int passes = 0;  // iterations
+    int worst = -1;  // block with the largest relative unbalanced force
+    double residual = 0.0;  // accepted unbalanced force divided by the magnitude of the acting forces
+    double penetrationRatio = 0.0;  // deepest penetration divided by the size of the block
+    int penetrated = -1;  // block with the deepest penetration
+    long searched = 0;  // solves so far in the current search for equilibrium; 0 if there is none or in a dynamic stage
+    int moving = -1;  // block that has moved most, relative to its size, during the search
+    double moved = 0.0;  // displacement of that block [m]
 };
 
 struct StageResult {
     int stage = 0;
     Outcome outcome = Outcome::Equilibrium;
-    double time = 0.0;  // reached
+    double time = 0.0;  // time reached
     long steps = 0;
-    std::string message;  // of instability, failure or no verdict: which blocks or nodes, and what to do
-    std::vector<int> blocks;  // those that move or do not balance
-    std::vector<UnstableBlock> unstable;  // because of which the stage is unstable
-    UnstableBlock farthest;  // of those that decide, the one that moved most over its size; −1: none decides
-    std::vector<int> loose;  // removed in this stage, because they are too small to decide
+    std::string message;  // reason for instability, failure or no verdict: blocks or nodes concerned, and what to do
+    std::vector<int> blocks;  // blocks that move or are not in equilibrium
+    std::vector<UnstableBlock> unstable;  // blocks that make the stage unstable
+    UnstableBlock farthest;  // of the blocks that count for stability, the one that moved most relative to its size
+    std::vector<int> loose;  // blocks removed in this stage because they are too small to count for stability
     Health health;
 
     bool operator==(const StageResult&) const = default;
 };
 
-/// Everything a run left, kept in memory (tests, verification); the run store keeps the same on disk.
+/// All results of a run, kept in memory (tests, verification); the run store keeps the same data on disk.
 struct Results {
     HistoryColumns columns;
     std::vector<HistoryRow> history;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One way to look at a run, whether it is kept in memory or in a store on disk:
-// tables, answers and figures are made from this. Frames are large, so they are
-// listed first and loaded one at a time.
+// Common interface to the results of a run, whether kept in memory or in a store on
+// disk. Tables, JSON output and figures are made from it. Frames are large, so they
+// are listed first and loaded one at a time.
 #pragma once
 
 #include "solver/results/results.h"
@@ -15,18 +15,18 @@
 
 namespace keyblock {
 
-/// What is known of a frame without loading it.
+/// Data of a frame that are available without loading it.
 struct FrameHead {
     int stage = 0;
     double time = 0.0;  // within the stage: [s], or pseudo-time 0 … 1
     long step = 0;
     Energy energy;
-    long events = 0;  // of the run until then
+    long events = 0;  // number of events from the start of the run to this frame
 };
 
 FrameHead headOf(const Frame& frame);
 
-/// A stage that was begun; one that never ended (the run is still in progress, or was killed) has no outcome.
+/// A stage that has begun. If it has not ended (the run is in progress or was killed), `result.outcome` is not valid.
 struct StageRecord {
     StageResult result;
     bool ended = false;
@@ -36,8 +36,8 @@ class RunSource {
 public:
     virtual ~RunSource() = default;
 
-    virtual const Scene& scene() const = 0;  // as it was run: cut, and with what may follow a collapse
-    virtual const std::vector<std::string>& blockNames() const = 0;  // rows of a frame's blocks
+    virtual const Scene& scene() const = 0;  // as run: cut, with the stages that may follow a collapse
+    virtual const std::vector<std::string>& blockNames() const = 0;  // one per row of a frame's blocks
     virtual const HistoryColumns& columns() const = 0;
     virtual std::vector<StageRecord> stages() const = 0;
     virtual std::vector<Event> events() const = 0;  // in order of time
@@ -45,28 +45,28 @@ public:
     virtual const std::vector<FrameHead>& frames() const = 0;  // in order of time
 
     /// Loads one frame.
-    /// \pre `index` counts within `frames()`.
+    /// \pre `index` is less than `frames().size()`.
     virtual Frame frame(std::size_t index) const = 0;
 };
 
-/// The stage with which a run continues after one that ended like this, if any: not after a collapse that says to stop,
-/// and only after a collapse what follows that. \param scene as it is run.
+/// The stage with which a run continues after a stage with this result; none if the run ends. A stage that follows a
+/// collapse is skipped if there was no collapse. \param scene the scene as run.
 std::optional<int> stageAfter(const Scene& scene, const StageResult& result);
 
-/// Whether a run that ends a stage like this is done: the scene's last stage, or a collapse after which it says to stop.
-/// A run that was stopped, failed or came to a limit is not. \param scene as it is run.
+/// Whether a stage with this result completes the run: it is the last stage, or unstable and no stage is to follow. A
+/// run that was stopped, failed numerically or reached a limit is not complete. \param scene the scene as run.
 bool endsRun(const Scene& scene, const StageResult& result);
 
-/// Whether nothing is left to do of a run.
+/// Whether the run is complete.
 bool isFinished(const RunSource& run);
 
-/// Whether a static stage showed that something does not stay where it is: a collapse, or rest elsewhere.
+/// Whether a static stage is unstable: it collapsed, or reached equilibrium only after large displacements.
 bool endedUnstable(Outcome outcome);
 
-/// Whether a stage came to where it was to come: to rest, or to the end of its time.
+/// Whether a stage ended as intended: in equilibrium, or at the end of its duration.
 bool endedAsPlanned(Outcome outcome);
 
-/// A run kept in memory. The results must outlive it.
+/// A run kept in memory. \pre the results outlive this object.
 class MemoryRun : public RunSource {
 public:
     MemoryRun(const Scene& scene, const Results& results);

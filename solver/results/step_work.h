@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The work of solving a step, counted and never timed: the same run gives the same
-// counts on every machine.
+// Counts of the operations spent on solving a step. Nothing is timed, so the same run
+// gives the same counts on every machine.
 #pragma once
 
 namespace keyblock {
 
-/// Operations spent on solving. One measure of all of them is `workOf`.
+/// Number of operations spent on solving; `workOf` combines them into one measure.
 struct StepWork {
-    long factorizations = 0;  // matrices made for a solve: factored in full, or by rank updates
+    long factorizations = 0;  // factorisations made for a solve, in full or by rank updates
     long fullFactorizations = 0;
-    long ranks = 0;  // of the rank updates
+    long ranks = 0;  // sum of the ranks of all rank updates
     long solves = 0;  // back-substitutions
-    long products = 0;  // matrix–vector products, and sweeps over all strains or forces
+    long products = 0;  // matrix–vector products, and loops over all strains or forces
     long sweeps = 0;  // Gauss–Seidel sweeps over the contact forces
 
     StepWork& operator+=(const StepWork& other) {
@@ -28,7 +28,7 @@ struct StepWork {
     bool operator==(const StepWork&) const = default;
 };
 
-/// The work in units of one full factorization, by what each operation costs at a thousand blocks.
+/// Total work in units of one full factorisation, with each operation weighted by its cost for a thousand blocks.
 inline double workOf(const StepWork& w) {
     return static_cast<double>(w.fullFactorizations) + 0.006 * static_cast<double>(w.ranks) +
            0.07 * static_cast<double>(w.solves) + 0.01 * static_cast<double>(w.products) +

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which rows of a table are wanted: a stage, a bolt, and a moment of time.
+// Selection of the rows of a table by stage, bolt and time.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -17,29 +17,31 @@ enum class When { All, Last, At };
 struct TableFilter {
     std::optional<int> stage;  // index; null: every stage
     std::optional<int> bolt;  // index; null: every bolt
-    std::optional<When> when;  // null: the table's own default
-    double time = 0.0;  // of `At`, within `stage`
-    std::optional<long> events{};  // of frames at the same time, the one after so many events; null: all of them
+    std::optional<When> when;  // null: the default of the table
+    double time = 0.0;  // within `stage`; used if `when` is `At`
+    std::optional<long> events{};  // selects, of several frames at one time, that after so many events; null: the last
 };
 
-/// What became of the words of a filter: the filter, or what is wrong with them.
+/// The filter read from its texts, or a message about the error in them.
 struct TableFilterReading {
     std::optional<TableFilter> filter;
     std::string problem;
 };
 
-/// Reads the names of a stage and a bolt and a moment `STAGE:TIME`, `last` or `all`; null where one is not given.
+/// Reads a filter from texts, each of which may be null.
+/// \param stage, bolt names. \param at `STAGE:TIME`, `last` or `all`.
 TableFilterReading readTableFilter(const Scene& scene, const std::optional<std::string>& stage,
                                    const std::optional<std::string>& bolt, const std::optional<std::string>& at);
 
-/// When a row of a table is.
+/// Stage and time of a row of a table.
 struct RowMoment {
     int stage = 0;
     double time = 0.0;
 };
 
-/// Which of `moments` [in order of time] the filter's stage and moment select, as indices. `At` takes those at the
-/// time nearest to the requested one.
+/// Indices of the rows selected by the filter's stage and time. `When::At` selects the rows at the time nearest to the
+/// requested one. \param moments stage and time of each row, in order of time.
+/// \param byDefault selection used if `filter.when` is null.
 std::vector<std::size_t> selected(const std::vector<RowMoment>& moments, const TableFilter& filter, When byDefault);
 
 }  // namespace keyblock

@@ -17,21 +17,21 @@ namespace keyblock {
 
 enum class TableKind { History, Events, Bolts, Blocks, Contacts, Energy, Forces };
 
-/// The tables' names, in the order of `TableKind`.
+/// Names of the tables, in the order of `TableKind`.
 std::span<const std::string_view> tableWords();
 
-/// The table of that name; nothing when there is none.
+/// The table with this name; none if there is no such table.
 std::optional<TableKind> tableKindOf(std::string_view word);
 
-/// Whether `filter.bolt` means anything to the table.
+/// Whether the table can be filtered by bolt.
 bool hasBolts(TableKind kind);
 
-/// The one frame at the moment that the filter gives, or the last of its stage or of the run. Several frames may
-/// share a moment: of those the last one counts. Nothing when no frame was kept.
+/// Index of the frame at the time given by the filter, by default the last frame of its stage or of the run. If several
+/// frames have the same time, the one with `filter.events` events is chosen, else the last. None if no frame matches.
 std::optional<std::size_t> frameAt(const RunSource& run, const TableFilter& filter);
 
-/// Writes header and rows. The tables of a frame (bolts, blocks, contacts, forces) show the last one unless the filter says
-/// otherwise, the others every row.
+/// Writes header and rows. By default, tables made from frames (bolts, blocks, contacts, forces) show the last frame;
+/// the other tables show every row.
 void writeTable(TableKind kind, const RunSource& run, const TableFilter& filter, std::ostream& out);
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether what was run is stable: the first question of a designer.
+// Whether the scene is stable according to its run: a designer's first question.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -12,31 +12,32 @@
 
 namespace keyblock {
 
-/// An unstable block, and the stage that shows it.
+/// An unstable block, and the stage in which it was found unstable.
 struct StageUnstable {
     int stage = 0;
     UnstableBlock block;
 };
 
 struct Verdict {
-    std::optional<bool> stands;  // none: nothing failed, but a stage is undecided or did not end
-    std::vector<StageUnstable> blocks;  // unstable blocks, each once, by the first stage that shows it
+    std::optional<bool> stands;  // true if stable; none: nothing failed, but a stage is undecided or unfinished
+    std::vector<StageUnstable> blocks;  // each unstable block once, with the first stage in which it was found unstable
 };
 
-/// \param scene as it is run, of whose stages `records` may be the first.
+/// Verdict on a run, finished or not.
+/// \param records stages begun so far. \param scene the scene as run.
 Verdict verdictOf(const std::vector<StageRecord>& records, const Scene& scene);
 
-/// Why the numbers of a stage are doubtful.
+/// Reason to doubt the numerical results of a stage.
 struct StageWarning {
     int stage = 0;
-    std::string text;  // a sentence without its full stop
+    std::string text;  // without a full stop
 };
 
-/// For every stage that ended: an energy balance error above 1 %, and a block that is farther from balance than
-/// `until.body` allows. In the order of the stages.
+/// Warnings about all stages that ended, in their order: a block whose unbalanced force exceeds `until.body`, and an
+/// energy balance error above 1 %.
 std::vector<StageWarning> stageWarnings(const RunSource& run);
 
-/// The stage whose last equilibrium leaves most on a block, if one was judged.
+/// The stage with the largest ratio of unbalanced force to weight of a block; none if no block was checked.
 std::optional<StageResult> worstBalanced(const std::vector<StageRecord>& records);
 
 }  // namespace keyblock
