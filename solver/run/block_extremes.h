@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The extremes of blocks over a run. They are kept step by step, because a stress
+// Extremes of blocks over a run. They are updated at every step, because a stress
 // wave or an impact may pass a block between two frames.
 #pragma once
 
@@ -11,10 +11,10 @@
 
 namespace keyblock {
 
-/// Takes a state of a block that is there into account.
+/// Updates the extremes with the state of an active block.
 void addExtreme(const BlockState& block, int stage, double time, BlockExtremes& extremes);
 
-/// Displacements count from here on.
+/// Resets the largest displacements, for `zero_displacements`.
 void forgetDisplacements(std::vector<BlockExtremes>& extremes);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The largest forces in the bolts and the highest use of their strengths over a
-// run. They are kept step by step, because a force between two frames may be
-// larger than in either.
+// Largest forces in the bolts and highest utilisation of their strengths over a run.
+// They are updated at every step, because a force between two frames may be larger
+// than in either frame.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -13,14 +13,14 @@
 
 namespace keyblock {
 
-/// A row per bolt, without any force yet; the use of a strength that the bolt does not have stays below zero.
+/// Initial extremes, one row per bolt, with zero forces. The utilisation of a strength that a bolt does not have is −1.
 std::vector<BoltExtremes> startExtremes(const Model& model);
 
-/// Takes the forces of the bolts in `state` into account.
+/// Updates the extremes with the forces of the bolts in `state`.
 void addExtremes(const Model& model, const State& state, int stage, double time, std::vector<BoltExtremes>& extremes);
 
-/// Use of the steel by an axial force and a moment that grow together: the share of the forces at which a
-/// cross-section is plastic, (N/N_p)² + |M|/M_p = 1. 1 at either strength alone.
+/// Utilisation of the steel by an axial force and a moment that grow in proportion: their ratio to the values at which
+/// the cross-section is fully plastic, (N/N_p)² + |M|/M_p = 1.
 /// \param axial N/N_p. \param bending M/M_p.
 double steelUse(double axial, double bending);
 

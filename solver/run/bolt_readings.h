@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Quantities of a bolt as history and frames give them: per bolt, with the
-// signs of the tables.
+// Bolt quantities for history rows and frames: per bolt, with the sign convention
+// of the tables.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -11,18 +11,19 @@
 
 namespace keyblock {
 
-/// Value at `s` metres from the far end: of the element that holds the place (a node's place belongs to the element
-/// that starts there), or of the nearest node; whole-bolt quantities ignore the place.
+/// Value of a quantity at the distance `s` [m] from the far end. Element quantities are read from the element at that
+/// point (at a node, from the element that starts there), node quantities from the nearest node; quantities of the
+/// whole bolt do not depend on `s`.
 double boltValueAt(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity quantity, double s);
 
-/// Value of largest magnitude along the bolt, with its sign.
+/// Signed value of largest magnitude along the bolt.
 double boltExtreme(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity quantity);
 
-/// Force along the bolt at which the bond of a node fails, as embedded and clamped now [N]: the peak of its law; 0
-/// for an artificial anchor, out of rock, after the loss of the bond, or without limit.
+/// Axial force [N] at which the bond of a node fails at its current embedment and confinement: the peak of its law. 0
+/// for an artificial anchor, outside rock, after loss of the bond, or without a limit.
 double bondStrengthNow(const AnchorModel& anchor, const BoltMotion& motion, const BoltNode& node);
 
-/// A bolt as a frame keeps it, without the energy it holds. \param origin added to every place.
+/// A bolt as stored in a frame, except its elastic energy. \param origin added to all positions.
 BoltFrame boltFrame(const BoltModel& bolt, const BoltMotion& motion, const Point& origin);
 
 }  // namespace keyblock

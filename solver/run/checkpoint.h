@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The state of a run between two steps, as one plain value: the run's loop works on
-// it and keeps nothing else that its next step depends on. From a copy the run can
-// continue, also in another process, and gives the same bytes.
+// The state of a run between two steps as one plain value. The run's loop works on it
+// and keeps nothing else on which its next step depends. A run resumed from a copy,
+// even in another process, gives results that are identical byte for byte.
 #pragma once
 
 #include "solver/engine/stage/dynamics.h"
@@ -19,42 +19,43 @@
 
 namespace keyblock {
 
-/// How much the sink was given so far.
+/// Number of items written to the sink so far.
 struct Written {
     long events = 0, historyRows = 0, frames = 0;
 };
 
-/// When the last frame was kept, and when the next is due.
+/// The last frame stored at equal intervals, and the time of the next.
 struct FrameClock {
-    double next = 0.0;  // time within the stage
+    double next = 0.0;  // time within the stage at which the next frame is due
     long keptStep = -1;
     int keptStage = -1;
 };
 
-/// Every member is a plain value or a container of such: they are written and read without being listed again.
+/// Complete state of a run. Every member is a plain value or a container of plain values, so that all members are
+/// written and read without a separate list of them.
 struct Checkpoint {
     State state;
     int stage = 0;
-    bool begun = false;  // the stage
+    bool begun = false;  // whether the stage has begun
     double time = 0.0;  // within the stage: [s], or pseudo-time 0 … 1
-    int increment = 0;  // of a static stage
-    IncrementProgress within;  // that increment
-    DynamicPace pace;  // of a dynamic stage
+    int increment = 0;  // index of the increment, in a static stage
+    IncrementProgress within;  // progress within that increment
+    DynamicPace pace;  // in a dynamic stage
     LoadMemory loads;
     Reference reference;
     WatchMemory watch;
-    StageStart start;  // of the stage
-    EnergyMark energy;  // of the stage
-    Health health;  // of the stage
-    long firstStep = 0;  // when the stage began
-    long passes = 0;  // when the last checkpoint was kept; less than 0 where that was before the stage
-    std::size_t resultsKept = 0;  // stages that had ended then
+    StageStart start;
+    EnergyMark energy;
+    Health health;  // diagnostics of the stage
+    long firstStep = 0;  // number of accepted steps at the start of the stage
+    long passes = 0;  // iterations of the stage at the last checkpoint; negative if that was before the stage
+    std::size_t resultsKept = 0;  // number of stages that had ended at the last checkpoint
     FrameClock frames;
     EventFrames eventFrames;
     Written written;
-    std::vector<BoltExtremes> extremes;  // of the bolts, over the run so far
-    std::vector<BlockExtremes> blockExtremes;  // likewise
-    std::vector<StageResult> results;  // of the stages that ended
+    std::vector<BoltExtremes> extremes;  // one per bolt, over the run so far
+    std::vector<BlockExtremes> blockExtremes;  // one per block, over the run so far
+    std::vector<StageResult> results;  // one per stage that has ended
 };
 
 }  // namespace keyblock

@@ -10,24 +10,26 @@
 
 namespace keyblock {
 
-/// What the limit compares with; plain values, part of the checkpoint.
+/// Reference values for the energy check; plain values, part of the checkpoint.
 struct EnergyMark {
-    double left = 0.0;  // what the balance left over when the stage began [J]
-    double largest = 0.0;  // largest energy of the run so far, as far as it was looked at [J]
+    double left = 0.0;  // energy-balance error at the start of the stage [J]
+    double largest = 0.0;  // largest energy found by the checks of this run so far [J]
 };
 
-/// What a stage has left over, where that is more than the scene allows.
+/// Energy-balance error of a stage that exceeds the limit set in the scene.
 struct EnergyExcess {
-    double share = 0.0;  // over the largest term of the balance
-    int block = -1;  // that gained most energy since the stage began
+    double share = 0.0;  // error divided by the largest term of the energy balance
+    int block = -1;  // block that has gained most energy since the start of the stage; −1: none has
 };
 
-/// Takes the balance where a stage begins.
+/// Records the energy balance at the start of a stage in `mark`.
 void markEnergy(const Model& model, const State& state, EnergyMark& mark);
 
-/// Compares what the stage has left over since with `allowed`, a share of the largest term. What is less than 1e-3 of
-/// the largest energy of the run, or than a strain of 1e-4 stores in 1e-9 of a block, is noise.
-/// \param start blocks as they were when the stage began.
+/// Checks the energy-balance error since the start of the stage; none if it is within the limit. Errors below 1e-3 of
+/// the largest energy of the run, or below the energy that a strain of 1e-4 stores in 1e-9 of a block, count as
+/// noise.
+/// \param start blocks at the start of the stage. \param allowed limit, as a fraction of the largest term.
+/// \param mark its `largest` is updated.
 std::optional<EnergyExcess> energyExcess(const Model& model, const State& state, const std::vector<BlockMotion>& start,
                                          double allowed, EnergyMark& mark);
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which states are kept as frames in addition to those at equal intervals, so that
-// no failure of a bolt falls between two frames: the state just before it, the one
-// just after it, and the largest force that a bolt reaches in motion. A run with
-// thousands of failures keeps no more of them than it has frames at equal intervals.
+// Selects states to be stored as frames in addition to those at equal intervals, so
+// that no bolt failure is missed between two frames: the states just before and just
+// after it, and the state with the largest force of a bolt in a dynamic stage. Even a
+// run with thousands of failures stores hardly more of these than frames at equal intervals.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -20,37 +20,40 @@ struct KeptAt {
     double time = 0.0;  // within the stage
 };
 
-/// What has been kept so far; part of the checkpoint.
+/// Additional frames stored so far; part of the checkpoint.
 struct EventFrames {
-    std::vector<double> shown;  // largest axial force of each bolt in any frame so far, without its sign [N]
-    long kept = 0;
+    std::vector<double> shown;  // largest magnitude of the axial force of each bolt in any frame so far [N]
+    long kept = 0;  // number of additional frames
     KeptAt before, after;  // the last frames just before and just after failures
-    bool owed = false;  // bolts have failed, and the state after that is in no frame yet
+    bool owed = false;  // bolts have failed since the last frame, so a frame after the failures is due
 };
 
-/// True for failures of bolts: each belongs between two frames.
+/// True for bolt failures, each of which needs a frame before and a frame after it.
 bool callsForFrames(const Event& event);
 
-/// True for events seen in a state that has already been accepted, so that no state lies just before them.
+/// True for events detected only after the step was accepted, for which there is no state just before the event.
 bool isSeenAfterwards(const Event& event);
 
-/// True where a bolt carries a visibly larger axial force than in any frame so far.
+/// True if a bolt carries a noticeably larger axial force than in any frame so far.
 bool exceedsShown(const Model& model, const State& state, const EventFrames& frames);
 
-/// True where it is so much larger that it is kept even after as many frames as there may be.
+/// True if a bolt carries an axial force so much larger than in any frame so far that the state is stored even if
+/// `mayKeep` is false.
 bool isFarAboveShown(const Model& model, const State& state, const EventFrames& frames);
 
-/// True where the step from `before` to `after` passed the largest force so far of a bolt, and no frame shows it.
+/// True if the axial force of a bolt peaked in state `before`, is lower in the next state `after`, and is noticeably
+/// larger than in any frame so far.
 bool passedPeak(const Model& model, const State& before, const State& after, const EventFrames& frames);
 
-/// Takes a state that has become a frame into account.
+/// Updates `frames.shown` with a state that is stored as a frame.
 void noteShown(const Model& model, const State& state, EventFrames& frames);
 
-/// \param planned frames at equal intervals until the end of the stage
+/// Whether another additional frame may be stored.
+/// \param planned number of frames at equal intervals from the start of the run to the end of the current stage.
 bool mayKeep(const EventFrames& frames, long planned);
 
-/// True where a frame was kept so shortly before a time that one more shows nothing new.
-/// \param interval between frames at equal intervals, in the time of the stage
+/// True if `now` is so shortly after the frame `kept` that another frame would show nothing new.
+/// \param interval time between frames at equal intervals, in the time of the stage.
 bool isShortlyAfter(const KeptAt& kept, const KeptAt& now, double interval);
 
 }  // namespace keyblock

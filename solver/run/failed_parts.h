@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which joints and bolts failed around the blocks that a verdict names.
+// Joints and bolts that failed around the unstable blocks of a verdict.
 #pragma once
 
 #include "solver/results/verdict.h"
@@ -10,17 +10,18 @@
 
 namespace keyblock {
 
-/// A joint between a block that the verdict names and one that does not move with it; cells of a block as one.
+/// A joint between an unstable block of the verdict and a block that is not unstable in the same stage. A block divided
+/// into cells counts as one block.
 struct FailedJoint {
     int stage = 0;
-    int blockA = -1, blockB = -1;  // first rows; a is the one that the verdict names
-    bool opened = false;  // it opened by more than it slipped
-    double slip = 0.0, opening = 0.0;  // largest along the joint over the stage [m]
-    Point position{0.0, 0.0};  // where it moved most, when the stage began [m]
+    int blockA = -1, blockB = -1;  // first rows; block a is the unstable one
+    bool opened = false;  // the opening is at least as large as the slip
+    double slip = 0.0, opening = 0.0;  // largest along the joint from the first to the last frame of the stage [m]
+    Point position{0.0, 0.0};  // point of largest movement, in its position at the start of the stage [m]
 };
 
-/// A bolt between the blocks that the verdict names and others. `Debonding`: all its bonds on one side of the joint
-/// failed, at the time of the last of them, and no face plate holds that side.
+/// A failed bolt between unstable blocks of the verdict and other blocks. `Debonding` means that all its bonds on one
+/// side of the joint failed, with the time of the last failure, and that no face plate holds that side.
 struct FailedBolt {
     int bolt = -1;
     EventKind event = EventKind::BoltLoss;
@@ -29,11 +30,11 @@ struct FailedBolt {
 };
 
 struct FailedParts {
-    std::vector<FailedJoint> joints;  // that moved by a tenth of the block's largest joint movement or more
-    std::vector<FailedBolt> bolts;  // each kind of event once per bolt, the first; in the order of the bolts
+    std::vector<FailedJoint> joints;  // without movements below a tenth of the largest joint movement of the block
+    std::vector<FailedBolt> bolts;  // the first event of each kind for each bolt, in the order of the bolts
 };
 
-/// Empty where the verdict names no block.
+/// Finds the failed joints and bolts; both lists are empty if the verdict has no unstable block.
 FailedParts failedParts(const RunSource& run, const Verdict& verdict);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How something fails that finds no equilibrium: which blocks go, whether they
-// fall, slide or topple, and on which joints.
+// Failure mode of a scene that finds no equilibrium: which blocks move, whether they
+// fall, slide or topple, and along which joints.
 #pragma once
 
 #include "solver/results/results.h"
@@ -11,37 +11,39 @@
 
 namespace keyblock {
 
-/// How a block of a size goes (centroid to farthest corner) [m]: it topples where the centre of its rotation is nearer
-/// than twice its size; else it falls where it moves within 10° of plumb, down; else it slides.
-/// \param down direction in which bodies are pulled, any length; zero: nothing falls.
+/// Classifies the movement of a block. It topples if its centre of rotation is nearer to its centroid than twice its
+/// size; otherwise it falls if it moves within 10° of the direction `down`; otherwise it slides.
+/// \param size distance from the centroid to the farthest corner [m].
+/// \param down direction of gravity, of any length; if zero, no block falls.
 Movement movementOf(const Point& displacement, double rotation, double size, const Point& down);
 
 struct MovingBlock {
-    int block = -1;  // row of the frames
+    int block = -1;  // row in the frames
     Movement movement = Movement::Slides;
-    Point displacement{0.0, 0.0};  // of the centroid [m]
+    Point displacement{0.0, 0.0};  // displacement of the centroid [m]
     double rotation = 0.0;  // [rad]
 };
 
-/// Contacts of two blocks taken together.
+/// Relative movement along the joint between two blocks, from all contacts between them.
 struct MovingJoint {
-    int blockA = -1, blockB = -1;  // rows of the frames
+    int blockA = -1, blockB = -1;  // rows in the frames
     int jointMaterial = -1;  // as in `ContactFrame`
-    Point position{0.0, 0.0};  // where it moves most [m]
-    double slip = 0.0;  // largest, without sign [m]
-    double opening = 0.0;  // largest [m]
+    Point position{0.0, 0.0};  // point of largest relative movement [m]
+    double slip = 0.0;  // largest slip, without sign [m]
+    double opening = 0.0;  // largest opening [m]
 };
 
+/// Both lists are sorted by movement, largest first, and leave out movements below a tenth of the largest.
 struct FailureMode {
-    std::vector<MovingBlock> blocks;  // that move by a tenth of the largest movement or more, largest first
-    std::vector<MovingJoint> joints;  // the same
+    std::vector<MovingBlock> blocks;
+    std::vector<MovingJoint> joints;
 };
 
-/// Joints along which blocks of `rows` touched others in the first frame, with their relative movement until the later
-/// one of the same stage; block a is the one of `rows`. Corners that touch alone are not a joint.
+/// Joints along which the blocks `rows` touched other blocks in frame `before`, with the relative movement up to frame
+/// `after` of the same stage. `blockA` is the block from `rows`. Blocks that touch only at a corner form no joint.
 std::vector<MovingJoint> jointsAround(const Frame& before, const Frame& after, const std::vector<int>& rows);
 
-/// What moved from one frame to a later one of the same stage. \param down as of `movementOf`.
+/// Blocks and joints that moved between a frame and a later frame of the same stage. \param down as in `movementOf`.
 FailureMode failureMode(const Frame& before, const Frame& after, const Point& down);
 
 }  // namespace keyblock

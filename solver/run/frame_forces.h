@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a frame keeps of the forces that the engine lists. What follows from its
-// contacts, blocks and nodes is left out, so that a run store grows little.
+// The forces that a frame stores, out of all forces listed by the engine. Those that
+// follow from its contacts are left out to keep the run store small.
 #pragma once
 
 #include "solver/engine/stage/acting_forces.h"
 
 namespace keyblock {
 
-/// \param frame made of `state`. \param moves the forces are those of a step in motion; contacts at its end have others.
+/// Sorts the forces listed by the engine into the form stored in a frame.
+/// \param frame the frame made from `state`.
+/// \param moves the forces act over a dynamic step, so contact forces are stored as well: they differ from those in
+/// `frame.contacts`, which are for the end of the step.
 FrameForces frameForces(const std::vector<SingleForce>& forces, const State& state, const Frame& frame, bool moves);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What will be modelled of a scene and what not, before anything is run: counts,
-// what is not needed and therefore left out, and what a run may cost. Only
-// what a scene requires is modelled; here the user sees what that is.
+// Model summary of a scene, made before anything is run: counts of what will be
+// modelled, features that are left out because the scene does not need them, and an
+// estimate of run time and memory.
 #pragma once
 
 #include "solver/engine/model/model.h"
@@ -18,44 +18,44 @@
 namespace keyblock {
 
 struct ModelCounts {
-    int blocks = 0;  // bodies of rock: whole blocks, or cells
-    int cells = 0;  // of these
-    int plates = 0;  // that are blocks of their own
-    int fixed = 0;  // of blocks, held whole
-    int heldPoints = 0;
+    int blocks = 0;  // rock bodies: blocks that are not divided, and cells
+    int cells = 0;  // cells among the rock bodies
+    int plates = 0;  // face plates modelled as blocks
+    int fixed = 0;  // bodies that are fixed as a whole
+    int heldPoints = 0;  // point supports
     int bolts = 0, nodes = 0;
-    int realAnchors = 0;  // of nodes, held along the bolt by the type
-    int contacts = 0;  // corners before edges at the start, each with a spring across and one along
+    int realAnchors = 0;  // nodes with an anchor of the bolt type
+    int contacts = 0;  // corner-to-edge contacts at the start, each with a normal and a shear spring
     int gluedEdges = 0;
-    int blockUnknowns = 0;  // six for each block that is not held whole
+    int blockUnknowns = 0;  // six for each block that is not fixed as a whole
     int plateUnknowns = 0;
-    int boltUnknowns = 0;  // three a node; two where the type does not bend
+    int boltUnknowns = 0;  // three per node; two if the bolt type has no bending stiffness
 
     int unknowns() const { return blockUnknowns + plateUnknowns + boltUnknowns; }
 };
 
-/// Something that the program could model and does not.
+/// A feature that the program can model but leaves out.
 struct LeftOut {
     std::string what;
-    std::string why;  // the scene does not need it
+    std::string why;  // reason why the scene does not need it
     std::string saves;
 };
 
 struct StageCost {
     std::string name;
-    double steps = 0.0;  // increments, or steps of time
-    double passes = 0.0;  // linear systems that are solved
-    double least = 0.0, most = 0.0;  // of these, as far as can be known before
+    double steps = 0.0;  // increments, or time steps
+    double passes = 0.0;  // iterations: linear systems to be solved
+    double least = 0.0, most = 0.0;  // estimated range of the number of iterations
 };
 
-/// What a run may take.
+/// Estimated run time and memory.
 struct CostEstimate {
     double seconds = 0.0, secondsLeast = 0.0, secondsMost = 0.0;
-    double memory = 0.0;  // [bytes] the largest
-    double passSeconds = 0.0, stepSeconds = 0.0;  // as timed on the scene's own system
-    double factorEntries = 0.0;
+    double memory = 0.0;  // peak memory [bytes]
+    double passSeconds = 0.0, stepSeconds = 0.0;  // time per iteration and step [s], measured on the scene's own system
+    double factorEntries = 0.0;  // stored entries of the matrix factor
     std::vector<StageCost> stages;
-    std::vector<std::string> assumes;  // on what this rests, a sentence each
+    std::vector<std::string> assumes;  // assumptions of the estimate, one sentence each
 };
 
 struct ModelSummary {
@@ -64,15 +64,16 @@ struct ModelSummary {
     CostEstimate estimate;
 };
 
-/// Counts, lists and estimates; solves the scene's own system a few times to see how long that takes, so the estimate
-/// differs from call to call.
-/// \param scene as it is solved: what `cutScene` makes of it. \param cut of it, for what the cut left out; null: none.
-/// \param stop where it becomes true, counting ends soon and there is no summary; null: it runs to its end.
+/// Makes the whole summary. It solves the scene's own system a few times to measure the time per iteration, so the
+/// estimate varies from call to call.
+/// \param scene the scene as solved: the result of `cutScene`.
+/// \param cut the cut that produced it, for a list of what cutting left out; null if the scene was not cut.
+/// \param stop if it becomes true, the function soon returns without a summary; null: cannot be stopped.
 /// \pre the scene was checked without errors and has blocks.
 std::optional<ModelSummary> makeModelSummary(const Scene& scene, const SceneCut* cut,
                                              const std::atomic<bool>* stop = nullptr);
 
-/// The parts of it.
+// The parts of the summary.
 ModelCounts countParts(const Model& model, const State& start);
 std::vector<LeftOut> leftOutOf(const Scene& scene, const SceneCut* cut, const Model& model,
                                const ModelCounts& counts);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From the engine's state to what people read: frames and the values of a
-// history row, with displacements counted from a reference.
+// Converts the engine's state to results: frames and history rows, with
+// displacements measured from a reference.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -11,28 +11,29 @@
 
 namespace keyblock {
 
-/// True for contacts that a frame shows.
+/// True for contacts that are included in frames.
 bool isShown(const Contact& contact);
 
-/// Where displacements count from: the start, or the last `zero_displacements`.
+/// Positions from which displacements are measured: at the start, or at the last `zero_displacements`.
 struct Reference {
     std::vector<Point> centroids;
     std::vector<double> angles;
-    std::vector<Point> monitorPoints;  // two a monitor; unused ones zero
+    std::vector<Point> monitorPoints;  // two per monitor; unused ones are zero
 };
 
 class Observation {
 public:
-    /// \param reference filled here and kept by the caller, who may put back what it was.
+    /// \param reference owned by the caller and filled in by the constructor; to resume a run, the caller overwrites
+    /// it.
     Observation(const Scene& scene, const Model& model, const State& start, Reference& reference);
 
-    /// Counts displacements from here on.
+    /// Measures displacements from the positions in `state` from now on.
     void zero(const State& state);
 
     Frame frame(const State& state, int stage, double time) const;
     HistoryRow history(const State& state, int stage, double time) const;
 
-    /// Takes the blocks in `state` into account. \param extremes a row per block.
+    /// Updates the extremes with the blocks in `state`. \param extremes one row per block.
     void addExtremes(const State& state, int stage, double time, std::vector<BlockExtremes>& extremes) const;
 
 private:

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A scene as drawn: everything where it was put, openings open, every
-// bolt with the nodes and anchored points that a run would give it. Nothing is
-// solved.
+// Preview of a scene before a run: everything at its initial position, openings
+// excavated, every bolt with the nodes and anchored points that it would have in a
+// run. Nothing is solved.
 #pragma once
 
 #include "solver/results/results.h"
@@ -11,8 +11,8 @@
 
 namespace keyblock {
 
-/// A frame of no stage and time; rock in tunnels is left out, no contact is looked for.
-/// \param scene as it is solved: what `cutScene` makes of it.
+/// A frame that belongs to no stage or time, without the rock in tunnels and without contacts.
+/// \param scene the scene as solved: the result of `cutScene`.
 /// \pre the scene was checked without errors and has blocks.
 Frame previewFrame(const Scene& scene);
 

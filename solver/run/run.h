@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Stages to the end, blocking. The command line, the tests and the window's
-// worker call the same function; a control handle stops, pauses and reports.
+// Runs all stages of a scene; the call returns when the run ends. The command line,
+// the tests and the window's worker thread call the same function; a control handle
+// stops and pauses the run and reports its progress.
 #pragma once
 
 #include "solver/run/sink.h"
@@ -13,47 +14,47 @@
 
 namespace keyblock {
 
-/// How far a run is; sent after every step, from the thread that runs.
+/// Progress of a run; sent after every iteration, from the thread of the run.
 struct Progress {
     int stage = 0;
     double time = 0.0;  // within the stage: [s], or pseudo-time 0 … 1
-    double fraction = 0.0;  // of the whole run, 0 … 1
-    long steps = 0;
-    long passes = 0;
+    double fraction = 0.0;  // completed fraction of the whole run, 0 … 1
+    long steps = 0;  // accepted steps of the run
+    long passes = 0;  // iterations of the stage
     long events = 0;
-    double residual = 0.0;
-    long stepCuts = 0;  // of the stage, those for the energy among them
-    StepHealth step;  // the newest
+    double residual = 0.0;  // largest relative unbalanced force of the stage
+    long stepCuts = 0;  // time-step or increment reductions of the stage, including those for energy errors
+    StepHealth step;  // the latest step
 };
 
-/// A search for equilibrium that has not ended after some solves, as in "searching, 40 solves: b161 moves 12 mm";
-/// empty for a shorter one. \param names of the blocks, as `blockNames` gives them.
+/// Describes a long search for equilibrium, as in "searching, 40 solves: b161 moves 12 mm"; empty for a search of
+/// fewer than 10 solves. \param names block names as returned by `blockNames`.
 std::string searchText(const StepHealth& step, const std::vector<std::string>& names);
 
-/// Handed to a run and kept by its caller. Checked in every iteration.
+/// Control handle of a run, owned by the caller. The run checks it in every iteration.
 struct Control {
     std::atomic<bool> stop{false};
     std::atomic<bool> pause{false};
-    std::atomic<int> steps{0};  // still to be taken while paused
+    std::atomic<int> steps{0};  // number of single steps to take while paused
     std::function<void(const Progress&)> progress;  // may be empty
-    std::atomic<bool> look{false};  // the state at the end of the step is requested; taken back once it is handed over
-    std::function<void(const Frame&)> looked;  // gets it, from the thread that runs; may be empty
+    std::atomic<bool> look{false};  // requests the state at the end of the step; reset when `looked` is called
+    std::function<void(const Frame&)> looked;  // receives the requested state, in the thread of the run; may be empty
 };
 
 struct RunSettings {
-    int threads = 0;  // 0: as many as the machine has; never changes a result
-    const SceneCut* cut = nullptr;  // what the scene was cut to, where that is known already
+    int threads = 0;  // 0: one per hardware thread; does not affect the results
+    const SceneCut* cut = nullptr;  // the scene after cutting, if already computed
 };
 
-/// Runs every stage of a checked scene, or resumes a run that was cut short.
-/// \param from handed to a sink by a run of the same scene and build; null: from the beginning.
+/// Runs every stage of a checked scene, or resumes an unfinished run.
+/// \param from checkpoint that a run of the same scene and build passed to its sink; null: from the beginning.
 /// \pre `checkScene(scene)` found no error.
 /// \return one result per stage begun. A collapse is a result; the outcome `Failed`
 ///         (numerical failure), `Stopped` or `Limit` ends the run.
 std::vector<StageResult> run(const Scene& scene, Sink& sink, Control& control, const RunSettings& settings = {},
                              const Checkpoint* from = nullptr);
 
-/// The same into memory, for tests and verification.
+/// Runs every stage of a checked scene and keeps the results in memory, for tests and verification.
 Results runInMemory(const Scene& scene, const RunSettings& settings = {});
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The limits of a run. They are checked between and within steps and can do nothing
-// but end the run: what was computed before has the same bytes as without them.
+// The limits of a run. They are checked between and within steps and can only end the
+// run: everything computed before is identical, byte for byte, to a run without limits.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -16,15 +16,15 @@ class RunLimit {
 public:
     explicit RunLimit(const RunLimits& limits) : limits_(limits) {}
 
-    /// True once as many steps are accepted, or as much time has gone by, as the scene allows.
+    /// True once the run has reached the scene's limit on accepted steps or on wall-clock time.
     bool reached(long steps) const {
         return stepsReached(steps) || (limits_.wallTime && seconds() >= *limits_.wallTime);
     }
 
-    /// Time for which the user paused the run does not count.
+    /// Excludes time for which the user paused the run from the wall-clock time.
     void addPause(std::chrono::steady_clock::duration paused) { begun_ += paused; }
 
-    /// Which limit it is. \pre reached(steps)
+    /// Message that names the limit reached. \pre `reached(steps)`
     std::string message(long steps) const;
 
 private:

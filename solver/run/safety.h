@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Factor of safety by strength reduction: the scene is run again and again with
-// its strengths divided by a factor, until a stable and an unstable one
+// Factor of safety by strength reduction: the scene is run repeatedly with its
+// strengths divided by different factors, until a stable and an unstable factor
 // lie close together.
 #pragma once
 
@@ -15,40 +15,41 @@
 
 namespace keyblock {
 
-/// Beyond these no bracket is looked for.
+/// Smallest and largest factor that are tried.
 inline constexpr double leastSafety = 1e-3, mostSafety = 1e3;
 
 /// One run with strengths divided by `factor`.
 struct SafetyRun {
     double factor = 1.0;
-    bool stands = false;  // every stage ended in equilibrium
-    StageResult end;  // the stage that decides: the first unstable one, else the last
+    bool stands = false;  // stable: every stage ended in equilibrium
+    StageResult end;  // the first stage that did not end in equilibrium, else the last stage
 };
 
 struct SafetyFactor {
     std::optional<double> lower;  // largest factor found to be stable, below `upper`
     std::optional<double> upper;  // smallest factor found to be unstable, above `lower`
     std::vector<SafetyRun> runs;  // in the order in which they were done
-    std::optional<FailureMode> mode;  // of the run at `upper`
-    std::optional<Outcome> cutShort;  // `Stopped`, `Limit` or `Undecided`: the last run came to no answer
-    bool nothingToFreeze = false;  // bolt forces were to be frozen, but the scene fails with its own strengths
+    std::optional<FailureMode> mode;  // failure mode of the run at `upper`
+    std::optional<Outcome> cutShort;  // `Stopped`, `Limit` or `Undecided`, if the search ended early for that reason
+    bool nothingToFreeze = false;  // bolt forces were to be frozen, but the scene fails with unreduced strengths
 };
 
-/// Runs a scene into a sink, as `run` does.
+/// Runs a scene and writes to a sink, as `run` does.
 using SafetyTrial = std::function<void(const Scene& reduced, double factor, Sink& sink)>;
 
-/// The factor to try next: 1, then doubled or halved until there are both ends, then their middle; none when they are
-/// `tolerance` apart, or at the last factor that is tried. \param undecided runs between these ends that came to no
-/// verdict: the next is taken a quarter of the bracket away from the first, then three quarters, or a tenth less and
-/// more where there is no bracket.
+/// The factor to try next: 1, then doubled or halved until a bracket is found, then the middle of the bracket. None
+/// once the bracket is no wider than `tolerance`, the smallest or largest factor has been tried, or three runs in a
+/// row gave no verdict.
+/// \param undecided number of runs without a verdict since the last verdict. The next factor is then at a quarter,
+/// then at three quarters, of the bracket; without a bracket, it is the first choice times 0.9, then times 1.1.
 std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optional<double> upper, double tolerance,
                                        std::size_t undecided = 0);
 
-/// Looks for the factor to `scene.safety.tolerance`. Where bolt forces are frozen, all runs but the one at 1 are of
-/// scenes without bolts (frozen_bolts.h), and a scene that fails at 1 ends the search, because it has no bolt forces in
-/// equilibrium.
+/// Finds the factor of safety to within `scene.safety.tolerance`. With frozen bolt forces, all runs but the one at
+/// factor 1 use the scene without bolts (frozen_bolts.h); if the scene is not stable at factor 1, the search ends,
+/// because there are no bolt forces in equilibrium to freeze.
 /// \pre `checkScene(scene)` and `checkSafety(scene)` found no error.
-/// \param report called after every run that came to an answer, or to no verdict; may be empty.
+/// \param report called after every run, unless it was stopped or reached a limit; may be empty.
 SafetyFactor findSafetyFactor(const Scene& scene, const SafetyTrial& trial,
                               const std::function<void(const SafetyRun&)>& report = {});
 

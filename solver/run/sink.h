@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a run puts what it finds, as it finds it. The run store writes it to
-// disk, a test keeps it in memory, the window draws it.
+// Receiver of the results of a run as they are produced. The run store writes them
+// to disk, a test keeps them in memory, the window draws them.
 #pragma once
 
 #include "solver/results/results.h"
@@ -12,22 +12,23 @@ namespace keyblock {
 
 struct Checkpoint;
 
-/// Called from the thread that runs, in order of time. A sink that cannot write
-/// throws `CannotWrite`; the run then ends with what it has.
+/// Called from the thread of the run, in order of time. A sink that cannot write
+/// throws `CannotWrite`, which ends the run.
 class Sink {
 public:
     virtual ~Sink() = default;
 
     virtual void begin(const Scene& scene, const HistoryColumns& columns) = 0;
-    /// In place of `begin`, for a sink that has the results up to a checkpoint: those after it are forgotten.
+    /// Called instead of `begin` for a sink that has the results up to a checkpoint; later results are discarded.
     virtual void resume(const Scene& scene, const HistoryColumns& columns, const Checkpoint& from);
     virtual void stageBegins(int stage) = 0;
     virtual void event(const Event& event) = 0;
     virtual void history(const HistoryRow& row) = 0;
-    /// A frame closes everything before it: what came so far is safe once this returns.
+    /// Stores a frame. Once this returns, all results received so far are safely stored.
     virtual void frame(const Frame& frame) = 0;
     virtual void stageEnds(const StageResult& result) = 0;
-    /// Where the run can be taken up again, with what came before. A sink from which runs are not resumed ignores it.
+    /// Receives a state from which the run can be resumed, given the results so far. Sinks that do not support resuming
+    /// ignore it.
     virtual void checkpoint(const Checkpoint&) {}
 };
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which blocks are unstable at the end of a stage: those that a collapse took, and
-// those that lie or move too far from where the stage found them. How far is seen
-// from what a block touched or was bolted to then, so that settlement, heave and
-// strain of a whole section do not count (theory, "Equilibrium").
+// Blocks that are unstable at the end of a stage: those that collapsed, and those that
+// were displaced too far or still move. Displacements are measured relative to what
+// the block touched or was bolted to at the start of the stage, so that settlement,
+// heave and strain of the whole section do not count (theory, "Equilibrium").
 #pragma once
 
 #include "solver/engine/model/loads.h"
@@ -16,46 +16,47 @@
 
 namespace keyblock {
 
-/// Where a dynamic stage had brought the blocks.
+/// Block positions at one time of a dynamic stage.
 struct Mark {
     double time = 0.0;  // [s]
-    std::vector<Point> centroids;  // [m]; empty: not reached yet
+    std::vector<Point> centroids;  // [m]; empty if that time has not been reached yet
 };
 
-/// What a stage is judged by at its end; plain values, part of the checkpoint.
+/// Reference positions for judging a stage at its end; plain values, part of the checkpoint.
 struct StageStart {
     std::vector<BlockMotion> blocks;
-    std::vector<std::pair<int, int>> joined;  // rows that touched or were bolted to each other
-    Mark nine, eight;  // at nine and at eight tenths of a dynamic stage
+    std::vector<std::pair<int, int>> joined;  // rows of blocks that touched or were bolted to each other
+    Mark nine, eight;  // positions at 90 % and 80 % of the duration of a dynamic stage
 };
 
 StageStart startOfStage(const Model& model, const State& state);
 
-/// Takes the marks that a dynamic stage has come to.
+/// Records the positions at 80 % and 90 % of a dynamic stage once these times are reached.
 void mark(StageStart& start, const State& state, double time, double duration);
 
-/// The unstable blocks, in the order of their rows; of a collapse and of what follows in the order given.
+/// Finds the unstable blocks at the end of a stage. Lists are in the order of the rows, except for `collapsed`.
 class Stability {
 public:
-    /// \param loads of the stage: what they drive is exempt.
+    /// \param loads loads of the stage; blocks moved by its prescribed motions or dilations, and all blocks joined to
+    /// them, are exempt.
     Stability(const Model& model, const StageStart& start, const State& state, const Stage& stage, const Loads& loads);
 
-    /// \param followers are reported as such, and so is every other block that the collapse has moved by more than a
-    /// twentieth of its size, whether it still moves or has come to rest.
+    /// Unstable blocks of a collapse: `blocks` in the given order, then, as `Movement::Follows`, `followers` and every
+    /// other block that the collapse has moved by more than a twentieth of its size, even if it is at rest again.
     std::vector<UnstableBlock> collapsed(const std::vector<int>& blocks, const std::vector<int>& followers) const;
 
-    /// Blocks that have come to rest more than `share` of their size (centroid to farthest corner) away, and those joined
-    /// to them that went as far.
+    /// Blocks that came to rest after a displacement of more than `share` times their size (centroid to farthest
+    /// corner), and the blocks joined to them that moved at least 0.9 times as far.
     std::vector<UnstableBlock> displaced(double share) const;
 
-    /// Blocks that fell, lie farther than their own size away, or still move at the end of a dynamic stage as fast as
-    /// before.
+    /// Blocks that fell, moved by more than their own size, or still move without slowing down at the end of a dynamic
+    /// stage.
     std::vector<UnstableBlock> moving() const;
 
-    /// Of the blocks that decide, the one that moved most over its size; row −1 where none does.
+    /// Of the blocks that count for stability, the one that moved most relative to its size; row −1 if there is none.
     UnstableBlock farthest() const;
 
-    /// Blocks too small to decide that this stage has removed.
+    /// Blocks removed in this stage because they are too small to count for stability.
     std::vector<int> loose() const;
 
 private:
@@ -75,9 +76,9 @@ private:
     const StageStart& start_;
     const State& state_;
     const Stage& stage_;
-    double smallest_;  // area of blocks that decide [m²]
-    std::vector<char> exempt_;  // a row per block
-    std::vector<std::vector<std::pair<int, int>>> neighbours_;  // of the first row of a block: its row, and the other's
+    double smallest_;  // smallest area of a block that counts for stability [m²]
+    std::vector<char> exempt_;  // one per row
+    std::vector<std::vector<std::pair<int, int>>> neighbours_;  // by first row: (own row, neighbour)
 };
 
 }  // namespace keyblock

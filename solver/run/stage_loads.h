@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The loads of a run as its stages bring them: what a stage puts on stays with
-// its last value in the stages after it, until one of them puts something else
-// in its place.
+// The loads of a run, stage by stage. A load applied in one stage keeps its final
+// value in the following stages until one of them replaces it.
 #pragma once
 
 #include "solver/engine/model/loads.h"
@@ -12,57 +11,58 @@
 
 namespace keyblock {
 
-/// The load or motion of a stage that something acts by.
+/// Load or motion in the scene from which an applied force, pressure or motion stems.
 struct LoadSource {
-    int stage = -1, row = -1;
-    bool replaced = false;  // by a later stage: nothing acts any more
+    int stage = -1, row = -1;  // row in the stage's list of loads or motions
+    bool replaced = false;  // replaced by a later stage, so it no longer acts
 };
 
-/// What acts, with what the stages before have left.
+/// Active loads, including those left by earlier stages; plain values, part of the checkpoint.
 struct LoadMemory {
     int stage = -1;
     Loads loads;
-    LoadPoint start;  // what acted when the stage began
-    std::vector<LoadSource> forceSources, pressureSources, motionSources;  // rows of Loads
-    std::vector<int> wallStages;  // that excavated, per row of Loads::walls; −1: of a viscous boundary
-    std::vector<Point> zero;  // centroids at the last `zero_displacements`; empty: those of the start
+    LoadPoint start;  // load values at the start of the stage
+    std::vector<LoadSource> forceSources, pressureSources, motionSources;  // one per row of the lists in `Loads`
+    std::vector<int> wallStages;  // stage of the excavation for each row of Loads::walls; −1: a viscous boundary
+    std::vector<Point> zero;  // centroids at the last `zero_displacements`; empty: use those at the start
 };
 
 class StageLoads {
 public:
-    /// \param memory kept by the caller, who may put back what it was.
+    /// \param memory owned by the caller; to resume a run, the caller overwrites it.
     StageLoads(const Model& model, const Scene& scene, LoadMemory& memory)
         : model_(model), scene_(scene), memory_(memory) {}
 
-    /// Adds the loads and motions of a stage. A motion takes the place of an earlier one on its block, a load that of
-    /// one of an earlier stage at the same place.
+    /// Adds the loads and motions of a stage. A motion replaces an earlier motion of the same block; a load replaces
+    /// a load of an earlier stage at the same position.
     void begin(int stage, State& state);
 
-    /// Keeps the forces of excavated rock, to be released over this stage and later ones. \pre a static stage has
-    /// begun.
+    /// Adds the forces that excavated rock exerted on the remaining rock, to be released during this stage and later
+    /// ones. \pre a stage that releases them has begun: a static stage, or one with `relaxation`.
     void hold(const std::vector<WallForce>& walls);
 
-    /// Viscous boundaries of this stage, and the forces of what held them before, which stay as long as they do.
+    /// Sets the viscous boundaries of this stage. \param kept reactions of the supports that they replace; these forces
+    /// act as long as the viscous boundaries do.
     void quieten(const std::vector<Dashpot>& dashpots, const std::vector<WallForce>& kept);
 
-    /// Forgets loads and motions of what is not there any more.
+    /// Removes loads and motions of blocks and bolts that have been removed.
     void forgetAbsent(const State& state);
 
     const Loads& loads() const { return memory_.loads; }
 
-    /// What acted when the stage began.
+    /// Load values at the start of the stage.
     const LoadPoint& start() const { return memory_.start; }
 
-    /// What acts at `time` of the stage.
+    /// Load values at `time` of the stage.
     LoadPoint at(double time) const;
 
-    /// Times in (0, 1) at which a table of this stage turns.
+    /// Times in (0, 1) of the entries in the tables of this stage.
     std::vector<double> turns() const;
 
-    /// True where anything of this stage changes after its time 0.
+    /// True if any load or motion changes during this stage after time 0.
     bool varies() const;
 
-    /// Keeps what acts at the stage's end for the next.
+    /// Stores the load values reached at the end of the stage for the next one.
     void end(const LoadPoint& reached) { memory_.start = reached; }
 
 private:

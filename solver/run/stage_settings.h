@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How a stage is solved, from what the scene says of it and what is usual where it
-// says nothing.
+// Solver settings of a stage, from the scene or, where it gives none, from defaults.
 #pragma once
 
 #include "solver/engine/stage/dynamics.h"
@@ -17,24 +16,25 @@ namespace keyblock {
 StaticSettings staticSettings(const Scene& scene, const Stage& stage);
 DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
 
-/// Pseudo-times at which the increments of a static stage end: 0 for what it puts on at once, then the increments, with
-/// every turn of a table among them. Where the stage gives no number, its increments are chosen while it runs and end at
-/// these times at least: where a table turns, and where `output` requests a frame. \param loads begun for that stage.
+/// Pseudo-times at which the increments of a static stage end: 0 for loads applied at once, then the ends of the
+/// increments, including every entry of a load table. If the stage gives no number of increments, their lengths are
+/// chosen during the run, but increments always end at these times: at entries of load tables and where `output`
+/// requests a frame. \param loads loads for which this stage has begun.
 std::vector<double> incrementTimes(const Scene& scene, const Stage& stage, const StageLoads& loads);
 
-/// Time between the frames of a stage, of its own time; null: `output` leaves it to the program.
+/// Time between the frames of a stage, in the time of the stage; null if `output` does not set it.
 std::optional<double> framesEvery(const Scene& scene, const Stage& stage);
 
-/// The same, or what the program takes where `output` leaves it to it.
+/// Time between the frames of a stage, in the time of the stage; the default if `output` does not set it.
 double frameInterval(const Scene& scene, const Stage& stage);
 
-/// Frames at equal intervals until the end of a stage, at most.
+/// Largest number of frames at equal intervals from the start of the run to the end of a stage.
 long plannedFrames(const Scene& scene, int stage);
 
-/// Viscous sides of a stage. \pre the scene was checked without errors.
+/// Sides of the domain that are viscous boundaries in a stage. \pre the scene was checked without errors.
 std::vector<BoundarySide> viscousSides(const Stage& stage);
 
-/// Gives a block, all cells of it, the velocity of one body.
+/// Sets the initial velocity of a block; all its cells move as one rigid body.
 void setVelocity(const Scene& scene, const Model& model, const InitialVelocity& initial, State& state);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A scene with its strengths divided by a factor, and whether a scene can be
-// searched for its factor of safety at all.
+// Strength reduction of a scene, and the check whether a factor of safety can be
+// computed for a scene at all.
 #pragma once
 
 #include "solver/scene/problem.h"
@@ -12,16 +12,16 @@
 
 namespace keyblock {
 
-/// The scene with what `safety.reduce` names divided by `factor` from the start on: tan of friction angles (the
-/// residual one too), cohesion and tensile strength of joint materials, changes in later stages among them; strength,
-/// residual, tan of the friction angle and curves of anchors. A factor of 1 changes no digit. A stage that finds no
-/// equilibrium ends the run. Theory, "Factor of safety".
+/// The scene with the strengths selected by `safety.reduce` divided by `factor` from the start of the run. For joint
+/// materials these are the tangents of the peak and residual friction angles, the cohesion and the tensile strength,
+/// also where later stages change them; for anchors they are the strength, the residual strength, the tangent of the
+/// friction angle and the curve (slip and force). A factor of 1 leaves every value exactly as it is. A stage that
+/// finds no equilibrium ends the run. See theory, "Factor of safety".
 /// \pre factor > 0.
 Scene withReducedStrength(const Scene& scene, double factor);
 
-/// What keeps a checked scene from having a factor of safety: no stage, a dynamic one, nothing that could be reduced,
-/// bonds that are reduced while bolt forces are frozen.
-/// With pointers, without file and line.
+/// Reasons why a checked scene cannot have a factor of safety: no stages, a dynamic stage, no strength to reduce, or
+/// reduction of bonds with frozen bolt forces. The problems have pointers but no file and line.
 std::vector<Problem> checkSafety(const Scene& scene);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Events that need no release by the program: joints that slip or open, blocks that
-// fall, bolts drawn out of a block. Seen by comparing one accepted state with
-// the next; each is reported once.
+// Events that are not releases made by the solver: joints that slip or open, blocks
+// that fall, bolts pulled out of a block. They are detected by comparing each accepted
+// state with the next; each is reported once.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -15,25 +15,26 @@
 
 namespace keyblock {
 
-/// What was seen before; joints as pairs of blocks.
+/// Earlier observations; joints are identified by pairs of blocks. Part of the checkpoint.
 struct WatchMemory {
     using Pair = std::pair<int, int>;
-    std::map<Pair, Contact> closed;  // when last looked at, with the first contact of the pair as it was
-    std::set<Pair> slipped, opened;  // reported in this stage
-    std::vector<std::vector<char>> inhabited;  // per bolt and slot: held a node at some time
+    std::map<Pair, Contact> closed;  // joints closed at the latest check, with the first contact of each at that time
+    std::set<Pair> slipped, opened;  // joints whose slip or opening was reported in this stage
+    std::vector<std::vector<char>> inhabited;  // per bolt and borehole slot: whether it has ever contained a node
 };
 
 class Watch {
 public:
-    /// \param memory filled here and kept by the caller, who may put back what it was.
+    /// \param memory owned by the caller and filled in by the constructor; to resume a run, the caller overwrites it.
     Watch(const Model& model, const State& start, WatchMemory& memory);
 
-    /// Joint events are reported once per pair of blocks and stage.
+    /// Prepares for a new stage: joint events are reported once per pair of blocks and stage.
     void beginStage(const State& state) const;
 
+    /// Events since the latest check; marks fallen blocks and bolts pulled out in `state`.
     std::vector<Event> look(State& state) const;
 
-    /// Remembers a joint event that was reported, so that it is not reported again.
+    /// Records a joint event reported elsewhere, so that it is not reported again.
     void remember(const Event& event) const;
 
 private:
@@ -42,7 +43,7 @@ private:
     void lookForPulledOut(State& state, std::vector<Event>& events) const;
 
     const Model& model_;
-    std::vector<Point> start_;  // centroids when the run began
+    std::vector<Point> start_;  // centroids at the start of the run
     WatchMemory& memory_;
 };
 
