@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files that people and programs read appear whole or not at all: they are written
-// in the same folder under another name and renamed at the end.
+// Atomic writes: a file is written under a temporary name in the same folder and
+// renamed at the end, so that readers see the complete file or none.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,15 @@
 
 namespace keyblock {
 
-/// One line on why `path` is not written, for the system's error number, with what to do; 0 when the system gave none.
+/// One-line message that `path` cannot be written, with reason and remedy.
+/// \param systemError system error number (errno); 0 if there is none. \param reason additional explanation.
 std::string cannotWriteText(const std::filesystem::path& path, int systemError, const std::string& reason = {});
 
-/// The name that a file bears while it is written: next to `path`, ending in `.part-` and the process number.
+/// Temporary name of a file or folder while it is written: `path` with `.part-` and the process number appended.
 std::filesystem::path partPath(const std::filesystem::path& path);
 
-/// Writes a file through `write` and puts it in its place, over one that is there. A device or a pipe is written to
-/// directly. Throws `CannotWrite`, leaving what was there before.
+/// Writes a file atomically, replacing an existing one. A device or a pipe is written to directly.
+/// \param write writes the contents. \throws CannotWrite; an existing file is then unchanged.
 void writeAtomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
 }  // namespace keyblock

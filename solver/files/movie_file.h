@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A video as MP4 or WebM, written by the program ffmpeg: frames go into it through a
-// pipe, and the file appears under its name once it is complete.
+// Writes a video as MP4 or WebM with the program ffmpeg. Images are sent to ffmpeg
+// through a pipe, and the file gets its final name once it is complete.
 #pragma once
 
 #include <atomic>
@@ -15,8 +15,8 @@ namespace keyblock {
 enum class MovieFormat { Mp4, WebM };  // H.264 and VP9
 
 struct MovieShape {
-    int columns = 0, rows = 0;  // of a frame [px]; an odd number gets a white line more
-    int perSecond = 12;  // pictures
+    int columns = 0, rows = 0;  // size of an image [px]; an odd size is increased by one white line
+    int perSecond = 12;  // images per second
 };
 
 /// Whether ffmpeg is installed.
@@ -24,20 +24,22 @@ bool canWriteMovies();
 
 class MovieFile {
 public:
-    /// Starts ffmpeg. `stop` ends every wait for it and must outlive this.
-    /// \throws CannotWrite when there is no ffmpeg, or no right to write there.
+    /// Starts ffmpeg. \param stop ends any wait for ffmpeg when set; it must outlive this object.
+    /// \throws CannotWrite if ffmpeg is not installed or the file cannot be written.
     MovieFile(const std::filesystem::path& path, MovieFormat format, const MovieShape& shape,
               const std::atomic<bool>& stop);
-    /// Ends ffmpeg and removes what is not finished.
+    /// Ends ffmpeg and removes an unfinished file.
     ~MovieFile();
     MovieFile(const MovieFile&) = delete;
     MovieFile& operator=(const MovieFile&) = delete;
 
-    /// One frame: rows from the top, four bytes a pixel, blue, green, red and one that means nothing. Nothing once
-    /// `stop` is set. \throws CannotWrite with ffmpeg's own words when it gave up.
+    /// Adds an image; does nothing once `stop` is set.
+    /// \param pixels rows from the top, four bytes per pixel: blue, green, red and an unused byte.
+    /// \throws CannotWrite with ffmpeg's message if ffmpeg has failed.
     void add(const std::string& pixels);
 
-    /// Waits for ffmpeg and puts the file in its place, unless `stop` is set. \throws CannotWrite as above.
+    /// Waits for ffmpeg and gives the file its final name, unless `stop` is set.
+    /// \throws CannotWrite with ffmpeg's message if ffmpeg has failed.
     void finish();
 
 private:
@@ -51,7 +53,7 @@ private:
     int process_ = -1;
     int input_ = -1, messages_ = -1;  // ends of pipes
     int status_ = 0;
-    std::string said_;  // by ffmpeg
+    std::string said_;  // messages of ffmpeg
 };
 
 }  // namespace keyblock

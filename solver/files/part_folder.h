@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Folders that an export fills appear whole or not at all, as files do, and never
-// take the place of anything but an earlier export of their kind.
+// Atomic writes of export folders: the folder appears complete or not at all, and it
+// never replaces anything but an earlier export of the same kind.
 #pragma once
 
 #include <filesystem>
@@ -11,19 +11,21 @@
 
 namespace keyblock {
 
-/// A folder under another name until all of it is written; removed if it is not.
+/// A folder with a temporary name until it is complete; removed if it is never completed.
 class PartFolder {
 public:
-    /// `isOurs` says whether an existing folder may contain a file or folder of this name.
-    /// \throws CannotWrite when it holds another, or there is no right to write.
+    /// Creates the temporary folder. \param folder final path.
+    /// \param isOurs whether an export of this kind contains a file or folder with the given name.
+    /// \throws CannotWrite if an existing folder contains anything else, or the folder cannot be created.
     PartFolder(const std::filesystem::path& folder, const std::function<bool(const std::string&)>& isOurs);
     ~PartFolder();
     PartFolder(const PartFolder&) = delete;
     PartFolder& operator=(const PartFolder&) = delete;
 
-    /// Where to write.
+    /// Temporary folder to write to; `putInPlace` gives it its final name.
     const std::filesystem::path& path() const { return part_; }
 
+    /// Renames the folder to its final path, replacing an earlier export. \throws CannotWrite
     void putInPlace() const;
 
 private:

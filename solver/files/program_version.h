@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The program's version is said once, in the build's project line.
+// The version of the program, which is defined only in the `project` command of the
+// build.
 #pragma once
 
 #include <string_view>
 
 namespace keyblock {
 
-/// As in `0.1.0`.
+/// Version of the program, as in `0.1.0`.
 std::string_view programVersion();
 
 }  // namespace keyblock

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is wrong with a requested file, as one message.
+// The exception for files that cannot be read.
 #pragma once
 
 #include <stdexcept>
 
 namespace keyblock {
 
-/// A file is missing, is not what it was taken for, or is damaged; `what()` says which, why, and what to do.
+/// A file is missing, of the wrong kind or damaged; `what()` gives its path, the reason and a remedy.
 struct CannotRead : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

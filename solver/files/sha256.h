@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The hash that names a scene: two stores came from the same scene exactly when
+// The hash that identifies a scene: two stores are from the same scene if and only if
 // their hashes agree.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace keyblock {
 
-/// SHA-256 of the bytes as 64 hexadecimal digits (FIPS 180-4), the same as `sha256sum` prints.
+/// SHA-256 of the bytes (FIPS 180-4) as 64 hexadecimal digits, as printed by `sha256sum`.
 std::string sha256(std::string_view bytes);
 
 }  // namespace keyblock

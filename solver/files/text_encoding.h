@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names in files of others come in many encodings; ours are UTF-8.
+// Converts names from other programs' files, which have various encodings, to UTF-8.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace keyblock {
 
-/// A text that is UTF-8 as it is; another one from the code page (`ANSI_1252`, as DXF names it; empty: Windows 1252).
-/// Bytes that mean nothing there become `?`, and so do control characters.
+/// Converts a text to UTF-8, unless it is valid UTF-8 already. Undefined bytes and control characters become `?`.
+/// \param codePage encoding of the text, as named in DXF files (`ANSI_1252`); empty: Windows 1252.
 std::string asUtf8(std::string_view text, std::string_view codePage);
 
-/// With `\U+XXXX` of DXF turned into the letters it represents.
+/// Replaces the DXF escape sequences `\U+XXXX` by the characters that they represent.
 std::string withDxfEscapes(std::string_view text);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A comma between digits is a decimal comma where commas do not separate cells, or
-// inside quotes. A file that writes some numbers with commas and others with points
-// is not guessed at.
+// Reads numbers from CSV cells. A comma between digits is a decimal comma if cells are
+// not separated by commas, or within quotes. A file in which some numbers have decimal
+// commas and others decimal points is an error.
 #pragma once
 
 #include "solver/files/csv/csv_rows.h"
@@ -13,14 +13,15 @@
 
 namespace keyblock {
 
-/// The numbers of one file; what is wrong with them is reported in `problems`, which outlives this.
+/// Reads the numbers of one file and reports errors in `problems`. \pre `problems` outlives this object.
 class CsvNumbers {
 public:
     explicit CsvNumbers(std::vector<Problem>& problems) : problems_(problems) {}
 
     void separatedBy(char separator) { separator_ = separator; }
 
-    /// Reads a cell. \return false for what is not a number, which is reported with `place`, the column's words.
+    /// Reads a cell. \param place description of the column for messages.
+    /// \return false if the cell is not a number, which is reported.
     bool read(const CsvCell& cell, const std::string& place, double& value);
 
 private:
@@ -33,10 +34,10 @@ private:
     int decimalLine_ = 0;
 };
 
-/// `column 3 ('load_kN')`; `index` counts from 0.
+/// Description of a column for messages, as in `column 3 ('load_kN')`. \param index counted from 0.
 std::string csvColumnText(std::size_t index, const std::string& title);
 
-/// That a row has more or fewer cells than the header; with nothing wrong, no message.
+/// Error for a row with more or fewer cells than the header has; its message is empty if the numbers agree.
 Problem csvRowProblem(const CsvRow& row, std::size_t columns, char separator);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// CSV as spreadsheets of many countries write it: separated by commas, semicolons
-// or tabs, with quotes, with or without a byte-order mark. Every cell knows its
-// line and column.
+// Reads CSV as written by spreadsheets in many countries: separated by commas,
+// semicolons or tabs, with quotes, with or without a byte-order mark. Every cell
+// stores its line for messages.
 #pragma once
 
 #include "solver/scene/problem.h"
@@ -15,21 +15,21 @@
 namespace keyblock {
 
 struct CsvCell {
-    std::string text;  // UTF-8, without blanks around it
-    int line = 0;  // where it begins, from 1
+    std::string text;  // UTF-8, without surrounding blanks
+    int line = 0;  // line on which the cell begins, from 1
     bool quoted = false;
 };
 
 using CsvRow = std::vector<CsvCell>;
 
 struct CsvRows {
-    std::vector<CsvRow> rows;  // without empty ones and comments (`#`)
+    std::vector<CsvRow> rows;  // without empty rows and comments (`#`)
     char separator = ',';
     std::vector<Problem> problems;
 };
 
-/// Splits a text into rows of cells. The first row says by what cells are separated: tabs, else semicolons, else
-/// commas.
+/// Splits a text into rows of cells. The separator is determined from the first row: tab if it contains one, else
+/// semicolon, else comma.
 CsvRows readCsvRows(std::string_view text);
 
 }  // namespace keyblock

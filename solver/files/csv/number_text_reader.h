@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers as other programs write them into text files.
+// Reads numbers from text files of other programs.
 #pragma once
 
 #include <string_view>
 
 namespace keyblock {
 
-/// A whole text that is a finite number below 1e15; a leading `+` is allowed. \return false where it is none.
+/// Reads a number with a magnitude below 1e15, which must be the whole text; a leading `+` is allowed.
+/// \return false if the text is not such a number.
 bool readReal(std::string_view text, double& number);
 
-/// The same for an integer.
+/// Reads an integer, which must be the whole text; a leading `+` is allowed.
+/// \return false if the text is not an integer.
 bool readInteger(std::string_view text, int& number);
 
 }  // namespace keyblock

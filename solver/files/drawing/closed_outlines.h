@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Outlines in drawings are often several lines and arcs that meet end to end.
+// Joins lines to closed outlines, because outlines in drawings often consist of
+// several lines and arcs that meet end to end.
 #pragma once
 
 #include "solver/files/drawing/drawing.h"
@@ -13,17 +14,17 @@
 namespace keyblock {
 
 struct ClosedOutline {
-    std::vector<Point> points;  // the first not repeated
-    std::vector<std::size_t> lines;  // that it is made of, as indices
+    std::vector<Point> points;  // the first point is not repeated
+    std::vector<std::size_t> lines;  // indices of the lines that it consists of
 };
 
 struct ClosedOutlines {
     std::vector<ClosedOutline> outlines;  // in the order of their first lines
-    std::vector<std::size_t> open;  // lines that belong to none
+    std::vector<std::size_t> open;  // indices of the lines that belong to no outline
 };
 
-/// Joins lines whose ends lie within `tolerance` of each other to closed outlines; closed lines are outlines already.
-/// An end continues with the first line, in their order, that is there and not used.
+/// Joins lines whose ends lie within `tolerance` of each other to closed outlines; each closed line is an outline of
+/// its own. If several lines meet at an end, the first unused one in the order of `lines` is taken.
 ClosedOutlines closeOutlines(std::span<const DrawnLine> lines, double tolerance);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the columns of a list of joints or bolts are called, in the plain forms that
-// people use: `x1`, `X start [mm]`, `head_x_m`.
+// Column titles of a list of joints or bolts, in the forms that are in common use:
+// `x1`, `X start [mm]`, `head_x_m`.
 #pragma once
 
 #include "solver/files/drawing/drawing.h"
@@ -18,18 +18,18 @@ enum class CsvColumnKind {
 
 struct CsvColumn {
     CsvColumnKind kind = CsvColumnKind::Unknown;
-    const UnitSymbol* unit = nullptr;  // of a length or a force, where the title says one
+    const UnitSymbol* unit = nullptr;  // unit of a length or force; null if the title gives none
     std::string title;
-    std::string problem;  // with its unit, for people; empty: none
+    std::string problem;  // message about an invalid unit; empty if there is none
 };
 
-/// Whether a column holds a length.
+/// Whether a column contains lengths or coordinates.
 bool isLength(CsvColumnKind kind);
 
-/// Reads a title: a name, and a unit in brackets or at the end.
+/// Reads a title, which consists of a name and optionally a unit in brackets or at the end.
 CsvColumn readCsvColumn(const std::string& title);
 
-/// The names that `readCsvColumn` knows best, for people.
+/// The preferred column titles, for messages.
 std::string csvColumnForms();
 
 }  // namespace keyblock

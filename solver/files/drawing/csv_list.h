@@ -9,9 +9,9 @@
 
 namespace keyblock {
 
-/// The lines of a list of joints or of bolts, in metres, on the layer `layer`; which of the two it is, its columns say,
-/// and it is in `kind` (`joint`, `bolt`). `unit` is that of columns that say none; null: those are errors. Any
-/// error, each with line and column, leaves nothing to be used.
+/// Reads a list of joints or bolts. Its columns decide which of the two it is; `DrawnLine::kind` is then `joint` or
+/// `bolt`. The lines are in metres. Errors give line and column; if there is any, the drawing must not be used.
+/// \param layer layer of all lines. \param unit length unit of columns without a unit; null: such columns are errors.
 Drawing readCsvList(std::string_view text, const std::string& layer, const UnitSymbol* unit);
 
 }  // namespace keyblock

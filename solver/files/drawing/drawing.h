@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is read from a drawing (DXF) or a list (CSV) before anything is made of it:
-// lines on layers, each with the place in the file that it comes from, and
-// everything that could not be imported, with the reason.
+// Contents of a drawing (DXF) or list (CSV) before conversion to a scene: lines on
+// layers, each with its position in the file, and everything that could not be
+// imported, with the reason.
 #pragma once
 
 #include "geometry/point.h"
@@ -18,9 +18,9 @@
 
 namespace keyblock {
 
-/// Where something is in the file.
+/// Position of an item in the file.
 struct DrawingPlace {
-    int line = 0;  // from 1
+    int line = 0;  // counted from 1
     std::string handle;  // the DXF handle; empty: none
 };
 
@@ -29,21 +29,21 @@ struct DrawnCircle {
     double radius = 0.0;
 };
 
-/// A line of points, in the units of the drawing.
+/// A polyline, in the units of the drawing.
 struct DrawnLine {
     std::string layer;
-    std::string kind;  // `ARC`; of a block, `ARC in block 'bolt'`
+    std::string kind;  // kind of entity, as in `ARC`, or `ARC in block 'bolt'` for an entity of a block
     DrawingPlace place;
-    std::vector<Point> points;  // of a closed one the first is not repeated
+    std::vector<Point> points;  // if the line is closed, the first point is not repeated
     bool closed = false;
-    std::optional<DrawnCircle> circle;  // that it is
-    // of lists; empty: not said
+    std::optional<DrawnCircle> circle;  // the circle, if the line is one
+    // set by lists only; empty: not given
     std::string name;
-    std::string material;  // of a joint
+    std::string material;  // joint material
     std::string boltType;
-    std::optional<double> boltSpacing;  // out of plane [m]
+    std::optional<double> boltSpacing;  // out-of-plane spacing [m]
     std::optional<double> pretension;  // [N]
-    bool headLast = false;  // a bolt whose head is the last point; else the head has to be found
+    bool headLast = false;  // true: a bolt whose head is the last point; false: the head has to be found
 };
 
 struct NotTaken {
@@ -53,29 +53,29 @@ struct NotTaken {
     std::string why;
 };
 
-/// An INSERT whose block was put in place.
+/// An INSERT entity whose block was inserted.
 struct InsertedBlock {
     std::string kind;
     std::string layer;
     std::string block;
 };
 
-/// The units that a drawing may have: m, mm, cm, dm, km, um, in, ft, yd, mi, us-ft.
+/// Names of the length units supported in drawings: m, mm, cm, dm, km, um, in, ft, yd, mi, us-ft.
 std::span<const std::string_view> lengthUnits();
 
-/// One of `lengthUnits`; null when there is none of that name.
+/// The unit with this name; null if it is not one of `lengthUnits`.
 const UnitSymbol* lengthUnitOf(std::string_view word);
 
-/// All of them, with commas between.
+/// Comma-separated list of `lengthUnits`, for messages.
 std::string lengthUnitWords();
 
 struct Drawing {
     std::vector<DrawnLine> lines;
     std::vector<NotTaken> notTaken;
     std::vector<InsertedBlock> inserted;
-    std::vector<std::string> hiddenLayers;  // frozen or off
-    const UnitSymbol* unit = nullptr;  // that the file says; null: none
-    std::vector<Problem> problems;  // with an error, nothing else is to be used
+    std::vector<std::string> hiddenLayers;  // layers that are frozen or off
+    const UnitSymbol* unit = nullptr;  // unit given in the file; null: none
+    std::vector<Problem> problems;  // if any is an error, the other members must not be used
 };
 
 }  // namespace keyblock

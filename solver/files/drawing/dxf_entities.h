@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The groups of a DXF file sorted into what they describe: header, layers, blocks
-// and entities, each entity with its line, so that every one can be accounted for.
+// The groups of a DXF file sorted into header, layers, blocks and entities, each
+// entity with its line number, so that every entity can be accounted for.
 #pragma once
 
 #include "geometry/point.h"
@@ -16,13 +16,13 @@
 namespace keyblock {
 
 struct DxfEntity {
-    std::string kind;  // LINE
+    std::string kind;  // e.g. LINE
     std::string layer;  // UTF-8
     std::string handle;
-    int line = 0;  // where it begins
-    bool paper = false;  // on a sheet, not in the model
+    int line = 0;  // line on which the entity begins
+    bool paper = false;  // in paper space instead of model space
     bool invisible = false;
-    std::span<const DxfGroup> groups;  // after the one that begins it
+    std::span<const DxfGroup> groups;  // after the group that begins the entity
     std::vector<DxfEntity> parts;  // vertices of a POLYLINE
 };
 
@@ -35,23 +35,23 @@ struct DxfBlock {
 
 struct DxfContent {
     int units = 0;  // $INSUNITS; 0: none
-    std::map<std::string, bool> hidden;  // layers by name in lower case; whether frozen or off
+    std::map<std::string, bool> hidden;  // by layer name in lower case: whether the layer is frozen or off
     std::map<std::string, DxfBlock> blocks;  // by name in lower case
     std::vector<DxfEntity> entities;
-    std::string codePage;  // of names that are no UTF-8; empty: not said
+    std::string codePage;  // encoding of names that are not UTF-8; empty: not given
     std::vector<Problem> problems;
 };
 
-/// Sorts groups, to which the result refers.
+/// Sorts groups into the contents of a drawing, which refer to `groups`.
 DxfContent sortDxf(const DxfGroups& groups);
 
-/// ASCII letters in lower case: names of layers and blocks do not heed it.
+/// Converts ASCII letters to lower case, because names of layers and blocks are not case-sensitive.
 std::string lowerCase(std::string_view text);
 
-/// The first value of a code; empty where there is none.
+/// Value of the first group with this code; empty if there is none.
 std::string_view valueOf(const DxfEntity& entity, int code);
 
-/// The same as a number, or `otherwise`.
+/// Value of the first group with this code as a number; `otherwise` if there is none.
 double realOf(const DxfEntity& entity, int code, double otherwise);
 int integerOf(const DxfEntity& entity, int code, int otherwise);
 

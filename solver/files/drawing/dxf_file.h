@@ -9,9 +9,10 @@
 
 namespace keyblock {
 
-/// The lines of a DXF text, curves as points no edge of which lies farther off than `sagitta` [units of the drawing;
-/// null: 5e-4 of the drawing's longer side], inserted blocks in their places. Every entity of the model and of the
-/// blocks that it inserts is among the lines or among what is not taken.
+/// Reads the lines of a DXF text, with inserted blocks at their positions. Every entity in model space, and in the
+/// blocks inserted there, is either in `lines` or in `notTaken`.
+/// \param sagitta largest distance between a curve and the polyline that replaces it, in drawing units; null: 5e-4 of
+/// the drawing's longer side.
 Drawing readDxf(std::string_view text, std::optional<double> sagitta = std::nullopt);
 
 }  // namespace keyblock

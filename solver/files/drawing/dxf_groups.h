@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A DXF file as what it is made of: pairs of lines, a code and a value. Whatever
-// cannot be pairs is found here, before any library sees it.
+// A DXF file as a sequence of groups: pairs of lines with a code and a value. Input
+// that does not consist of such pairs is rejected here, before any library reads it.
 #pragma once
 
 #include "solver/scene/problem.h"
@@ -15,20 +15,20 @@ namespace keyblock {
 
 struct DxfGroup {
     int code = 0;
-    std::string_view value;  // of a number, without blanks around it
-    int line = 0;  // of the value, from 1
+    std::string_view value;  // for numbers, without surrounding blanks
+    int line = 0;  // line of the value, from 1
 };
 
 struct DxfGroups {
-    std::vector<DxfGroup> groups;  // up to the one that ends the file, without comments
+    std::vector<DxfGroup> groups;  // up to the group that ends the file, without comments
     std::vector<Problem> problems;
 };
 
-/// Cuts a text into groups, which refer to it. Not a text file, a binary DXF, a DWG, a line that is no code, or a file
-/// that ends amid its entities is an error.
+/// Splits a text into groups, which refer to the text. It is an error if the text is a binary file, a binary DXF or a
+/// DWG, if a line is not a group code where one is expected, or if the file ends within its entities.
 DxfGroups readDxfGroups(std::string_view text);
 
-/// Whether the value of a code is a real number (coordinates, lengths, angles).
+/// Whether groups with this code have a real number as value (coordinates, lengths, angles).
 bool isRealCode(int code);
 
 }  // namespace keyblock

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One entity of a DXF file as plain values. The numbers of an entity are read by
-// libdxflib, which takes what is missing as 0 and believes every count; so each
-// entity is checked first, its counts are counted, and it is handed over alone,
-// with those of its groups that describe its shape. Headers, tables, texts and all
-// other kinds never reach the library.
+// libdxflib, which takes missing values as 0 and trusts every count. Each entity is
+// therefore checked first, including its counts, and passed to the library on its own
+// and only with the groups that describe its shape. Headers, tables, texts and all
+// other kinds of entity never reach the library.
 #pragma once
 
 #include "geometry/curve.h"
@@ -22,14 +22,14 @@ struct DxfCircle {
     Point center{0.0, 0.0};
     double radius = 0.0;
 };
-/// Part of an ellipse: center + cos t·p + sin t·q for t from start over sweep [rad].
+/// Arc of an ellipse: center + cos t·p + sin t·q for t from start to start + sweep [rad].
 struct DxfArc {
     Point center{0.0, 0.0}, p{0.0, 0.0}, q{0.0, 0.0};
     double start = 0.0, sweep = 0.0;
 };
 struct DxfVertex {
     Point place{0.0, 0.0};
-    double bulge = 0.0;  // of the piece that begins here
+    double bulge = 0.0;  // bulge of the segment that begins at this vertex
 };
 struct DxfPolyline {
     std::vector<DxfVertex> vertices;
@@ -37,7 +37,7 @@ struct DxfPolyline {
 };
 struct DxfSpline {
     Spline spline;
-    std::vector<Point> fit;  // used where there are no control points
+    std::vector<Point> fit;  // fit points, used if there are no control points
     bool closed = false;
 };
 struct DxfInsert {
@@ -52,12 +52,13 @@ using DxfShape = std::variant<DxfCircle, DxfArc, DxfPolyline, DxfSpline, DxfInse
 
 struct DxfShapeReading {
     std::optional<DxfShape> shape;
-    bool mirrored = false;  // drawn on a plane that is seen from behind: x counts to the left
-    std::string why;  // there is none
-    double height = 0.0;  // z of largest magnitude, which is left out
+    bool mirrored = false;  // drawn on a plane seen from behind, with x increasing to the left
+    std::string why;  // reason why there is no shape
+    double height = 0.0;  // z coordinate of largest magnitude; z coordinates are otherwise ignored
 };
 
-/// Reads LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE and INSERT; other kinds have a reason and no shape.
+/// Reads LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE and INSERT; for other kinds the result has a reason
+/// but no shape.
 DxfShapeReading readDxfShape(const DxfEntity& entity);
 
 }  // namespace keyblock

@@ -6,12 +6,12 @@
 
 namespace keyblock {
 
-/// The role that a layer's name speaks of, in a few languages; nothing where it speaks of none.
+/// The role suggested by the name of a layer, in several languages; none if the name suggests none.
 std::optional<LayerRole> guessedRole(std::string_view layer);
 
-/// Gives every layer with lines its role and reports which were guessed, and which could not be: an error that lists
-/// them. A given role whose layer the drawing lacks is an error. Layers that are frozen or off are left out unless a
-/// role is given for them by name.
+/// Roles of all layers with lines; `ImportedLayer::source` marks roles that were guessed. Layers whose role is
+/// neither given nor guessed are listed in one error. A role given for a layer that is not in the drawing is an
+/// error. Layers that are frozen or off are ignored unless a role is given for them by name.
 std::vector<ImportedLayer> layerRoles(const Drawing& drawing, const ImportSettings& settings,
                                       std::vector<Problem>& problems);
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a drawing to a scene. Layers are given roles, or roles are guessed from
-// their names and reported; what a drawing does not contain (materials, gravity, a missing
-// boundary) is assumed, bears a name that shows it, and is reported. Every entity is
+// Converts a drawing to a scene. The roles of layers are given, or guessed from their
+// names and reported. Data that a drawing does not contain (materials, gravity, a
+// missing boundary) are assumed, named accordingly and reported. Every entity is
 // accounted for.
 #pragma once
 
@@ -25,19 +25,19 @@ std::string_view wordOf(LayerRole role);  // joint, boundary, tunnel, bolt, igno
 std::optional<LayerRole> layerRoleOf(std::string_view word);
 
 struct ImportSettings {
-    std::vector<std::pair<std::string, LayerRole>> roles;  // by layer; `*`: every layer that has none
-    const UnitSymbol* unit = nullptr;  // null: the one that the file says
-    std::optional<double> sagitta;  // of curves [m]; null: 5e-4 of the drawing's longer side
+    std::vector<std::pair<std::string, LayerRole>> roles;  // by layer; `*`: every layer without a role
+    const UnitSymbol* unit = nullptr;  // length unit of the file; null: the one given in the file
+    std::optional<double> sagitta;  // largest deviation from curves [m]; null: 5e-4 of the drawing's longer side
 };
 
 struct ImportedLayer {
     std::string name;
     LayerRole role = LayerRole::Ignore;
-    bool known = true;
-    std::string source;  // of the role, for people: given, guessed from its name, frozen or off
+    bool known = true;  // whether the role is known
+    std::string source;  // source of the role for messages: given, guessed from its name, frozen or off, …
 };
 
-/// How many entities of a kind and layer became what.
+/// Number of entities of one kind on one layer that were imported as the same thing.
 struct ImportRow {
     std::string kind;
     std::string layer;
@@ -46,20 +46,21 @@ struct ImportRow {
 };
 
 struct Import {
-    std::optional<Scene> scene;  // there when no problem is an error: it reads and checks
-    std::optional<SceneCut> cut;  // what it is cut to
+    std::optional<Scene> scene;  // a valid scene; present if no problem is an error
+    std::optional<SceneCut> cut;  // result of cutting the scene
     std::string unit;
-    std::vector<ImportedLayer> layers;  // with lines, by name
-    std::vector<ImportRow> rows;  // by kind, layer and what became of them
-    std::vector<NotTaken> notTaken;  // by line
+    std::vector<ImportedLayer> layers;  // layers with lines, sorted by name
+    std::vector<ImportRow> rows;  // sorted by kind, layer and `became`
+    std::vector<NotTaken> notTaken;  // sorted by line
     std::vector<std::string> assumed;
     std::vector<Problem> problems;
 };
 
-/// Makes a scene of a drawing; `name` is the file's.
+/// Makes a scene from a drawing. \param name file name.
 Import importSection(Drawing drawing, const ImportSettings& settings, const std::string& name);
 
-/// The same from a file: `.csv` is a list, anything else a DXF. \throws CannotRead where it cannot be opened.
+/// Makes a scene from a file: a list if its name ends in `.csv`, otherwise a DXF drawing.
+/// \throws CannotRead if the file cannot be opened.
 Import importFile(const std::filesystem::path& path, const ImportSettings& settings);
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Values of fields from and to JSON, by the kind of their row.
+// Conversion of field values from and to JSON, according to the field's kind.
 #pragma once
 
 #include "solver/files/json/json_tree.h"
@@ -18,11 +18,12 @@ namespace keyblock {
 void addError(std::vector<Problem>& problems, const JsonNode& node, std::string pointer, std::string message,
               std::string remedy);
 
-/// The value of a field that is not an Object, List or Map. Says in `problems` what keeps it from being one.
+/// Reads the value of a field that is not an Object, List or Map. If it cannot be read, the reason is added to
+/// `problems` and there is no value.
 std::optional<FieldValue> valueFromJson(const Field& field, const JsonNode& node, const std::string& pointer,
                                         std::vector<Problem>& problems);
 
-/// The value as it is in a file.
+/// The value as written in a scene file.
 JsonNode jsonFromValue(const Field& field, const FieldValue& value);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A JSON tree as a text that people read and compare: what fits on a line is put
-// on one, everything else is indented.
+// Writes a JSON tree as text that is easy to read and compare: lists and objects that
+// fit on a line are written on one, all others are indented over several lines.
 #pragma once
 
 #include "solver/files/json/json_tree.h"
@@ -11,10 +11,10 @@
 
 namespace keyblock {
 
-/// The text of a tree, with a line end at its end. Numbers are as short as they can be read back exactly.
+/// The text of a tree, ending with a line feed. Numbers have as few digits as are needed to read them back exactly.
 std::string jsonText(const JsonNode& node);
 
-/// The same on one line, without a line end.
+/// The text of a tree on one line, without a line feed. Numbers are written as in `jsonText`.
 std::string jsonLine(const JsonNode& node);
 
 }  // namespace keyblock

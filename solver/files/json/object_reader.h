@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Objects from JSON by the field table: keys known, required ones there, values
-// of the right kind, fields where they belong.
+// Reads objects from JSON according to the field table. It checks that all keys are
+// known, required keys are present, values have the right kind and fields apply to
+// the object that contains them.
 #pragma once
 
 #include "solver/files/json/json_tree.h"
@@ -15,8 +16,8 @@
 
 namespace keyblock {
 
-/// Reads the members of `node` over what `target` holds; keys in `skipped` are left to the caller.
-/// `target` is a struct of the type that `structure` describes.
+/// Reads the members of `node` into `target`; fields without a member keep their value.
+/// \param target a struct of the type described by `structure`. \param skipped keys that the caller reads itself.
 void readObject(const JsonNode& node, const Structure& structure, void* target, const std::string& pointer,
                 std::vector<Problem>& problems, const std::vector<std::string_view>& skipped = {});
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which build of the mechanics this is.
+// Identifies the build of the solver.
 #pragma once
 
 #include <string_view>
 
 namespace keyblock {
 
-/// Hexadecimal digits; the same in all programs of one build, another where the mechanics or its files are others.
+/// Hexadecimal digits that are the same in all programs of a build and change whenever the code of the solver changes.
 std::string_view buildId();
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run's checkpoint as bytes. The build's name says who may read them: another
-// build may have other members, and other arithmetic.
+// A run's checkpoint as bytes. Only the build that wrote them may read them, because
+// another build may have different members and different arithmetic.
 #pragma once
 
 #include "solver/run/checkpoint.h"
@@ -15,10 +15,10 @@ namespace keyblock {
 
 std::string bytesOf(const Checkpoint& checkpoint);
 
-/// Null when the bytes are too few or too many for a checkpoint.
+/// The checkpoint read from bytes; none if there are too few or too many of them.
 std::optional<Checkpoint> checkpointOf(std::string_view bytes);
 
-/// Names this build of the mechanics: its id after the version.
+/// Name of this build: the program version followed by the build id.
 std::string buildName();
 
 }  // namespace keyblock

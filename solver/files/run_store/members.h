@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The members of a plain struct without a list of them: the compiler counts and
-// binds them. A member that is added anywhere in a run's state is thereby written
-// and read with the rest; it cannot be forgotten.
+// Access to the members of a plain struct without listing them: the compiler counts
+// and binds them. A member added anywhere in the state of a run is therefore written
+// and read with the others and cannot be forgotten.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace members_detail {
 
-/// A value of any type, where the compiler only checks whether one fits.
+/// Converts to any type; used only in checks of whether an expression compiles.
 struct Anything {
     template <typename T>
     operator T() const;
@@ -36,7 +36,8 @@ inline constexpr std::size_t memberCount = members_detail::count<std::remove_cv_
 #define KEYBLOCK_MEMBERS(n, ...) \
     if constexpr (memberCount<T> == n) { auto& [__VA_ARGS__] = value; return std::tie(__VA_ARGS__); } else
 
-/// References to all members of `value`, in order. More than 28 do not compile: group them, or add a line.
+/// References to all members of `value`, in order. More than 28 members do not compile; group them in structs, or add a
+/// line below.
 template <typename T>
     requires std::is_aggregate_v<T>
 auto membersOf(T& value) {

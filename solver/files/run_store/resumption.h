@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is left to do of a run that has a store already. Going on is allowed only
-// where the result is the same as if the run had never been interrupted: with the
-// same scene and the same build of the program.
+// Determines how to resume a run from its store. Resuming is allowed only if the
+// results are the same as without the interruption: with the same scene and the same
+// build of the program.
 #pragma once
 
 #include "solver/run/checkpoint.h"
@@ -15,12 +15,13 @@
 namespace keyblock {
 
 struct Resumption {
-    bool finished = false;  // nothing is left to do
-    std::optional<Checkpoint> checkpoint;  // where to resume; none: from the beginning
+    bool finished = false;  // the run is complete
+    std::optional<Checkpoint> checkpoint;  // state from which to resume; none: start from the beginning
 };
 
-/// A store that is not there, or an empty file, means from the beginning.
-/// \throws CannotRead for a file that is not a run store or is damaged, and for a store of another scene or build.
+/// How to resume the run of `scene` in a store. If the store does not exist or is an empty file, the run starts from
+/// the beginning.
+/// \throws CannotRead if the file is not a run store or is damaged, or if it is from another scene or build.
 Resumption resumptionOf(const std::filesystem::path& store, const Scene& scene);
 
 }  // namespace keyblock

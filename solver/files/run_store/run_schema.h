@@ -6,10 +6,10 @@
 
 namespace keyblock::run_schema {
 
-/// SQLite's application id of a run store: "KBRN".
+/// SQLite application id of a run store: "KBRN".
 inline constexpr int applicationId = 0x4B42524E;
 
-/// Rises with every change that an older program would misread.
+/// Version of the store; increases with every change that an older program would misread.
 inline constexpr int version = 9;
 
 inline constexpr const char* tables = R"(
@@ -36,7 +36,7 @@ CREATE TABLE checkpoint (key INTEGER PRIMARY KEY CHECK (key = 1), build TEXT NOT
     state BLOB NOT NULL);
 )";
 
-/// Description for readers of the store by other programs.
+/// Description of the store for authors of other programs that read it.
 inline constexpr const char* layout =
     "Every BLOB holds little-endian IEEE 754 doubles, row after row. Table columns lists the values of a row by "
     "payload: blocks, corners, contacts, nodes, bolts, weights, inertia, contact_forces, node_forces, other_forces, "

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run read back from its store. It shows the run as it was when the store was
-// opened, also while another process still writes it; open it again to see more.
+// A run read from its store. It shows the run as it was when the store was opened,
+// even if another process is still writing it; open the store again to see later
+// results.
 #pragma once
 
 #include "solver/files/run_store/sqlite.h"
@@ -16,19 +17,20 @@
 
 namespace keyblock {
 
-/// As it lies in the store, not looked into.
+/// A checkpoint as stored, not decoded.
 struct StoredCheckpoint {
-    std::string build;  // of the program that wrote it
+    std::string build;  // name of the build that wrote it
     std::string hash;  // SHA-256 of the state
     std::string state;
 };
 
 class RunStore : public RunSource {
 public:
-    /// \throws CannotRead for a file that is missing, is not a run store, is of another version or is damaged.
+    /// Opens a store and reads its scene and the list of its frames.
+    /// \throws CannotRead if the file is missing, is not a run store, is of another version or is damaged.
     explicit RunStore(const std::filesystem::path& path);
 
-    // Each throws CannotRead where the store turns out to be damaged.
+    // Each function throws CannotRead if the store turns out to be damaged.
     const Scene& scene() const override { return scene_; }
     const std::vector<std::string>& blockNames() const override { return names_; }
     const HistoryColumns& columns() const override { return columns_; }
@@ -38,11 +40,11 @@ public:
     const std::vector<FrameHead>& frames() const override { return heads_; }
     Frame frame(std::size_t index) const override;
 
-    /// Null before the first and after the run's end.
+    /// The latest checkpoint; none before the first checkpoint and after the end of the run.
     std::optional<StoredCheckpoint> checkpoint() const;
 
     const std::string& sceneHash() const { return sceneHash_; }  // SHA-256 of the scene's text, 64 hexadecimal digits
-    const std::string& programVersion() const { return programVersion_; }  // of the program that wrote it
+    const std::string& programVersion() const { return programVersion_; }  // version that wrote the store
 
 private:
     template <typename Work>
@@ -59,10 +61,10 @@ private:
     std::string sceneHash_;
     std::string programVersion_;
     std::vector<FrameHead> heads_;
-    std::vector<std::int64_t> frameKeys_;  // of each head, in the store
+    std::vector<std::int64_t> frameKeys_;  // key in the store for each head
 };
 
-/// Everything in a store at once.
+/// All results in a store.
 Results readResults(const RunStore& store);
 
 }  // namespace keyblock

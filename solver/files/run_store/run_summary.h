@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a list of runs shows of each, read without its scene, which may take seconds
-// to cut.
+// Summary of a run store for a list of runs, read without the scene, which may take
+// seconds to cut.
 #pragma once
 
 #include "solver/results/results.h"
@@ -14,17 +14,18 @@
 namespace keyblock {
 
 struct RunSummary {
-    std::string sceneHash;  // as `sceneHash(scene)`
+    std::string sceneHash;  // `sceneHash(scene)` of its scene
     std::string programVersion;
     long frames = 0, events = 0;
-    int stages = 0;  // begun
-    std::string stage;  // name of the last that was begun
-    std::optional<Outcome> outcome;  // of that; none: it never ended
-    std::string message;  // of that
-    bool resumable = false;  // it can be resumed by this build of the program
+    int stages = 0;  // number of stages begun
+    std::string stage;  // name of the last stage begun
+    std::optional<Outcome> outcome;  // outcome of that stage; none if it never ended
+    std::string message;  // message of that stage
+    bool resumable = false;  // whether this build of the program can resume the run
 };
 
-/// \throws CannotRead for what is missing, no run store, of another version or damaged.
+/// Reads the summary of a run store.
+/// \throws CannotRead if the file is missing, is not a run store, is of another version or is damaged.
 RunSummary runSummary(const std::filesystem::path& store);
 
 }  // namespace keyblock

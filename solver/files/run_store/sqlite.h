@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The little of SQLite that the run store needs, with ownership and errors in the
-// language's own terms.
+// The small part of SQLite that the run store needs, with C++ ownership and
+// exceptions.
 #pragma once
 
 #include <cstdint>
@@ -20,24 +20,24 @@ struct sqlite3_stmt;
 
 namespace keyblock::sqlite {
 
-/// What SQLite answered, with its result code.
+/// An error reported by SQLite, with its result code.
 struct Error : std::runtime_error {
     Error(int resultCode, const std::string& message, int systemErrorNumber = 0)
         : std::runtime_error(message), code(resultCode), systemError(systemErrorNumber) {}
 
     int code;
-    int systemError;  // 0 where the system was not to blame
+    int systemError;  // system error number; 0 if the system reported no error
 };
 
 enum class Access { Create, Write, Read, ReadUnchanging };
 
-/// A connection; closed when it goes. `ReadUnchanging` opens a file that no process writes, in a folder that cannot be
-/// written. Throws `Error`.
+/// A connection to a database, closed by the destructor. `Access::ReadUnchanging` opens a file that no process is
+/// writing, in a folder without write permission. \throws Error
 class Database {
 public:
     Database(const std::filesystem::path& path, Access access);
 
-    /// Runs statements that give no rows.
+    /// Runs SQL statements that return no rows.
     void run(const std::string& sql);
     sqlite3* handle() const { return handle_.get(); }
 
@@ -49,7 +49,7 @@ private:
     std::unique_ptr<sqlite3, Close> handle_;
 };
 
-/// A prepared statement, bound and stepped in order. Columns count from 0. Throws `Error`.
+/// A prepared statement. Parameters are bound in order; columns are counted from 0. \throws Error
 class Statement {
 public:
     Statement(const Database& database, std::string_view sql);
@@ -59,7 +59,7 @@ public:
     Statement& bind(std::string_view text);
     Statement& bind(std::span<const double> values);  // a BLOB of little-endian doubles
     Statement& bindBytes(std::string_view bytes);  // a BLOB
-    /// Runs a statement that gives no row, and makes it ready for the next binding.
+    /// Runs a statement that returns no rows, and resets it so that parameters can be bound again.
     void run();
     /// Steps to the next row; false after the last.
     bool next();
@@ -69,7 +69,7 @@ public:
     std::string text(int column) const;
     std::string bytes(int column) const;
     bool isNull(int column) const;
-    /// Null when the BLOB is not a whole number of doubles.
+    /// The doubles in a BLOB; none if its size is not a multiple of the size of a double.
     std::optional<std::vector<double>> doubles(int column) const;
 
 private:

@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One run at a time writes a store. SQLite only keeps two transactions apart; two
-// runs that continue in the same store would corrupt it. The lock goes
-// with the process, however that ends.
+// Ensures that only one run at a time writes to a store. SQLite only separates single
+// transactions; two runs that continue the same store would corrupt it. The system
+// releases the lock when the process ends, however it ends.
 #pragma once
 
 #include <filesystem>
 
 namespace keyblock {
 
-/// Held while it lives. \pre the file is there, and this goes after every connection to it is closed: closing a file
-/// takes SQLite's own locks off.
+/// Holds the lock for its lifetime. \pre the file exists, and all SQLite connections to it are closed before this
+/// object is destroyed, because closing the file releases SQLite's own locks.
 class StoreLock {
 public:
-    /// \throws CannotWrite when another process holds it.
+    /// Takes the lock. \throws CannotWrite if another run holds it, or if the file cannot be opened.
     explicit StoreLock(const std::filesystem::path& path);
     ~StoreLock();
     StoreLock(const StoreLock&) = delete;

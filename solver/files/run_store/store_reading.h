@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How a run store is opened for reading and a frame unpacked, for all who read one.
-// What comes out of the file is checked before it is used as an index.
+// Opening a run store for reading and unpacking its frames; shared by all readers.
+// Values from the file are checked before they are used as indices.
 #pragma once
 
 #include "solver/files/run_store/sqlite.h"
@@ -17,25 +17,26 @@ namespace keyblock::store_reading {
 
 inline constexpr const char* damaged = "the store is damaged; run the scene again with --overwrite";
 
-/// \throws CannotRead with path and reason.
+/// Throws CannotRead with path and reason.
 [[noreturn]] void cannotRead(const std::filesystem::path& path, const std::string& reason);
 
-/// Opens a store, with a read transaction begun. \throws CannotRead for what is missing or no database.
+/// Opens a store and begins a read transaction. \throws CannotRead if the file is missing or is not a database.
 sqlite::Database opened(const std::filesystem::path& path);
 
-/// The same for a file that is known to be a store, perhaps one that this process writes: it is touched by SQLite alone,
-/// because closing a file in any other way takes the writer's locks off.
+/// Opens a file that is known to be a store, possibly one that this process is writing, and begins a read transaction.
+/// Only SQLite accesses the file, because closing it by other means would release the writer's locks.
+/// \throws CannotRead
 sqlite::Database openedAgain(const std::filesystem::path& path);
 
-/// \throws CannotRead for a database that is not a run store, or one of another version.
+/// Checks that the database is a run store of the current version. \throws CannotRead if it is not.
 void requireRunStore(const sqlite::Database& database, const std::filesystem::path& path);
 
-/// A value of table `about`; empty when there is none.
+/// A value from the table `about`; empty if there is none.
 std::string aboutValue(const sqlite::Database& database, std::string_view key);
 
-// Each throws `sqlite::Error` where the store is damaged.
+// Each of the following throws `sqlite::Error` if the store is damaged.
 
-/// The stored index; it leads somewhere.
+/// Checks that a stored index is at least `first` and less than `end`, and returns it.
 int indexBelow(std::int64_t value, std::int64_t first, std::size_t end);
 [[noreturn]] void outOfRange();
 template <typename Value>
@@ -45,7 +46,7 @@ Value known(const std::optional<Value>& value) {
     return *value;
 }
 
-/// Columns of a frame that `headAt` reads, in its order.
+/// Columns of the table `frames` that `headAt` reads, in this order.
 inline constexpr const char* headColumns =
     "stage, time, step, kinetic, strain, contact, bolt, friction, plastic, released, damped, external, "
     "balance_error, events";

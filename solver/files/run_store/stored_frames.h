@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Frames of a store one at a time, also while a run still writes it. Each reading
-// opens the store for itself and sees all that was committed until then, so that no
-// reader keeps the writer from folding its write-ahead file in.
+// Reads frames of a store one at a time, even while a run is writing it. The store is
+// opened anew for each frame and shows everything committed so far, so that no reader
+// prevents the writer from merging its write-ahead file.
 #pragma once
 
 #include "solver/results/results.h"
@@ -17,10 +17,11 @@ namespace keyblock {
 
 class StoredFrames {
 public:
-    /// \param solved the store's scene as it was solved, i.e. cut; `blocks` rows has a frame.
+    /// \param solved the scene of the store as solved, i.e. cut. \param blocks number of block rows in each frame.
     StoredFrames(std::filesystem::path path, std::shared_ptr<const Scene> solved, std::size_t blocks);
 
-    /// From any thread. \throws CannotRead where there is no such frame yet, and for a damaged store.
+    /// Reads a frame; may be called from any thread.
+    /// \throws CannotRead if the store has no such frame or is damaged.
     Frame frame(std::size_t index) const;
 
 private:

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Plain values as bytes and back, exactly: numbers as the machine has them, so that
-// only the build that wrote them may read them. What this file has no rule for does
-// not compile.
+// Exact conversion of plain values to bytes and back. Numbers have the machine's own
+// representation, so only the build that wrote the bytes may read them. Types for
+// which there is no rule here do not compile.
 #pragma once
 
 #include "solver/files/run_store/members.h"
@@ -30,7 +30,7 @@ concept PlainNumber = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 template <typename T>
 concept FixedMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T> && T::SizeAtCompileTime > 0;
 
-/// Appends values to bytes.
+/// Appends values to a string of bytes.
 class ValueWriter {
 public:
     void put(const PlainNumber auto& number) { append(&number, sizeof number); }
@@ -74,7 +74,7 @@ private:
     std::string bytes_;
 };
 
-/// Takes values from bytes, in the order in which they were put. Bytes that end too early leave `whole()` false.
+/// Reads values from bytes in the order in which they were written. If the bytes end too early, `whole()` is false.
 class ValueReader {
 public:
     explicit ValueReader(std::string_view bytes) : left_(bytes) {}
@@ -118,7 +118,7 @@ public:
         std::apply([this](auto&... member) { (get(member), ...); }, membersOf(value));
     }
 
-    /// True when nothing was missing and nothing is left.
+    /// True if all values were read completely and no bytes are left.
     bool whole() const { return good_ && left_.empty(); }
 
 private:
@@ -131,7 +131,7 @@ private:
     void getAll(auto& values) {
         std::uint64_t size = 0;
         get(size);
-        good_ = good_ && size <= left_.size();  // every value takes a byte or more
+        good_ = good_ && size <= left_.size();  // every value takes at least one byte
         values.clear();
         if (good_) values.resize(static_cast<std::size_t>(size));
         for (auto& value : values) get(value);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The texts of resources/bolts/*.json. The build makes the source file of this
-// header, so that the program needs no path to its data when it runs.
+// The texts of resources/bolts/*.json. The build generates the source file that
+// belongs to this header, so that the program needs no path to these data at run time.
 #pragma once
 
 #include <span>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bolt types may be `like` others: a scene's own types, or those of the library.
+// Reads bolt types. A type may be defined as `like` another type, which is one of the
+// scene's own types or of the library.
 #pragma once
 
 #include "solver/files/json/json_tree.h"
@@ -13,8 +14,8 @@
 
 namespace keyblock {
 
-/// Reads an object of bolt types by name, `like` followed: own types before those of the `library`.
-/// A circle of `like` and a type that is not there are problems; the type then starts from the defaults.
+/// Reads an object whose members are bolt types, and resolves `like`, looking first among these types and then in
+/// `library`. A circular `like` or a missing type is a problem; the type then starts from the defaults.
 std::vector<BoltType> readBoltTypes(const JsonNode& node, const std::vector<BoltType>& library,
                                     const std::string& pointer, std::vector<Problem>& problems);
 

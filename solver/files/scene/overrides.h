@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `--set path=value`: single values of a scene changed from outside, before it
-// is read, so that a changed scene passes the same checks as a written one.
+// `--set path=value`: changes single values of a scene before it is read, so that the
+// changed scene passes the same checks as one from a file.
 #pragma once
 
 #include "solver/files/json/json_tree.h"
@@ -14,11 +14,11 @@
 
 namespace keyblock {
 
-/// Sets each `path=value` in the tree, in order. Objects on the way that are missing are made; list elements must be
-/// there. What is set bears the line −1 − its index, so that `nameOrigins` can name the option.
+/// Sets each `path=value` in the tree, in order. Missing objects along the path are created; list items must exist. The
+/// value set by override i gets the line number −1 − i, from which `nameOrigins` finds the option.
 void applyOverrides(JsonNode& root, std::span<const std::string> overrides, std::vector<Problem>& problems);
 
-/// Gives every problem its file, or the option that set the value.
+/// Sets the origin of every problem: the file, or the option that set the value.
 void nameOrigins(std::vector<Problem>& problems, const std::string& file, std::span<const std::string> overrides);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Records of acceleration from CSV files. Spreadsheets write decimal commas,
-// semicolons, tabs and quotes as it suits the country they run in; every such
-// file is refused in words, with row and column, and never half understood.
+// Reads acceleration records from CSV files. Depending on the locale, spreadsheets
+// write decimal commas, semicolons, tabs and quotes. Such a file is rejected with a
+// message that gives row and column; it is never read in part.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -17,18 +17,18 @@ namespace keyblock {
 
 struct RecordReading {
     struct Fault {
-        std::string message;  // with row and column, from 1, the header being row 1
+        std::string message;  // includes row and column, counted from 1; the header is row 1
         std::string remedy;
     };
-    Table record;  // (time [s], value); empty where there are faults
-    std::vector<Fault> faults;  // a mistake of the whole file only, else the first ten of single cells
+    Table record;  // (time [s], value); empty if there are faults
+    std::vector<Fault> faults;  // at most about ten; reading stops at a fault that affects the whole file
 };
 
-/// Reads `time_s,a` and rows of two numbers: decimal points, rising times from 0 on, spaces around a number, either
-/// end of line, a byte order mark and empty rows at the end allowed.
+/// Reads the header `time_s,a` and rows of two numbers with decimal points; times must not be negative and must
+/// increase. Allowed are spaces around numbers, LF or CRLF line ends, a byte order mark and empty rows at the end.
 RecordReading readRecordText(std::string_view text);
 
-/// The same from a file; one that cannot be opened is a fault.
+/// Reads a record from a file, like `readRecordText`; a file that cannot be opened is a fault.
 RecordReading readRecordFile(const std::filesystem::path& path);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Measured and published curves from CSV. The header says what each column is and
-// in which unit; nothing is guessed from the numbers.
+// Reads measured and published curves from CSV. The header gives the name and unit of
+// each column; nothing is guessed from the numbers.
 #pragma once
 
 #include "solver/results/reference_table.h"
@@ -16,15 +16,15 @@ namespace keyblock {
 
 struct ReferenceReading {
     ReferenceTable table;
-    std::vector<Problem> problems;  // with an error, the table is not to be used
+    std::vector<Problem> problems;  // if any is an error, the table must not be used
 };
 
-/// Reads a header and rows; `file` is used in messages. Empty cells and `nan` are values that are not there; a column
-/// of words is left out, with a warning, but for one called `stage`.
+/// Reads a header and rows from a text. Empty cells and `nan` are missing values. A column of words is left out with a
+/// warning, except the column `stage`. \param file file name for messages.
 ReferenceReading readReferenceTable(std::string_view text, const std::filesystem::path& file);
 
-/// The same from a file.
-/// \throws CannotRead
+/// Reads a header and rows from a file, like `readReferenceTable`.
+/// \throws CannotRead if the file cannot be opened or is too large.
 ReferenceReading readReferenceFile(const std::filesystem::path& path);
 
 }  // namespace keyblock

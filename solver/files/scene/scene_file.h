@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Scenes from and to JSON. Reading reports all errors at once:
-// syntax, keys, types, ranges, and whether the scene makes sense.
+// Reads and writes scenes as JSON. Reading reports all errors at once: syntax, keys,
+// types, ranges and consistency of the scene.
 #pragma once
 
 #include "solver/scene/problem.h"
@@ -19,33 +19,35 @@
 namespace keyblock {
 
 struct SceneReading {
-    std::optional<Scene> scene;  // there when no problem is an error
-    std::optional<SceneCut> cut;  // what it was cut to, if it needs that and can be
-    std::vector<Problem> problems;  // by line; warnings and notes too
+    std::optional<Scene> scene;  // present if no problem is an error
+    std::optional<SceneCut> cut;  // result of cutting, if the scene needs cutting and can be cut
+    std::vector<Problem> problems;  // sorted by line, including warnings and notes
 };
 
-/// Reads and checks a scene file. A file that cannot be opened is a problem too.
-/// `overrides` are `path=value` texts: the path as `stages[0].increments`, `stages/0/increments` or a JSON pointer,
-/// the value JSON or a bare text. They are set before anything is read, so every check sees them.
+/// Reads and checks a scene file. A file that cannot be opened is reported as a problem.
+/// \param overrides texts `path=value`: the path is `stages[0].increments`, `stages/0/increments` or a JSON pointer,
+/// the value is JSON or plain text. They are applied before the scene is read and checked.
 SceneReading readSceneFile(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
-/// The same from a text; `name` is used in place of the file's name, records are looked for from `folder` (empty: the
-/// current one).
+/// Reads and checks a scene text. \param name file name for messages. \param overrides as in `readSceneFile`.
+/// \param folder folder to which paths of record files are relative; empty: the current folder.
 SceneReading readSceneText(std::string_view text, const std::string& name,
                            std::span<const std::string> overrides = {}, const std::filesystem::path& folder = {});
 
-/// The scene as a JSON text: required keys and those that differ from their default, in the order of the format,
-/// numbers as short as they can be read back exactly. Built-in bolt types are left out, and records that have a file.
+/// The scene as a JSON text with all required keys and all keys whose values differ from the default, in the order of
+/// the format. Numbers have as few digits as are needed to read them back exactly. Built-in bolt types and records
+/// stored in files are left out.
 std::string sceneText(const Scene& scene);
 
-/// The same with all records inside: it is read back to the same scene wherever it is.
+/// The scene as a JSON text like `sceneText`, but with all records included, so that the same scene is read back from
+/// it in any folder.
 std::string wholeSceneText(const Scene& scene);
 
-/// SHA-256 of `wholeSceneText`, in hexadecimal digits: two scenes with the same hash say the same, records included.
+/// SHA-256 of `wholeSceneText` in hexadecimal digits: scenes with the same hash are equal, including their records.
 std::string sceneHash(const Scene& scene);
 
-/// Writes the scene whole or not at all; a record stays in its file where that says the same seen from there, and comes
-/// along where it does not. \throws CannotWrite
+/// Writes the scene atomically. A reference to a record file is kept if it leads to the same record from the new
+/// location; otherwise the record is included in the scene file. \throws CannotWrite
 void writeSceneFile(const std::filesystem::path& path, const Scene& scene);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The step from tree to scene, for reading a scene regardless of what is wrong with
-// it. Whether the scene is meaningful is not checked here.
+// Conversion of a JSON tree to a scene, as far as possible whatever errors it has. The
+// consistency of the scene is not checked here.
 #pragma once
 
 #include "solver/files/json/json_tree.h"
@@ -15,13 +15,14 @@
 
 namespace keyblock {
 
-/// The scene of a tree of the newest version. What cannot be read keeps its default and is reported in `unread`; what
-/// leads nowhere, a type of bolt or a record's file, is in the scene as it is written and is reported in `lost`.
-/// Records are looked for from `folder`.
+/// Makes a scene from a tree of the newest version.
+/// \param folder folder to which paths of record files are relative.
+/// \param unread gets the errors of values that cannot be read; these values keep their defaults.
+/// \param lost gets the errors of references to missing bolt types or record files; the scene keeps the references.
 Scene sceneOfTree(const JsonNode& root, const std::filesystem::path& folder, std::vector<Problem>& unread,
                   std::vector<Problem>& lost);
 
-/// The row of the place in the table of fields; null where it is not a field but an item of a list or map, or nothing.
+/// The field at a JSON pointer; null if the pointer leads to an item of a list or map, or to nothing known.
 const Field* sceneFieldAt(const std::string& pointer);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the field table says, for other programs and for people. Both texts are
-// kept in resources/ and compared with the table by a test.
+// Documentation generated from the field table, for other programs and for users.
+// Both texts are stored in resources/, and a test compares them with the table.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace keyblock {
 /// The JSON Schema (draft 2020-12) of a scene file: resources/schema/keyblock-scene.schema.json.
 std::string sceneSchema();
 
-/// The reference page of the scene file, Markdown: resources/help/scene.md.
+/// The reference page of the scene file in Markdown: resources/help/scene.md.
 std::string sceneReferencePage();
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A scene with errors cannot be run, but a user who opens one in a window
-// wants to see what there is of it and to put it right.
+// Partial reading of a scene with errors. Such a scene cannot be run, but a user who
+// opens it in the window wants to see what can be read and to correct the rest.
 #pragma once
 
 #include "solver/scene/problem.h"
@@ -17,15 +17,16 @@
 namespace keyblock {
 
 struct SceneRescue {
-    std::optional<Scene> scene;  // as far as it could be read; none when the text is not a scene at all
-    std::vector<std::string> leftOut;  // pointers to objects that lack something they need, and to what is not a field
-    bool brokeOff = false;  // the text is not JSON from some line on; the scene is what precedes it
-    bool isWhole = false;  // the scene says all that the text says, so that it may be written over it
-    std::vector<Problem> problems;  // of single fields; whether the scene is meaningful is not checked
+    std::optional<Scene> scene;  // as far as it could be read; none if the text is not a scene at all
+    std::vector<std::string> leftOut;  // pointers to objects without a required value, and to values that are no fields
+    bool brokeOff = false;  // the text is invalid JSON from some point on; the scene is what precedes it
+    bool isWhole = false;  // the scene contains all data of the text, so saving it loses nothing
+    std::vector<Problem> problems;  // errors of single fields; the consistency of the scene is not checked
 };
 
-/// Reads what can be read. Values that cannot be read keep their defaults; an object without one that it needs is left
-/// out. Records are looked for from `folder`.
+/// Reads as much of a scene as possible. Values that cannot be read keep their defaults; objects without a valid value
+/// for a required field are left out.
+/// \param name file name for messages. \param folder folder to which paths of record files are relative.
 SceneRescue rescueSceneText(std::string_view text, const std::string& name,
                             const std::filesystem::path& folder = {});
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The version of the scene format rises with every incompatible change. Older
-// scenes are brought up to date on the JSON tree, one version after another,
-// before anything else looks at them.
+// The version number of the scene format increases with every incompatible change.
+// Older scenes are upgraded in the JSON tree, one version at a time, before they are
+// read.
 #pragma once
 
 #include "solver/files/json/json_tree.h"
@@ -15,8 +15,9 @@ namespace keyblock {
 
 inline constexpr int sceneVersion = 1;
 
-/// Brings the tree to `sceneVersion`. False when it is not a scene, or of a version that this program does not know:
-/// `problems` then say so, and nothing else in it can be judged. A missing key counts as the newest.
+/// Upgrades the tree to `sceneVersion`. Without a version key it is taken to have the newest version.
+/// \return false if the tree is not a scene or has an unknown version; this is reported in `problems`, and the tree
+/// cannot be checked any further.
 bool bringUpToDate(JsonNode& root, std::vector<Problem>& problems);
 
 }  // namespace keyblock

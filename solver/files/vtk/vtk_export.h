@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run as files that ParaView opens: one time series each of blocks, bolts and
+// Exports a run as files for ParaView: one time series each for blocks, bolts and
 // contacts.
 #pragma once
 
@@ -12,11 +12,12 @@
 
 namespace keyblock {
 
-/// Writes the folder `blocks.pvd`, `bolts.pvd`, `contacts.pvd` (those that the run has anything for) with a `.vtp` file
-/// for each moment next to them. Time counts from the start of the run, a static stage as 1; stage and time within it
-/// are in each file as field data. The filter's stage and moment select; by default every moment is written. Of
-/// frames that share a moment the last counts. The folder appears whole or not at all; an older export is replaced,
-/// a folder with anything else in it is not. \throws CannotWrite
+/// Writes a folder with `blocks.pvd`, `bolts.pvd` and `contacts.pvd`, as far as the run has such data, and a `.vtp`
+/// file for each time. Time is counted from the start of the run, with a duration of 1 for each static stage; each
+/// file contains the stage and the time within it as field data. Of several frames at the same time, only the last is
+/// written. The folder appears complete or not at all. It replaces an earlier export, but not a folder with other
+/// contents.
+/// \param filter its stage and time select the frames; by default all times are written. \throws CannotWrite
 void writeVtkFolder(const RunSource& run, const TableFilter& filter, const std::filesystem::path& folder);
 
 }  // namespace keyblock

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What ParaView is given of a frame: blocks as polygons, bolts as lines, contacts
-// as points, with the same quantities, names and units as the tables have. The
-// columns are those of the run store (files/run_store/frame_payload.h) and what the table of
-// quantities (results/frame_quantities.h) makes of them, so that a quantity that is
-// added to either is exported too.
+// A frame as data sets for ParaView: blocks as polygons, bolts as lines, contacts as
+// points, with the quantities, names and units of the tables. The data are the columns
+// of the run store (files/run_store/frame_payload.h) and the quantities derived from
+// them (results/frame_quantities.h), so that a quantity added to either list is
+// exported as well.
 #pragma once
 
 #include "solver/files/vtk/vtk_poly_data.h"
@@ -15,15 +15,16 @@
 
 namespace keyblock {
 
-/// Blocks of a run and where displacements count from.
+/// Blocks of a run, with the positions from which their displacements are measured.
 class VtkBlocks {
 public:
     explicit VtkBlocks(const RunSource& run);
 
-    /// Corners as points, with their displacement since the start or the last `zero_displacements`; blocks as polygons,
-    /// a concave one as triangles (VTK fills polygons of few corners as if they were convex), each with the values of
-    /// its block. Blocks have no holes: the cut parts rock round an opening. Those that are not there are left out.
-    /// \pre frames are requested in order of time, none left out that ends a stage.
+    /// Corners as points, with their displacement since the start or the last `zero_displacements`, and blocks as
+    /// polygons with the values of the block. A concave block is divided into triangles, because VTK fills
+    /// polygons with few corners as if they were convex. Blocks have no holes, because cutting divides the rock
+    /// around an opening. Inactive blocks are left out.
+    /// \pre frames are requested in order of time, including the last frame of every stage.
     VtkPolyData data(const Frame& frame);
 
 private:
@@ -31,16 +32,17 @@ private:
     Point displacementOf(const BlockState& block, std::size_t index, std::size_t corner) const;
 
     const RunSource& run_;
-    std::vector<std::vector<std::vector<int>>> pieces_;  // of each block
-    std::vector<std::vector<Point>> reference_;  // corners that displacements count from
-    std::vector<std::vector<Point>> last_;  // corners of the last frame
-    int stage_ = 0;  // of the last frame
+    std::vector<std::vector<std::vector<int>>> pieces_;  // convex pieces of each block, as indices of its corners
+    std::vector<std::vector<Point>> reference_;  // corner positions from which displacements are measured
+    std::vector<std::vector<Point>> last_;  // corners in the last frame
+    int stage_ = 0;  // stage of the last frame
 };
 
-/// Nodes as points; elements as lines with their forces, and the plate as a vertex at the last node with its own.
+/// Bolts: nodes as points, elements as lines with their forces, and face plates as vertices at the last nodes with
+/// theirs.
 VtkPolyData vtkBolts(const RunSource& run, const Frame& frame);
 
-/// Contacts as vertices.
+/// Contacts as vertices with their values.
 VtkPolyData vtkContacts(const RunSource& run, const Frame& frame);
 
 }  // namespace keyblock
