@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Directions over a section: principal stresses as crosses in the blocks, arrows of
-// displacement and velocity. All have one scale, which the legend shows.
+// Vectors drawn over a section: principal stresses as crosses in the blocks, and arrows
+// of displacement or velocity. All vectors of a field have the same scale, which the
+// legend shows.
 #pragma once
 
 #include "solver/results/results.h"
@@ -17,32 +18,34 @@ namespace keyblock {
 
 enum class ArrowKind { StressCrosses, Displacements, Velocities };
 
-/// The kind named by the user: stress-crosses, displacement-arrows, velocity-arrows; none for other words.
+/// The kind for a word typed by the user: stress-crosses, displacement-arrows or velocity-arrows; null for any other
+/// word.
 std::optional<ArrowKind> arrowKindOf(std::string_view word);
 
-/// Those words, in the order of `ArrowKind`.
+/// The words accepted by `arrowKindOf`, in the order of `ArrowKind`.
 std::span<const std::string_view> arrowWords();
 
 enum class ArrowShape { Arrow, Compression, Tension };
 
-/// One of them: a bar centred at its position, or an arrow from its tail.
+/// One vector of a field: a bar centred at its position, or an arrow that starts there.
 struct ArrowMark {
     ArrowShape shape = ArrowShape::Arrow;
     Point place{0.0, 0.0};  // [m]
-    Point value{0.0, 0.0};  // direction and size, in the unit shown
+    Point value{0.0, 0.0};  // direction and magnitude, in the display unit
 };
 
 struct ArrowField {
     std::string title, unit;
     std::vector<std::string> notes;
     std::vector<ArrowMark> marks;
-    double largest = 0.0;  // size, in the unit shown
+    double largest = 0.0;  // largest magnitude, in the display unit
 };
 
-/// Length on paper of a unit of the field [mm].
+/// Length on paper [mm] that represents one display unit of the field; 0 if all vectors are zero.
 double arrowScale(const ArrowField& field);
 
-/// Of a frame; `places` are the blocks' centroids as drawn [m], one row per block.
+/// Arrows or crosses for all blocks of a frame.
+/// \param places centroids of the blocks as drawn [m], one per row of the frame's blocks.
 ArrowField arrowField(ArrowKind kind, const Frame& frame, const std::vector<Point>& places);
 
 }  // namespace keyblock

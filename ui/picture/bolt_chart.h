@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One bolt straightened: the state of its bond node by node, and below it axial force,
-// shear, moment, bond force and slip on one axis from the far end to the head, with the
-// envelope to date.
+// Diagram of one bolt, drawn straight: the bond state at each node, and below it axial
+// force, shear force, moment, bond force and slip against the distance from the far
+// end, with the envelope over the run to date.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -17,22 +17,22 @@
 
 namespace keyblock {
 
-/// Minimum and maximum at positions along the bolt over the frames up to the one shown.
+/// Minimum and maximum of a quantity along the bolt over all frames up to the one shown; both include zero.
 struct Envelope {
-    std::string quantity;  // its column in tables
-    std::vector<double> s, low, high;  // [m], SI
+    std::string quantity;  // column of the quantity in exported tables
+    std::vector<double> s, low, high;  // distance from the far end [m]; values in SI units
 };
 
 struct BoltChart {
     std::string title, subtitle;
     double length = 0.0;  // [m]
-    std::vector<Mark> band;  // positions as s
-    Chart chart;  // abscissa: s [m]
-    std::vector<Envelope> envelopes;  // of the panels that have one
+    std::vector<Mark> band;  // marks drawn along the straight bolt, at (s, 0)
+    Chart chart;  // abscissa: distance from the far end [m]
+    std::vector<Envelope> envelopes;  // one for each panel with an envelope
 };
 
-/// Ranges of a bolt over the frames added, at any position: panels and axis ranges then stay the same from frame to
-/// frame.
+/// Largest and smallest values along a bolt over the frames added. They determine which panels are shown and the axis
+/// ranges, so that these stay the same from frame to frame.
 class BoltReach {
 public:
     explicit BoltReach(int bolt) : bolt_(bolt) {}
@@ -40,9 +40,9 @@ public:
     void add(const Frame& frame);
 
     int bolt() const { return bolt_; }
-    ValueRange reached(std::string_view column) const;  // at bonded nodes, including zero
-    double largest(std::string_view column) const;  // magnitude, at all nodes
-    double largestForce() const { return largestForce_; }  // axial [N]
+    ValueRange reached(std::string_view column) const;  // at bonded nodes, including zero and peaks between frames
+    double largest(std::string_view column) const;  // largest magnitude along the bar
+    double largestForce() const { return largestForce_; }  // largest magnitude of the axial force [N]
 
 private:
     void addPeaks(const Frame& frame);
@@ -53,16 +53,16 @@ private:
     double largestForce_ = 0.0;
 };
 
-/// The same for one frame, with ranges known from earlier frames; without envelopes, and without reading other frames.
-/// \pre the frame holds the bolt.
+/// Diagram of the bolt of `reach` at one frame. The axis ranges cover `reach` and this frame; envelopes are left out,
+/// and no other frame is read. \pre the frame contains the bolt.
 BoltChart boltChart(const RunSource& run, std::size_t frame, const BoltReach& reach);
 
-/// \pre the frame holds the bolt.
+/// Diagram of a bolt at one frame with envelopes; reads all frames up to this one. \pre the frame contains the bolt.
 BoltChart boltChart(const RunSource& run, std::size_t frame, int bolt);
 
-/// The bolt with the largest axial force in the run up to the frame; −1 if there is none. `held` is the previous
-/// choice: it stays until another bolt has carried half as much again, so that the diagram of a run in progress does
-/// not jump between bolts.
+/// Row of the bolt with the largest axial force in the run up to the frame; −1 if there is none.
+/// \param held the previous choice. It is kept until another bolt has carried more than 1.5 times its force, so that
+/// the diagram of a run in progress does not jump between bolts.
 int mostLoadedBolt(const Frame& frame, int held = -1);
 
 }  // namespace keyblock

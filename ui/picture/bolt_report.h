@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// State of one bolt at a time of a run: its condition in one word, how much of its bond
-// is left, and its utilisation so far.
+// State of one bolt at a given time of a run: its condition in one word, how much of
+// its bond remains, and its utilisation to date.
 #pragma once
 
 #include "solver/results/bolt_use.h"
@@ -12,26 +12,27 @@
 
 namespace keyblock {
 
-/// In order of severity.
+/// Condition of a bolt, from least to most severe.
 enum class BoltCondition {
     NotInstalled, Intact, PartlyDebonded, Debonded, Yielded, PlateLost, Ruptured, PulledOut, Lost
 };
 
-/// "not installed", "intact", … "lost".
+/// Text of a condition: "not installed", "intact", …, "lost".
 std::string_view wordOf(BoltCondition condition);
 
 struct BoltReport {
     BoltCondition condition = BoltCondition::NotInstalled;
-    int bonded = 0, slipping = 0, failed = 0;  // bonded nodes, by the state of their bond
-    double debonded = 0.0;  // length of the bar whose bond slips or has failed [m]
+    int bonded = 0, slipping = 0, failed = 0;  // number of anchored nodes whose bond is intact, slipping or failed
+    double debonded = 0.0;  // length of bar over which the bond slips or has failed [m]
     bool hasPlate = false, plateHolds = false;
-    double plateForce = 0.0;  // at this time [N]
-    BoltUse use;  // over the run up to this time
+    double plateForce = 0.0;  // force on the face plate at this time [N]
+    BoltUse use;  // utilisation over the run up to this time
 
     bool isInstalled() const { return condition != BoltCondition::NotInstalled; }
 };
 
-/// \param events events of the run up to the frame. \pre the bolt is a row of the scene and of the frame.
+/// State of a bolt in a frame. \param events the events of the run up to the frame. \pre `bolt` is a row of the scene's
+/// and the frame's bolts.
 BoltReport boltReport(const Scene& scene, const Frame& frame, int bolt, std::span<const Event> events);
 
 }  // namespace keyblock

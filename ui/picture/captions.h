@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The text above a picture: scene and time, and the materials of the scene.
+// Text above a figure: title, time, and the materials of the scene.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -10,19 +10,20 @@
 
 namespace keyblock {
 
-/// "Drift with D-bolts, stage release at 0.212 s"; of a static stage its pseudo-time.
+/// Title with the stage and time of a frame, such as "Drift with D-bolts, stage release at 0.212 s"; a static stage
+/// shows its pseudo-time.
 std::string titleOf(const RunSource& run, std::optional<std::size_t> frame);
 
-/// A time of a stage: "0.212 s", or the pseudo-time "0.21" of a static one.
+/// A time within a stage: "0.212 s" for a dynamic stage, the pseudo-time "0.21" for a static one.
 std::string timeText(const Scene& scene, int stage, double time);
 
-/// The same in short form: "3.95 ms" for less than a tenth of a second.
+/// Like `timeText`, but in milliseconds below a tenth of a second: "3.95 ms".
 std::string shortTimeText(const Scene& scene, int stage, double time);
 
-/// Rock, joints and bolts on one line, and the scale of displacements.
+/// One line that lists rock, joints and bolts, and the scale factor of displacements.
 std::string subtitleOf(const Scene& scene, double factor);
 
-/// "plane strain · backward-euler"
+/// Type of analysis, and the integration scheme if a stage is dynamic: "plane strain · … scheme".
 std::string analysisText(const Scene& scene);
 
 }  // namespace keyblock

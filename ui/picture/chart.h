@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Charts as plain values: panels one below the other on one axis of abscissas, each
-// with curves, limits and its own range. Paper and screen draw the same.
+// Charts as plain values: panels one below the other that share the horizontal axis,
+// each with curves, limits and its own vertical range. Figures and the window draw
+// charts from the same data.
 #pragma once
 
 #include "solver/scene/bolt_quantities.h"
@@ -16,7 +17,7 @@
 namespace keyblock {
 
 inline constexpr int mostPanelTicks = 5;
-inline constexpr double limitReach = 1.5;  // limits up to this factor times the largest value are shown
+inline constexpr double limitReach = 1.5;  // limits up to this multiple of the largest value are shown
 
 enum class CurveStyle {
     Main,
@@ -25,7 +26,7 @@ enum class CurveStyle {
     Fourth,
     Envelope,
     Stems,
-    Reference,  // measured or published data, as the three below; named in a key above the panel
+    Reference,  // this and the next three: measured or published data, named in a key above the panel
     SecondReference,
     ThirdReference,
     FourthReference
@@ -34,19 +35,19 @@ enum class CurveStyle {
 inline bool isReference(CurveStyle style) { return style >= CurveStyle::Reference; }
 
 struct ChartCurve {
-    std::string name;  // written at its right end; empty: none
+    std::string name;  // label at the right end of the curve; empty: no label
     CurveStyle style = CurveStyle::Main;
-    std::vector<double> x, y;  // as shown
-    int table = -1;  // of a reference: its number
-    std::string column{};  // of a reference
-    bool ofOther = false;  // of the compared run: dashed
+    std::vector<double> x, y;  // in the units of the axes
+    int table = -1;  // index of the reference table; −1: not a reference curve
+    std::string column{};  // name of the column, for a reference curve
+    bool ofOther = false;  // belongs to the run that is compared: drawn dashed
 };
 
 struct ChartLimit {
     std::string name;
-    double value = 0.0;  // the farthest from zero
+    double value = 0.0;  // for a limit that varies: its value of largest magnitude
     bool ultimate = false;
-    std::vector<double> x{}, y{};  // abscissas of a limit that varies; empty: constant
+    std::vector<double> x{}, y{};  // course of a limit that varies along the axis; empty: constant
 };
 
 struct ChartPanel {
@@ -54,65 +55,66 @@ struct ChartPanel {
     std::string note;  // sign convention, after the title
     std::vector<ChartCurve> curves;
     std::vector<ChartLimit> limits;
-    ValueRange reached{0.0, 0.0};  // values so far of the quantities shown: included in their range
+    ValueRange reached{0.0, 0.0};  // range of values to date; `range` always includes it
     ValueRange range;
-    std::optional<BoltQuantity> bolts;  // the quantity, of a panel along a bolt
+    std::optional<BoltQuantity> bolts;  // the quantity shown, if the panel is part of a bolt diagram
 };
 
-/// An interval of abscissas with a meaning: a slipping zone, a stage.
+/// A shaded interval of the horizontal axis, such as a slipping zone.
 struct ChartZone {
     double from = 0.0, to = 0.0;
 };
 
-/// A stage on an axis of time.
+/// Interval of a stage on a time axis.
 struct StageSpan {
     int stage = 0;
     std::string name;
-    double from = 0.0, to = 0.0;  // on the axis
-    double reached = 0.0;  // its own time at `to`: [s], or pseudo-time
+    double from = 0.0, to = 0.0;  // positions on the axis
+    double reached = 0.0;  // time at `to`, counted from the start of the stage: [s], or pseudo-time
 };
 
 struct Chart {
     std::string xTitle;  // with its unit
     ValueRange x;
     bool overTime = false;
-    std::vector<StageSpan> stages{};  // of an axis of time
+    std::vector<StageSpan> stages{};  // for a time axis
     std::vector<ChartPanel> panels;
-    std::vector<ChartZone> zones;  // tinted through all panels
-    std::vector<double> dividers;  // dotted through all panels
-    std::vector<double> events;  // faint lines through all panels, a tick on the axis
+    std::vector<ChartZone> zones;  // shaded through all panels
+    std::vector<double> dividers;  // dotted vertical lines through all panels
+    std::vector<double> events;  // faint vertical lines through all panels, with a tick on the axis
 
-    /// Abscissas are positions on an axis on which each stage has its own time; else they are values of the title's
-    /// quantity.
+    /// True if the axis shows several stages, each with its own time; positions on the axis are then not times.
     bool isStaged() const { return stages.size() > 1; }
 };
 
-/// A number on an axis.
+/// A labelled tick of an axis.
 struct AxisTick {
-    double at = 0.0;  // on the axis
+    double at = 0.0;  // position on the axis
     std::string text;
 };
 
-/// Round times of each stage, as many as fit: `perUnit` is the length of one on the axis, `widthOf` that of a text
-/// including its gap.
+/// Ticks at round times of each stage, as many as fit without overlap.
+/// \param perUnit length of one axis unit.
+/// \param widthOf returns the width of a label plus the gap to the next one, in the same unit of length.
 std::vector<AxisTick> stageTicks(const std::vector<StageSpan>& stages, double perUnit,
                                  const std::function<double(const std::string&)>& widthOf);
 
-/// A time in a stage's own time.
+/// A time, counted from the start of its stage.
 struct StageMoment {
     const StageSpan* span;
     double time = 0.0;
 };
 
-/// The time at a position of the axis, beyond it the nearest end. \pre there are stages.
+/// The stage and time at a position on the axis; a position beyond the axis gives the nearest end. \pre `stages` is not
+/// empty.
 StageMoment momentAt(const std::vector<StageSpan>& stages, double place);
 
-/// Sets the panel's range from its curves and the values so far, with zero, and with limits up to 1.5 times of these;
-/// limits beyond are removed. A panel with only zeros has the range 0 … 1.
+/// Sets the panel's range so that it includes zero, its curves, the values to date, and limits up to 1.5 times the
+/// largest of these; higher limits are removed. A panel that contains only zeros gets the range 0 … 1.
 void fitRange(ChartPanel& panel);
 
-/// The curve with about `most` points or fewer: of each run of points the first, last, smallest and largest stay, in
-/// order, so that peaks are kept.
+/// The curve reduced to about `most` points. Of each run of consecutive points the first, last, smallest and largest
+/// are kept, so that peaks are preserved.
 ChartCurve thinned(const ChartCurve& curve, std::size_t most);
 
 }  // namespace keyblock

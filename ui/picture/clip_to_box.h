@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shapes clipped at the frame of a picture. Not every kind of paper can clip, so parts
-// outside are never drawn.
+// Clips shapes to the frame of a figure. Not every output device can clip, so parts
+// outside the frame are never drawn.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -13,10 +13,11 @@
 
 namespace keyblock {
 
-/// The part of a polygon in the box; pieces of a non-convex polygon may be connected along the box's sides.
+/// The part of a polygon inside the box. Separate pieces of a non-convex polygon may be connected along the sides of
+/// the box.
 std::vector<Point> clippedToBox(std::vector<Point> polygon, const Box& box);
 
-/// The part of a segment in the box; nothing when it misses.
+/// The part of the segment from `a` to `b` inside the box; null if the segment misses the box.
 std::optional<std::pair<Point, Point>> clippedToBox(const Point& a, const Point& b, const Box& box);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The colours of data. The two sequential maps are kept apart: cool Slate fills blocks,
-// hot Ember draws bolts; Tide is for quantities with two signs. Lightness falls in
-// nearly equal steps, so that a map is readable in grey too.
+// Colour maps of results. Slate (cool) colours blocks and Ember (hot) colours bolts, so
+// that the two can be told apart; Tide is for quantities with both signs. Lightness
+// changes in nearly equal steps, so that a map remains readable in greyscale.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ constexpr Colour rgb(std::uint32_t hex) {
             static_cast<std::uint8_t>(hex & 0xff)};
 }
 
-/// Nine stops from low to high, at equal distances.
+/// Nine colours at equal intervals, from low to high values.
 using ColourMap = std::array<Colour, 9>;
 
 inline constexpr ColourMap slate{rgb(0xF3EEE6), rgb(0xD2DED4), rgb(0xB4CBC4), rgb(0x97B6B5), rgb(0x7CA1A7),
@@ -32,16 +32,17 @@ inline constexpr ColourMap ember{rgb(0xEAB745), rgb(0xE59C0E), rgb(0xDF8100), rg
 inline constexpr ColourMap tide{rgb(0x0B6EAC), rgb(0x508DBE), rgb(0x82ACD0), rgb(0xB4CCE2), rgb(0xF5EDE7),
                                 rgb(0xDFC3B0), rgb(0xCA9C7D), rgb(0xB5764B), rgb(0x9F5104)};
 
-// The same two maps for a dark background: high values contrast with it too.
+// Slate and Ember for a dark background: high values stand out against it as well.
 inline constexpr ColourMap slateDark{rgb(0x1F2631), rgb(0x263647), rgb(0x2C475C), rgb(0x325970), rgb(0x3A6B82),
                                      rgb(0x477E92), rgb(0x58919F), rgb(0x6FA3AB), rgb(0x89B4B7)};
 inline constexpr ColourMap emberDark{rgb(0x7C2440), rgb(0x9B2E3E), rgb(0xB73D35), rgb(0xCE5328), rgb(0xE06F1D),
                                      rgb(0xEA8D2B), rgb(0xEFAC4E), rgb(0xF2CA79), rgb(0xF5E5A8)};
 
-/// The map that replaces this one on a dark background; Tide is the same on both.
+/// The version of a map for dark backgrounds; Tide is the same on both.
 const ColourMap& darkOf(const ColourMap& map);
 
-/// The colour at `share` of the range from low to high, linear between the stops; the end colours outside 0 … 1.
+/// The colour at the fraction `share` of the range, interpolated linearly between the stops. Outside 0 … 1 the end
+/// colours are used.
 Colour colourAt(const ColourMap& map, double share);
 
 }  // namespace keyblock

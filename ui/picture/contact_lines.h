@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Forces between blocks as lines: each through its contact, along the resultant of
-// normal and shear force, longer and thicker for larger forces. Among many blocks, only
-// the largest of each neighbourhood is drawn, and the legend says so.
+// Contact forces drawn as lines: each line passes through its contact along the
+// resultant of normal and shear force, and is longer and thicker for larger forces. If
+// there are very many contacts, only the largest force of each neighbourhood is drawn,
+// and the legend says so.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -15,59 +16,63 @@
 
 namespace keyblock {
 
-/// The user's word for this display.
+/// Word with which the user selects the display of contact forces.
 inline constexpr std::string_view contactWord = "contact-forces";
 
-/// Open contacts carry no force and have no line. A bonded one may be in tension.
+/// State of a contact that carries a force; open contacts carry none and have no line. `Pulled` is a bonded contact in
+/// tension.
 enum class ContactKind { Locked, Sliding, Bonded, Pulled };
 
 struct ContactLine {
     ContactKind kind = ContactKind::Locked;
-    Point place{0.0, 0.0};  // [m], as drawn
-    Point force{0.0, 0.0};  // on block a, in the unit shown
+    Point place{0.0, 0.0};  // position as drawn [m]
+    Point force{0.0, 0.0};  // force on block a, in the display unit
 };
 
-/// Values shared by all frames of a run.
+/// Scale of contact forces, the same for all frames of a run.
 struct ContactScale {
-    double longest = 0.0;  // force of the longest line, in the unit shown; longer lines are clipped to it
-    double largest = 0.0;  // of the run, in the unit shown
-    double spacing = 0.0;  // side of a square as large as an average block [m]
-    std::vector<ContactKind> kinds;  // present in the run, in their order
+    double longest = 0.0;  // force drawn as the longest line, in the display unit; larger forces are drawn no longer
+    double largest = 0.0;  // largest force of the run, in the display unit
+    double spacing = 0.0;  // side of a square with the average area of a block [m]
+    std::vector<ContactKind> kinds;  // kinds that occur in the run, in the order of the enum
 };
 
 struct ContactField {
     ContactScale scale;
-    std::vector<ContactLine> lines;  // the largest last
-    double largest = 0.0;  // of this frame, in the unit shown
-    double thickness = 1.0;  // thickness of rock that the forces refer to [m]
+    std::vector<ContactLine> lines;  // in ascending order of force
+    double largest = 0.0;  // largest force of this frame, in the display unit
+    double thickness = 1.0;  // out-of-plane thickness to which the forces refer [m]
     std::string unit = "kN";
     std::vector<std::string> notes;
 };
 
-/// The line of a contact force at its current position.
+/// The line of a contact, placed at the current position of the contact.
 ContactLine contactLine(const ContactFrame& contact);
 
-/// Adds the contact forces of a frame to the scale, except for its `longest` and `spacing`.
+/// Updates the scale, except `longest` and `spacing`, with the contact forces of a frame.
+/// \param sizes the magnitudes of these forces are appended to it.
 void widen(ContactScale& scale, const Frame& frame, std::vector<double>& sizes);
 
-/// Upper bound of all contact forces except the largest, which make up 2 % of their sum, rounded up; 0 if there are
-/// none.
+/// Value of `ContactScale::longest` for forces of these magnitudes: an upper bound of all of them except the largest
+/// ones, which make up 2 % of their sum, rounded up to a round number; 0 if there are no forces.
 double longestOf(std::vector<double> sizes);
 
-// Sizes on paper [mm].
+// Lengths and widths on paper [mm].
 
-/// Length of the longest line if blocks are `block` wide on average: larger than a dot, and less than half the
-/// picture.
+/// Length of the longest line if the average width of a block on paper is `block`. It has a lower and an upper bound,
+/// so that a line is longer than a dot and shorter than half the figure.
 double longestContactLine(double block);
 
-/// Length and width of the line of a force of this size, if the longest is `longest`.
+/// Length and width of the line for a force, where `longest` is the length of the longest line.
 double contactLength(const ContactScale& scale, double force, double longest);
 double contactWidth(const ContactScale& scale, double force, double longest);
 
-/// All contacts that carry a force. `places` are the contacts' positions as drawn [m], one row each.
+/// Lines of all contacts that carry a force.
+/// \param places positions of the contacts as drawn [m], one per row of the frame's contacts.
 ContactField contactField(const ContactScale& scale, const Frame& frame, const std::vector<Point>& places);
 
-/// Those within a window, thinned out if there are many, with a note on how many are drawn.
+/// The lines within a window. Forces too small to be visible are omitted, and the lines are thinned out if there are
+/// very many; a note reports how many are drawn.
 ContactField seenWithin(const ContactField& field, const Box& window);
 
 }  // namespace keyblock

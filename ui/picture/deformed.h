@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Positions for drawing: actual ones, or with the displacements since the start of the
-// run scaled.
+// run multiplied by a scale factor.
 #pragma once
 
 #include "solver/results/results.h"
@@ -12,16 +12,17 @@
 
 namespace keyblock {
 
-/// The corners of all solved blocks at the start [m], in the order of a frame's rows and corners.
+/// Initial corners of all solved blocks [m]; blocks and corners are in the order of a frame's.
 std::vector<std::vector<Point>> cornersBefore(const SolvedBlocks& solved);
 
-/// before + factor · (now − before), corner by corner. \pre as many corners as before.
+/// The corners before + factor · (now − before). \pre `before` and `now` have the same number of corners.
 std::vector<Point> deformed(const std::vector<Point>& before, const std::vector<Point>& now, double factor);
 
-/// A point of a block, moved with the nearest of its corners.
+/// Drawn position of a point of a block: the point is shifted with the nearest corner.
+/// \param now actual corners of the block. \param drawn its corners as drawn.
 Point carriedAlong(const Point& place, const std::vector<Point>& now, const std::vector<Point>& drawn);
 
-/// The nodes of a bolt [m], each displaced from its initial position on the straight bolt of the scene.
+/// Nodes of a bolt as drawn [m], displaced from their initial positions on the straight bolt of the scene.
 std::vector<Point> deformedNodes(const Bolt& bolt, const BoltFrame& frame, double factor);
 
 }  // namespace keyblock

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Details omitted from a section at its scale, the same on paper and on the screen:
-// marks that would crowd each other, and blocks with displacements too small to see.
-// Sizes are in units of the paper: millimetres there, pixels here.
+// Selects the details that a section shows at a given scale, by the same rules on paper
+// and on screen: marks that would crowd each other are omitted, and so are initial
+// outlines of blocks whose displacements are too small to see. Sizes are in drawing
+// units: millimetres on paper, pixels on screen.
 #pragma once
 
 #include "ui/picture/section.h"
@@ -14,40 +15,43 @@
 namespace keyblock {
 
 struct DetailSizes {
-    double shank;  // width of a bolt's line
-    double betweenMarks;  // between marks of one bolt
-    double moved;  // smallest displacement of a block whose initial outline is drawn
-    double scaleForArtificial;  // units per metre below which intermediate points are not drawn
-    double spacingForMarks, spacingForPlates;  // between bolts; below it marks (plates) are dropped except for failures
-    double boltForMarks;  // length of a bolt; the same
+    double shank;  // width of the line of a bolt
+    double betweenMarks;  // smallest distance between marks of one bolt
+    double moved;  // smallest displacement for which the initial outline of a block is drawn
+    double scaleForArtificial;  // scale [units per m] below which intermediate nodes are not drawn
+    double spacingForMarks, spacingForPlates;  // bolt spacing below which these are omitted
+    double boltForMarks;  // length of a bolt below which marks are omitted, except marks of failures
 };
 
 bool isArtificial(MarkKind kind);
 
-/// Unit vector from the first to the last; along x where they meet.
+/// Unit vector from the first node to the last; the x direction if they coincide.
 Point alongOf(const std::vector<Point>& nodes);
 
-/// Whether two bolts coincide within `apart` [m]: no thinner line would separate them.
+/// Whether the ends of two bolts coincide within `apart` [m], so that the bolts cannot be drawn separately.
 bool coincide(const BoltShape& a, const BoltShape& b, double apart);
 
-/// From the head of each bolt to the nearest other bolt, as drawn at `scale` [units per m]; 1e9 for a single one.
+/// Distance from the head of each bolt to the nearest other bolt, in drawing units; a very large number if there is no
+/// other bolt. Coinciding bolts are ignored. \param scale drawing units per metre.
 std::vector<double> boltSpacing(const SectionPicture& picture, double scale, const DetailSizes& sizes);
 
-/// From the middle of a bolt to the nearest other one [m]; 1e9 for a single one. \param apart as for `coincide`.
+/// Distance from the midpoint of a bolt to the nearest other bolt [m]; 1e9 if there is none. Bolts that coincide within
+/// `apart` [m] are ignored. \param shape index of the bolt in the picture.
 double middleSpacing(const SectionPicture& picture, std::size_t shape, double apart);
 
-/// The marks of a bolt that are drawn, the most important last. \param spacing of that bolt, as above.
+/// The marks of a bolt that are drawn, the most important last. \param spacing distance from `boltSpacing`.
 std::vector<Mark> marksToDraw(const BoltShape& bolt, double spacing, double scale, const DetailSizes& sizes);
 
-/// Kinds of marks in the key of a picture.
+/// Order of the marks in the key of a figure.
 inline constexpr std::array keyOrder{MarkKind::Bonded,   MarkKind::Artificial, MarkKind::Slipping,
                                      MarkKind::Gone,     MarkKind::Ruptured,   MarkKind::Yielded,
                                      MarkKind::InGap,    MarkKind::Plate,      MarkKind::PlateLost};
 
-/// The kinds among the marks of all bolts, each once, in the order of the key.
+/// The kinds that occur among the marks of all bolts, each once, in the order of the key.
 std::vector<MarkKind> kindsOf(const std::vector<std::vector<Mark>>& marks);
 
-/// Blocks that moved so far that their initial outline is drawn too; none if nearly all moved.
+/// Blocks whose displacement is large enough for their initial outline to be drawn too; none if these are more than
+/// three and more than a tenth of all blocks.
 std::vector<const BlockShape*> movedBlocks(const SectionPicture& picture, double scale, const DetailSizes& sizes);
 
 }  // namespace keyblock

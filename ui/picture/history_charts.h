@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Curves of a run's history: load over displacement, monitors, debonded lengths,
-// energies; with the events of bolts.
+// Charts of a run's history: load against displacement, monitors, debonded lengths and
+// energies, with the events of bolts.
 #pragma once
 
 #include "solver/results/reference_table.h"
@@ -17,15 +17,16 @@
 namespace keyblock {
 
 struct HistoryCharts {
-    std::vector<Chart> charts;  // one below the other, each with an axis of its own
-    std::string problem;  // why there are none: the request, and the available names
-    std::vector<std::string> nothing;  // curves that are close to zero throughout and not drawn
-    std::vector<Problem> references;  // reference columns that no panel shows; an error: none of a table
+    std::vector<Chart> charts;  // drawn one below the other, each with its own horizontal axis
+    std::string problem;  // why there are no charts: names the request and the available series
+    std::vector<std::string> nothing;  // names of curves that are omitted because they are close to zero throughout
+    std::vector<Problem> references;  // columns that no panel shows; an error if a table has no others
 };
 
-/// Of the requested series: a monitor's name, NAME.ux, NAME.uy, any other of `allSeries`, or `Y over X`; else of the
-/// whole run. A panel shows four curves at most, further ones are in a panel below. The curves of `references` are
-/// added.
+/// Charts of the requested series, or of the whole run if none is requested. A panel shows at most four curves; further
+/// curves are shown in another panel below.
+/// \param asked name of a monitor, NAME.ux, NAME.uy, any other name from `allSeries`, or `Y over X`.
+/// \param references measured or published curves, which are added to the matching panels.
 HistoryCharts historyCharts(const RunSource& run, const std::optional<std::string>& asked,
                             const std::vector<ReferenceTable>& references = {});
 

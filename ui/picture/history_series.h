@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Quantities of a run over time: monitors, largest forces of each bolt, energies. Any
-// of them can be on either axis of a chart.
+// Quantities that vary over a run: monitor readings, largest forces of each bolt,
+// energies. Each of them can be plotted on either axis of a chart.
 #pragma once
 
 #include "solver/results/frame_quantities.h"
@@ -14,29 +14,30 @@
 namespace keyblock {
 
 struct Series {
-    std::string name;  // name used in requests
-    std::string title;  // of its panel, with the unit
-    std::size_t column = 0;  // of the history
-    double factor = 1.0;  // to the unit shown
+    std::string name;  // used in requests
+    std::string title;  // title of its panel, with the unit
+    std::size_t column = 0;  // column of the history table
+    double factor = 1.0;  // from SI to the display unit
     bool isForce = false, isOpening = false;
-    const FrameQuantity<Energy>* energy = nullptr;  // of the frames, instead of a column
+    const FrameQuantity<Energy>* energy = nullptr;  // if not null, values are taken from the frames instead of a column
 };
 
-/// Series of the scene's monitors: NAME, for a point NAME.ux and NAME.uy.
+/// Series of all monitors of the scene: NAME, or NAME.ux and NAME.uy for a monitored point.
 std::vector<Series> monitorSeries(const Scene& scene);
 
-/// Those, then BOLT.QUANTITY of every bolt, then energy.NAME.
+/// All series of a run: those of the monitors, then BOLT.QUANTITY for every bolt, then energy.NAME.
 std::vector<Series> allSeries(const RunSource& run);
 
-/// Values at the rows of the history, or at the frames: there, of the last row that is not later.
+/// Values at each row of the history, or, if frames are given, at each frame: from the last row that is not later than
+/// the frame; NaN if there is none.
 std::vector<double> valuesOf(const Series& series, const std::vector<HistoryRow>& rows);
 std::vector<double> valuesOf(const Series& series, const std::vector<HistoryRow>& rows,
                              const std::vector<FrameHead>& frames);
 
-/// NAME (unit), for an axis.
+/// Axis title: NAME (unit).
 std::string withUnit(const Series& series);
 
-/// Whether all energies of the frames are below a kilojoule, so that they are shown in joules.
+/// True if all energies of the frames are below 1 kJ, so that joules are displayed.
 bool hasSmallEnergies(const std::vector<FrameHead>& frames);
 
 }  // namespace keyblock

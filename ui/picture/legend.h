@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The legend of a coloured quantity: title, unit, range, ticks, sign convention. By
-// default the range spans all values of all frames, so that pictures can be compared.
-// Values outside the range get the end colours, and the bar says so.
+// Legend of a quantity shown by colours: title, unit, range, ticks, sign convention. By
+// default the range spans all values of all frames, so that figures can be compared.
+// Values outside the range get the end colours, and the bar indicates this.
 #pragma once
 
 #include "ui/picture/colour.h"
@@ -18,36 +18,37 @@
 namespace keyblock {
 
 struct LegendBar {
-    std::string quantity;  // its name
+    std::string quantity;  // name of the quantity
     std::string title;
     std::string unit;
     const ColourMap* map = nullptr;
-    ValueRange range;  // in the unit shown
-    ValueRange reach;  // of all values in all frames, in the unit shown
-    ScaleChoice scale;  // choice that gave the range
+    ValueRange range;  // range of the colours, in the display unit
+    ValueRange reach;  // range of all values in all frames, in the display unit
+    ScaleChoice scale;  // the choice from which the range follows
     Ticks ticks;
-    bool goesBelow = false, goesAbove = false;  // values outside the range have the end colours
+    bool goesBelow = false, goesAbove = false;  // values beyond this end of the range exist and have the end colour
     std::vector<std::string> notes;
-    std::string convention;  // meaning of a positive value; empty: none
-    std::string dashed;  // meaning of dashes on the bars: compression, or another negative value; empty: there are none
-    std::optional<ValueRange> now;  // of the frame, in the unit shown
-    std::vector<std::pair<double, std::string>> limits;  // capacities within the range, named
+    std::string convention;  // sign convention; empty: none
+    std::string dashed;  // meaning of dashed bolts, "compression" or "negative"; empty: no dashes
+    std::optional<ValueRange> now;  // range of the frame shown, in the display unit
+    std::vector<std::pair<double, std::string>> limits;  // capacities within the range, with their names
 
     /// Colour of a value, on a light or a dark background.
     Colour colourOf(double shown, bool dark = false) const;
-    /// Colours along the bar, each with its fraction of the range; a step is two colours at one fraction.
+    /// Colours along the bar, each with its fraction of the range. A colour step is given by two colours at the same
+    /// fraction.
     std::vector<std::pair<double, Colour>> stops(bool dark) const;
-    /// Whether a value is drawn with dashes.
+    /// True if a bolt element with this value is dashed.
     bool isDashed(double shown) const;
-    /// Whether the user's choice excludes extreme values from the range.
+    /// True if the user's choice excludes extreme values from the range.
     bool clips() const { return scale.clips && scale.of != ScaleOf::Own && (goesBelow || goesAbove); }
-    /// The colours for the background of the picture.
+    /// The colour map for a light or a dark background.
     const ColourMap& mapOn(bool dark) const { return dark ? darkOf(*map) : *map; }
-    /// Position of a value between the ends of the range: 0 … 1 within it.
+    /// Position of a value in the range, as a fraction: 0 at the lower end, 1 at the upper end.
     double shareOf(double shown) const { return (shown - range.low) / (range.high - range.low); }
 };
 
-/// Legends of the blocks and the bolts of a section; none for a quantity without values in any frame.
+/// Legends of the blocks and bolts of a section; null for a quantity without values in any frame.
 struct SectionLegends {
     std::optional<LegendBar> blocks, bolts;
     std::optional<ContactScale> contacts;

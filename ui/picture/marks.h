@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The marks on a bolt: anchored points by kind and state, yielded or ruptured steel,
-// the face plate. If events and node state differ, the state counts: a bond that has
-// re-stuck is no longer slipping.
+// Marks on a bolt: bonded and intermediate nodes, slipping and failed bond, yielded or
+// ruptured steel, and the face plate. For bonds the current state of the node counts,
+// not past events: a bond that has re-stuck is no longer marked as slipping.
 #pragma once
 
 #include "solver/results/results.h"
@@ -18,17 +18,19 @@ enum class MarkKind { Bonded, Artificial, InGap, Slipping, Gone, Yielded, Ruptur
 
 struct Mark {
     MarkKind kind = MarkKind::Bonded;
-    double s = 0.0;  // [m] from the far end
-    Point place{0.0, 0.0};  // [m], as drawn
-    Point along{1.0, 0.0};  // unit vector of the bolt there, towards the head
+    double s = 0.0;  // distance from the far end [m]
+    Point place{0.0, 0.0};  // position as drawn [m]
+    Point along{1.0, 0.0};  // unit vector along the bolt at this point, towards the head
 };
 
-/// All marks of a bolt, unsorted. `nodes` [m] as drawn, `events` events of the run up to the frame.
+/// All marks of a bolt, in no particular order.
+/// \param index row of the bolt. \param nodes positions of its nodes as drawn [m].
+/// \param events the events of the run up to the frame.
 std::vector<Mark> marksOf(const Bolt& bolt, int index, const BoltFrame& frame, const std::vector<Point>& nodes,
                           std::span<const Event> events);
 
-/// The marks, at least `least` [m] apart: bonded and intermediate points are dropped first. Marks of failures keep 0.6
-/// of that from their own kind, and are dropped for no other.
+/// The marks thinned out to a distance of at least `least` [m]; bonded and intermediate nodes are dropped first. Marks
+/// of failures are dropped only if a mark of the same kind is closer than 0.6 times this distance.
 std::vector<Mark> thinned(std::vector<Mark> marks, double least);
 
 }  // namespace keyblock

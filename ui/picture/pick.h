@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The object at a point of a section, for hover, probe and selection: found from the
-// shapes of the picture, so that it needs no GPU and matches the drawing.
+// Finds the object at a point of a section, for hover, probe and selection. The search
+// uses the drawn shapes, so it needs no GPU and always agrees with the drawing.
 #pragma once
 
 #include "geometry/grid.h"
@@ -17,18 +17,18 @@ enum class PickKind { Block, Bolt, Node };
 
 struct Pick {
     PickKind kind = PickKind::Block;
-    int block = -1;  // row of the solved blocks; for a bolt or node, of the block below it
+    int block = -1;  // row of the solved blocks; for a bolt or a node, the block it lies in
     int bolt = -1;  // row of the scene's bolts
-    int node = -1, element = -1;  // nearest of the bolt, from 0 at the far end
-    std::size_t shape = 0;  // index into the picture's blocks, or bolts for a bolt or node
+    int node = -1, element = -1;  // nearest node and element of the bolt, counted from 0 at the far end
+    std::size_t shape = 0;  // index into the section's drawn blocks, or bolts for a bolt or a node
 };
 
 class PickIndex {
 public:
     explicit PickIndex(std::shared_ptr<const SectionPicture> picture);
 
-    /// The node, else the bolt within `reach` [m], else the block that contains the point; objects drawn last come
-    /// first.
+    /// The node within `reach` [m], else the bolt within `reach`, else the block that contains the point. Among
+    /// overlapping blocks, the one drawn last is found.
     std::optional<Pick> at(const Point& place, double reach) const;
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A point pinned by the user: a point of a block, or a position along a bolt. It moves
-// with the block or bolt, and has a value in every frame.
+// with the block or bolt, and its value can be read in every frame.
 #pragma once
 
 #include "ui/picture/chart.h"
@@ -19,12 +19,12 @@
 namespace keyblock {
 
 struct Pin {
-    int number = 0;  // its label, from 1
+    int number = 0;  // shown on the pin, counted from 1
     int block = -1;  // row of the solved blocks; −1: on a bolt
-    std::array<std::pair<std::size_t, double>, 3> corners{};  // of the block, with the barycentric coordinates of the point
+    std::array<std::pair<std::size_t, double>, 3> corners{};  // corner of the block, barycentric weight
     int bolt = -1;  // row of the scene's bolts
-    int element = -1, node = -1;  // of the bolt; the node is −1 if the point is between two
-    double s = 0.0;  // along the bolt from its far end [m]
+    int element = -1, node = -1;  // of the bolt; node is −1 if the point lies between two nodes
+    double s = 0.0;  // distance along the bolt from its far end [m]
     const FrameQuantity<BlockState>* ofBlock = nullptr;
     const FrameQuantity<BoltNodeFrame>* ofBolt = nullptr;
     std::string where;  // "Block 143", "B6 at 1.20 m"
@@ -33,26 +33,29 @@ struct Pin {
     bool operator==(const Pin&) const = default;
 };
 
-/// A pin of the object at `place` [m], as drawn, with the quantity requested. \pre a quantity of its kind is given.
+/// A pin on the picked object at `place` [m, as drawn].
+/// \param ofBlock quantity read at a pin on a block. \param ofBolt quantity read at a pin on a bolt.
+/// \pre the quantity for the kind of the picked object is given.
 Pin pinAt(const SectionPicture& picture, const Pick& pick, const Point& place, const FrameQuantity<BlockState>* ofBlock,
           const FrameQuantity<BoltNodeFrame>* ofBolt);
 
-/// Position of the pin as drawn [m]; none while its block or bolt does not exist.
+/// Position of a pin as drawn [m]; null if its block or bolt does not exist at this time.
 std::optional<Point> placeOf(const Pin& pin, const SectionPicture& picture);
 
-/// Its position at the start of the scene [m]. \pre it is on a block. \param before corners of the solved blocks.
+/// Position of a pin at the start of the run [m]. \param before initial corners of the solved blocks, from
+/// `cornersBefore`. \pre the pin is on a block.
 Point placeBefore(const Pin& pin, const std::vector<std::vector<Point>>& before);
 
-/// The values of a pin, frame by frame. Displacements are those of the point, not of the block's centre.
+/// Value of a pin in each frame. Displacements are those of the pinned point, not of the block's centroid.
 class PinTrack {
 public:
     explicit PinTrack(Pin pin) : pin_(std::move(pin)) {}
 
     const Pin& pin() const { return pin_; }
-    /// Frames must come in order.
+    /// \pre frames are added in chronological order.
     void add(const Frame& frame);
     std::size_t frames() const { return values_.size(); }
-    /// In the unit shown; NaN if the block or bolt did not exist.
+    /// One value per frame in the display unit; NaN if the block or bolt did not exist.
     const std::vector<double>& values() const { return values_; }
 
 private:
@@ -61,13 +64,13 @@ private:
 
     Pin pin_;
     std::vector<double> values_;
-    std::optional<Point> reference_, centre_, last_;  // of the point's displacement; the block's; position then [m]
+    std::optional<Point> reference_, centre_, last_;  // [m] origin of displacements; initial centroid; last position
 };
 
-/// The pins' curves over time, one panel per quantity, four curves at most.
+/// Charts of the pinned values over time, with one panel per quantity and at most four curves each.
 std::vector<Chart> pinCharts(const RunSource& run, const std::vector<std::shared_ptr<const PinTrack>>& tracks);
 
-/// "1 Block 143"; the quantity with its unit.
+/// Name of a pin, such as "1 Block 143", and title of its quantity with the unit.
 std::string nameOf(const Pin& pin);
 std::string titleOf(const Pin& pin);
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Positions for names, numbers and labels: each gets the first candidate position where
-// it overlaps nothing placed before. If there is none, the caller omits it or draws it
-// over other objects.
+// Finds positions for names, numbers and labels: each gets the first candidate position
+// where it does not overlap anything placed before. If there is no such position, the
+// caller omits the label or draws it over other objects.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -15,22 +15,24 @@ namespace keyblock {
 
 class Placement {
 public:
-    /// Everything stays within `frame`, in units of which `perMm` are one millimetre on paper.
+    /// All labels are placed inside `frame`. \param perMm number of drawing units per millimetre on paper.
     explicit Placement(const Box& frame, double perMm = 1.0) : frame_(frame), perMm_(perMm) {}
 
     void keepOff(const Box& box) { boxes_.push_back(box); }
-    /// A line with `half` its width around it.
+    /// Keeps labels and leaders off a line. \param half half of its width.
     void keepOff(const Point& a, const Point& b, double half) { lines_.push_back({a, b, half, false}); }
-    /// The same for lines that leaders may cross: walls and outlines.
+    /// Keeps labels off a line that leaders may cross, such as a wall or an outline.
     void keepLabelsOff(const Point& a, const Point& b) { lines_.push_back({a, b, 0.2 * perMm_, true}); }
 
     bool isFree(const Box& box) const;
 
-    /// Places a box of `size` at the first free centre, and keeps later boxes off it.
+    /// Places a box of `size` at the first candidate centre where it fits, and keeps later labels off it; null if it
+    /// fits nowhere.
     std::optional<Box> place(const Point& size, const std::vector<Point>& centres);
 
-    /// The same for positions around `at`, with growing distance, starting in direction `first`; leaders cross no line
-    /// that is kept off, except near their foot.
+    /// Places a box around the point `at`, at increasing distances and starting in the direction `first`; null if it
+    /// fits nowhere nearby. The leader from the box to the point crosses nothing placed by `keepOff`, except near the
+    /// point.
     std::optional<Box> placeRound(const Point& size, const Point& at, const Point& first);
 
 private:
@@ -47,7 +49,7 @@ private:
     std::vector<Line> lines_;
 };
 
-/// The box of `size` about `centre`.
+/// The box of the given size centred at `centre`.
 Box boxAbout(const Point& centre, const Point& size);
 
 }  // namespace keyblock

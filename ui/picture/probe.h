@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Values at the cursor: the quantity shown first, then other common quantities of a
-// block or bolt.
+// Values at the cursor: the quantity currently displayed first, then other common
+// quantities of the block or bolt.
 #pragma once
 
 #include "ui/picture/pick.h"
@@ -14,11 +14,12 @@ namespace keyblock {
 
 struct ProbeReading {
     std::string head;  // "Block 143"
-    std::vector<std::pair<std::string, std::string>> rows;  // name, value with its unit
+    std::vector<std::pair<std::string, std::string>> rows;  // name, and value with its unit
 };
 
-/// From the frame that the picture shows, in the units and signs of the picture; for a block also its peak so far if
-/// it clearly exceeds the current value. \param shownFirst of blocks and bolts; null: none.
+/// Values of the picked object in the displayed frame, with the units and sign conventions of the section. For a block,
+/// the peak to date is added if it clearly exceeds the current value.
+/// \param blocksFirst quantity listed first for a block; null: none. \param boltsFirst likewise for a bolt.
 ProbeReading probed(const SectionPicture& picture, const Frame& frame, const Pick& pick,
                     const FrameQuantity<BlockState>* blocksFirst, const FrameQuantity<BoltNodeFrame>* boltsFirst);
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Assigns measured or published curves to panels. Names decide first, then the measure
-// if only one panel shows it; columns that match no panel, or two, are reported, not
-// guessed.
+// Assigns measured or published curves to the panels of a chart. A column is matched by
+// name first, then by its physical quantity if only one panel shows that quantity. A
+// column that matches no panel, or more than one, is reported.
 #pragma once
 
 #include "solver/results/reference_table.h"
@@ -18,13 +18,15 @@ namespace keyblock {
 
 class ReferencePlacer {
 public:
-    /// All are kept by reference. `stages` are the run's, by name.
+    /// `tables` and `time` are kept by reference and must outlive this object. \param stages names of the run's stages,
+    /// in order.
     ReferencePlacer(const std::vector<ReferenceTable>& tables, const RunTime& time, std::vector<std::string> stages);
 
-    /// Adds the curves of which the chart shows both measures, and extends its range of abscissas for them.
+    /// Adds the reference curves whose abscissa and ordinate the chart shows, and extends the horizontal axis to
+    /// include them.
     void place(Chart& chart);
 
-    /// Warnings on columns that no chart matched; errors on tables without any match.
+    /// Warnings about columns that matched no chart; an error for a table of which no column matched.
     std::vector<Problem> problems() const;
 
 private:
@@ -35,10 +37,10 @@ private:
     const std::vector<ReferenceTable>& tables_;
     const RunTime& time_;
     std::vector<std::string> stages_;
-    std::vector<std::vector<bool>> used_;  // by table and column
-    std::vector<bool> hasAxis_;  // by table: of some chart
-    std::vector<std::string> faults_;  // by table: why it has no axis
-    std::vector<std::string> seen_;  // panels and their axes, for messages
+    std::vector<std::vector<bool>> used_;  // by table and column: has been drawn
+    std::vector<bool> hasAxis_;  // by table: has a column for the horizontal axis of some chart
+    std::vector<std::string> faults_;  // by table: why it could not be drawn
+    std::vector<std::string> seen_;  // panels and their axes, listed in messages
 };
 
 }  // namespace keyblock

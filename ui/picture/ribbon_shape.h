@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The force diagram of one bolt, a band next to it, in units of the paper or in pixels:
-// the same on both.
+// Geometry of the force diagram of one bolt, drawn as a band next to the bolt. The
+// units are those of the drawing, millimetres or pixels.
 #pragma once
 
 #include "ui/picture/section.h"
@@ -13,20 +13,21 @@ namespace keyblock {
 
 struct RibbonShape {
     Point across{0.0, 1.0};  // unit vector from the bolt to the diagram
-    std::vector<Point> base;  // line of zero, a point per node
-    std::vector<Point> outline;  // along the values from end to end of the line of zero, in steps
-    std::vector<Point> feet, tips;  // middle of each element on the line of zero and at its value
-    std::vector<std::vector<Point>> limits;  // lines in steps
-    Point limitFrom{0.0, 0.0}, limitTo{0.0, 0.0};  // level of the largest limit along the bolt, if there is one
-    Point peak{0.0, 0.0};
+    std::vector<Point> base;  // zero line, one point per node
+    std::vector<Point> outline;  // stepped line of the values, from one end of the zero line to the other
+    std::vector<Point> feet, tips;  // points at the middle of each element: on the zero line, and at its value
+    std::vector<std::vector<Point>> limits;  // stepped lines of the limit
+    Point limitFrom{0.0, 0.0}, limitTo{0.0, 0.0};  // ends of the line at the largest limit, if any
+    Point peak{0.0, 0.0};  // tip of the element with the largest magnitude
 };
 
-/// \param nodes of the bolt on paper, y downwards; `gap` is the distance of the diagram from the bolt, `room` the size
-/// of its scale.
+/// Geometry of the force diagram.
+/// \param values one per element. \param nodes nodes of the bolt as drawn, y downwards.
+/// \param gap distance between bolt and diagram. \param room width of the diagram at the value `ribbon.scale`.
 RibbonShape ribbonShape(const Ribbon& ribbon, const std::vector<double>& values, const std::vector<Point>& nodes,
                         double gap, double room);
 
-/// The unit of the values, without "per bolt".
+/// Unit of the values, without "per bolt".
 std::string ribbonUnit(const LegendBar& legend);
 
 }  // namespace keyblock

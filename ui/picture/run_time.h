@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One axis of time for a whole run. A run of one stage has its own time; several stages
-// follow one another with widths by their kind, as on the window's timeline, since a
-// second of pseudo-time and eight milliseconds of shaking cannot be shown on one scale.
+// A single time axis for a whole run. If a run has one stage, the axis shows the time
+// of that stage. Several stages are placed one after another with widths that depend on
+// their kind, as on the window's timeline, because a pseudo-time of 1 and 8 ms of
+// shaking cannot share a scale.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -18,14 +19,14 @@ class RunTime {
 public:
     explicit RunTime(const RunSource& run);
 
-    /// Stages that were started, in order; each up to the time it reached.
+    /// Stages that were started, in order, each up to the latest time it has reached.
     const std::vector<StageSpan>& stages() const { return stages_; }
     double end() const { return stages_.empty() ? 0.0 : stages_.back().to; }
 
-    /// Position of a time of a stage on the axis.
+    /// Position on the axis of a time within a stage.
     double at(int stage, double time) const;
 
-    /// Position of a time counted through all stages.
+    /// Position on the axis of a time accumulated over all stages.
     double atTotal(double time) const;
 
     /// Title of the axis.

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Consecutive pictures of a run. Settings that would jump from one to the next are
-// fixed for all of them first: the window, the ranges, the bolt of the force diagram
-// and its scale, and the numbers of events.
+// Consecutive sections of a run for an animation. Settings that would change from one
+// frame to the next are fixed for all of them beforehand: the window, the colour
+// ranges, the bolt with the force diagram and the scale of the diagram, and the numbers
+// of the events.
 #pragma once
 
 #include "ui/picture/section.h"
@@ -15,11 +16,12 @@ namespace keyblock {
 
 class SectionFilm {
 public:
-    /// Pictures of these frames of the run, in this order; at least one. Reads every frame of the run twice.
+    /// Prepares sections of these frames of the run, in this order; reads all frames of the run. \pre `frames` is not
+    /// empty.
     SectionFilm(const RunSource& run, const SectionRequest& request, std::vector<std::size_t> frames);
 
     std::size_t size() const { return frames_.size(); }
-    /// Index into the run's frames.
+    /// Index into the run's frames of the section with index `picture`.
     std::size_t frame(std::size_t picture) const { return frames_[picture]; }
     SectionPicture picture(std::size_t index) const;
 
@@ -34,9 +36,9 @@ private:
     std::vector<std::size_t> frames_;
     SectionLegends legends_;
     std::optional<Box> window_;
-    std::optional<int> ribbon_;  // bolt with the largest value of all frames
-    double largest_ = 0.0;  // that value
-    EventList numbered_;  // at the end of the animation
+    std::optional<int> ribbon_;  // bolt with the largest value in any of the frames
+    double largest_ = 0.0;  // largest magnitude of that bolt, in the display unit
+    EventList numbered_;  // events numbered in the last frame
 };
 
 }  // namespace keyblock

@@ -1,31 +1,33 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Legends of a section, with ranges over all frames of the run.
+// Legends of a section, with ranges that cover all frames of the run.
 #pragma once
 
 #include "ui/picture/section.h"
 
 namespace keyblock {
 
-/// Legends that grow frame by frame, for a run in progress.
+/// Legends that are updated frame by frame while a run is in progress.
 class SectionRanges {
 public:
-    /// For the quantities of the request. \param scene as solved.
+    /// Legends for the quantities of a request. \param scene the scene as solved.
     SectionRanges(const Scene& scene, const SectionRequest& request);
 
     void add(const Frame& frame);
-    /// Number of frames whose values are kept.
+    /// Number of frames whose values are stored.
     std::size_t frames() const { return frames_.size(); }
-    /// Discards the values of every second frame; the others represent all, except for the largest and smallest.
+    /// Discards the stored values of every second frame to save memory. The largest and smallest values of all frames
+    /// are kept.
     void dropEverySecond();
 
-    /// \param scales of the quantities, except for ranges of a single frame
+    /// Legends over all frames added. \param scales colour ranges chosen by the user; a range of a single frame or one
+    /// typed by the user is applied later, by `withNow`.
     SectionLegends legends(const ScaleChoices& scales = {}) const;
 
 private:
     struct Values {
-        std::vector<Weighed> blocks, bolts;  // in the unit shown
+        std::vector<Weighed> blocks, bolts;  // in the display unit
         std::vector<double> forces;
     };
 
@@ -36,19 +38,21 @@ private:
     const FrameQuantity<BoltNodeFrame>* boltQuantity_;
     bool contacts_;
     ContactScale scale_;
-    double roundOff_ = 0.0;  // of the quantity of blocks
-    std::vector<std::pair<double, std::string>> limits_;  // of the bolts
-    std::optional<ValueRange> blockReach_, boltReach_;  // of all frames added
+    double roundOff_ = 0.0;  // block values up to this magnitude are treated as zero
+    std::vector<std::pair<double, std::string>> limits_;  // capacities of the bolts
+    std::optional<ValueRange> blockReach_, boltReach_;  // ranges over all frames added
     std::vector<Values> frames_;
 };
 
-/// Legends for the request, over all frames of the run.
+/// Legends for a request; reads all frames of the run.
 SectionLegends sectionLegends(const RunSource& run, const SectionRequest& request);
 
-/// The same with a note on the values of one frame, if it has any, and with the ranges chosen in the request.
+/// The legends completed for one frame: with a note on the values in this frame, if it has any, and with the colour
+/// ranges chosen in the request.
 SectionLegends withNow(SectionLegends legends, const SectionRequest& request, const Frame& frame);
 
-/// Limits of the bolt's steel for the quantity [unit shown]; none for quantities other than N.
+/// Yield and ultimate force of a bolt's steel with their names, in the display unit of the quantity; none for
+/// quantities other than the axial force.
 std::vector<std::pair<double, std::string>> limitsOf(const Scene& scene, const Bolt& bolt,
                                                      const FrameQuantity<BoltNodeFrame>& quantity);
 

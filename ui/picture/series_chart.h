@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Common parts of charts of quantities over time, or against each other.
+// Common parts of charts that show quantities over time or against each other.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -14,21 +14,22 @@
 
 namespace keyblock {
 
-inline constexpr std::size_t mostCurves = 4;  // of a panel
+inline constexpr std::size_t mostCurves = 4;  // curves per panel
 inline constexpr std::array<CurveStyle, mostCurves> curveStyles{CurveStyle::Main, CurveStyle::Second,
                                                                 CurveStyle::Third, CurveStyle::Fourth};
 
-/// Whether an event belongs to a bolt, and so is marked on charts.
+/// True if an event concerns a bolt and is important enough to be marked on charts.
 bool isOfBolts(const Event& event);
 
-/// Without panels yet: the run's time, its stages and the events of bolts.
+/// A chart without panels, with the time axis of the run, its stages and the events of bolts.
 Chart chartOverTime(const RunTime& time, const std::vector<Event>& events);
 
-/// Adds a curve, split where values are missing; its last piece has the name.
+/// Adds a curve to a panel, split into pieces at missing (non-finite) values. Only the last piece carries the name.
 void addCurve(ChartPanel& panel, CurveStyle style, const std::string& name, const std::vector<double>& x,
               const std::vector<double>& y);
 
-/// Sets ranges, and merges events that are too close together; false if there is nothing to draw.
+/// Completes a chart: sets the ranges of its panels and merges events that are too close together. Returns false if
+/// there is nothing to draw.
 bool finishChart(Chart& chart);
 
 }  // namespace keyblock

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The user's choice of units and signs. Pictures and charts are made in the usual units
-// (mm, kN, MPa) with compression positive; here they are converted to SI base units, or
-// to tension positive. Colours stay: they belong to the values, not to their notation.
+// The user's choice of units and sign convention. Sections and charts are first built
+// in engineering units (mm, kN, MPa) with compression positive; the functions here
+// convert them to SI base units or to tension positive. Colours do not change, because
+// they depend on the values, not on how these are written.
 #pragma once
 
 #include <string>
@@ -15,34 +16,34 @@ struct Chart;
 struct SectionPicture;
 
 struct ShownNumbers {
-    bool si = false;  // m, N, Pa and J
+    bool si = false;  // use m, N, Pa and J
     bool tensionPositive = false;  // for stresses of blocks
 
     bool operator==(const ShownNumbers&) const = default;
 };
 
-/// How a quantity is shown: shown = factor · value in units of pictures.
+/// How a quantity is displayed: displayed value = factor · value in engineering units.
 struct ShownAs {
     std::string unit, convention;
     double factor = 1.0;
 };
 
-/// For a quantity with that unit (`MPa`, `kN per bolt`) and sign convention, as in pictures.
+/// Display of a quantity with the given engineering unit (`MPa`, `kN per bolt`) and sign convention.
 ShownAs shownAs(std::string_view unit, std::string_view convention, const ShownNumbers& numbers);
 
-/// A number in its unit, as in pictures or SI base units; 0 if it is no more than round-off in that unit.
+/// The value, or 0 if its magnitude is at the level of round-off for the unit (an engineering or an SI base unit).
 double withoutRoundOff(double value, std::string_view unit);
 
-/// For a title that ends with its unit: `Axial force (kN)`.
+/// Factor for the unit at the end of a title, such as `Axial force (kN)`; 1 if the unit does not change.
 double factorOf(std::string title, const ShownNumbers& numbers);
 
-/// A title with its units as shown: `Axial force (kN) over joint opening (mm)` becomes `… (N) over … (m)`.
+/// A title with its units converted: `Axial force (kN) over joint opening (mm)` becomes `… (N) over … (m)`.
 std::string shownTitle(const std::string& title, const ShownNumbers& numbers);
 
-std::string forceText(double force, const ShownNumbers& numbers);  // of [N], with its unit: `119 kN`
-std::string lengthText(double length, const ShownNumbers& numbers);  // of [m], with its unit: `31 mm`
+std::string forceText(double force, const ShownNumbers& numbers);  // force [N] with its unit: `119 kN`
+std::string lengthText(double length, const ShownNumbers& numbers);  // length [m] with its unit: `31 mm`
 
-/// Converts data in the units of pictures; call once.
+/// Converts drawing data from engineering units to the user's choice, in place. \pre not converted before.
 void showAs(SectionPicture& picture, const ShownNumbers& numbers);
 void showAs(Chart& chart, const ShownNumbers& numbers);
 

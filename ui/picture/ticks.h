@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Round numbers for axes, legends and scale bars, and how numbers are written for
-// people: a true minus sign, thin spaces between thousands, as many decimals as
-// the step needs.
+// Round numbers for axes, legends and scale bars, and the text of displayed numbers: a
+// true minus sign, thin spaces between thousands, and as many decimals as the tick
+// interval requires.
 #pragma once
 
 #include <span>
@@ -18,41 +18,42 @@ struct ValueRange {
     bool operator==(const ValueRange&) const = default;
 };
 
-/// The smallest of 1, 2, 2.5 and 5 times a power of ten that is not below `least`. \pre least > 0
+/// The smallest number not below `least` that is 1, 2, 2.5 or 5 times a power of ten. \pre least > 0
 double roundStep(double least);
 
-/// The smallest of 1, 2 and 5 times a power of ten that is not below `least`. \pre least > 0
+/// The smallest number not below `least` that is 1, 2 or 5 times a power of ten. \pre least > 0
 double roundHalvable(double least);
 
-/// Round values at equal steps within [low, high].
+/// Round values at equal intervals within a range.
 struct Ticks {
     std::vector<double> values;
-    int decimals = 0;  // needed by all of them
+    int decimals = 0;  // decimals that all values need
 };
 
-/// At most `most` of them, at least one if the range contains a round number. \pre low < high, most ≥ 2
+/// At most `most` ticks within the range. \pre low < high, most ≥ 2
 Ticks roundTicks(const ValueRange& range, int most);
 
-/// The range extended to round numbers at both ends, which are then at most `most` ticks apart. A range with only
-/// zeros becomes 0 … 1; another of one value starts at zero.
+/// The range extended to round numbers at both ends, such that it contains at most `most` ticks. A range with only
+/// zeros becomes 0 … 1; any other single value is extended to include zero.
 ValueRange roundedRange(const ValueRange& range, int most);
 
-/// The same with 0 in the middle.
+/// A rounded range that is symmetric about zero and contains `range`.
 ValueRange roundedSymmetric(const ValueRange& range, int most);
 
-/// A number with its weight, e.g. the area of its block.
+/// A value with its weight, such as the area of the block it belongs to.
 struct Weighed {
     double value = 0.0;
     double weight = 1.0;
 };
 
-/// The range that excludes, at either end, values with `share` of the total weight. Zeros without any values.
+/// Range of the values without those at either end that make up the fraction `share` of the total weight. Both ends are
+/// zero if there are no values.
 ValueRange rangeWithout(std::vector<Weighed> values, double share);
 
-/// `value` with that many decimals.
+/// Text of `value` with the given number of decimals.
 std::string numberText(double value, int decimals);
 
-/// `value` with about three significant digits.
+/// Text of `value` with about three significant digits.
 std::string numberText(double value);
 
 }  // namespace keyblock
