@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Anchored points set by hand: entries of an anchor table that make some nodes of a
-// bolt bonded and others intermediate. A table has no entry for "not here", so
-// ranges are split around the nodes that are removed.
+// Bonded nodes set by hand: functions that change an anchor table so that given nodes
+// of a bolt become bonded or intermediate. A table has no entry for "not bonded here",
+// so ranges are split around the nodes that are removed.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -14,29 +14,30 @@
 
 namespace keyblock {
 
-/// True for each node that an entry makes real.
-/// \param nodes distances from the far end, increasing [m].
+/// For each node, whether an entry of the anchor table makes it a bonded node.
+/// \param nodes distances of the nodes from the far end [m], increasing.
 std::vector<bool> realNodes(const std::vector<Anchor>& anchors, const std::vector<double>& nodes);
 
-/// The table after the nodes `first` … `last` became real or artificial. New ones have the law of the nearest real
-/// node, else that of `pattern`. A real interval extends half an element beyond its last nodes.
-/// \pre nodes has two or more entries and first ≤ last are among them.
+/// The anchor table after the nodes `first` … `last` have been made bonded (`real`) or intermediate. New bonded nodes
+/// get the anchor law of the nearest bonded node, or that of `pattern` if there is none. A bonded range extends half an
+/// element beyond its outermost nodes. \pre `nodes` has at least two entries, and first ≤ last < nodes.size().
 std::vector<Anchor> withNodes(std::vector<Anchor> anchors, const std::vector<double>& nodes, std::size_t first,
                               std::size_t last, bool real, const Anchor& pattern);
 
-/// Nodes of a bolt with given divisions; sixty equal divisions if they are automatic. [m]
+/// Distances of the nodes of a bolt from its far end [m]: equal divisions, or sixty of them if their number is
+/// automatic.
 std::vector<double> evenNodes(double length, std::optional<int> divisions);
 
-/// The type with that name: the scene's own, else the built-in one; null if there is none.
+/// The bolt type with this name, from the scene or else built-in; null if there is none.
 const BoltType* boltTypeNamed(const Scene& scene, const std::string& name);
 
-/// A node of a bolt that does not exist yet.
+/// A node of a bolt that has not been created yet.
 struct NodeAhead {
-    double share = 0.0;  // of the length, from the far end
-    bool real = false;
+    double share = 0.0;  // distance from the far end over the length of the bolt
+    bool real = false;  // bonded
 };
 
-/// Nodes of a bolt of that type and length [m]; none if the type is unknown.
+/// The nodes that a bolt of this type and length [m] will have; empty if the type is unknown.
 std::vector<NodeAhead> nodesAhead(const Scene& scene, const std::string& type, double length,
                                   std::optional<int> divisions);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Appends a drawn object to its list under its own name.
+// Appends a drawn object to its list under a name that is not yet used.
 #pragma once
 
 #include "solver/scene/pointer.h"
@@ -10,7 +10,8 @@
 
 namespace keyblock {
 
-/// Adds `item` at the end of a list. A named entry keeps its name or gets a free one.
+/// Adds `item` at the end of a list. If its entries have names, the item keeps its name if that is unused, and
+/// otherwise gets a new one. \param pointer the JSON pointer of the list.
 template <typename Item>
 Edit appended(const Scene& scene, std::vector<Item> Scene::*list, const std::string& pointer, const Item& item) {
     Edit edit{scene};

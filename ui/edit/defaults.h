@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Defaults of new objects: typical values of hard jointed rock, and the stages that
-// an engineer expects. They only make a new object usable at once; measured values
-// of the rock should replace them.
+// Default values of new objects, typical of hard jointed rock, and the stages that an
+// engineer expects. They only make a new object usable at once and should be replaced
+// by values measured for the rock.
 #pragma once
 
 #include "solver/scene/field.h"
@@ -14,37 +14,42 @@
 
 namespace keyblock {
 
-/// An initial scene: granite, a joint material of 30°, gravity, stages `settle` and `excavate`; no rock yet.
+/// An empty scene to start from: granite, a joint material with 30° friction, gravity, and the stages `settle` and
+/// `excavate`; no rock yet.
 Scene newScene();
 
-/// Fills the required fields of a default-constructed struct of that structure.
+/// Sets the required fields of a new object to usable values. \param made a default-constructed struct described by
+/// `structure`.
 void makeDefaults(const Scene& scene, const Structure& structure, void* made);
 
-/// Why the corners are not a valid outline; empty if they are.
+/// The reason why the corners do not form a valid outline; empty if they do.
 std::string outlineProblem(const std::vector<Point>& points);
 
-/// Sets the outline of the rock. If the scene has no supports, its bottom is fixed and its sides move only vertically.
-/// Refused: an outline without area, or one that crosses itself.
+/// Sets the outline of the rock. If the scene has no supports, the base is fixed and the sides get vertical rollers.
+/// Refused: an outline that has no area or crosses itself.
 Edit withDomain(const Scene& scene, const std::vector<Point>& boundary);
 
-/// Fixes the bottom of the outline and lets its sides move only vertically. \pre the scene has an outline, no supports.
+/// Fixes the base of the outline and puts its sides on vertical rollers. \pre the scene has an outline and no supports.
 void supportSides(Edit& edit);
 
-/// Installs a bolt whose head is on the wall of a tunnel after the stage that excavates the tunnel.
+/// Installs a bolt after the excavation of the tunnel that its head lies in or on. Does nothing if there is no such
+/// tunnel, or if no stage excavates it.
 void installOnWall(Edit& edit, const Bolt& bolt);
 
-/// Adds a tunnel. The last stage that excavates, by content or by name, excavates it; else it is open from the start.
+/// Adds a tunnel. It is excavated in the last stage that already excavates something, else in the first stage with
+/// "excavat" in its name; without such a stage it is open from the start.
 Edit withTunnel(const Scene& scene, const SceneTunnel& tunnel);
 
-/// Adds a pattern or a bolt. If a stage excavates its tunnel and no later one installs bolts, a stage for them is
-/// inserted after it, and half of the relaxation is moved there: bolts installed after all movement carry no load.
+/// Adds a bolt pattern or a bolt. If a stage excavates its tunnel and no later stage installs bolts, a new stage that
+/// installs it is inserted after the excavation. Half of the wall relaxation is moved to the new stage, because bolts
+/// installed after all movement carry no load.
 Edit withPattern(const Scene& scene, const ScenePattern& pattern);
 Edit withBolt(const Scene& scene, const Bolt& bolt);
 
-/// Sets the kind of a stage; a dynamic stage without a duration gets a default.
+/// Sets the kind of a stage. A dynamic stage without a duration gets a default one.
 Edit withStageKind(const Scene& scene, std::size_t stage, StageKind kind);
 
-/// The name of the first entry of these lists; empty if there is none.
+/// Name of the first material or joint material of the scene; empty if there is none.
 std::string firstMaterial(const Scene& scene);
 std::string firstJointMaterial(const Scene& scene);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Adds objects drawn with the tools to a scene under a free name. Invalid objects
-// are refused with the reason.
+// Adds objects drawn with the tools to a scene, under names that are not yet used.
+// Invalid objects are refused, with the reason.
 #pragma once
 
 #include "ui/edit/edit.h"
@@ -15,10 +15,10 @@ Edit withJoint(const Scene& scene, const SceneJoint& joint);
 Edit withJointSet(const Scene& scene, const SceneJointSet& set);
 Edit withMonitor(const Scene& scene, const Monitor& monitor);
 
-/// Replaces the support of a side that is supported already.
+/// Adds a support; it replaces an existing support of the same side.
 Edit withSupport(const Scene& scene, const Support& support);
 
-/// Adds it to the stage of that index.
+/// Adds a load or a prescribed motion to the stage with this index.
 Edit withLoad(const Scene& scene, std::size_t stage, const Load& load);
 Edit withMotion(const Scene& scene, std::size_t stage, const Motion& motion);
 

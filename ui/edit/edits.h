@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Includes all edits.
+// Includes the headers of the common edits.
 #pragma once
 
 #include "ui/edit/drawn.h"

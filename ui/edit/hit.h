@@ -12,17 +12,17 @@
 
 namespace keyblock {
 
-/// Indices of objects within `radius` [m] of a point, the most likely target first: small objects before large ones
-/// at a similar distance, interiors of openings and blocks last. A domain or a region is hit on its outline only, joints
-/// not inside openings.
+/// Indices of the objects within `radius` [m] of a point, the most likely target first: at a similar distance, small
+/// objects come before large ones; interiors of openings and blocks come last. A domain or a region is hit only on its
+/// outline, and joints are not hit inside openings.
 std::vector<std::size_t> objectsAt(std::span<const SceneObject> objects, const Point& place, double radius);
 
 enum class BoxRule {
-    Encloses,  // the whole object is in the box
-    Crosses  // part of it is in the box
+    Encloses,  // the box must contain the whole object
+    Crosses  // the box must contain a part of the object
 };
 
-/// Indices of the objects selected by the box, in their order.
+/// Indices of the objects selected by a box, in ascending order.
 std::vector<std::size_t> objectsIn(std::span<const SceneObject> objects, const Box& box, BoxRule rule);
 
 }  // namespace keyblock

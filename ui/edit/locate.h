@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a JSON pointer to the row of the field table and the struct that contains it.
+// Finds the row of the field table, and the struct that contains the field, for a JSON
+// pointer.
 #pragma once
 
 #include "solver/scene/field.h"
@@ -12,29 +13,31 @@
 
 namespace keyblock {
 
-/// Where a pointer leads: the row `field` of `owner`, an entry of that row's list or map, or an element of its value.
+/// What a pointer refers to: the field `field` of the struct `owner`, an entry of the list or map in this field, or an
+/// element of its value.
 struct ScenePlace {
-    const Structure* structure = nullptr;  // of `owner`
-    const void* owner = nullptr;  // in the given scene
-    const Field* field = nullptr;  // null: the whole scene
-    std::optional<std::size_t> entry{};  // of a List or Map
-    std::optional<std::size_t> element{};  // of Points, a PointPair or a TextList
-    const Field* misplaced = nullptr;  // the first field on the path that does not apply to its owner; null: all apply
+    const Structure* structure = nullptr;  // describes `owner`
+    const void* owner = nullptr;  // the struct, within the given scene
+    const Field* field = nullptr;  // null: the pointer refers to the whole scene
+    std::optional<std::size_t> entry{};  // index of the entry, for a List or Map
+    std::optional<std::size_t> element{};  // index of the element, for Points, a PointPair or a TextList
+    const Field* misplaced = nullptr;  // first field on the path that does not apply to its owner; null: all apply
 
-    /// True if the pointer leads to a struct: the scene, an existing Object, or an entry.
+    /// True if the pointer refers to a struct: the scene, an Object that is not null, or an entry.
     bool isObject() const;
     const Structure& objectStructure() const;  // \pre isObject()
     const void* object() const;  // \pre isObject()
 };
 
-/// None if the pointer leads nowhere in this scene. A null Object is found as the row of its owner.
+/// Finds what a pointer refers to; null if it refers to nothing in this scene. For an Object that is null, the field of
+/// its owner is found.
 std::optional<ScenePlace> locate(const Scene& scene, std::string_view pointer);
 
-/// The pointer of the object that contains `pointer`, or `pointer` itself: `/bolts/3` for `/bolts/3/head`. Empty
-/// for fields of the scene itself and for invalid pointers.
+/// Pointer of the object that contains `pointer`, or `pointer` itself if it refers to an object: `/bolts/3` for
+/// `/bolts/3/head`. Empty for fields of the scene itself and for invalid pointers.
 std::string objectPointer(const Scene& scene, std::string_view pointer);
 
-/// The same address, writable; the caller must own the only copy of the scene.
+/// The same address without const. \pre the caller owns the scene, and nothing else shares it.
 void* changeable(const void* owner);
 
 }  // namespace keyblock

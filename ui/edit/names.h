@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names of objects: the title shown to the user, free names for new objects, and
+// Names of objects: titles shown to the user, unused names for new objects, and
 // renaming.
 #pragma once
 
@@ -13,23 +13,26 @@
 
 namespace keyblock {
 
-/// `stem` and the number after the largest one of `taken` with that stem: J13 after J12.
+/// `stem` followed by the next number after the largest one used with this stem in `taken`: J13 if J12 is the last.
 std::string freeName(std::string_view stem, const std::vector<std::string>& taken);
 
-/// A free name for a new entry of the list or map at the pointer, in the style of its kind: `J13`,
-/// `B2`, `stage 3`. Empty if its entries have no names.
+/// An unused name for a new entry of the list or map at a JSON pointer, in the style of its kind: `J13`, `B2`, `stage
+/// 3`. Empty if the entries have no names.
 std::string newName(const Scene& scene, std::string_view list);
 
-/// A free name for a copy of the entry `name` of that list: `J12` gives J13, `roof` gives `roof 2`.
+/// An unused name for a copy of the entry `name` of a list: `name` itself if it is not used there, else J13 for `J12`,
+/// or `roof 2` for `roof`.
 std::string nameOfCopy(const Scene& scene, std::string_view list, std::string_view name);
 
-/// The title of the object at the pointer: `joint J12`, `domain`, `load 2 of stage load`, `bottom support`.
+/// Title of the object at a JSON pointer, as shown to the user: `joint J12`, `domain`, `load 2 of stage load`, `bottom
+/// support`.
 std::string titleAt(const Scene& scene, std::string_view pointer);
 
-/// The name of the object; empty if it has none.
+/// Name of the object at a JSON pointer; empty if it has none.
 std::string nameAt(const Scene& scene, std::string_view pointer);
 
-/// Renames the object and all references to it. Refused: an empty name if one is needed, a name already used.
+/// Renames an object and updates all references to it. Refused: an empty name if the object needs one, and a name that
+/// is already used.
 Edit renameAt(const Scene& scene, const std::string& pointer, const std::string& name);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The fields of a scene that refer to another object by name. Used for renaming,
-// deleting and copying.
+// Finds the fields of a scene that refer to another object by name. Used to rename,
+// delete and copy objects.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -12,38 +12,39 @@
 
 namespace keyblock {
 
-/// Objects that can be referred to; each kind is one list of the scene.
+/// Kinds of objects that other fields can refer to; each kind has its own list in the scene.
 enum class Named { Material, JointMaterial, Region, Tunnel, Block, Bolt, Pattern, BoltType, Joint, JointSet, Monitor };
 
-/// What happens to a reference when its object is deleted.
+/// What happens to a reference if its object is deleted.
 enum class WhenGone {
-    Stays,  // the field needs a name: the check reports it
-    Null,  // null is a valid value
-    Entry,  // the text is removed from its list
-    Owner  // the object with the reference is deleted too
+    Stays,  // the reference is kept because the field requires a name; the check reports the missing object
+    Null,  // the field becomes null
+    Entry,  // the name is removed from its list
+    Owner  // the object that contains the reference is deleted too
 };
 
-/// A name within a text of the scene.
+/// The name of another object within a text of the scene.
 struct Reference {
     Named kind = Named::Material;
-    std::string pointer;  // of the text
-    std::string* text = nullptr;  // in the given scene
-    std::size_t at = 0, length = 0;  // of the name in the text
+    std::string pointer;  // JSON pointer of the text
+    std::string* text = nullptr;  // the text, within the given scene
+    std::size_t at = 0, length = 0;  // position and length of the name within the text
     WhenGone whenGone = WhenGone::Stays;
 
     std::string name() const { return text->substr(at, length); }
 };
 
-/// All references, in the order of the scene's parts. Unknown names have the kind that the field expects.
+/// All references, in the order of the parts of the scene. A name that is not found has the kind expected by its field.
 std::vector<Reference> referencesOf(Scene& scene);
 
-/// The pointer of the list or map of that kind.
+/// JSON pointer of the list or map that contains objects of this kind.
 std::string listOf(Named kind);
 
-/// The kind of the objects in the list at that pointer; false if they cannot be referred to.
+/// Sets `kind` to the kind of the objects in the list at this JSON pointer; returns false if they cannot be referred
+/// to.
 bool kindOfList(std::string_view list, Named& kind);
 
-/// Names of that kind, in order.
+/// Names of all objects of a kind, in the order of their list.
 std::vector<std::string> namesOfKind(const Scene& scene, Named kind);
 
 }  // namespace keyblock

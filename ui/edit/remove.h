@@ -3,12 +3,13 @@
 //
 // Deletes objects of a scene together with the objects that depend on them.
 //
-// References to a deleted object follow one rule; `Edit::notes` reports the changes.
-// If null is a valid value (the joint material of a joint, the region of a set), the
-// reference becomes null; a name in a list (excavate, install) is removed; an object
-// that is meaningless without the deleted one (a pattern along a tunnel, a monitor
-// of a bolt) is deleted too; if a name is required (the material of a block), it
-// stays, and the check reports what is missing.
+// References to a deleted object are treated as follows, and `Edit::notes` reports the
+// changes. If the field may be null (the joint material of a joint, the region of a
+// joint set), it becomes null. A name in a list (excavate, install) is removed from the
+// list. An object that is meaningless without the deleted one (a pattern along a
+// tunnel, a monitor of a bolt) is deleted too. If the field requires a name (the
+// material of a block), the reference is kept, and the check reports that the object is
+// missing.
 #pragma once
 
 #include "ui/edit/edit.h"
@@ -18,10 +19,11 @@
 
 namespace keyblock {
 
-/// Deletes what the pointers lead to: entries of lists and maps, single points of a line, objects such as `/domain`.
-/// Invalid pointers are skipped; if none is left, the edit is refused.
+/// Deletes what the JSON pointers refer to: entries of lists and maps, single points of a line, objects such as
+/// `/domain`. Invalid pointers are skipped; if all are invalid, the edit is refused.
 Edit removeAll(const Scene& scene, const std::vector<std::string>& pointers);
 
+/// Like `removeAll` for a single pointer.
 Edit removeAt(const Scene& scene, const std::string& pointer);
 
 }  // namespace keyblock

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // All objects of a scene that can be picked, with their shape on the section.
-// Parametric objects (sets, cells, patterns) have the lines that the cut will draw;
-// if these are too many or cannot be drawn, a symbol represents them.
+// Parametric objects (joint sets, Voronoi cells, bolt patterns) are represented by the
+// lines they generate; if these are too many or cannot be generated, by a symbol.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -20,11 +20,11 @@ enum class ObjectKind {
     Domain, Region, Joint, JointSet, Voronoi, Tunnel, Block, Support, Bolt, Pattern, Load, Motion, Velocity, Monitor
 };
 
-/// A line from point to point.
+/// A polyline.
 struct ObjectLine {
     std::vector<Point> points;  // [m]
-    bool closed = false;  // the last joins the first
-    bool curved = false;  // approximates an arc: its inner points are not corners
+    bool closed = false;  // the last point is joined to the first
+    bool curved = false;  // approximates an arc, so its inner points are not corners
 };
 
 struct SceneObject {
@@ -33,29 +33,30 @@ struct SceneObject {
     std::string title;  // shown to the user: `joint J12`
     std::vector<ObjectLine> lines;
     std::vector<Point> marks;  // isolated points [m]
-    std::vector<Point> middles;  // centres of shapes [m]
-    std::vector<Point> area;  // outline of its area [m]; empty: it has only lines and marks
+    std::vector<Point> middles;  // centres of shapes, for snapping [m]
+    std::vector<Point> area;  // outline of its interior [m]; empty: it has only lines and marks
 };
 
-/// True for objects inside rock, which are not visible in openings.
+/// True for objects that exist only in rock and are not visible in openings.
 bool endsAtOpenings(ObjectKind kind);
 
-/// Bounding box of all points; none: there are none [m].
+/// Bounding box of all points of the object [m]; null if it has no points.
 std::optional<Box> boxOf(const SceneObject& object);
 
-/// True if the point is inside one of the tunnels among the objects, not on its wall.
+/// True if the point lies inside a tunnel among the objects, and not on its wall.
 bool isInOpening(std::span<const SceneObject> objects, const Point& place);
 
-/// In the order of the scene's parts. Accepts any scene; objects without usable points are left out.
+/// All objects, in the order of the parts of the scene. Accepts any scene, even an invalid one; objects without usable
+/// points are omitted.
 std::vector<SceneObject> objectsOf(const Scene& scene);
 
-/// The traces of one set in the region that it names, as `objectsOf` shows them, for a preview. Empty if it cannot be
-/// drawn, or would give more than `mostShownTraces`.
+/// The traces of a joint set in its region, as in `objectsOf`, for a preview. Empty if they cannot be generated or
+/// would be more than `mostShownTraces`.
 std::vector<ObjectLine> tracesOfSet(const Scene& scene, const SceneJointSet& set);
 
-inline constexpr double mostShownTraces = 10000.0;  // as the check allows
+inline constexpr double mostShownTraces = 10000.0;  // same limit as in the check
 
-/// The bolts of a pattern, head first; empty if it cannot be laid out.
+/// The bolts of a pattern, each from its head to its far end; empty if the pattern cannot be laid out.
 std::vector<ObjectLine> boltsOfPattern(const Scene& scene, const ScenePattern& pattern);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The snap point near the mouse. The nearest candidate is often not the intended
-// one: an end a few pixels away takes precedence over a line just under the mouse.
-// Candidates are ranked by kind, and by distance among similar kinds.
+// Finds the snap point near the mouse. The nearest candidate is often not the intended
+// one: an end a few pixels away is preferred to a line directly under the mouse.
+// Candidates are therefore ranked by kind, and by distance among similar kinds.
 #pragma once
 
 #include "geometry/grid.h"
@@ -16,30 +16,31 @@
 
 namespace keyblock {
 
+/// End or corner, intersection, midpoint or centre, foot of a perpendicular, nearest point on a line, grid point.
 enum class SnapKind { End, Intersection, Middle, Foot, OnLine, Grid };
 
 struct Snap {
     Point place{0.0, 0.0};  // [m]
     SnapKind kind = SnapKind::Grid;
     std::string name;  // shown to the user: `end of joint J12`
-    std::string pointer;  // of the object; empty: the grid
+    std::string pointer;  // JSON pointer of the object; empty: a grid point
 };
 
-/// The options of a snap.
+/// Options of a search for a snap point.
 struct SnapWish {
     double radius = 0.0;  // largest distance from the mouse [m]
-    bool objects = true;
-    std::optional<double> grid{};  // spacing [m]; the grid snaps at any distance
-    std::optional<Point> previous{};  // the last point drawn, the base of perpendiculars
-    std::vector<std::string> except{};  // pointers of objects being drawn or dragged, left out
+    bool objects = true;  // snap to objects
+    std::optional<double> grid{};  // grid spacing [m]; used at any distance if no object is near
+    std::optional<Point> previous{};  // last point drawn [m], from which perpendiculars start
+    std::vector<std::string> except{};  // JSON pointers of objects to ignore, such as the one being dragged
 };
 
-/// The lines of a scene, indexed for many queries.
+/// Spatial index of the lines of a scene, for many queries.
 class SnapIndex {
 public:
     explicit SnapIndex(const std::vector<SceneObject>& objects);
 
-    /// The best snap near `place`; none if nothing is near and there is no grid.
+    /// The best snap point near `place`; null if nothing is near and there is no grid.
     std::optional<Snap> at(const Point& place, const SnapWish& wish) const;
 
     /// The number of lines that `at` compares with the mouse.
@@ -49,7 +50,7 @@ private:
     struct Line {
         Point a{0.0, 0.0}, b{0.0, 0.0};
         int object = 0;
-        bool endA = false, endB = false;  // an end or a corner, not a point of an arc
+        bool endA = false, endB = false;  // an end or a corner, not an inner point of an arc
         bool curved = false;
     };
     struct Mark {

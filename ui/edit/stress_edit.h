@@ -1,38 +1,39 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// In-situ stress from depth and K0 or from principal stresses, written into the
-// fields of the scene in one edit.
+// Computes the in-situ stress from depth and K0 or from principal stresses, and writes
+// it to the scene in one edit.
 #pragma once
 
 #include "ui/edit/edit.h"
 
 namespace keyblock {
 
-/// Vertical stress by the weight of the rock above, horizontal stress by a ratio to it.
+/// Vertical stress from the weight of the overburden; horizontal stress as a fixed ratio of it.
 struct DepthStress {
     double surfaceY = 0.0;  // elevation of the ground surface [m]
-    double unitWeight = 0.0;  // of the rock above [N/m³]
-    double k0 = 1.0;  // horizontal over vertical stress
+    double unitWeight = 0.0;  // of the overburden [N/m³]
+    double k0 = 1.0;  // ratio of horizontal to vertical stress
 };
 
-/// Uniform, compression positive.
+/// Uniform in-situ stress, compression positive.
 struct PrincipalStresses {
-    double major = 0.0, minor = 0.0;  // σ1, σ3 in the plane [Pa]
-    double angle = 0.0;  // of σ1 from the x axis, counter-clockwise [°]
+    double major = 0.0, minor = 0.0;  // σ1 and σ3 in the plane of the section [Pa]
+    double angle = 0.0;  // direction of σ1, counter-clockwise from the x axis [°]
 };
 
-/// Stress that increases with depth, given at mid-height of the rock. Refused: rock without size or partly above the
-/// surface, a unit weight or ratio below zero.
+/// Sets an in-situ stress that increases with depth, with its reference value at mid-height of the rock. Refused if
+/// there is no rock, if rock lies above the ground surface, if the unit weight is not positive, or if K0 is negative.
 Edit withDepthStress(const Scene& scene, const DepthStress& stress);
 
-/// Refused: σ1 below σ3.
+/// Sets a uniform in-situ stress. Refused if σ1 < σ3.
 Edit withPrincipalStresses(const Scene& scene, const PrincipalStresses& stress);
 
-/// Initial values: the surface at the upper edge of the rock, the unit weight of its first material.
+/// Values to start from: those of the scene's in-situ stress if it increases with depth, else the ground surface at the
+/// top of the rock and the unit weight of the first material.
 DepthStress suggestedDepthStress(const Scene& scene);
 
-/// From the stress of the scene, without its gradient.
+/// Principal stresses of the scene's in-situ stress; its gradient is ignored.
 PrincipalStresses principalStressesOf(const Scene& scene);
 
 }  // namespace keyblock

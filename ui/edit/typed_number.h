@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A number as typed by the user: with a decimal comma or point, with its own unit,
-// or as an expression. Displayed numbers (true minus, thin spaces) can be typed
-// back.
+// Reads a number as typed by the user: with a decimal comma or point, with its own
+// unit, or as an expression. The text of a displayed number, with a true minus sign and
+// thin spaces, can be entered again.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,19 @@
 
 namespace keyblock {
 
-/// A number, or what is wrong with the text and what to type.
+/// A number, or what is wrong with the text and what to enter.
 struct TypedNumber {
     std::optional<double> value;  // finite, in the requested unit
     std::string problem;  // a sentence; empty if there is a value
 };
 
-/// Reads `text` as a number in `unit`, the unit of a bare number (`m`, `MPa`, `°`, …; empty: a pure number):
-/// `12,5`, `300mm`, `2.5 kN`, `=5/2+0.1`, `=2m + 300mm`. A unit in the text converts to `unit`.
+/// Reads a number such as `12,5`, `300mm`, `2.5 kN`, `=5/2+0.1` or `=2m + 300mm`.
+/// \param unit the unit of the result and of a number without a unit (`m`, `MPa`, `°`, …; empty: dimensionless).
+/// Numbers with another unit of the same kind are converted.
 TypedNumber typedNumber(std::string_view text, std::string_view unit);
 
-/// The text without typography: true minus becomes '-', spaces inside numbers and at the ends are removed.
+/// The text of a number without typography: true minus signs become '-', and spaces at the ends and between thousands
+/// are removed.
 std::string plainNumberText(std::string_view text);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Walls for the heads of bolts: of tunnels first, else the outline of the rock and
-// the faces of blocks, with the direction into the rock.
+// Finds walls for the heads of bolts, with the direction into the rock: walls of
+// tunnels first, else the outline of the rock and the faces of blocks.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -14,23 +14,24 @@
 namespace keyblock {
 
 struct WallPlace {
-    Point place{0.0, 0.0};  // on the wall as it is cut [m]
+    Point place{0.0, 0.0};  // point on the wall as cut, whose arcs are polylines [m]
     Point inward{0.0, 1.0};  // unit vector into the rock, normal to the wall
-    double along = 0.0;  // of a tunnel: length along its true wall, counter-clockwise from its start [m]
-    int tunnel = -1;  // index; −1: another face
+    double along = 0.0;  // for a tunnel: length along its exact profile, counter-clockwise from its start [m]
+    int tunnel = -1;  // index of the tunnel; −1: not the wall of a tunnel
     std::string name;  // shown to the user: `wall of tunnel drift`
 };
 
-/// The wall nearest to `place` within `radius` [m], tunnels before others, if there is one.
+/// The nearest wall within `radius` [m] of a point, tunnels before other faces; null if there is none.
 std::optional<WallPlace> wallAt(const Scene& scene, const Point& place, double radius);
 
-/// The same on one tunnel, at any distance. None if the tunnel cannot be drawn.
+/// The point on the wall of a tunnel nearest to `place`, at any distance; null if the tunnel cannot be drawn.
 std::optional<WallPlace> wallOfTunnel(const Scene& scene, int tunnel, const Point& place);
 
-/// Distance along a tunnel's wall from one point to another in a direction [m]; the whole wall if they coincide.
+/// Length of a tunnel's wall from one position to another in the given direction [m]; that of the whole wall if the
+/// positions coincide. \param from \param to lengths along the wall, as in `WallPlace::along`.
 double runAlong(const SceneTunnel& tunnel, double from, double to, Way way);
 
-/// The wall between two points as a line from `from` to `to` [m].
+/// The part of a tunnel's wall that starts at `from` and leads to `to` in the given direction, as a polyline [m].
 std::vector<Point> wallBetween(const SceneTunnel& tunnel, double from, double to, Way way);
 
 }  // namespace keyblock

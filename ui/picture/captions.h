@@ -23,7 +23,7 @@ std::string shortTimeText(const Scene& scene, int stage, double time);
 /// One line that lists rock, joints and bolts, and the scale factor of displacements.
 std::string subtitleOf(const Scene& scene, double factor);
 
-/// Type of analysis, and the integration scheme if a stage is dynamic: "plane strain · … scheme".
+/// Type of analysis, and the integration scheme if a stage is dynamic: "plane strain · backward Euler scheme".
 std::string analysisText(const Scene& scene);
 
 }  // namespace keyblock

@@ -14,6 +14,8 @@
 
 namespace keyblock {
 
+/// Bonded, slipping and failed (`Gone`) bond; intermediate nodes in a block (`Artificial`) and outside any block
+/// (`InGap`); yielded and ruptured steel; face plate in place and lost.
 enum class MarkKind { Bonded, Artificial, InGap, Slipping, Gone, Yielded, Ruptured, Plate, PlateLost };
 
 struct Mark {
