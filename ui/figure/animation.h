@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run as a sequence of pictures: sections painted as on paper, all of one size, with
-// common ranges and a line with stages and events. Callers write them to files or an
-// animation. This header does not need Qt.
+// A run as a sequence of images: sections drawn as on paper, all of the same size and
+// with the same colour ranges, above a line that shows stages and events. Callers write
+// the images to files or encode them as an animation. This header does not need Qt.
 #pragma once
 
 #include "ui/figure/figure.h"
@@ -17,22 +17,23 @@ namespace keyblock {
 
 class Animation {
 public:
-    /// The frames of the stage in the request's filter, or of the whole run. Format and time of the request are
-    /// ignored; the run must outlive this. \throws CannotDraw if there are no frames, or no such quantity.
+    /// Prepares images of the frames of the requested stage, or of the whole run. Format and time of the request are
+    /// ignored. \pre the run outlives this object.
+    /// \throws CannotDraw if there are no frames, or if the quantity is unknown or shown by arrows.
     Animation(const RunSource& run, const FigureRequest& request);
     ~Animation();
     Animation(const Animation&) = delete;
     Animation& operator=(const Animation&) = delete;
 
-    std::size_t size() const;  // number of pictures
-    int columns() const;  // of a picture [px]
-    int rows() const;
-    /// Index of the run's frame of a picture.
+    std::size_t size() const;  // number of images
+    int columns() const;  // width of an image [px]
+    int rows() const;  // height of an image [px]
+    /// Index of the run's frame that an image shows.
     std::size_t frame(std::size_t picture) const;
 
-    /// A picture as rows of pixels from the top, four bytes each: blue, green, red, and an unused one.
+    /// Pixels of an image, in rows from top to bottom, with four bytes per pixel: blue, green, red, unused.
     std::string pixels(std::size_t picture) const;
-    /// A picture as a PNG file. The same run and request give the same bytes.
+    /// An image as the bytes of a PNG file. The same run and request give the same bytes.
     std::string png(std::size_t picture) const;
 
 private:
@@ -40,13 +41,13 @@ private:
     std::unique_ptr<Painter> painter_;
 };
 
-/// `frame-0001.png` for the first: the picture's file in a folder of pictures.
+/// File name of an image in a folder of images: `frame-0001.png` for index 0.
 std::string pictureName(std::size_t picture);
 
-/// Whether a file of this name may be in a folder of pictures: a picture, or the list `frames.csv`.
+/// True if a file in a folder of images may have this name: an image, or the list `frames.csv`.
 bool isOfPictures(const std::string& name);
 
-/// The list as CSV: file, stage, time and step of each picture.
+/// Writes the list of images as CSV: file, stage, time and step of each image.
 void writePictureList(const RunSource& run, const Animation& animation, std::ostream& out);
 
 }  // namespace keyblock

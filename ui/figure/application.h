@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The single Qt application object, on the platform that needs no display.
+// The single Qt application object, with the `offscreen` platform, which needs no
+// display.
 #pragma once
 
 namespace keyblock {
 
-/// Creates it on the first call. Fonts and hash order are then the same in every process.
+/// Creates the application object on the first call. Fonts and the order of hash tables are then the same in every
+/// process.
 void needApplication();
 
 }  // namespace keyblock

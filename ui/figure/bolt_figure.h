@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The diagram of one bolt on a sheet.
+// Figure with the diagram of one bolt.
 #pragma once
 
 #include "ui/figure/figure.h"
 
 namespace keyblock {
 
-/// Of the requested bolt, else of the one with the largest axial force. \throws CannotDraw for a run or a time without
-/// bolts.
+/// Draws the requested bolt, or the one with the largest axial force if none is requested. \throws CannotDraw if the
+/// run has no bolts, or none at the requested time.
 Figure paintBolt(const RunSource& run, const FigureRequest& request);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Charts by QCustomPlot, which lays out axes and draws curves; the names at the ends of
-// curves and limits are placed here so that they overlap nothing. Paper and screen draw
-// the same charts in the colours of a theme.
+// Draws charts with QCustomPlot, which lays out the axes and draws the curves. The
+// names at the ends of curves and limits are placed here, so that they do not overlap.
+// Paper and screen show the same charts in the colours of a theme.
 #pragma once
 
 #include "ui/figure/ink.h"
@@ -21,22 +21,23 @@ struct ChartTheme {
     Colour ground, text, softText, axis, grid;
     Colour main, second, third, fourth, envelope;
     std::array<Colour, 4> references;
-    Colour limit;  // ultimate limits
-    Colour event;  // faint lines
-    Colour zone;  // tint
+    Colour limit;  // of ultimate limits
+    Colour event;  // of the faint lines at events
+    Colour zone;  // of shaded intervals
 };
 
-/// Margins around the panels [mm].
+/// Space around the panels [mm] and position of their titles.
 struct ChartLayout {
     double leftRoom = 9.0, rightRoom = 17.0, panelGap = 3.2;
-    bool titlesBeside = false;  // titles left of the panels, units below them; else above
-    int mostTicks = mostPanelTicks;  // of a panel
+    bool titlesBeside = false;  // titles to the left of the panels with units below them; false: above the panels
+    int mostTicks = mostPanelTicks;  // maximum number of ticks on the vertical axis of a panel
 };
 
-/// White background, black ink.
+/// The theme for paper: white background, black text.
 const ChartTheme& paperChartTheme();
 
-/// Position of the curves: the abscissas' range from left to right, and the panels from top to bottom [mm].
+/// Area in which the curves are drawn: from `left` to `right` along the horizontal axis, and the panels from top to
+/// bottom [mm].
 struct ChartPlace {
     struct Panel {
         double top = 0.0, bottom = 0.0;
@@ -45,7 +46,7 @@ struct ChartPlace {
     std::vector<Panel> panels{};
 };
 
-/// Draws the chart into the box [mm].
+/// Draws the chart into the box [mm] and returns the area of the curves.
 ChartPlace drawChart(QCPPainter& painter, const Chart& chart, const Box& box,
                      const ChartTheme& theme = paperChartTheme(), const ChartLayout& layout = {});
 

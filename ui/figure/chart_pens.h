@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pens of the curves of a chart: colour, line and mark by their style.
+// Pens for the curves of a chart: the colour, line and symbol of each style.
 #pragma once
 
 #include "ui/figure/chart_painter.h"
@@ -11,20 +11,21 @@
 
 namespace keyblock {
 
-inline constexpr double referenceLine = 0.25;  // [mm]
+inline constexpr double referenceLine = 0.25;  // line width of reference curves [mm]
 
+/// A length in drawing units of the paper.
 int unitsOf(double mm);
 QColor inkOf(const Colour& colour, double opacity = 1.0);
 Colour colourOf(const ChartTheme& theme, CurveStyle style);
 
-/// `width` [mm]; `dashes` in line widths, empty: solid.
+/// A pen of the given width [mm]. \param dashes lengths in line widths; empty: solid.
 QPen chartPen(double width, const Colour& colour, const QVector<qreal>& dashes = {});
 QPen penOf(const ChartTheme& theme, const ChartCurve& curve);
 
-/// Dashes of a reference in line widths; empty: solid.
+/// Dash pattern of a reference curve, in line widths; empty: solid.
 std::vector<double> dashesOf(CurveStyle style);
 
-/// Each reference has its own mark. `at` [mm].
+/// Draws the symbol of a reference curve at a point [mm].
 void drawMark(Ink& ink, const ChartTheme& theme, CurveStyle style, const Point& at);
 
 }  // namespace keyblock

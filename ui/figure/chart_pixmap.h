@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A chart on the screen. Separate because QCustomPlot's header uses Qt's keywords,
-// which the window disables.
+// Draws a chart on the screen. A header of its own, because that of QCustomPlot uses
+// Qt's keywords, which the window disables.
 #pragma once
 
 #include "ui/figure/chart_painter.h"
@@ -11,7 +11,7 @@ class QPixmap;
 
 namespace keyblock {
 
-/// Draws the chart into the box [mm] of a pixmap with so many pixels per millimetre, in device-independent pixels.
+/// Draws the chart into the box [mm] of a pixmap. \param pixelsPerMm device-independent pixels per millimetre.
 ChartPlace drawChart(QPixmap& onto, double pixelsPerMm, const Chart& chart, const Box& box, const ChartTheme& theme,
                      const ChartLayout& layout);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The numbers on a chart's axes: our round ones instead of QCustomPlot's.
+// Numbers on the axes of a chart, rounded by our rules instead of QCustomPlot's.
 #pragma once
 
 #include "ui/figure/ink.h"
@@ -13,11 +13,11 @@
 
 namespace keyblock {
 
-/// Round numbers, with a true minus sign.
+/// Ticks at round numbers, written with a true minus sign. At most `most` ticks.
 class RoundTicker : public QCPAxisTicker {
 public:
     explicit RoundTicker(int most) : most_(most) {}
-    /// Keeps them at least this fraction of the axis apart.
+    /// Keeps ticks at least this fraction of the axis apart.
     void setLeast(double share) { least_ = share; }
     void generate(const QCPRange& range, const QLocale& locale, QChar format, int precision, QVector<double>& ticks,
                   QVector<double>* subTicks, QVector<QString>* labels) override;
@@ -29,7 +29,7 @@ private:
     double least_ = 0.0;
 };
 
-/// Round times of each stage on an axis of that length [mm].
+/// Ticks at round times of each stage. \param length length of the axis [mm].
 class StageTicker : public QCPAxisTicker {
 public:
     StageTicker(const Chart& chart, double length);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The column next to a section: colour bars, the key of marks, the list of events. Each
-// item knows its height before it is drawn, so that the figure can be made as high as
-// its content.
+// The column next to a section: colour bars, the key of marks, the list of events. The
+// height of each item is known before it is drawn, so that the height of the figure can
+// be adapted to its content.
 #pragma once
 
 #include "ui/figure/ink.h"
@@ -20,15 +20,16 @@ namespace keyblock {
 
 struct ColumnItem {
     double height = 0.0;  // [mm]
-    std::function<void(Ink&, const Point&)> draw;  // with its upper left corner there [mm]
+    std::function<void(Ink&, const Point&)> draw;  // draws the item with its upper left corner at the point [mm]
 };
 
-inline constexpr double itemGap = 4.2;  // between two items [mm]
+inline constexpr double itemGap = 4.2;  // vertical gap between two items [mm]
 
-/// An arrow, or a bar centred at its position, of `length` on paper [mm, y downwards].
+/// Draws an arrow that starts at `at`, or a bar centred there. \param length direction and length on paper [mm], y
+/// downwards.
 void drawArrow(Ink& ink, ArrowShape shape, const Point& at, const Point& length);
 
-// Items for a column of `width` [mm]. Their data must outlive them.
+// Items for a column of `width` [mm]. The data passed by reference must outlive them.
 ColumnItem barItem(const LegendBar& bar, double width);
 ColumnItem arrowItem(const ArrowField& field, double scale, double width);
 ColumnItem keyItem(std::vector<MarkKind> kinds, double width);

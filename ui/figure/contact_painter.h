@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Forces of contacts on paper. Length and width both show the magnitude, so that
-// overlapping lines still look thicker where forces are larger; colour and shape show
-// the kind, also in a grey print.
+// Draws contact forces on paper. Length and width of a line both show the magnitude, so
+// that larger forces look thicker even where lines overlap. Colour and shape both show
+// the kind of contact, so that it can be recognised in greyscale prints.
 #pragma once
 
 #include "ui/figure/column.h"
@@ -14,13 +14,13 @@ namespace keyblock {
 
 class ContactPainter {
 public:
-    /// The longest line is `length` on paper [mm].
+    /// \param length length of the longest line on paper [mm].
     ContactPainter(const ContactScale& scale, double length) : scale_(scale), length_(length) {}
 
-    /// A line centred at `at` [mm], y downwards, along `force` [unit shown], clipped at the frame.
+    /// Draws a line centred at `at` [mm, y downwards] in the direction of `force` [display unit], clipped to `frame`.
     void draw(Ink& ink, ContactKind kind, const Point& at, const Point& force, const Box& frame) const;
 
-    /// Length on paper [mm] and width of the line of a force of this size.
+    /// Length and width on paper of the line of a force [mm].
     double lengthOf(double force) const;
     double widthOf(double force) const;
 
@@ -29,7 +29,8 @@ private:
     double length_;
 };
 
-/// The legend, for a column of `width` [mm]; the field must outlive it. \param length of the longest line [mm].
+/// The legend of contact forces for a column of `width` [mm]. \param length length of the longest line [mm]. \pre the
+/// field outlives the item.
 ColumnItem contactItem(const ContactField& field, double length, double width);
 
 }  // namespace keyblock

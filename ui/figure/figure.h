@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Figures for a report, painted without a screen: the interface to Qt for all code that
-// needs a picture of a run on paper. This header does not need Qt.
+// Figures for reports, drawn without a screen. All code that needs a figure of a run on
+// paper uses this interface to Qt; the header itself does not need Qt.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -25,45 +25,44 @@ namespace keyblock {
 enum class FigureKind { Section, Bolt, Curves, Events };
 enum class PaperFormat { Svg, Pdf, Png };
 
-/// Used instead of a quantity of a section: blocks or bolts are not coloured.
+/// Word used instead of a quantity for a section with uncoloured blocks and bolts.
 inline constexpr std::string_view plainWord = "plain";
 
 struct FigureRequest {
     FigureKind kind = FigureKind::Section;
     PaperFormat format = PaperFormat::Svg;
-    TableFilter filter;  // time and bolt
+    TableFilter filter;  // selects time and bolt
     std::optional<std::string> quantity;
     double width = 160.0;  // [mm]
-    int dpi = 300;  // of PNG
+    int dpi = 300;  // resolution, for PNG
     double factor = 1.0;  // scale factor of displacements
-    bool whole = false;  // the whole model, not the surroundings of tunnels and bolts
-    ScaleChoices scales{};  // of the colours of a section
-    std::optional<Box> window;  // of a section [m]; null: as `whole` says
-    std::optional<std::string> boltQuantity;  // of a section; null: as `quantity` says, else the axial force
-    std::string title;  // empty: the figure's own
-    std::vector<ReferenceTable> references{};  // drawn with the curves
-    std::string runName;  // for the footer of the figure
+    bool whole = false;  // show the whole model, not only the surroundings of tunnels and bolts
+    ScaleChoices scales{};  // colour ranges of a section
+    std::optional<Box> window;  // part of the section to show [m]; null: according to `whole`
+    std::optional<std::string> boltQuantity;  // for bolts in a section; null: as `quantity`, or axial force
+    std::string title;  // empty: the default title of the figure
+    std::vector<ReferenceTable> references{};  // drawn together with the curves
+    std::string runName;  // shown in the footer
 };
 
-/// The request cannot be drawn for this run; the message says what to request instead.
+/// Thrown if a request cannot be drawn for the run; the message says what to request instead.
 struct CannotDraw : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A table of the data shown in the figure.
+/// A table with the data shown in the figure.
 struct FigureData {
-    std::string suffix;  // of the file's name, before .csv
+    std::string suffix;  // of the file name, before `.csv`
     std::function<void(std::ostream&)> write;
 };
 
 struct Figure {
-    std::string bytes;  // of the file
-    std::vector<FigureData> data;  // refer to the run and to the request
-    std::vector<Problem> warnings{};  // parts of the request that it does not show
+    std::string bytes;  // contents of the file
+    std::vector<FigureData> data;  // refer to the run and the request, which must outlive them
+    std::vector<Problem> warnings{};  // parts of the request that the figure does not show
 };
 
-/// Paints a figure. The same run and request give the same bytes.
-/// \throws CannotDraw
+/// Draws a figure. The same run and request give the same bytes. \throws CannotDraw
 Figure paintFigure(const RunSource& run, const FigureRequest& request);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The line below each picture of an animation: its stages one after another, the
-// numbered events at their times, and the progress of the animation. Each picture takes
-// the same length, as it takes the same time on the screen.
+// The line below each image of an animation: the stages one after another, the numbered
+// events at their times, and the progress of the animation. Each image takes up the
+// same length, as it is shown for the same time.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -19,20 +19,20 @@ inline constexpr double filmLineHeight = 9.0;  // [mm]
 
 class FilmLine {
 public:
-    /// Of these frames of the run, in order, with the events that are numbered in the last one.
+    /// \param frames frames of the run that are shown, in order. \param events events as numbered in the last frame.
     FilmLine(const RunSource& run, const std::vector<std::size_t>& frames, const EventList& events);
 
-    /// Drawn from the upper left corner `at` over `width` [mm], for one of the pictures.
+    /// Draws the line for one image, with its upper left corner at `at` and over `width` [mm].
     void draw(Ink& ink, const Point& at, double width, std::size_t picture) const;
 
 private:
     struct Part {
         std::string name;  // of the stage
-        std::size_t first = 0, end = 0;  // number of pictures
+        std::size_t first = 0, end = 0;  // index of its first image, and of the first image after it
     };
     struct Mark {
         int number = 0;
-        std::size_t picture = 0;  // the first that shows it
+        std::size_t picture = 0;  // first image that shows the event
     };
 
     double placeOf(std::size_t picture, double width) const;

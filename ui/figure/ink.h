@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Strokes, fills and texts in millimetres, y downwards. All drawing of figures uses
-// this, independent of the device.
+// Strokes, fills and texts in millimetres, y downwards. All figures are drawn with
+// these functions, independently of the output device.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -29,11 +29,11 @@ inline constexpr double frame = 0.2, wall = 0.32, jointLine = 0.13, seamLine = 0
 struct Stroke {
     double width = 0.2;  // [mm]
     Colour colour = paper_theme::black;
-    std::vector<double> dashes{};  // on, off [mm]; empty: solid
+    std::vector<double> dashes{};  // lengths of dashes and gaps in turn [mm]; empty: solid
 };
 
 struct TextStyle {
-    double size = 2.2;  // of the font [mm]
+    double size = 2.2;  // font size [mm]
     bool bold = false;
     Colour colour = paper_theme::black;
 };
@@ -52,16 +52,16 @@ public:
 
     void line(const Point& a, const Point& b, const Stroke& stroke);
     void polyline(const std::vector<Point>& points, const Stroke& stroke);
-    /// Either may be missing.
+    /// Draws a polygon; fill or outline may be left out.
     void polygon(const std::vector<Point>& points, const std::optional<Colour>& fill,
                  const std::optional<Stroke>& stroke, double opacity = 1.0);
     void box(const Box& box, const std::optional<Colour>& fill, const std::optional<Stroke>& stroke);
     void circle(const Point& centre, double radius, const std::optional<Colour>& fill,
                 const std::optional<Stroke>& stroke);
 
-    /// `at` is on the baseline.
+    /// \param at position on the baseline of the text.
     void text(const Point& at, const std::string& text, const TextStyle& style, Align align = Align::Left);
-    /// The same with a white rim, so that it can be read over lines.
+    /// Draws text with a white outline, so that it is readable over lines.
     void casedText(const Point& at, const std::string& text, const TextStyle& style, Align align = Align::Left);
 
     QPainter& painter() { return painter_; }
@@ -73,13 +73,15 @@ private:
 /// Width of a text [mm].
 double textWidth(const std::string& text, const TextStyle& style);
 
-/// The text, elided if it is too long for `width` [mm]; in the middle, as names differ at their ends.
+/// The text, shortened with an ellipsis if it is longer than `width` [mm]. \param middle shorten in the middle, for
+/// names that differ only at their ends.
 std::string elided(const std::string& text, const TextStyle& style, double width, bool middle = false);
 
-/// Lines of at most `width` [mm], at most `most` of them; the last one elided.
+/// The text in lines of at most `width` [mm]; if it needs more than `most` lines, the last one is shortened with an
+/// ellipsis.
 std::vector<std::string> wrapped(const std::string& text, const TextStyle& style, double width, std::size_t most);
 
-/// The font of a style in units of the paper.
+/// The font of a style, with its size in drawing units of the paper.
 QFont fontOf(const TextStyle& style);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The section itself on paper: rock, walls, bolts, force diagram, names, numbers and
-// the scale bar, in a frame.
+// Draws the section itself on paper: rock, walls, bolts, force diagram, names, numbers
+// and the scale bar, inside a frame.
 #pragma once
 
 #include "ui/figure/ink.h"
@@ -16,13 +16,13 @@ namespace keyblock {
 
 class MapPainter {
 public:
-    /// The picture in `frame` [mm]; the window is extended to the frame's shape.
+    /// Draws the section in `frame` [mm]; the window is extended to the aspect ratio of the frame.
     MapPainter(const SectionPicture& picture, const Box& frame);
 
-    /// Kinds of marks that will be drawn, each once, in the order of the key.
+    /// The kinds of marks that will be drawn, each once, in the order of the key.
     std::vector<MarkKind> kinds() const { return kindsOf(marks_); }
 
-    /// Length on paper of the longest line of a contact [mm]; 0 if none are shown.
+    /// Length on paper of the longest contact line [mm]; 0 if no contact forces are shown.
     double longestContact() const;
 
     void draw(Ink& ink);
@@ -38,7 +38,7 @@ private:
     void drawArrows(Ink& ink) const;
     void drawContacts(Ink& ink) const;
     void drawRibbon(Ink& ink);
-    /// Writes the name along the level of the limit, on its outer side.
+    /// Writes the name of the limit along its line, on the outer side.
     void drawLimitName(Ink& ink, const Ribbon& ribbon, const Point& from, const Point& to, const Point& across);
     void drawScaleBar(Ink& ink);
     void drawNumbers(Ink& ink);
@@ -51,8 +51,8 @@ private:
     Box frame_;  // [mm]
     Box window_;  // [m]
     double scale_ = 1.0;  // mm per m
-    std::vector<double> spacing_;  // of each bolt, to the nearest other one [mm]
-    std::vector<std::vector<Mark>> marks_;  // of each bolt, thinned
+    std::vector<double> spacing_;  // distance of each bolt from the nearest other one [mm]
+    std::vector<std::vector<Mark>> marks_;  // of each bolt, thinned out
     Placement placement_;
 };
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The marks of bolts on paper and on the screen. Shape and colour both show the kind:
-// bonded dark, slipping medium, failed pale can also be distinguished in grey.
+// Draws the marks of bolts on paper and on screen. Shape and colour both show the kind
+// of mark: dark for bonded, medium for slipping and pale for failed nodes, which also
+// differ in greyscale.
 #pragma once
 
 #include "ui/figure/ink.h"
@@ -11,14 +12,15 @@
 
 namespace keyblock {
 
-/// A mark at `at` [mm] on a bolt that runs along the unit vector `along`, y downwards; small ones for bolts with many.
+/// Draws a mark at `at` [mm] on a bolt with the direction `along` (unit vector, y downwards). \param small use the
+/// smaller size, for bolts with many marks.
 void drawMark(Ink& ink, MarkKind kind, const Point& at, const Point& along, bool small = false,
               const MarkTheme& theme = paperMarks);
 
-/// Its name in the key of a picture.
+/// Name of a kind of mark in the key of a figure.
 std::string nameOf(MarkKind kind);
 
-/// An event's number in a circle of `radius` [mm].
+/// Draws the number of an event in a circle of the given radius [mm].
 void drawNumber(Ink& ink, const Point& at, int number, double radius, const TextStyle& style);
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Colours and sizes of the marks of bolts, one set for paper in millimetres and one
+// Colours and sizes of the marks on bolts: one set for paper in millimetres, and one
 // for the screen in pixels. The shapes are the same.
 #pragma once
 
@@ -11,28 +11,28 @@ namespace keyblock {
 
 struct MarkColours {
     Colour ink = paper_theme::black, casing = paper_theme::white;
-    Colour hollow = paper_theme::white;  // within rings and open rectangles
+    Colour hollow = paper_theme::white;  // inside rings and open rectangles
     Colour soft = paper_theme::softText, slipping = paper_theme::slipping;
     Colour rim = paper_theme::black;  // around slipping nodes
     Colour error = paper_theme::error, yielded = paper_theme::yielded;
 };
 
-/// In units of the ink. Of two values, the second is for bolts with many marks.
+/// Sizes in drawing units (mm or px). Of a pair, `small` is used for bolts with many marks.
 struct MarkSizes {
     struct Pair {
         double usual, small;
         double of(bool isSmall) const { return isSmall ? small : usual; }
     };
-    double casing = 0.12;  // round each mark
-    double line = 0.17;  // of rings and rims
-    double stroke = 0.28;  // of crosses, chevrons and struck-through marks
+    double casing = 0.12;  // light outline around each mark
+    double line = 0.17;  // line width of rings and rims
+    double stroke = 0.28;  // line width of crosses, chevrons and struck-through marks
     Pair disc{0.75, 0.5}, ring{0.5, 0.38}, diamond{1.0, 0.75}, cross{0.65, 0.5};
     double dash = 0.35, gap = 0.25;
-    double square = 0.47;  // half of its side
+    double square = 0.47;  // half of the side length
     double chevronFrom = 0.35, chevronTo = 1.0, chevronAcross = 0.8;
-    double plateAlong = 0.28, plateAcross = 1.08;  // halves
-    double lostAlong = 0.38, lostAcross = 1.15;  // halves of a lost one
-    double lostAway = 0.9, lostTilt = 0.0;  // from the head; [rad]
+    double plateAlong = 0.28, plateAcross = 1.08;  // half of the sides of a face plate
+    double lostAlong = 0.38, lostAcross = 1.15;  // half of the sides of a lost face plate
+    double lostAway = 0.9, lostTilt = 0.0;  // distance of a lost plate from the head, and its rotation [rad]
 };
 
 struct MarkTheme {

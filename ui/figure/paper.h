@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A sheet of paper of exact size in one of three formats. A unit of its painter is
-// 0.05 mm in each of them, so that the same strokes give the same figure.
+// A sheet of paper of exact size in one of three file formats. In each of them, one
+// unit of the painter is 0.05 mm, so that the same strokes give the same figure.
 #pragma once
 
 #include "ui/figure/figure.h"
@@ -21,19 +21,21 @@ inline constexpr double unitsPerMm = 20.0;
 
 class Paper {
 public:
-    /// Size in mm; `dpi` of PNG. \throws CannotDraw if a PNG does not fit in memory
+    /// \param width \param height size of the sheet [mm]. \param dpi resolution, for PNG.
+    /// \throws CannotDraw if a PNG does not fit in memory.
     Paper(PaperFormat format, double width, double height, int dpi, const std::string& title);
     ~Paper();
     Paper(const Paper&) = delete;
     Paper& operator=(const Paper&) = delete;
 
     QCPPainter& painter() { return *painter_; }
-    /// The image of a PNG; empty for the other formats.
+    /// The image of a PNG; null for the other formats.
     const QImage& image() const { return image_; }
     double width() const { return width_; }
     double height() const { return height_; }
 
-    /// The bytes of the file, the same for every run of the program. Call once, at the end. \throws CannotDraw
+    /// Completes the file and returns its bytes, which are the same each time the program is run. Call only once.
+    /// \throws CannotDraw if there is not enough memory.
     std::string finish();
 
 private:

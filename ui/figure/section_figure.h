@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A section with its legends on a sheet.
+// Figure with a section and its legends.
 #pragma once
 
 #include "ui/figure/figure.h"
@@ -9,10 +9,10 @@
 
 namespace keyblock {
 
-/// The section for a figure request. \throws CannotDraw for an unknown quantity.
+/// The section request for a figure request. \throws CannotDraw if the quantity is unknown.
 SectionRequest sectionRequestOf(const RunSource& run, const FigureRequest& request);
 
-/// \throws CannotDraw for an unknown quantity.
+/// Draws the section. \throws CannotDraw if the quantity is unknown.
 Figure paintSection(const RunSource& run, const FigureRequest& request);
 
 }  // namespace keyblock

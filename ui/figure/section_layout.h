@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Layout of the section and its legends on a sheet: bars, key and events in a column
-// next to it, or in two below it on a narrow sheet.
+// Layout of a section and its legends on a sheet: colour bars, key and events are
+// arranged in a column next to the section, or in two columns below it if the sheet is
+// narrow.
 #pragma once
 
 #include "ui/figure/column.h"
@@ -16,16 +17,17 @@ namespace keyblock {
 
 class SectionLayout {
 public:
-    /// Layout of this picture on a sheet of `width`, of which `inner` [mm] are within its margins, from `top` down.
-    /// `kinds`: marks in the key; null: those that are drawn.
+    /// \param width width of the sheet [mm]. \param top upper edge of the content [mm]. \param inner width between the
+    /// margins [mm]. \param kinds marks in the key; null: those that are drawn.
     SectionLayout(const SectionPicture& picture, const Scene& scene, double width, double top, double inner,
                   std::optional<std::vector<MarkKind>> kinds = {});
 
-    const Box& map() const { return map_; }  // of the section [mm]
-    double height() const { return height_; }  // total [mm]
+    const Box& map() const { return map_; }  // area of the section [mm]
+    double height() const { return height_; }  // total height [mm]
     const std::vector<MarkKind>& kinds() const { return kinds_; }
 
-    /// Draws section and column of this picture or of one with no more in its column.
+    /// Draws the section and its legends, for the picture given at construction or another one whose legends need no
+    /// more space.
     void draw(Ink& ink, const SectionPicture& picture, const Scene& scene) const;
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Common parts of every figure around its content: a title of up to two lines, a
-// subtitle, warnings if its values are unreliable, and a footer with the source.
+// What all figures have around their content: a title of up to two lines, a subtitle,
+// warnings if the values are unreliable, and a footer with the source.
 #pragma once
 
 #include "ui/figure/figure.h"
@@ -15,13 +15,14 @@ namespace keyblock {
 
 class Sheet {
 public:
-    /// A sheet of `width` [mm]; long texts are wrapped and then elided. \param warnings as of `warningsOf`.
+    /// A sheet of `width` [mm]; long texts are wrapped and then shortened with an ellipsis. \param warnings the result
+    /// of `warningsOf`.
     Sheet(double width, const std::string& title, const std::string& subtitle, const std::vector<std::string>& warnings);
 
     double width() const { return width_; }
     double inner() const { return width_ - 2.0 * paper_theme::margin; }
-    double top() const;  // top of the content [mm]
-    double heightAround(double content) const;  // of the sheet [mm]
+    double top() const;  // upper edge of the content [mm]
+    double heightAround(double content) const;  // height of a sheet whose content has the given height [mm]
 
     void draw(Ink& ink, double height, const std::string& foot) const;
 
@@ -30,10 +31,10 @@ private:
     std::vector<std::string> title_, subtitle_, warnings_;
 };
 
-/// The warnings of the stage of a frame (`stageWarnings`), or of all stages if a figure shows the whole run.
+/// The warnings (`stageWarnings`) of the stage of a frame, or of all stages for a figure of the whole run.
 std::vector<std::string> warningsOf(const RunSource& run, std::optional<std::size_t> frame);
 
-/// "Keyblock · RUN, frame 12 of 67 · plane strain · 160 × 107 mm"
+/// Text of the footer: "Keyblock · RUN, frame 12 of 67 · plane strain · 160 × 107 mm".
 std::string footOf(const RunSource& run, const FigureRequest& request, std::optional<std::size_t> frame, double height);
 
 }  // namespace keyblock
