@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Arrows, stress crosses and contact forces as lines for the GPU. Their lengths are
-// in pixels, so they are rebuilt when the view zooms.
+// Arrows, stress crosses and contact forces as lines for the GPU. Their lengths are in
+// pixels, so they are rebuilt when the view is zoomed.
 #pragma once
 
 #include "ui/picture/section.h"
@@ -11,13 +11,13 @@
 
 namespace keyblock {
 
-/// Line widths in device-independent pixels.
+/// Lines of arrows and forces, with widths in device-independent pixels.
 struct ForceShapes {
-    LayerShapes rims;  // below the lines, around those of sliding contacts
+    LayerShapes rims;  // drawn below the lines, as outlines of those of sliding contacts
     LayerShapes lines;
 };
 
-/// Those of the picture within a window [m]. \param scale pixels per metre.
+/// Shapes of the picture's arrows, and of its contact forces within a window [m]. \param scale pixels per metre.
 ForceShapes forceShapes(const SectionPicture& picture, const Point& origin, double scale, const ViewColours& colours,
                         const Box& window);
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One layer of the section on the GPU: corners joined to lines or to triangles. The
-// next frame of the same run only moves the corners, so the connectivity is uploaded
-// only when it changes.
+// One layer of the section on the GPU: points connected to lines or triangles. From one
+// frame of a run to the next only the points move, so the connectivity is uploaded only
+// if it changes.
 #pragma once
 
 #include "ui/picture/colour.h"
@@ -24,30 +24,30 @@ class vtkUnsignedCharArray;
 namespace keyblock {
 
 struct LayerShapes {
-    std::vector<float> corners;  // x, y of each [m from the view's origin]
-    std::vector<std::uint8_t> colours;  // red, green, blue of each; empty: colour of the layer
-    std::vector<float> widths;  // of each line over that of the layer; empty: 1
-    std::vector<int> cells;  // corners of each line (two) or triangle (three)
+    std::vector<float> corners;  // x and y of each point, relative to the view's origin [m]
+    std::vector<std::uint8_t> colours;  // red, green, blue of each point; empty: colour of the layer
+    std::vector<float> widths;  // width of each line relative to that of the layer; empty: 1
+    std::vector<int> cells;  // indices of the points of each line (two) or triangle (three)
 };
 
 enum class LayerForm { Lines, Triangles };
 
 class Layer {
 public:
-    /// Higher layers cover lower ones, counted from 0.
+    /// \param height order of the layer, from 0: higher layers cover lower ones.
     Layer(vtkRenderer& renderer, LayerForm form, int height);
     ~Layer();
     Layer(const Layer&) = delete;
     Layer& operator=(const Layer&) = delete;
 
-    /// Replaces the previous shape.
+    /// Shows these shapes instead of the previous ones.
     void show(const LayerShapes& shapes);
     void setColour(const Colour& colour, double opacity = 1.0);
-    /// Width of lines in device pixels.
+    /// Sets the line width in device pixels.
     void setWidth(double pixels) { width_ = pixels; }
-    /// Set before painting: scale and size of the view, in device pixels.
+    /// Sets the scale and size of the view in device pixels; call before rendering.
     void setView(double pixelsPerMetre, double width, double height);
-    /// How often the connectivity was rebuilt.
+    /// Number of times that the connectivity has been rebuilt, for tests.
     int joinings() const { return joinings_; }
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The layers of a section as plain arrays, before upload to the GPU. Points are
-// relative to a nearby origin, because the GPU uses single precision.
+// The layers of a section as plain arrays, before they are uploaded to the GPU. Points
+// are relative to an origin nearby, because the GPU uses single precision.
 #pragma once
 
 #include "ui/picture/section.h"
@@ -18,16 +18,16 @@ public:
     SectionShapes(const SectionPicture& picture, const Point& origin) : picture_(picture), origin_(origin) {}
 
     LayerShapes openings() const;
-    /// Triangles; blocks share no corners, so each has its own colour.
+    /// Triangles of the blocks. Blocks share no points, so each can have its own colour.
     LayerShapes blocks(const ViewColours& colours, bool drawing) const;
     /// Outlines of all blocks.
     LayerShapes outlines() const;
-    /// Outlines of the blocks of these rows of the picture.
+    /// Outlines of these blocks of the picture.
     LayerShapes outlines(const std::vector<const BlockShape*>& blocks) const;
     LayerShapes lines(const std::vector<LineShape>& lines) const;
-    /// Lines along the unbroken parts of bolts; coloured if `colours` are given.
+    /// Lines along the unbroken parts of the bolts. \param colours null: without colours.
     LayerShapes shanks(const ViewColours* colours) const;
-    /// Lines along the whole length of the bolts of these rows of the scene.
+    /// Lines along the whole length of these bolts (rows of the scene).
     LayerShapes whole(const std::vector<int>& bolts) const;
 
 private:

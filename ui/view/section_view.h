@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A section on the GPU: its layers from the openings up to the shanks of bolts.
-// Everything in pixels and in text (marks, names, force diagrams, legends) is
-// painted above it by the owner of the window. All decisions are in the picture.
+// A section on the GPU, in layers from the openings at the bottom to the shanks of
+// bolts at the top. Text and everything else with a size in pixels (marks, names, force
+// diagrams, legends) is painted above it by the owner of the window. What is shown is
+// decided by the picture, not here.
 #pragma once
 
 #include "ui/picture/section.h"
@@ -17,24 +18,24 @@ namespace keyblock {
 
 class SectionView {
 public:
-    /// The renderer must outlive it.
+    /// \pre the renderer outlives this object.
     explicit SectionView(vtkRenderer& renderer);
     ~SectionView();
     SectionView(const SectionView&) = delete;
     SectionView& operator=(const SectionView&) = delete;
 
-    /// Line widths are in pixels, independent of the camera. Successive frames of one run are cheap.
-    /// Call `look` afterwards.
+    /// Shows a picture; call `look` afterwards. Line widths are in pixels, independent of the zoom. Showing successive
+    /// frames of one run is cheap.
     void show(const SectionPicture& picture, const ViewColours& colours, const ViewStyle& style);
 
     /// Shows only the background.
     void clear(const ViewColours& colours);
 
-    /// Centres a viewport of `size` [device px] on `centre` [m], and rebuilds the shapes with a size in
-    /// pixels. \param picture what is shown, or null.
+    /// Centres a viewport of `size` [device px] on `centre` [m], and rebuilds the shapes that have a size in pixels.
+    /// \param picture the picture shown, or null.
     void look(const Point& centre, double metresPerPixel, const Point& size, const SectionPicture* picture);
 
-    /// How often the connectivity of blocks was rebuilt: once for successive frames of one run.
+    /// Number of times that the connectivity of the blocks has been rebuilt: once for successive frames of a run.
     int joinings() const;
 
 private:
@@ -48,8 +49,8 @@ private:
     ViewColours colours_;
     double pixelRatio_ = 1.0;
     Point origin_{0.0, 0.0};
-    Point seenFrom_{0.0, 0.0}, seenSize_{0.0, 0.0};  // camera for which contact forces were built
-    double laidAt_ = 0.0;  // metres per pixel of shapes with a size in pixels; 0: to be built
+    Point seenFrom_{0.0, 0.0}, seenSize_{0.0, 0.0};  // viewport for which the contact forces were built
+    double laidAt_ = 0.0;  // metres per pixel for which shapes with a size in pixels were built; 0: to be rebuilt
 };
 
 }  // namespace keyblock

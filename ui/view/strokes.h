@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lines with a width in pixels, round ends and smooth edges, independent of the
-// GPU's own line drawing: each has four corners that the GPU moves apart, and its
-// rim is blended. Costs a tenth of fourfold multisampling.
+// Lines with a width in pixels, round ends and smooth edges, independent of the line
+// drawing of the GPU: each line has four corners, which the vertex shader moves apart,
+// and its edge is blended. This costs a tenth of fourfold multisampling.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,15 @@ class vtkActor;
 
 namespace keyblock {
 
-/// Attributes of each corner besides its position: the line's vector [m]; its side by the sign of its width over
-/// that of the layer; its end (−1 or 1).
+/// Vertex attribute of each corner besides its position: vector of the line [m] (x, y); width of the line over that of
+/// the layer, with a sign for the side of the line; end of the line (−1 or 1).
 inline constexpr const char* strokeWay = "strokeWay";
 
-/// Sets the shaders that paint lines on an actor whose mapper has `strokeWay`, all at one depth. VTK discards
-/// triangles without area, so the corners of a line must differ in depth when VTK sees them.
+/// Sets the shaders that draw lines on an actor whose mapper has the attribute `strokeWay`. All lines are drawn at the
+/// depth `depth`. VTK discards triangles without area, so the corners passed to VTK must differ in depth.
 void paintStrokes(vtkActor& actor, float depth);
 
-/// Width of the lines and scale of the view, both in pixels of the device.
+/// Sets the width of the lines and the scale and size of the view, all in device pixels.
 void setStrokes(vtkActor& actor, double width, double pixelsPerMetre, double viewWidth, double viewHeight);
 
 }  // namespace keyblock
