@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Panels over the canvas, and call-outs that point from a panel to a location: a
-// bold line, a line of details, an edge in the colour of the state.
+// Panels over the canvas, and call-outs that point from a panel to a location. A
+// call-out has a bold line, a line with details, and an edge in the colour of the state
+// that it reports.
 #pragma once
 
 #include "geometry/point.h"
@@ -26,17 +27,18 @@ QFont screenFont(int pixels, bool bold = false);
 void paintPanel(QPainter& painter, const Theme& theme, const QRectF& rect);
 
 struct CallOut {
-    QString head, detail;  // the detail may be empty
+    QString head, detail;  // first and second line; the second may be empty
     QColor edge;
-    Point at{0.0, 0.0};  // target point [px]
-    Point first{0.0, -1.0};  // preferred direction from there
-    bool hasFoot = false;  // a dot at the target
+    Point at{0.0, 0.0};  // location to which it points [px]
+    Point first{0.0, -1.0};  // preferred direction from there to the panel
+    bool hasFoot = false;  // draw a dot at the location
 };
 
 QSizeF sizeOf(const CallOut& callOut);
 void paintCallOut(QPainter& painter, const Theme& theme, const CallOut& callOut, const QRectF& rect);
 
-/// Text over lines, outlined in the casing colour. `at` is on the baseline.
+/// Text with an outline in the casing colour, so that it is readable over lines. \param at position on the baseline
+/// [px].
 void paintCased(QPainter& painter, const Theme& theme, const QPointF& at, const QString& text, const QColor& colour);
 
 }  // namespace keyblock

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The section in the window: VTK below, and above it a transparent sheet for
-// everything in pixels and in text. It pans and zooms; all other mouse input belongs
-// to the tools. Shows a plain panel if the display has no OpenGL.
+// The section in the window: the rendering by VTK, and above it a transparent sheet for
+// text and everything else with a size in pixels. The canvas pans and zooms; all other
+// mouse input is passed to the tools. If the display has no OpenGL, a plain panel is
+// shown instead.
 #pragma once
 
 #include "ui/canvas/canvas_map.h"
@@ -35,49 +36,51 @@ public:
     explicit Canvas(const Themes& themes, QWidget* parent = nullptr);
     ~Canvas() override;
 
-    /// Null: empty, with a hint in the middle. The first picture after that is fitted, and a fitted view is fitted
-    /// again if a legend appears; other pictures keep the view.
+    /// Shows a picture; null: an empty canvas with a hint in the middle. The view is fitted to the first picture. While
+    /// it is still fitted, it is adapted if a legend appears and if parts of the picture move out of it.
     void show(std::shared_ptr<const SectionPicture> picture);
     using QWidget::show;
     const std::shared_ptr<const SectionPicture>& picture() const { return picture_; }
 
-    /// Neither is owned; remove a tool or overlay before it is deleted.
+    /// Tools and overlays are not owned; remove them before they are deleted.
     void setTool(CanvasTool* tool);
     CanvasTool* tool() const { return tool_; }
     void addOverlay(const CanvasOverlay* overlay);
     void removeOverlay(const CanvasOverlay* overlay);
 
-    /// Plain rock with lighter joints while drawing; coloured results otherwise.
+    /// True: plain rock with lighter joints, for drawing; false: coloured results.
     void setDrawing(bool drawing);
     void setSelectedBolts(const std::vector<int>& bolts);  // rows of the scene's bolts
-    /// Off: a neighbouring canvas has one that applies to both.
+    /// Shows or hides the legend; it is hidden if that of a neighbouring canvas applies to both.
     void setLegend(bool legend);
+    /// Outlines a block, with a call-out; null: none.
     void setHighlighted(const std::optional<HighlightedBlock>& highlighted);
-    /// Position of the hint: in the middle, or at the bottom if a drawing is visible behind it.
+    /// Sets the hint of an empty canvas. \param aside show it at the bottom instead of in the middle, because a drawing
+    /// is visible behind it.
     void setHint(const QString& title, const QString& text, bool aside = false);
 
-    /// What `fit` shows while there is no picture.
+    /// Sets the area that `fit` shows while there is no picture.
     void setExtent(const std::optional<Box>& extent) { extent_ = extent; }
 
     const CanvasMap& map() const { return map_; }
-    /// Zooms to tunnels and bolts, or to the whole model if they are fitted already.
+    /// Zooms to tunnels and bolts, or to the whole model if the view already shows these.
     void fit();
-    /// Kept when the canvas is resized, until the user pans or zooms; so is a fitted view.
+    /// Zooms to a box. Like a fitted view, it is kept when the canvas is resized, until the user pans or zooms.
     void zoomTo(const Box& box);
     void zoomBy(double factor, const QPointF& pixel);
     void panBy(const QPointF& pixels);
-    /// Copies the camera of another canvas.
+    /// Sets the same centre and scale as another canvas.
     void lookAs(const CanvasMap& other);
 
-    /// Zooms to the next box drawn with the left button.
+    /// Lets the user draw a box with the left button, and zooms to it.
     void startZoomBox();
-    /// True if there was one to cancel.
+    /// Cancels the zoom box; returns true if there was one to cancel.
     bool endZoomBox();
 
-    /// The object drawn under a pixel of the canvas.
+    /// The object drawn at a pixel of the canvas; null if there is none.
     std::optional<Pick> pickAt(const QPointF& pixel) const;
 
-    /// Paints tool and overlays again, not the section.
+    /// Repaints the tool and the overlays, but not the section.
     void refresh();
 
     QSize minimumSizeHint() const override { return {220, 120}; }
@@ -85,9 +88,10 @@ public:
 Q_SIGNALS:
     void hovered(const keyblock::Point& place, bool inside);
     void viewChanged();
-    /// Space was pressed and released without a drag.
+    /// Emitted if Space was pressed and released without dragging.
     void spaceTapped();
-    /// The bar of a quantity in the legend was clicked; the point is to the left of it, on the screen.
+    /// Emitted if the colour bar of a quantity in the legend was clicked. \param global a point to the left of the
+    /// legend, in screen coordinates.
     void legendClicked(keyblock::LegendPart part, const QPoint& global);
 
 protected:
@@ -110,7 +114,7 @@ private:
     friend class CanvasSheet;
     void layOut();
     bool growFitted();
-    void sceneChanged();  // of shapes, colours or style
+    void sceneChanged();  // shapes, colours or style have changed
     void mapChanged();
     void schedule();
     void renderOwed();
@@ -126,7 +130,7 @@ private:
     CanvasSheet* sheet_;
     QTimer* timer_;
     std::shared_ptr<const SectionPicture> picture_;
-    mutable std::unique_ptr<PickIndex> index_;  // of the picture, computed on demand
+    mutable std::unique_ptr<PickIndex> index_;  // of the current picture, built on demand
     CanvasMap map_;
     ViewStyle style_;
     std::optional<HighlightedBlock> highlighted_;
@@ -136,11 +140,11 @@ private:
     bool hintAside_ = false, hasLegend_ = true;
     bool shapesChanged_ = true;
     std::optional<Box> extent_;
-    std::optional<Box> kept_;  // fitted box, kept when the size changes until the user pans or zooms
-    bool fitsAlone_ = false;  // the kept box was not chosen by the user
+    std::optional<Box> kept_;  // box shown, kept on resizing until the user pans or zooms
+    bool fitsAlone_ = false;  // the kept box is that of a fitted view, not one chosen by the user
     bool spaceDown_ = false, spacePanned_ = false;
     std::optional<QPointF> panFrom_;
-    Qt::MouseButtons held_ = Qt::NoButton;  // whose release is passed to the tool
+    Qt::MouseButtons held_ = Qt::NoButton;  // buttons whose release is passed to the tool
     bool boxWanted_ = false;
     std::optional<QPointF> boxFrom_, boxTo_;
 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A small panel in the corner that says which of two runs a canvas shows, with a
-// close button for the one that can be removed.
+// A small panel in the corner of a canvas with the name of the run it shows when two
+// runs are compared, and a close button for the run that can be removed.
 #pragma once
 
 #include <QFrame>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The mapping between points of the section and pixels. Pixels are those of the
-// widget, device-independent, with y downwards; points are in metres, y upwards.
+// Mapping between points of the section and pixels. Points are in metres with y
+// upwards; pixels are device-independent pixels of the widget with y downwards.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -23,14 +23,14 @@ public:
     QSizeF size() const { return size_; }
     Point centre() const { return centre_; }
 
-    /// Keeps the point in the middle.
+    /// Sets the size of the widget [px]; the point in the middle stays there.
     void resize(const QSizeF& size) { size_ = size; }
-    /// Fits the box in `room` of the widget, centred. A box without extent becomes a metre large.
+    /// Fits the box into the part `room` of the widget, centred. A box without extent is treated as 1 m wide and high.
     void show(const Box& box, const QRectF& room);
-    /// Keeps the point in the middle and the scale.
+    /// Copies the centre and the scale of another map.
     void lookAs(const CanvasMap& other);
     void panBy(const QPointF& pixels);
-    /// Keeps the point under `pixel`. The scale stays between 1e-4 and 1e7 px/m.
+    /// Zooms by a factor about the point under `pixel`, which stays in place. The scale is limited to 1e-4 … 1e7 px/m.
     void zoomBy(double factor, const QPointF& pixel);
 
 private:

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The transparent sheet above the section. The parts that belong to the picture are
-// painted once per view and cached, so that a tool that follows the mouse costs only
-// its own strokes.
+// The transparent sheet above the section. What belongs to the picture is painted once
+// per view and cached, so that a tool that follows the mouse only repaints its own
+// strokes.
 #pragma once
 
 #include "ui/canvas/legend_panel.h"
@@ -25,10 +25,10 @@ class CanvasSheet : public QWidget {
 public:
     explicit CanvasSheet(Canvas& canvas);
 
-    /// The picture or the view changed.
+    /// Discards the cache; call when the picture or the view has changed.
     void forget() { kept_ = {}; }
 
-    /// The quantity whose legend bar is under a pixel.
+    /// The quantity whose colour bar is under a pixel; null if there is none.
     std::optional<LegendPart> legendPartAt(const QPointF& pixel) const;
 
 protected:
@@ -42,8 +42,8 @@ private:
 
     Canvas& canvas_;
     QPixmap kept_;
-    std::vector<QRect> panels_;  // cached: the part above overlays and tools
-    std::vector<std::pair<LegendPart, QRectF>> parts_;  // of the legend
+    std::vector<QRect> panels_;  // parts of the cache that are painted above overlays and tools
+    std::vector<std::pair<LegendPart, QRectF>> parts_;  // colour bars of the legend
 };
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Extensions of the canvas: a tool receives the mouse input over the section, an
+// Extensions of the canvas: a tool receives the mouse input over the section, and an
 // overlay paints above it. The canvas itself zooms with the wheel and pans with the
-// middle button or with Space and the left one; a tool does not see those events.
+// middle button, or with Space and the left button; tools do not receive these events.
 #pragma once
 
 #include "ui/canvas/canvas_map.h"
@@ -34,19 +34,19 @@ public:
     virtual void move(const CanvasEvent&) {}
     virtual void release(const CanvasEvent&) {}
     virtual void leave() {}
-    /// True if the tool used the key.
+    /// Handles a key; returns true if the tool used it.
     virtual bool key(QKeyEvent&) { return false; }
     virtual void contextMenu(const CanvasEvent&, QPoint /*global*/) {}
-    /// Painted above the section and the overlays, in pixels.
+    /// Paints above the section and the overlays, in pixels.
     virtual void paint(QPainter&, const CanvasMap&) const {}
-    /// The same above the legend and other panels.
+    /// Paints above the legend and other panels, in pixels.
     virtual void paintAbovePanels(QPainter&, const CanvasMap&) const {}
     virtual QCursor cursor() const { return Qt::ArrowCursor; }
-    /// True once it has a first point: hints on how to start are then hidden.
+    /// True once a first point is set; hints on how to start are then hidden.
     virtual bool isDrawing() const { return false; }
 };
 
-/// Painted above the section and below the tool: selection, problems, call-outs.
+/// Paints above the section and below the tool: selection, problems, call-outs.
 class CanvasOverlay {
 public:
     virtual ~CanvasOverlay() = default;

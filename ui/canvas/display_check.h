@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Checks whether this display can show VTK's rendering before any VTK widget is
-// created: without OpenGL these end the program or stay black.
+// Checks whether the display can show renderings by VTK, before any VTK widget is
+// created: without OpenGL, these would terminate the program or stay black.
 #pragma once
 
 #include <QString>
@@ -15,7 +15,7 @@ namespace keyblock {
 /// The OpenGL version and profile that VTK needs for the section.
 QSurfaceFormat sectionFormat();
 
-/// What is missing, as one sentence; empty if OpenGL 3.2 works. Checked once per process.
+/// What is missing, as one sentence; null if OpenGL 3.2 works. Checked once per process.
 const std::optional<QString>& missingOpenGl();
 
 }  // namespace keyblock

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Asks X directly whether a display offers OpenGL: Qt ends the program on a display
-// that lists GLX but cannot draw with it.
+// Asks the X server directly whether a display offers OpenGL, because Qt terminates the
+// program on a display that lists GLX but cannot draw with it.
 #pragma once
 
 namespace keyblock {
 
-/// True if the display named by DISPLAY can draw direct OpenGL into windows.
+/// True if the display named by the environment variable DISPLAY can draw direct OpenGL into windows.
 bool glxWorks();
 
 }  // namespace keyblock

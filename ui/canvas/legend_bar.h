@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One quantity of the legend: name and unit, colour bar with ticks and capacities,
-// the range of this frame, and the meaning of the sign.
+// One quantity in the legend: name and unit, colour bar with ticks and capacities,
+// range of the current frame, and sign convention.
 #pragma once
 
 #include "ui/picture/legend.h"

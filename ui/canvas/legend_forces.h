@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The legend of arrows and contact forces: length scale, kinds, and what is left
-// out.
+// The legend of arrows and contact forces: length scale, kinds, and notes on what is
+// omitted.
 #pragma once
 
 #include "ui/picture/section.h"
@@ -18,8 +18,8 @@ struct Theme;
 double legendArrowsHeight(const ArrowField& field, double width);  // [px]
 void paintLegendArrows(QPainter& painter, const Theme& theme, const ArrowField& field, const QPointF& at, double width);
 
-/// \param scale pixels per metre of the view.
 double legendContactsHeight(const ContactField& field, double width);  // [px]
+/// \param scale scale of the view [px per m].
 void paintLegendContacts(QPainter& painter, const Theme& theme, const ContactField& field, double scale,
                          const QPointF& at, double width);
 

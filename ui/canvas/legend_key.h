@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The key of marks in the legend: only kinds that the scene has, in two columns,
-// points of bolts first, then steel and plates.
+// The key of marks in the legend, in two columns: only the kinds given, nodes of bolts
+// first, then steel and face plates.
 #pragma once
 
 #include "ui/picture/marks.h"
@@ -17,7 +17,7 @@ namespace keyblock {
 
 struct Theme;
 
-double legendKeyHeight(const std::vector<MarkKind>& kinds, bool highlighted);  // [px]; 0: nothing to explain
+double legendKeyHeight(const std::vector<MarkKind>& kinds, bool highlighted);  // [px]; 0: no key
 void paintLegendKey(QPainter& painter, const Theme& theme, const std::vector<MarkKind>& kinds, bool highlighted,
                     const QPointF& at);
 

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The legend at the right of the canvas: colour bars of the quantities, the key of
-// marks, the scale of displacements. As high as its content; on a small canvas,
-// entries that do not fit are left out from the bottom. On a narrow canvas, such as
-// half of a comparison on a small screen, only the colour bars are shown, at the
-// bottom right.
+// The legend at the right of the canvas: colour bars of the quantities, key of marks,
+// scale of displacements. It is as high as its content; on a low canvas, entries that
+// do not fit are left out, starting from the bottom. A narrow canvas, such as half of a
+// comparison on a small screen, only shows the colour bars, at the bottom right.
 #pragma once
 
 #include "ui/picture/section.h"
@@ -22,28 +21,29 @@ namespace keyblock {
 
 struct Theme;
 
-/// Quantities whose scale the user can change.
+/// Quantities whose colour scale the user can change.
 enum class LegendPart { Blocks, Bolts };
 
 struct LegendContent {
     const SectionPicture& picture;
-    const ContactField* contacts = nullptr;  // those in the view; null: none are drawn
-    std::vector<MarkKind> kinds;  // marks of the scene
+    const ContactField* contacts = nullptr;  // contact forces in the view; null: none are drawn
+    std::vector<MarkKind> kinds;  // marks explained in the key
     bool highlighted = false;  // a block is outlined
-    double scale = 1.0;  // of the view [px per m]
+    double scale = 1.0;  // scale of the view [px per m]
 };
 
-/// The panel on a canvas of this size [px]; empty if it does not fit or has no content.
+/// Rectangle of the legend on a canvas of the given size [px]; empty if the legend does not fit or has no content.
 QRectF legendRect(const Theme& theme, const LegendContent& content, const QSizeF& canvas);
 void paintLegend(QPainter& painter, const Theme& theme, const LegendContent& content, const QSizeF& canvas);
 
-/// The visible bar of a quantity [px]; empty if it is not shown.
+/// Rectangle of the colour bar of a quantity [px]; empty if it is not shown.
 QRectF legendPartRect(const Theme& theme, const LegendContent& content, const QSizeF& canvas, LegendPart part);
 
-inline constexpr double legendExtent = 240.0;  // of the panel, from the right side of the canvas [px]
+inline constexpr double legendExtent = 240.0;  // from the right side of the canvas to the left side of the panel [px]
 
-/// Room that the legend takes at the right or the bottom of a canvas [px]; 0 if it does not fit. On a narrow canvas only
-/// the bars of the content matter, on others none of it, so that the section keeps its position as marks appear.
+/// Space that the legend takes up at the right or the bottom of a canvas [px]. On a narrow canvas it depends on the
+/// colour bars and is zero if these do not fit. On others it does not depend on the content, so that the section keeps
+/// its position as marks appear.
 QMarginsF legendRoom(const Theme& theme, const LegendContent& content, const QSizeF& canvas);
 
 }  // namespace keyblock

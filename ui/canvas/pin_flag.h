@@ -13,7 +13,7 @@ namespace keyblock {
 
 struct Theme;
 
-/// The flag and its pole [px].
+/// Rectangle of the flag with its pole [px].
 QRectF pinFlagRect(const QPointF& foot, int number);
 void paintPinFlag(QPainter& painter, const Theme& theme, const QPointF& foot, int number);
 

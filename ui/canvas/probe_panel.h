@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The values of the probe on a panel next to the mouse.
+// A panel next to the mouse with the values read by the probe.
 #pragma once
 
 #include <QPointF>
@@ -14,7 +14,7 @@ namespace keyblock {
 struct ProbeReading;
 struct Theme;
 
-/// Next to `mouse`, within a canvas of that size [px].
+/// Paints the panel next to `mouse`, inside a canvas of the given size [px].
 void paintProbePanel(QPainter& painter, const Theme& theme, const ProbeReading& reading, const QPointF& mouse,
                      const QSizeF& size);
 

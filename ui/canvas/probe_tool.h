@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The probe: while it is on, the values under the mouse are shown next to it, and a
-// click pins them. Pins are small numbered flags above the section, shown whether
-// the probe is on or off; they move with the point that they are pinned to.
+// The probe: while it is switched on, the values under the mouse are shown next to it,
+// and a click pins them. Pins are small numbered flags above the section that are shown
+// whether or not the probe is on; each moves with its point.
 #pragma once
 
 #include "ui/canvas/canvas_tool.h"
@@ -25,7 +25,7 @@ class Probe : public QObject, public CanvasTool {
     Q_OBJECT
 
 public:
-    /// The values of a pick; empty if the section shows no results.
+    /// Returns the values of a picked object; null if the section shows no results.
     using Reading = std::function<std::optional<ProbeReading>(const Pick&)>;
 
     Probe(Canvas& canvas, const Themes& themes, Reading reading, QObject* parent = nullptr);
@@ -52,7 +52,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    /// Painted below the active tool.
+    /// Paints the flags, below the active tool.
     class Flags : public CanvasOverlay {
     public:
         explicit Flags(const Probe& probe) : probe_(probe) {}
@@ -68,9 +68,9 @@ private:
     Canvas& canvas_;
     const Themes& themes_;
     Reading reading_;
-    CanvasTool* before_ = nullptr;  // the tool to restore
+    CanvasTool* before_ = nullptr;  // the tool that becomes active again when the probe is switched off
     bool on_ = false;
-    std::optional<QPointF> mouse_;  // over the canvas
+    std::optional<QPointF> mouse_;  // position of the mouse; null: not over the canvas
     std::vector<Pin> pins_;
     Flags flags_;
 };

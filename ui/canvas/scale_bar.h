@@ -13,7 +13,7 @@ namespace keyblock {
 class CanvasMap;
 struct Theme;
 
-/// The panel around it [px].
+/// Rectangle of the panel around the scale bar [px].
 QRectF scaleBarRect(const CanvasMap& map);
 void paintScaleBar(QPainter& painter, const Theme& theme, const CanvasMap& map);
 

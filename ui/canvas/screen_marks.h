@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The marks of bolts in the colours of the window and in pixels, for the canvas,
+// Draws the marks of bolts in pixels and in the colours of the window, for the canvas,
 // its legend and the docks.
 #pragma once
 
@@ -18,11 +18,12 @@ struct Theme;
 
 MarkTheme screenMarks(const Theme& theme);
 
-/// At `at` [px] on a bolt that runs along the unit vector `along`, y downwards; small ones for bolts with many.
+/// Draws a mark at `at` [px] on a bolt with the direction `along` (unit vector, y downwards). \param small use the
+/// smaller size, for bolts with many marks.
 void paintMark(QPainter& painter, MarkKind kind, const QPointF& at, const QPointF& along, bool small,
                const MarkTheme& theme);
 
-/// Its name in the legend: "Bonded".
+/// Name of a kind of mark in the legend, such as "Bonded".
 QString markName(MarkKind kind);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is painted above the rendering of a section: marks and names of bolts, the
-// force diagram, call-outs, legend and scale bar. Legends are placed first, then
-// names, then call-outs where they cover nothing.
+// Paints what is shown above the rendering of a section: marks and names of bolts, the
+// force diagram, call-outs, legend and scale bar. Legend and scale bar are placed
+// first, then names, then call-outs where they cover nothing.
 #pragma once
 
 #include "ui/canvas/call_out.h"
@@ -26,17 +26,17 @@ struct Theme;
 
 class SectionPainter {
 public:
-    /// All arguments by reference must outlive it. `selected` are rows of the scene's bolts, `covered` is what widgets hide
-    /// of the canvas [px].
+    /// All arguments passed by reference must outlive this object. \param selected rows of the scene's selected bolts.
+    /// \param covered parts of the canvas that are hidden by widgets [px].
     SectionPainter(const SectionPicture& picture, const CanvasMap& map, const Theme& theme, bool hasLegend,
                    const std::vector<int>& selected, const std::optional<HighlightedBlock>& highlighted,
                    std::vector<QRectF> covered = {});
 
     void paint(QPainter& painter);
 
-    /// Legend and scale bar, if they are shown [px].
+    /// Rectangles of the legend and the scale bar, if they are shown [px].
     std::vector<QRectF> panels() const;
-    /// The bar of a quantity in the legend [px]; empty if it is not shown.
+    /// Rectangle of the colour bar of a quantity in the legend [px]; empty if it is not shown.
     QRectF legendPart(LegendPart part) const;
 
 private:
@@ -71,9 +71,9 @@ private:
     const std::vector<int>& selected_;
     const std::optional<HighlightedBlock>& highlighted_;
     std::vector<QRectF> covered_;
-    std::optional<ContactField> contacts_;  // those in the view
-    std::vector<double> spacing_;  // of each bolt [px]
-    std::vector<std::vector<Mark>> marks_;  // of each bolt, thinned
+    std::optional<ContactField> contacts_;  // contact forces in the view
+    std::vector<double> spacing_;  // distance of each bolt from the nearest other one [px]
+    std::vector<std::vector<Mark>> marks_;  // of each bolt, thinned out
     std::vector<const BlockShape*> moved_;
     std::vector<CallOut> callOuts_;  // in order of precedence
     Placement placement_;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The colours of the window's theme for the section and its marks.
+// Colours of the window's theme for the section and its marks.
 #pragma once
 
 #include "ui/view/view_colours.h"

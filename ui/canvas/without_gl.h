@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shown in place of the section if the display has no OpenGL: what is missing and
-// how to get it. The rest of the window works.
+// Panel shown in place of the section if the display has no OpenGL: what is missing and
+// how to get it. The rest of the window still works.
 #pragma once
 
 class QString;
