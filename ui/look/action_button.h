@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A button that runs a command and is enabled with it. Unlike Qt's own button of an
-// action it can have its own icon and text.
+// A button that runs a command and is enabled together with it. Unlike Qt's own button
+// for an action, it can have its own icon and text.
 #pragma once
 
 #include <QString>
@@ -16,11 +16,11 @@ class QWidget;
 
 namespace keyblock {
 
-/// Connects a button to the command: a click runs it, and it has the command's tooltip. `text` returns its label and is
-/// called again whenever the command changes; none: the label is kept.
+/// Connects a button to a command: a click runs the command, and the button shows its tooltip. \param text returns the
+/// label and is called whenever the command changes; null: the label is not changed.
 void follow(QAbstractButton& button, QAction& action, std::function<QString()> text = {});
 
-/// A tool button connected to the command, with the command's id as its name.
+/// Creates a tool button connected to the command, with the id of the command as object name.
 QToolButton* buttonOf(QAction& action, QWidget* parent, std::function<QString()> text = {});
 
 }  // namespace keyblock

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Asks for the path of a file to write. The desktop's dialog does not know the
-// extension added afterwards, and would not ask before another file is overwritten.
+// Asks for the path of a file to write. The desktop's dialog does not know about an
+// extension that is added afterwards, so it would not ask before an existing file is
+// overwritten.
 #pragma once
 
 #include <QString>
@@ -11,7 +12,7 @@ class QWidget;
 
 namespace keyblock {
 
-/// A path that ends with `.` and `ending`; empty: cancelled. `start` is the suggestion.
+/// Asks for a path that ends with `.` and `ending`; empty if the user cancels. \param start the suggested path.
 QString askSavePath(QWidget& window, const QString& title, const QString& start, const QString& filter,
                     const QString& ending);
 

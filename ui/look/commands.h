@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The registry of all named commands: menus, shortcuts, tooltips, the palette and
-// the key sheet are made from it. Each part of the window adds its own commands.
+// Registry of all commands by name. Menus, shortcuts, tooltips, the command palette and
+// the key sheet are created from it. Each part of the window adds its own commands.
 #pragma once
 
 #include <QAction>
@@ -18,22 +18,22 @@ namespace keyblock {
 
 class Themes;
 
-/// The first shortcut of a command as text; empty: none.
+/// The first shortcut of a command as text; empty if it has none.
 QString keysOf(const QAction& action);
 
 struct CommandText {
-    QString id;  // part.verb, as kept in settings: run.start
-    QString text;  // Run
+    QString id;  // part.verb, such as run.start; also used in the settings
+    QString text;  // name in the menu, such as Run
     QString menu;  // File, Edit, View, Insert, Run, Results, Tools, Help; empty: only in the palette
-    QString icon;  // name of the icon; empty: none
+    QString icon;  // name of the icon; empty: no icon
     QString help;  // one sentence, for the tooltip and the palette
     QList<QKeySequence> keys{};
     bool checkable = false;
-    QString group{};  // groups of a menu are separated by lines
+    QString group{};  // separator lines divide the groups of a menu
 };
 
-/// Commits text being typed in a field, as leaving the field would; the focus stays. Every command starts with this,
-/// so that it uses the text typed last.
+/// Commits the text being typed in a field, as if the user left the field; the focus does not change. Every command
+/// starts with this, so that it uses the latest input.
 void finishTyping();
 
 class Commands : public QObject {
@@ -42,27 +42,27 @@ class Commands : public QObject {
 public:
     explicit Commands(const Themes& themes, QObject* parent = nullptr);
 
-    /// Adds a command; keys chosen by the user override the given ones. The state of a checkable command is its
-    /// action's `isChecked()`. \pre the id is unique.
+    /// Adds a command. Keys chosen by the user override those in `text`. The state of a checkable command is
+    /// `isChecked()` of its action. \pre the id is unique.
     QAction* add(const CommandText& text, std::function<void()> run);
 
-    /// \pre there is one of that id.
+    /// The action of a command. \pre the command exists.
     QAction* action(const QString& id) const;
     bool has(const QString& id) const;
 
-    /// In the order in which they were added.
+    /// All commands, in the order in which they were added.
     const std::vector<QAction*>& all() const { return actions_; }
     QString menuOf(const QAction* action) const;
     QString groupOf(const QAction* action) const;
 
-    /// Disables a command and shows the reason in its tooltip and in the palette; empty: enables it.
+    /// Disables a command and shows the reason `why` in its tooltip and in the palette; an empty reason enables it.
     void setWhyNot(const QString& id, const QString& why);
     QString whyNot(const QAction* action) const;
 
-    /// The command in texts: its keys, else its name: `F5`, `“Run”`.
+    /// How texts refer to the command: by its keys, `F5`, or by its name, `“Run”`, if it has no keys.
     QString callOf(const QString& id) const;
 
-    /// Sets other keys for the command, kept in the settings; empty: the default ones.
+    /// Sets the keys of a command and saves them in the settings; an empty list restores the default keys.
     void setKeys(const QString& id, const QList<QKeySequence>& keys);
 
 Q_SIGNALS:

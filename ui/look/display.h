@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How numbers are shown: the unit system and the sign convention of stress. The
-// document always uses SI and tension positive.
+// How numbers are displayed: the unit system and the sign convention of stresses. The
+// document always uses SI units and tension positive.
 #pragma once
 
 #include "ui/picture/shown_numbers.h"
@@ -16,10 +16,10 @@ namespace keyblock {
 
 struct ShownUnit {
     QString symbol;
-    double factor = 1.0;  // shown = factor · SI
+    double factor = 1.0;  // displayed value = factor · SI value
 };
 
-enum class UnitSystem { Engineering, Si };  // practical units (mm, kN, MPa), or SI base units
+enum class UnitSystem { Engineering, Si };  // engineering units (mm, kN, MPa), or SI base units
 
 class Display : public QObject {
     Q_OBJECT
@@ -32,20 +32,20 @@ public:
     bool compressionPositive() const { return compressionPositive_; }
     void setCompressionPositive(bool positive);
 
-    /// The unit of an elastic modulus, which is shown in GPa where stresses are in MPa.
+    /// Unit of an elastic modulus in the field table; it is displayed in GPa where stresses are displayed in MPa.
     static constexpr std::string_view modulusUnit = "Pa (modulus)";
 
-    /// The display unit for an SI unit as written in the field table; the same unit if there is no other.
+    /// The display unit for an SI unit as written in the field table; the SI unit itself if there is no other.
     ShownUnit shown(std::string_view siUnit) const;
 
-    /// The same for pictures and charts.
+    /// Unit system and sign convention for sections and charts.
     ShownNumbers numbers() const { return {system_ == UnitSystem::Si, !compressionPositive_}; }
 
-    /// `mm · kN · MPa · compression +`, for the status bar.
+    /// Text for the status bar: `mm · kN · MPa · compression +`.
     QString summary() const;
 
-    /// A number already in the unit shown, with at most `digits` significant digits, a true minus sign and thin spaces
-    /// between thousands; `–` for NaN.
+    /// Text of a number that is already in the display unit, with at most `digits` significant digits, a true minus
+    /// sign and thin spaces between thousands; `–` if it is not finite.
     static QString number(double shown, int digits = 4);
 
 Q_SIGNALS:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A single-line label that shrinks in favour of its neighbours: text that does not
-// fit is elided and shown in the tooltip.
+// A single-line label that leaves space for its neighbours: text that does not fit is
+// shortened with an ellipsis and shown in full in the tooltip.
 #pragma once
 
 #include <QLabel>
@@ -15,7 +15,7 @@ class ElidedLabel : public QLabel {
 public:
     explicit ElidedLabel(QWidget* parent);
 
-    /// As wide as its text, up to so many pixels, instead of the space left by neighbours.
+    /// Makes the label as wide as its text, up to `pixels`, instead of filling the space left by its neighbours.
     void setMost(int pixels);
 
     QSize sizeHint() const override;
@@ -28,7 +28,7 @@ protected:
 private:
     bool fits() const;
 
-    int most_ = -1;  // [px]; none: the space available
+    int most_ = -1;  // maximum width [px]; −1: the space available
 };
 
 }  // namespace keyblock

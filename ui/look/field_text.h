@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Texts of the field table in the language of the window.
+// Texts of the field table, translated to the language of the window.
 #pragma once
 
 #include "solver/scene/field.h"
@@ -12,10 +12,10 @@
 
 namespace keyblock {
 
-/// A text that the solver marks as `translatable`.
+/// Translation of a text that the solver marks as `translatable`.
 QString shownText(std::string_view text);
 
-/// The label of a word of the field: `clockwise` for `cw`.
+/// Label of a value of a field with fixed choices: `clockwise` for `cw`.
 QString choiceText(const Field& field, std::string_view word);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A message over the top of the canvas that the user may answer: it stays as long as
-// necessary and does not block the work.
+// A message at the top of the canvas to which the user may respond. It stays until it
+// is closed and does not block other work.
 #pragma once
 
 #include <QFrame>
@@ -26,10 +26,10 @@ public:
         std::function<void()> run;
     };
 
-    /// `over` is the widget whose top it covers.
+    /// \param over the widget whose upper edge the bar covers.
     NoticeBar(const Themes& themes, QWidget* over);
 
-    /// Shows a new message; each answer closes the bar.
+    /// Shows a message in place of the previous one; each answer closes the bar. A Close button is added.
     void say(const QString& text, const std::vector<Answer>& answers);
 
 protected:

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// User-defined names may contain characters that Qt interprets: `<b>` in a tooltip,
-// `&` in a menu. These functions make them appear as written.
+// Names chosen by the user may contain characters that Qt interprets, such as `<b>` in
+// a tooltip or `&` in a menu. These functions escape them, so that they appear as
+// typed.
 #pragma once
 
 #include <QString>

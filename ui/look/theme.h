@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every colour of the window by its role, light and dark. Painting code takes its
-// colours here and repaints when the theme changes; widgets get theirs from a style
-// sheet in which roles are written as `@role`.
+// All colours of the window by their role, for the light and the dark theme. Painting
+// code takes its colours from here and repaints when the theme changes; widgets get
+// theirs from a style sheet in which roles are written as `@role`.
 #pragma once
 
 #include <QColor>
@@ -17,8 +17,8 @@ namespace keyblock {
 struct Theme {
     bool dark = false;
     QColor window, panel, header, field, separator, border;
-    QColor text, text2, text3;  // text2: units, details; text3: hints, hidden
-    QColor accent, accentSoft, accentRow, onAccent;  // accent: selected, active, now, and nothing else
+    QColor text, text2, text3;  // text2: units and details; text3: hints and disabled items
+    QColor accent, accentSoft, accentRow, onAccent;  // accent: only for what is selected, active or current
     QColor ok, warning, warningFill, warningSoft, error, errorSoft;
     QColor canvas, opening, rock, wall, jointLine, jointDrawing, chartGrid;
     QColor markInk, markCasing, slipping, yielded;
@@ -27,7 +27,7 @@ struct Theme {
 const Theme& lightTheme();
 const Theme& darkTheme();
 
-/// The current theme. Applies palette and style sheet to the application, and saves the choice.
+/// The current theme. Applies its palette and style sheet to the application, and saves the user's choice.
 class Themes : public QObject {
     Q_OBJECT
 
@@ -38,9 +38,9 @@ public:
     bool isDark() const { return dark_; }
     void choose(bool dark);
 
-    /// Icon `resources/icons/NAME.svg` in the colours of the theme: text2, accent when on, text3 when disabled.
+    /// The icon `resources/icons/NAME.svg` in colours of the theme: text2, accent if it is on, text3 if it is disabled.
     QIcon icon(const QString& name) const;
-    /// The same in one colour.
+    /// The icon `resources/icons/NAME.svg` in a single colour.
     QIcon icon(const QString& name, const QColor& colour) const;
 
 Q_SIGNALS:
@@ -50,7 +50,7 @@ private:
     void apply() const;
 
     bool dark_ = false;
-    mutable QHash<QString, QIcon> inked_;  // by name and colour or theme: trees need it at every paint
+    mutable QHash<QString, QIcon> inked_;  // cache by name and colour or theme, since trees need icons for every paint
 };
 
 }  // namespace keyblock
