@@ -28,7 +28,7 @@ std::optional<WallPlace> wallAt(const Scene& scene, const Point& place, double r
 std::optional<WallPlace> wallOfTunnel(const Scene& scene, int tunnel, const Point& place);
 
 /// Length of a tunnel's wall from one position to another in the given direction [m]; that of the whole wall if the
-/// positions coincide. \param from \param to lengths along the wall, as in `WallPlace::along`.
+/// positions coincide. `from` and `to` are lengths along the wall, as in `WallPlace::along`.
 double runAlong(const SceneTunnel& tunnel, double from, double to, Way way);
 
 /// The part of a tunnel's wall that starts at `from` and leads to `to` in the given direction, as a polyline [m].

@@ -21,7 +21,7 @@ inline constexpr double unitsPerMm = 20.0;
 
 class Paper {
 public:
-    /// \param width \param height size of the sheet [mm]. \param dpi resolution, for PNG.
+    /// A sheet of `width` × `height` [mm]. \param dpi resolution, for PNG.
     /// \throws CannotDraw if a PNG does not fit in memory.
     Paper(PaperFormat format, double width, double height, int dpi, const std::string& title);
     ~Paper();
