@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One bolt drawn straight in the property panel, showing which of its nodes are
-// bonded and which are intermediate. A click or a drag along it changes nodes in one
-// undo step.
+// One bolt drawn straight in the property panel, showing which of its nodes are bonded
+// and which are intermediate. A click on a node, or a drag along several, toggles
+// between the two as one undo step.
 #pragma once
 
 #include "ui/panels/value_editor.h"
@@ -16,7 +16,7 @@ class QLabel;
 
 namespace keyblock {
 
-/// The line of nodes itself.
+/// The line of nodes in the strip.
 class AnchorLine : public QWidget {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ public:
     QPointF placeOf(std::size_t i) const;
 
 Q_SIGNALS:
-    void painted(std::size_t first, std::size_t last, bool real);  // nodes that the drag has crossed
+    void painted(std::size_t first, std::size_t last, bool real);  // makes these nodes bonded (real) or intermediate
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -58,7 +58,7 @@ class AnchorStrip : public QWidget {
 public:
     AnchorStrip(const FormContext& context, QWidget* parent);
 
-    /// Shows the bolt, or the pattern's first; hides for anything else.
+    /// Shows the bolt, or the first bolt of the pattern; hides the strip for any other object.
     void setObject(const std::string& pointer);
     void refresh();
     AnchorLine& line() const { return *line_; }

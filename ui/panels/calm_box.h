@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A combo box that ignores the mouse wheel while the user scrolls past it. Qt's own
-// combo box takes the focus from a wheel event and then changes its value.
+// A combo box that ignores the mouse wheel unless it has the focus, so that scrolling
+// past it does not change its value. Qt's own combo box takes the focus on a wheel
+// event and then changes its value.
 #pragma once
 
 #include <QComboBox>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A small table of editable texts. The last row is always empty for new entries;
-// Delete removes rows, and rows can be pasted from a spreadsheet.
+// A small table with text cells that the user can edit. The last row is always empty,
+// for a new entry; Delete removes rows, and rows can be pasted from a spreadsheet.
 #pragma once
 
 #include <QStringList>
@@ -18,12 +18,12 @@ class CellTable : public QTableWidget {
 public:
     CellTable(const QStringList& headings, bool numbers, QWidget* parent);
 
-    /// False where the number of rows is fixed: rows are neither added nor removed.
+    /// False if the number of rows is fixed: rows are then neither added nor removed.
     void setGrowing(bool growing) { growing_ = growing; }
 
     void setRows(const std::vector<QStringList>& rows);
 
-    /// Rows that are not empty.
+    /// All rows that are not empty.
     std::vector<QStringList> rows() const;
 
     void setHeadings(const QStringList& headings);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fields that name other objects: the names to choose from.
+// Choices for fields that name another object.
 #pragma once
 
 #include "solver/scene/field.h"
@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// Names that the field may hold in this scene, in the order of the tree; none if the field holds no name.
+/// Names that the field may have in this scene, in the order of the scene tree; none if the field is not a name.
 std::optional<std::vector<std::string>> choicesOf(const Scene& scene, const Field& field);
 
 }  // namespace keyblock

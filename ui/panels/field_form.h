@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A form over one or several objects of the scene, generated from the field table.
-// Every edit in it is one undo step. The form follows all changes of the scene,
+// A form for one or several objects of the scene, generated from the field table. Every
+// edit in the form is one undo step. The form follows all changes of the scene,
 // including those made elsewhere.
 #pragma once
 
@@ -30,22 +30,22 @@ class FieldForm : public QWidget {
 public:
     explicit FieldForm(const FormContext& context, QWidget* parent = nullptr);
 
-    /// The objects that the form shows; invalid pointers are left out.
+    /// Sets the objects that the form shows. Invalid pointers are left out.
     void setObjects(std::vector<std::string> pointers);
     const std::vector<std::string>& objects() const { return pointers_; }
     bool hasRows() const { return !rows_.empty(); }
 
     void setFilter(const QString& text);
 
-    /// Puts the cursor in the field of that path (`spacing`, `until/unbalanced`); false if it is not shown.
+    /// Moves the focus to the field with this path (`spacing`, `until/unbalanced`); false if the form does not show it.
     bool focusField(const QString& path);
 
-    /// Shows the scene as it is now, without waiting for the next round of events.
+    /// Updates the form to the current scene now, without waiting for the event loop.
     void refresh();
 
 Q_SIGNALS:
     void rowFocused(const keyblock::FormRow& row);
-    void targetAsked(const QString& pointer);  // the object named in a field
+    void targetAsked(const QString& pointer);  // pointer to the object named in a field
 
 private:
     void schedule();
@@ -63,13 +63,13 @@ private:
 
     FormContext context_;
     std::vector<std::string> pointers_;
-    std::shared_ptr<const Scene> shown_;  // kept alive while rows refer to it
+    std::shared_ptr<const Scene> shown_;  // kept alive while the rows refer to it
     QString filter_;
-    QSet<QString> toggled_;  // groups not in their initial state
+    QSet<QString> toggled_;  // groups that the user has opened or closed, compared with their initial state
     QStringList shape_;  // headings and rows as shown
     QWidget* content_ = nullptr;
     std::vector<FormHeading*> headings_;
-    std::vector<QWidget*> bodies_;  // one for each heading
+    std::vector<QWidget*> bodies_;  // one per heading
     std::vector<FormRowWidget*> rows_;
     QTimer* later_;
 };

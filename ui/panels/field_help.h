@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The help on a field at the bottom of a panel: name, range, default, help text,
+// Help on a field, shown at the bottom of a panel: name, range, default, help text and
 // source.
 #pragma once
 
@@ -15,16 +15,16 @@ namespace keyblock {
 
 struct FieldHelp {
     QString name;
-    QString numbers;  // `0 … 2 000 kN/m · default 736.8`
+    QString numbers;  // e.g. `0 … 2 000 kN/m · default 736.8`
     QString text;
 };
 
 FieldHelp helpOf(const FormRow& row, const FormContext& context);
 
-/// Why the value is out of range, in the units shown; empty if it is in range.
+/// Error message for a value out of range, in display units; empty if the value is in range.
 QString outOfRange(const FormRow& row, const FieldValue& value, const FormContext& context);
 
-/// A help text of the field table without the markup of the reference page; "null" becomes "automatic".
+/// The help text of a field without the markup of the reference page; "null" is replaced by "automatic".
 QString plainHelp(std::string_view help);
 
 }  // namespace keyblock

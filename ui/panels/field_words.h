@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Texts of the field table as forms show them: labels, headings and units.
+// Texts for the fields of the field table as shown in forms: labels, headings and
+// units.
 #pragma once
 
 #include "ui/look/display.h"
@@ -15,31 +16,32 @@
 
 namespace keyblock {
 
-/// `Out-of-plane spacing`, `Young's modulus`.
+/// Label of a field, e.g. `Out-of-plane spacing` or `Young's modulus`.
 QString labelOf(const Field& field);
 
-/// The same with the sign convention for stresses.
+/// Label of a field; for stresses it includes the sign convention.
 QString labelOf(const Field& field, const Display& display);
 
-/// `Joint set`.
+/// Title of a structure, e.g. `Joint set`.
 QString titleOf(const Structure& structure);
 
-/// `3 joint sets`, `1 bolt`.
+/// Number of objects as text, e.g. `3 joint sets` or `1 bolt`.
 QString countedOf(const Structure& structure, int count);
 
-/// The heading above a field of the object; most structures have a single one, their title.
+/// Heading of the group that contains the field. Most structures have a single group, titled like the structure.
 QString headingOf(const Structure& structure, const Field& field);
 
-/// SI unit of the field in this object, as `Display` takes it; the table may allow two (`N/m, or N/m per m`).
+/// SI unit of the field for this object, in the form that `Display` expects. The field table may list two units (`N/m,
+/// or N/m per m`); the object decides which applies.
 std::string_view unitOf(const ObjectAt& at, const Field& field);
 
-/// SI units of the columns of a table of pairs; empty: none.
+/// SI units of the columns of a table of pairs; empty for any other field.
 std::vector<std::string_view> columnUnits(const ObjectAt& at, const Field& field);
 
-/// Headings of the columns of a table of pairs: `Time`, `Displacement`.
+/// Headings of the columns of a table of pairs, e.g. `Time` and `Displacement`.
 QStringList columnTitles(const Field& field);
 
-/// Text from UTF-8.
+/// Converts UTF-8 to a QString.
 QString fromUtf8(std::string_view text);
 
 }  // namespace keyblock

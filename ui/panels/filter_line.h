@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Line edits with a dimmed hint while they are empty, and one for searching.
+// A search field, and the dimmed hint (placeholder text) of empty line edits.
 #pragma once
 
 #include <QLineEdit>
@@ -10,7 +10,7 @@ namespace keyblock {
 
 class Themes;
 
-/// Dims the hint of an empty line; with a style sheet it would have the colour of typed text.
+/// Dims the hint of a line edit; a style sheet would otherwise give it the colour of typed text.
 void dimHint(QLineEdit& line);
 
 class FilterLine : public QLineEdit {

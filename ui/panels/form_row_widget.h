@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One row of a form: label, value, unit, reset arrow, and below it the error
-// message. Also the heading of a group of rows.
+// One row of a form: label, value, unit and reset arrow, with the error message below.
+// Also the heading of a group of rows.
 #pragma once
 
 #include "ui/panels/value_editor.h"
@@ -18,20 +18,20 @@ class FormRowWidget : public QWidget {
 public:
     FormRowWidget(const FormRow& row, const FormContext& context, QWidget* parent);
 
-    /// Shows the new state of the row and the messages of the check.
+    /// Updates the row and the messages of the check about it. `error`: one of them is an error, not only a warning.
     void present(const FormRow& row, const QString& problems, bool error);
 
     const FormRow& row() const { return row_; }
     ValueEditor& editor() const { return *editor_; }
 
-    /// Shows at the field why the input is refused; empty: removes the message.
+    /// Shows below the field why the input was refused; an empty text removes the message.
     void setRefusal(const QString& why);
 
 Q_SIGNALS:
     void entered(const keyblock::FieldValue& value);
     void resetAsked();
     void focused();
-    void targetAsked();  // the object named in the field
+    void targetAsked();  // the user wants to see the object named in the field
 
 private:
     void layOut();

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The contents of a form over one or several objects, made from the field table:
-// groups of rows with values, which may be mixed or changed. Plain values; the form
-// displays them.
+// The contents of a form for one or several objects, generated from the field table:
+// groups of rows with values, which may differ between the objects or from the default.
+// Plain values; the form displays them.
 #pragma once
 
 #include "ui/panels/object_at.h"
@@ -15,38 +15,40 @@
 
 namespace keyblock {
 
-/// One field of all the objects that the form shows.
+/// One field of all objects in the form.
 struct FormRow {
     std::string path;  // relative to each object, e.g. `until/unbalanced`
-    std::vector<std::string> pointers;  // of the field, one for each object
+    std::vector<std::string> pointers;  // pointers to this field, one per object
     const Structure* structure = nullptr;
     const Field* field = nullptr;
     ObjectAt at{};  // the first object
-    FieldValue value{};  // of the first
-    FieldValue fallback{};  // where the key is missing
-    bool mixed = false;  // the others differ
-    bool changed = false;  // some differ from the fallback
-    bool resettable = false;  // optional in the file
-    bool renames = false;  // the name of an entry of a map, which is no field
+    FieldValue value{};  // value of the first object
+    FieldValue fallback{};  // default used if the key is missing
+    bool mixed = false;  // true if other objects have a different value
+    bool changed = false;  // true if any value differs from the default
+    bool resettable = false;  // true if the key is optional in the file
+    bool renames = false;  // true for the name of a map entry, which is not a field
 };
 
-/// Rows under one heading.
+/// A group of rows under one heading.
 struct FormGroup {
-    std::string id;  // the same for the same group of another object; at the top level its title
+    std::string id;  // equal for the same group of another object; the title for groups at the top level
     QString title;
-    QString detail;  // next to the title
+    QString detail;  // shown next to the title
     int depth = 0;
     bool closedAtFirst = false;
     std::vector<FormRow> rows;
-    std::string addTo;  // pointer of a list, map or absent object that the user may add to; empty: none
-    std::string remove;  // pointer of an item or object that may be removed; empty: none
+    std::string addTo;  // pointer to a list, map or absent object to which the user can add; empty: none
+    std::string remove;  // pointer to an item or object that the user can remove; empty: none
 };
 
-/// Groups for the objects at `pointers`, all of one structure; none if their structures differ. Fields
-/// that do not apply to all of them are left out; nested lists and objects are shown for a single object only.
+/// Groups for the objects at `pointers`; none if the objects have different structures. Fields that do not apply to
+/// every object are left out. Lists and maps are shown for a single object only, and nested objects only if every
+/// object has them.
 std::vector<FormGroup> formGroups(const Scene& scene, const std::vector<std::string>& pointers);
 
-/// The groups with the rows that contain `text` in label, key or help; empty groups are left out.
+/// Keeps the rows whose label, key or help contains `text`, and all rows of a group whose title contains it. Groups
+/// without rows are left out.
 std::vector<FormGroup> matching(std::vector<FormGroup> groups, const QString& text);
 
 }  // namespace keyblock

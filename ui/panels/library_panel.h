@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The dock of the bolt library: each bolt type with its values, their sources, and
-// its strength curves. Built-in types are copied into the scene before they are
-// edited.
+// The bolt library dock: each bolt type with its values, their sources and its strength
+// curves. A built-in type has to be copied into the scene before it can be edited.
 #pragma once
 
 #include "ui/panels/library_rows.h"
@@ -30,14 +29,14 @@ class LibraryPanel : public QWidget {
 public:
     LibraryPanel(const FormContext& context, Selection& selection, QWidget* parent = nullptr);
 
-    /// Shows the type with that name.
+    /// Shows the type with this name.
     void choose(const QString& name);
     QString chosen() const { return chosen_; }
 
-    /// Adds a copy with a free name to the scene and selects it.
+    /// Adds a copy of the type to the scene under an unused name and selects it.
     void copyIntoScene();
 
-    /// Assigns the type to the selected bolts and patterns.
+    /// Assigns the type to all selected bolts and patterns.
     void assign();
 
     void refresh();

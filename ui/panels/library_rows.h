@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The texts of the bolt library: types by class, each value with its source, steel
-// and bond laws as curves. Plain values for the panel.
+// The texts of the bolt library: types grouped by class, every value with its source,
+// and the steel and bond laws as curves. Plain values for the panel.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -17,36 +17,37 @@ class Display;
 
 struct LibraryEntry {
     BoltType type;
-    QString group;  // types of the scene, or the bolt class
+    QString group;  // the class of the bolt, or a group for the types of the scene
     QString detail;
-    int users = 0;  // number of bolts and patterns of the scene
+    int users = 0;  // number of bolts and patterns of the scene that use this type
 };
 
-/// The scene's own types first, then the built-in ones by class, if `filter` is in their name, class or source.
+/// Types whose name, class or source contains `filter`: first those of the scene, then the built-in ones by class.
 std::vector<LibraryEntry> libraryEntries(const Scene& scene, const Display& display, const QString& filter);
 
 struct LibraryNumber {
     QString heading, label, value, source;
-    bool unconfirmed = false;  // not confirmed by a source
+    bool unconfirmed = false;  // the source is marked as unconfirmed or as an estimate
 };
 
-/// Every value of the type that applies, with its source.
+/// All values that apply to the type, with their sources.
 std::vector<LibraryNumber> libraryNumbers(const BoltType& type, const Display& display);
 
-/// A curve as shown: titles with units.
+/// A curve in display units, with axis titles that include the units.
 struct ShownCurve {
     QString title;
     Table points;
     QString across, up;
 };
 
-/// Strain and stress of the steel; without points for steel that is linear and unbreakable.
+/// Stress–strain curve of the steel; has no points if the steel is linear elastic and cannot break.
 ShownCurve steelCurve(const BoltType& type, const Display& display);
 
-/// Slip and force of each different bond law of the type.
+/// Force–slip curves of the bond laws of the type; identical laws appear once.
 std::vector<ShownCurve> bondCurves(const BoltType& type, const Display& display);
 
-/// Force of an anchor for a slip up to `farthest` [m]: the bond law by itself.
+/// Force–slip curve of an anchor from its bond law alone, up to the slip `farthest` [m]; a law given by points is
+/// returned as it is.
 Table bondCurve(const Anchor& anchor, double farthest);
 
 }  // namespace keyblock

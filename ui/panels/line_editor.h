@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Editors for values that fit on one line (numbers, points, texts), for choices and
-// for flags.
+// Editors for values that fit on one line: numbers, points and texts; choices; flags.
 #pragma once
 
 #include "ui/panels/value_editor.h"
@@ -13,7 +12,7 @@ class QLineEdit;
 
 namespace keyblock {
 
-/// Numbers, points, directions, positions and texts. Shown rounded, edited exactly.
+/// Edits numbers, points, directions, positions and texts. Shows rounded values; shows all digits while editing.
 class LineEditor : public ValueEditor {
     Q_OBJECT
 
@@ -34,12 +33,12 @@ private:
     FormContext context_;
     FormRow row_;
     QLineEdit* line_;
-    QString shown_;  // as last set by the program
+    QString shown_;  // text last set by the program
     bool wide_, isText_;
     bool refused_ = false;
 };
 
-/// Words, and names of other objects.
+/// Edits a field with a fixed set of values, or the name of another object.
 class ChoiceEditor : public ValueEditor {
     Q_OBJECT
 

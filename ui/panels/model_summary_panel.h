@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The dock with the model summary: what a run would model and why, with the
-// estimated time and memory.
+// The model summary dock: what a run would model and why, with the estimated run time
+// and memory.
 #pragma once
 
 #include "solver/run/model_summary.h"
@@ -31,10 +31,11 @@ public:
     ModelSummaryPanel(Document& document, const Commands& commands, const Themes& themes, QWidget* parent = nullptr);
     ~ModelSummaryPanel() override;
 
-    /// Nothing is counted during a run: the estimate would be wrong and would slow the run down.
+    /// Pauses the computation of the summary during a run, when the estimate would be wrong and would slow the run
+    /// down.
     void setBusy(bool busy);
 
-    /// The newest summary; null while it is being counted or if it cannot be made.
+    /// The latest summary; null while it is being computed, or if it cannot be computed.
     const std::shared_ptr<const ModelSummary>& summary() const { return summary_; }
 
 Q_SIGNALS:
@@ -60,12 +61,12 @@ private:
     const Commands& commands_;
     const Themes& themes_;
     Background* counting_;
-    std::shared_ptr<std::atomic<bool>> stop_;  // of the newest request; null: none is open
+    std::shared_ptr<std::atomic<bool>> stop_;  // stop flag of the latest request; null: no request is in progress
     QTimer* calm_;
     std::shared_ptr<const ModelSummary> summary_;
     bool busy_ = false;
-    bool narrow_ = false;  // no room for the reasons, which are in tooltips
-    bool low_ = false;  // no room for the range of the estimate, which is in a tooltip
+    bool narrow_ = false;  // too narrow for the reasons, which are then in tooltips
+    bool low_ = false;  // too low for the range of the estimate, which is then in a tooltip
     QWidget* costs_ = nullptr;
     QWidget* table_ = nullptr;
     QWidget* page_;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The texts of the model summary: what a run would model and why, what it leaves
-// out, and the estimated time and memory.
+// The texts of the model summary: what a run would model and why, what it leaves out,
+// and the estimated run time and memory.
 #pragma once
 
 #include "solver/run/model_summary.h"
@@ -21,13 +21,13 @@ struct ModelSummaryRow {
 
 std::vector<ModelSummaryRow> modelSummaryRows(const ModelSummary& summary);
 
-/// `1 min 50 s`, `< 1 s`.
+/// A run time as text, e.g. `1 min 50 s` or `< 1 s`.
 QString costText(double seconds);
 
-/// `210 MB`.
+/// An amount of memory as text, e.g. `210 MB`.
 QString memoryText(double bytes);
 
-/// What the estimate is based on: stages, iterations, assumptions; one line each.
+/// The basis of the estimate (stages, iterations, assumptions), one line each.
 QString estimateDetails(const CostEstimate& estimate);
 
 }  // namespace keyblock

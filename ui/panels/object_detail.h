@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A short text after a name that distinguishes objects: `35° · 1.2 m`.
+// A short text after the name of an object that helps to tell objects apart, e.g.
+// `35° · 1.2 m`.
 #pragma once
 
 #include <QString>
@@ -13,10 +14,10 @@ namespace keyblock {
 class Display;
 class Document;
 
-/// For the object at `pointer`, in the units shown; may be empty.
+/// The text for the object at `pointer`, in display units; may be empty.
 QString detailOf(const Document& document, const Display& display, const std::string& pointer);
 
-/// Icon of the object's kind, by name.
+/// Name of the icon for this kind of object.
 QString iconOf(const Document& document, const std::string& pointer);
 
 }  // namespace keyblock

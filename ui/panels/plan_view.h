@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The stage plan: a bar for each object over the stages in which it is present, with
-// a mark where it is excavated, installed or removed. A click or Enter changes a
-// cell.
+// The stage plan: a bar for each object over the stages in which it is present, with a
+// mark at the stage in which it is excavated, installed or removed. A click on a cell,
+// or Enter, changes it.
 #pragma once
 
 #include "ui/panels/stage_plan.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rows of the Problems panel: messages of the check and the report of the cut.
+// The rows of the Problems panel: the messages of the check and the cut report.
 #pragma once
 
 #include "ui/panels/problem_remedies.h"
@@ -22,19 +22,19 @@ struct ProblemRow {
 
     Sign sign = Sign::Note;
     QString title, detail, where;
-    QString link;  // what a click on it does: fix, show, open
+    QString link;  // label of the link: fix, show or open
     std::optional<Remedy> remedy;
-    QString pointer;  // of the object or field concerned; empty: the whole section
-    std::optional<Box> box;  // its location [m]
+    QString pointer;  // pointer to the object or field concerned; empty: the whole section
+    std::optional<Box> box;  // location of the problem [m]
     bool opensReport = false;
     int depth = 0;
 };
 
-/// Errors, warnings and notes of the newest check, then slivers and the cut report; if the report is open, its
-/// notes follow.
+/// Errors, warnings and notes of the latest check, then slivers and the cut report, followed by the notes of the report
+/// if it is open.
 std::vector<ProblemRow> problemRows(const Document& document, const Display& display, bool reportIsOpen);
 
-/// Number of errors and warnings among them.
+/// Number of errors and warnings in `rows`.
 int urgentCount(const std::vector<ProblemRow>& rows);
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Problems dock: what is wrong, where, and a link that fixes or shows it.
+// The Problems dock: each problem with its location and a link that fixes or shows it.
 #pragma once
 
 #include "ui/panels/problem_rows.h"
@@ -56,23 +56,23 @@ public:
     ProblemsPanel(Document& document, Selection& selection, const Display& display, const Themes& themes,
                   QWidget* parent = nullptr);
 
-    /// Errors and warnings, for the badge of the dock.
+    /// Number of errors and warnings, for the badge of the dock.
     int urgent() const { return urgentCount(list_->rows()); }
 
     /// Performs the action of the row's link.
     void follow(int row);
 
-    /// Selects the object of the row and requests to show it.
+    /// Selects the object of the row and requests that it be shown.
     void showRow(int row);
 
     const ProblemList& list() const { return *list_; }
 
-    /// Shows the newest check now, without waiting for the next round of events.
+    /// Updates the list to the latest check now, without waiting for the event loop.
     void refresh();
 
 Q_SIGNALS:
     void placeAsked(const keyblock::Box& box);
-    void fieldAsked(const QString& pointer);  // of a field of the object just selected
+    void fieldAsked(const QString& pointer);  // pointer to a field of the object just selected
     void countChanged(int urgent);
 
 protected:

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Properties panel at the right of the window: the fields of the selection, with
-// the help on the focused field at the bottom. Without a selection: the settings of
-// the scene.
+// The Properties panel at the right of the window: the fields of the selected objects,
+// with help on the focused field at the bottom. Shows the settings of the scene if
+// nothing is selected.
 #pragma once
 
 #include "ui/panels/form_rows.h"
@@ -31,22 +31,22 @@ class PropertyPanel : public QWidget {
 public:
     PropertyPanel(const FormContext& context, Selection& selection, QWidget* parent = nullptr);
 
-    /// Puts the cursor in a field of the selection; false if it is not shown.
+    /// Moves the focus to a field of the selection; false if the field is not shown.
     bool focusField(const QString& path);
 
-    /// The same by the pointer of the field, in any object shown.
+    /// Moves the focus to the field with this JSON pointer, if it belongs to the first object shown.
     void focusPointer(const QString& pointer);
 
     FieldForm& form() const { return *form_; }
 
     /// Places a widget above the fields.
     void addAbove(QWidget* widget);
-    /// Title and second line instead of those of the selection; without a selection no fields are shown then.
-    /// Empty: none.
+    /// Replaces the title and second line of the selection. If nothing is selected, no fields are shown. Empty texts
+    /// restore the title of the selection.
     void setSubject(const QString& title, const QString& detail);
 
 Q_SIGNALS:
-    void libraryAsked(const QString& type);  // the type is built in, not part of the scene
+    void libraryAsked(const QString& type);  // name of a built-in type, which is not part of the scene
 
 private:
     void follow();
@@ -62,7 +62,7 @@ private:
     Selection& selection_;
     QLabel *title_, *detail_, *helpTitle_, *helpText_;
     QToolButton* pin_;
-    QStringList pinned_;  // the objects shown
+    QStringList pinned_;  // pointers to the objects shown, which stay the same while the panel is pinned
     FilterLine* filter_;
     QScrollArea* scroll_;
     FieldForm* form_;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The tree at the left of the window: all objects of the scene by kind. It shares
-// the selection with the other panels.
+// The tree at the left of the window: all objects of the scene by kind. It shares its
+// selection with the other panels.
 #pragma once
 
 #include "ui/panels/tree_nodes.h"
@@ -34,18 +34,18 @@ public:
     SceneTree(Document& document, Selection& selection, Visibility& visibility, const Display& display,
               const Commands& commands, const Themes& themes, QWidget* parent = nullptr);
 
-    /// Runs of the scene, in the order in which they are listed under Results.
+    /// Sets the runs of the scene, in the order in which they are listed under Results.
     void setRuns(std::vector<RunRow> runs);
 
-    /// Title, filter and add, as the header of a dock.
+    /// Title, filter and Add button, as the header of the dock.
     QWidget* header() const { return header_; }
 
     TreeView& view() const { return *view_; }
 
-    /// Adds an in-situ stress to the scene if it has none, and selects it.
+    /// Selects the in-situ stress, and adds it first if the scene has none.
     void addInSituStress();
 
-    /// Shows the scene as it is now, without waiting for the next round of events.
+    /// Updates the tree to the current scene now, without waiting for the event loop.
     void refresh();
 
 Q_SIGNALS:
@@ -81,9 +81,9 @@ private:
     const Themes& themes_;
     std::vector<RunRow> runs_;
     QString filter_;
-    QSet<QString> open_, seen_;  // headings
+    QSet<QString> open_, seen_;  // ids of headings
     bool follows_ = false;  // the tree is being updated from the selection
-    bool sought_ = false;  // the selection is new and not scrolled to yet
+    bool sought_ = false;  // the selection is new and the tree has not scrolled to it yet
     QWidget* header_;
     FilterLine* line_;
     QToolButton *filterButton_, *addButton_;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The header of the Properties panel for several objects.
+// The header of the Properties panel if several objects are selected.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -14,11 +14,11 @@
 namespace keyblock {
 
 struct SelectionTitle {
-    QString title;  // "3 bolts"; "8 objects" of several kinds
-    QString detail;  // the effect of edits, or the number of objects of each kind
+    QString title;  // "3 bolts", or "8 objects" if they are of several kinds
+    QString detail;  // what an edit will change, or the number of objects of each kind
 };
 
-/// \pre several pointers.
+/// Title for these objects. \pre at least two pointers.
 SelectionTitle selectionTitle(const Scene& scene, const std::vector<std::string>& pointers);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Stages dock: the stages in order, and the stage plan. A stage selected here
-// shows its loads and tables in the Properties panel.
+// The Stages dock: the list of stages and the stage plan. The Properties panel shows
+// the loads and tables of the stage selected here.
 #pragma once
 
 #include "ui/panels/value_editor.h"
@@ -29,7 +29,7 @@ public:
 
     PlanView& plan() const { return *plan_; }
 
-    /// Shows the scene as it is now, without waiting for the next round of events.
+    /// Updates the panel to the current scene now, without waiting for the event loop.
     void refresh();
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Input above the fields of the in-situ stress: depth and K0, or principal stresses
-// and their direction, from which these fields are filled in one edit.
+// Input above the fields of the in-situ stress: depth and K0, or principal stresses and
+// their direction. The fields are filled in from this input as one edit.
 #pragma once
 
 #include "ui/panels/form_rows.h"
@@ -26,17 +26,17 @@ class StressStrip : public QWidget {
 public:
     StressStrip(const FormContext& context, QWidget* parent);
 
-    /// Visible for the in-situ stress only.
+    /// Shows the strip for the in-situ stress and hides it for any other object.
     void setObject(const std::string& pointer);
 
 private:
     enum class Way { Depth, Principal };
 
-    /// A field with a number in the display unit.
+    /// An input field for a number in display units.
     struct Field {
         QLineEdit* editor;
         QLabel* name;
-        const char* unit;  // SI
+        const char* unit;  // SI unit
         Way way;
     };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A small chart next to a table: steel and bond curves, loads over time.
+// A small chart next to a table, e.g. of a steel or bond curve or a load history.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -20,7 +20,9 @@ class TableChart : public QWidget {
 public:
     explicit TableChart(const Themes& themes, QWidget* parent = nullptr);
 
-    /// Values as shown; titles with their units in brackets.
+    /// Plots the table, with values in display units.
+    /// \param across title of the horizontal axis, with the unit in brackets
+    /// \param up title of the vertical axis, with the unit in brackets
     void present(const Table& shown, const QString& across, const QString& up);
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Editors for values with many parts: corners, curves, lists of texts, and names to
-// tick.
+// Editors for values with several parts: corners, curves, lists of texts, and names
+// with check boxes.
 #pragma once
 
 #include "ui/panels/value_editor.h"
@@ -17,7 +17,7 @@ namespace keyblock {
 class CellTable;
 class TableChart;
 
-/// Points, pairs (with a chart), texts, and texts by name.
+/// Edits lists of points, pairs (with a chart), texts, and texts by name.
 class TableEditor : public ValueEditor {
     Q_OBJECT
 
@@ -44,7 +44,7 @@ private:
     bool refused_ = false;
 };
 
-/// Names of other objects, each ticked or not.
+/// Edits a list of names of other objects, with one check box per object.
 class NamesEditor : public ValueEditor {
     Q_OBJECT
 
@@ -62,8 +62,8 @@ private:
     FormContext context_;
     FormRow row_;
     QVBoxLayout* ticks_;
-    std::vector<std::string> names_;  // one per box, in order
-    std::size_t known_ = std::string::npos;  // number of them that exist; npos: nothing is shown yet
+    std::vector<std::string> names_;  // one per check box, in the same order
+    std::size_t known_ = std::string::npos;  // the first `known_` names exist in the scene; npos: nothing is shown yet
 };
 
 }  // namespace keyblock

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The scene tree as a Qt model. A new scene with the same rows only changes their
-// texts; otherwise the tree is rebuilt and the view reopens the rows that were open.
+// The scene tree as a Qt model. If a new scene has the same rows, only their texts are
+// updated; otherwise the tree is rebuilt, and the view expands the rows that were
+// expanded before.
 #pragma once
 
 #include "ui/panels/tree_nodes.h"
@@ -24,17 +25,17 @@ public:
 
     explicit TreeModel(QObject* parent = nullptr);
 
-    /// Shows the tree; true if rows were added or removed.
+    /// Shows this tree. Returns true if rows were added or removed.
     bool show(std::unique_ptr<TreeNode> root);
 
-    /// Creates the deferred children of a row.
+    /// Sets the function that creates the deferred children of a row.
     void setFetch(Fetch fetch) { fetch_ = std::move(fetch); }
     void setRename(Rename rename) { rename_ = std::move(rename); }
     void setMove(Move move) { move_ = std::move(move); }
 
     const TreeNode& nodeAt(const QModelIndex& index) const;
 
-    /// The row with that id; invalid if there is none or if it is still deferred in a closed list.
+    /// The row with this id; an invalid index if there is none, or if its parent list has not been expanded yet.
     QModelIndex indexOf(const QString& id) const;
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -58,7 +59,7 @@ public:
 private:
     TreeNode* nodeOf(const QModelIndex& index) const;
     QModelIndex indexOfNode(const TreeNode& node) const;
-    void list(const TreeNode& node);  // its children
+    void list(const TreeNode& node);  // adds its children to `nodes_`
 
     std::unique_ptr<TreeNode> root_;
     QHash<QString, const TreeNode*> nodes_;  // by id

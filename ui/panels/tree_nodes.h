@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The rows of the scene tree as plain values. The children of long lists are created
-// when the list is opened.
+// only when the list is expanded.
 #pragma once
 
 #include "solver/scene/problem.h"
@@ -21,19 +21,19 @@ class Display;
 class Document;
 
 struct TreeNode {
-    QString id;  // pointer of an object or a list; `#…` for other rows
+    QString id;  // pointer to an object or a list; `#…` for other rows
     QString name, detail, icon;
     bool isObject = false;  // `id` is the pointer of an object that can be selected
-    bool hasPlace = false;  // it can be zoomed to
-    bool canHide = false;  // in the section
+    bool hasPlace = false;  // the view can zoom to it
+    bool canHide = false;  // can be hidden in the section
     bool canRename = false;
-    bool canMove = false;  // by dragging, within its list
-    bool takesDrops = false;  // a list whose entries can be moved
+    bool canMove = false;  // can be dragged within its list
+    bool takesDrops = false;  // is a list whose entries can be moved by dragging
     bool bold = false;
     std::optional<Severity> badge;
-    int waiting = 0;  // children that are created on demand
+    int waiting = 0;  // number of children that are created on demand
     TreeNode* parent = nullptr;
-    int row = 0;  // among its parent's children
+    int row = 0;  // index among the children of `parent`
     std::vector<std::unique_ptr<TreeNode>> children;
 };
 
@@ -48,19 +48,19 @@ struct TreeSource {
     const Document& document;
     const Display& display;
     const std::vector<RunRow>& runs;
-    QString filter;  // shows rows with this text and their parents; all lists are open
+    QString filter;  // only rows that contain this text and their parents are shown, with all lists expanded
 };
 
-/// The whole tree; its root is not shown.
+/// The whole tree. Its root node is not shown.
 std::unique_ptr<TreeNode> makeTree(const TreeSource& source);
 
-/// Appends the child.
+/// Appends a child and returns it.
 TreeNode& addChild(TreeNode& parent, std::unique_ptr<TreeNode> child);
 
-/// The deferred children of `node`.
+/// Creates the deferred children of `node`.
 std::vector<std::unique_ptr<TreeNode>> waitingChildren(const TreeSource& source, const TreeNode& node);
 
-/// The highest severity of the messages on each pointer and on its parents.
+/// For each pointer, the highest severity of the errors and warnings about it or about anything below it.
 std::map<std::string, Severity> severities(const std::vector<Problem>& problems);
 
 }  // namespace keyblock

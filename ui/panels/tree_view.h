@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Painting and mouse input of the scene tree: rows of 24 px with icon, name and
-// detail, and at the right badge, lock and eye.
+// Painting and mouse input of the scene tree: rows 24 px high with icon, name and
+// detail, and at the right the badge, the lock and the eye.
 #pragma once
 
 #include <QStyledItemDelegate>
@@ -25,7 +25,7 @@ public:
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                               const QModelIndex& index) const override;
 
-    /// Where the eye and the lock of a row are.
+    /// Rectangles of the eye and the lock in a row.
     static QRect eyeOf(const QRect& row);
     static QRect lockOf(const QRect& row);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The widget that edits one field, of a kind that fits the field. Invalid input
-// stays in it, marked, until it is corrected or discarded.
+// Base class of the widgets that edit one field. Invalid input stays in the widget,
+// marked, until it is corrected or discarded.
 #pragma once
 
 #include "ui/panels/form_rows.h"
@@ -15,7 +15,7 @@ class Display;
 class Document;
 class Themes;
 
-/// What editors and forms need from the window.
+/// Objects of the window that editors and forms use.
 struct FormContext {
     Document& document;
     const Display& display;
@@ -28,13 +28,13 @@ class ValueEditor : public QWidget {
 public:
     using QWidget::QWidget;
 
-    /// Updates the value shown, but keeps text that is being typed.
+    /// Updates the value shown, but keeps text that the user is typing.
     virtual void present(const FormRow& row) = 0;
 
-    /// Needs its own line below the label.
+    /// True if the editor needs its own line below the label.
     virtual bool isWide() const { return false; }
 
-    /// Shows the unit itself, not in the unit column.
+    /// True if the editor shows the unit itself, so that the unit column stays empty.
     virtual bool tellsUnit() const { return false; }
 
     /// Marks the content as refused, or removes the mark.
@@ -42,18 +42,18 @@ public:
 
 Q_SIGNALS:
     void entered(const keyblock::FieldValue& value);
-    void refused(const QString& why);  // the input has no value
-    void takenBack();  // the refused input is gone
+    void refused(const QString& why);  // why the input cannot be read as a value
+    void takenBack();  // the refused input was discarded
     void focused();
 };
 
-/// The editor for the row's field, with an accessible name.
+/// Creates the editor for the field of the row, with an accessible name.
 ValueEditor* makeValueEditor(const FormRow& row, const FormContext& context, QWidget* parent);
 
-/// The value used if the field is null, in the units shown; empty if it is only known in a run.
+/// The value that is used if the field is null, in display units; empty if it is known only during a run.
 QString automaticText(const FormRow& row, const FormContext& context);
 
-/// What null means for the field: `auto (1)`, `automatic`, `unlimited`.
+/// The meaning of null for the field, e.g. `auto (1)`, `automatic` or `unlimited`.
 QString nullTextOf(const FormRow& row, const FormContext& context);
 
 }  // namespace keyblock

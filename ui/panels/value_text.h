@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Values of fields as they are displayed and typed: in the units shown, with
-// expressions and units, `head` for the head of a bolt. The scene keeps SI.
+// Converts field values to and from text: in display units, with expressions and unit
+// suffixes, and with `head` for the head of a bolt. The scene keeps SI units.
 #pragma once
 
 #include "solver/scene/field.h"
@@ -17,27 +17,27 @@ namespace keyblock {
 
 class Display;
 
-/// A number of that SI unit as shown, with at most \p digits significant digits.
+/// A number given in the SI unit `unit`, as text in the display unit with at most `digits` significant digits.
 QString numberText(double value, std::string_view unit, const Display& display, int digits = 6);
 
-/// The same with enough digits to read back exactly, for a field that is being edited.
+/// Like `numberText`, with enough digits to restore the number exactly, for a field that is being edited.
 QString exactNumberText(double value, std::string_view unit, const Display& display);
 
-/// The value typed, or what is wrong with it.
+/// The value that was typed, or an error message.
 template <typename Value>
 struct Typed {
     std::optional<Value> value;
     QString problem;
 };
 
-/// Reads a number typed in the unit shown, with another unit, or as an expression. [SI]
+/// Reads a number typed in the display unit, with another unit, or as an expression. Returns it in the SI unit `unit`.
 Typed<double> readNumber(const QString& text, std::string_view unit, const Display& display);
 
-/// Text of a value on one line: numbers, positions, points, triples and texts. Empty for null.
+/// A value as text on one line: numbers, positions, points, triples and texts. Empty if the value is null.
 QString valueText(const FieldValue& value, const Field& field, std::string_view unit, const Display& display,
                   bool exact = false);
 
-/// Reads such a text. An empty one is null if the field may be null.
+/// Reads a text written like that of `valueText`. An empty text is null if the field may be null.
 Typed<FieldValue> readValue(const QString& text, const Field& field, std::string_view unit, const Display& display);
 
 /// A one-line summary of any value: `5 points`, `yes`.
