@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Draws a single block, separate from the rock that is cut.
+// Draws a single block that is not part of the rock to be cut.
 #pragma once
 
 #include "ui/tools/line_tool.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Places a single bolt. Near a wall its head lies on the wall and the bolt is
-// perpendicular to it; elsewhere head and far end are picked.
+// Places a single bolt. Near a wall, the head lies on the wall and the bolt is
+// perpendicular to it; elsewhere the user picks the head and the far end.
 #pragma once
 
 #include "ui/edit/wall.h"
@@ -37,11 +37,11 @@ public:
 
 private:
     bool place(const Point& head, const Point& farEnd);
-    Point squareEnd() const;  // \pre head_
+    Point squareEnd() const;  // far end of a bolt perpendicular to the wall. \pre `headWall_`
 
     Bolt bolt_;
     double length_ = 2.4;  // [m]
-    std::optional<WallPlace> wall_;  // under the mouse
+    std::optional<WallPlace> wall_;  // wall under the mouse
     std::optional<WallPlace> headWall_;  // wall on which the picked head lies
     std::optional<Point> head_, cursor_;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names of a scene that options of tools choose from.
+// Names of objects of a scene, offered as choices in the options of tools.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -13,10 +13,12 @@ namespace keyblock {
 QStringList materialNames(const Scene& scene);
 QStringList jointMaterialNames(const Scene& scene);
 QStringList regionNames(const Scene& scene);
-QStringList boltTypeNames(const Scene& scene);  // the scene's own, then the built-in ones
+QStringList boltTypeNames(const Scene& scene);  // types of the scene first, then the built-in ones
 QStringList stageNames(const Scene& scene);
 
-/// A name that does not exist in this scene becomes the first one, or none.
+/// Keeps `name` if `names` contains it. Otherwise sets it to the first of `names` (or to an empty text), and an
+/// optional
+/// name to none.
 void keepAmong(std::string& name, const QStringList& names);
 void keepAmong(std::optional<std::string>& name, const QStringList& names);
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cut, copy, paste, duplicate, delete and select all for the selection.
+// The commands cut, copy, paste, duplicate, delete and select all, which act on the
+// selection.
 #pragma once
 
 #include <QList>
@@ -23,7 +24,7 @@ class Clipboard : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds the commands.
+    /// Adds the commands to `commands`.
     Clipboard(Workbench& bench, SelectTool& select, Commands& commands, QObject* parent);
 
 private:
@@ -40,9 +41,9 @@ private:
     SelectTool& select_;
     QList<QAction*> copying_;
     QAction *delete_, *paste_, *all_;
-    std::shared_ptr<const Scene> source_;  // null: nothing was copied
+    std::shared_ptr<const Scene> source_;  // scene that the objects were copied from; null: nothing was copied
     QStringList pointers_;
-    int pasted_ = 0;  // pastes since the copy: each has a larger offset
+    int pasted_ = 0;  // pastes since the last copy; each paste has a larger offset than the one before
 };
 
 }  // namespace keyblock

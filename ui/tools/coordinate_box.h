@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The box at the cursor: it shows the coordinates of the mouse and accepts typed
-// coordinates. Mouse events pass through it.
+// The box next to the cursor: it shows the coordinates of the mouse and accepts typed
+// coordinates. It does not intercept mouse events.
 #pragma once
 
 #include "geometry/point.h"
@@ -26,10 +26,12 @@ class CoordinateBox : public QFrame {
 public:
     CoordinateBox(QWidget& canvas, const Themes& themes);
 
-    /// Shows the point next to `pixel`, unless text is being typed. `previous` is the base of relative coordinates.
+    /// Moves the box next to `pixel` and shows the point in it, unless the user is typing.
+    /// \param previous base of relative coordinates
+    /// \param belowTag leaves room for the tag of a snap point
     void follow(const Point& place, const QPointF& pixel, const std::optional<Point>& previous, bool belowTag);
 
-    /// Starts the input of a point with the first key typed.
+    /// Starts typing coordinates; `text` is the first character typed.
     void begin(const QString& text, const std::optional<Point>& previous);
     bool isTyping() const { return typing_; }
     void stop();
@@ -54,7 +56,7 @@ private:
     QLabel* hint_;
     Point mouse_{0.0, 0.0};
     std::optional<Point> previous_;
-    bool typing_ = false, both_ = false;  // both_: Tab was pressed, so x and y are separate
+    bool typing_ = false, both_ = false;  // both_: Tab was pressed, so that x and y are typed separately
 };
 
 }  // namespace keyblock

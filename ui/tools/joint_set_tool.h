@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Adds a joint set: its traces are shown as a preview while spacing, dip and scatter
-// are set; a point on a trace and the direction may be picked.
+// Adds a joint set. The traces are previewed while the user sets spacing, dip and
+// scatter; a point on a trace and the direction can also be picked on the canvas.
 #pragma once
 
 #include "ui/tools/tool.h"
@@ -40,7 +40,7 @@ private:
     void tell();
 
     SceneJointSet set_;
-    std::vector<ObjectLine> traces_;  // of `set_`
+    std::vector<ObjectLine> traces_;  // traces of `set_`
     std::optional<Point> picked_;  // a point on a trace; the direction is picked next
     std::optional<Point> cursor_;
 };

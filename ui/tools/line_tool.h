@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Base of the outline, block and joint tools: a line of points drawn one by one, or
-// a rectangle by two of its corners.
+// Base class of the outline, block and joint tools: the user draws a line point by
+// point, or a rectangle by two opposite corners.
 #pragma once
 
 #include "ui/tools/tool.h"
@@ -31,9 +31,9 @@ public:
     void paint(QPainter& painter, const CanvasMap& map) const override;
 
 protected:
-    virtual bool isOutline() const = 0;  // the last point joins the first
+    virtual bool isOutline() const = 0;  // true if the last point is connected to the first
     virtual Edit make(const std::vector<Point>& points) const = 0;
-    virtual QString step() const { return {}; }  // of undo; empty: `Add joint J3`
+    virtual QString step() const { return {}; }  // name of the undo step; empty: the default, e.g. `Add joint J3`
     bool isRectangle() const { return isOutline() && shape_ == 0; }
     ToolField shapeField();
 
@@ -44,7 +44,7 @@ private:
 
     std::vector<Point> points_;
     std::optional<Point> cursor_;
-    int shape_ = 0;  // rectangle, polygon
+    int shape_ = 0;  // 0: rectangle, 1: polygon
 };
 
 }  // namespace keyblock

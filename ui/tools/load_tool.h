@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Adds a force at a point, a force on a block, or a pressure along a line to a
-// stage.
+// Adds a load to a stage: a force at a point, a force on a block, or a pressure along a
+// line.
 #pragma once
 
 #include "ui/tools/tool.h"
@@ -27,7 +27,7 @@ public:
     bool back() override;
     bool undoPoint() override { return back(); }
     std::optional<Point> previous() const override { return first_; }
-    bool accepts(const Snap&) const override { return what_ != OnBlock; }  // snap points lie on faces, not inside
+    bool accepts(const Snap&) const override { return what_ != OnBlock; }  // snap points lie on faces, not in blocks
     void paint(QPainter& painter, const CanvasMap& map) const override;
 
 private:

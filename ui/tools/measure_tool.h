@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Measures lengths and angles; it changes nothing.
+// Measures lengths and angles without changing the scene.
 #pragma once
 
 #include "ui/tools/tool.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Switches for object snap, ortho and grid snap with their keys in the status bar.
+// Switches in the status bar for object snap, ortho and grid snap, each with its key.
 #pragma once
 
 #include <QWidget>

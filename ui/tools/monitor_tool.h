@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Adds a monitor of a point, an opening between two points, or a bolt.
+// Adds a monitor for a point, for the opening between two points, or for a bolt.
 #pragma once
 
 #include "ui/tools/tool.h"

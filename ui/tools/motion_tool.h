@@ -22,12 +22,12 @@ public:
     void press(const Pointed& at) override;
     void move(const Pointed& at) override { cursor_ = at.place; }
     void leave() override { cursor_.reset(); }
-    bool accepts(const Snap&) const override { return false; }  // snap points lie on faces, not inside
+    bool accepts(const Snap&) const override { return false; }  // snap points lie on faces, not in blocks
     void paint(QPainter& painter, const CanvasMap& map) const override;
 
 private:
-    int stage_ = 0, axis_ = 0;  // x, y
-    double displacement_ = 0.004;  // at the end [m]
+    int stage_ = 0, axis_ = 0;  // axis_: 0: x, 1: y
+    double displacement_ = 0.004;  // at the end of the stage [m]
     std::optional<Point> cursor_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Draws the outline of the rock, or of a region in it.
+// Draws the outline of the rock, or of a region within it.
 #pragma once
 
 #include "ui/tools/line_tool.h"
@@ -24,7 +24,7 @@ protected:
     QString step() const override;
 
 private:
-    int what_ = 0;  // rock, region
+    int what_ = 0;  // 0: rock, 1: region
 };
 
 }  // namespace keyblock

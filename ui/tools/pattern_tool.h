@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Places bolts along part of a tunnel wall: the user picks both ends, and the bolts
-// are previewed with their spacing until they are placed.
+// Places bolts along part of a tunnel wall: the user picks both ends of that part, and
+// sees a preview of the bolts at their spacing until they are placed.
 #pragma once
 
 #include "ui/edit/wall.h"
@@ -46,10 +46,10 @@ private:
     PatternFit fit() const { return static_cast<PatternFit>(fit_); }
 
     ScenePattern pattern_;
-    PatternPlaces given_;  // values set by the user, before they are fitted to the wall
+    PatternPlaces given_;  // values set by the user, not yet fitted to the wall
     int fit_ = static_cast<int>(PatternFit::Centred);
-    double count_ = 6.0;  // of bolts from end to end
-    bool wayChosen_ = false;  // by the user, else the shorter way
+    double count_ = 6.0;  // number of bolts from end to end
+    bool wayChosen_ = false;  // the user chose the direction; otherwise the shorter way is used
     std::optional<WallPlace> from_, to_, hover_;
     std::vector<ObjectLine> bolts_;
     double run_ = 0.0;  // [m]

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Painted above the picture of blocks and bolts while drawing: supports, loads,
-// monitors, regions, lines that are not cut yet, and the selection.
+// Painted above the drawing of blocks and bolts in drawing mode: supports, loads,
+// monitors, regions, lines that have not been cut yet, and the selection.
 #pragma once
 
 #include "ui/canvas/canvas_tool.h"
@@ -27,7 +27,7 @@ public:
 
 private:
     const std::vector<SceneObject>& objects() const;
-    bool isShown() const;  // by the picture below
+    bool isShown() const;  // true if the drawing below shows the current scene
     void paintLines(QPainter& painter, const CanvasMap& map) const;
     QPainterPath rock(const CanvasMap& map) const;
     void paintSelected(QPainter& painter, const CanvasMap& map) const;

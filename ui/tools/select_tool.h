@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Selects objects by clicks and boxes, drags them and their handles with snap, and
-// inserts and deletes corners. All other tools return to it.
+// Selects objects by clicks and selection boxes, moves them and their handles with
+// snapping, and inserts and deletes corners. All other tools return to this one.
 #pragma once
 
 #include "ui/edit/handles.h"
@@ -39,14 +39,14 @@ public:
     void paint(QPainter& painter, const CanvasMap& map) const override;
     QCursor cursor() const override;
 
-    /// Deletes the selection, or the corner under the mouse.
+    /// Deletes the selected objects, or the corner under the mouse.
     void removeSelected();
 
 private:
     enum class Doing { Nothing, Presses, Moves, Shapes, Boxes };
 
     std::vector<std::string> selected() const;
-    std::vector<Handle> handles() const;  // of the only selected object
+    std::vector<Handle> handles() const;  // handles of the selected object, if only one is selected
     std::optional<std::size_t> handleAt(const QPointF& pixel) const;
     QString objectAt(const Point& place) const;
     void choose(const QString& pointer, Qt::KeyboardModifiers modifiers);
@@ -60,13 +60,13 @@ private:
 
     Doing doing_ = Doing::Nothing;
     Pointed pressed_;
-    Point grab_{0.0, 0.0};  // the point that is dragged [m]
+    Point grab_{0.0, 0.0};  // point that is being dragged [m]
     QPointF boxEnd_;
     Point mouse_{0.0, 0.0};  // [m]
-    std::optional<std::size_t> hot_;  // handle under the mouse, or dragged
-    std::string shaped_;  // pointer of the object with the dragged handle
-    QString hover_;  // pointer of the object under the mouse
-    bool single_ = false;  // a click without a drag selects only this
+    std::optional<std::size_t> hot_;  // handle under the mouse or being dragged
+    std::string shaped_;  // pointer to the object whose handle is being dragged
+    QString hover_;  // pointer to the object under the mouse
+    bool single_ = false;  // if no drag follows the press, only the object under the mouse is selected
 };
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Symbols of structural drawings for supports, loads, motions and monitors: hatching
+// Symbols for supports, loads, motions and monitors as in structural drawings: hatching
 // of fixed sides, rollers, arrows, targets.
 #pragma once
 
@@ -22,13 +22,13 @@ class SignPainter {
 public:
     SignPainter(QPainter& painter, const CanvasMap& map, const Theme& theme);
 
-    /// The symbol of the object, if it has one.
+    /// Paints the symbol of the object, if it has one.
     void paint(const Scene& scene, const SceneObject& object);
 
     // Single symbols, for previews.
     void side(const Point& from, const Point& to, Fix fix, const QColor& colour);
     void held(const Point& place, Fix fix, const QColor& colour);
-    /// An arrow of length `pixels` that ends at the point, in the direction `way`.
+    /// An arrow `pixels` long with its tip at `place`, pointing in the direction `way`.
     void arrow(const Point& place, const Point& way, double pixels, const QColor& colour);
     void pressure(const Point& from, const Point& to, bool pulls, const QColor& colour);
     void motion(const Point& place, const Point& axis, const QColor& colour);

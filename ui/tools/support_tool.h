@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Supports a side of the domain, a point, or a whole block.
+// Adds a support to a side of the domain, to a point, or to a whole block.
 #pragma once
 
 #include "ui/tools/tool.h"
@@ -22,7 +22,7 @@ public:
     void press(const Pointed& at) override;
     void move(const Pointed& at) override { cursor_ = at.place; }
     void leave() override { cursor_.reset(); }
-    bool accepts(const Snap&) const override { return what_ != Whole; }  // snap points lie on faces, not inside
+    bool accepts(const Snap&) const override { return what_ != Whole; }  // snap points lie on faces, not in blocks
     void paint(QPainter& painter, const CanvasMap& map) const override;
 
 private:
@@ -31,7 +31,7 @@ private:
     std::optional<BoundarySide> sideAt(const Point& place) const;
 
     int what_ = Side;
-    int fix_ = 0;  // xy, x, y
+    int fix_ = 0;  // 0: xy, 1: x, 2: y
     std::optional<Point> cursor_;
 };
 

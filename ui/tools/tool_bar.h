@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bar above the canvas: the active tool, its options, Cancel and the primary
-// button that commits.
+// The bar above the canvas: the active tool, its options, Cancel, and the primary
+// button that commits the input.
 #pragma once
 
 #include <QWidget>
@@ -26,14 +26,14 @@ class ToolBar : public QWidget {
 public:
     ToolBar(const Display& display, const Themes& themes, QWidget* parent = nullptr);
 
-    /// Shows the tool, or updates it. Not owned; null: nothing.
+    /// Shows this tool, or updates it if it is shown already; null: no tool. The bar does not own the tool.
     void show(Tool* tool);
     using QWidget::show;
 
 Q_SIGNALS:
     void cancelled();
     void committed();
-    void leftField();  // the canvas receives the keys again
+    void leftField();  // the keyboard focus returns to the canvas
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One option of a tool in the bar: label, value and unit in one frame.
+// One option of a tool in the tool bar: label, value and unit in one frame.
 #pragma once
 
 #include "ui/tools/tool_field.h"
@@ -23,14 +23,14 @@ public:
     ToolChip(ToolField field, const Display& display, const Themes& themes, QWidget* parent);
 
     const QString& id() const { return field_.id; }
-    /// Updates the value from the tool's field, unless it is being edited.
+    /// Updates the value shown, unless the user is editing it.
     void refresh(ToolField field);
-    /// Gives it the focus and selects all of its text.
+    /// Gives the option the keyboard focus and selects its text.
     void enter();
 
 Q_SIGNALS:
-    void done();  // Enter or Esc: the canvas receives the keys again
-    void passed(bool forwards);  // Tab, or Shift+Tab: the input is accepted and the next field has the focus
+    void done();  // Enter or Esc: the keyboard focus returns to the canvas
+    void passed(bool forwards);  // Tab or Shift+Tab: the input is accepted and the focus moves to another option
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Between the canvas and the active tool: translates mouse and keys into points and
-// steps, paints snaps and the prompt, and owns palette, bar and coordinate box.
+// Connects the canvas with the active tool: translates mouse and key events into points
+// and steps, paints snap points and the prompt, and owns the palette, the bar and the
+// coordinate box.
 #pragma once
 
 #include "ui/canvas/canvas_tool.h"
@@ -33,7 +34,7 @@ public:
              const Display& display, const Themes& themes, Commands& commands, QObject* parent = nullptr);
     ~ToolDesk() override;
 
-    /// The column at the left of the canvas, the bar above it. The caller places them.
+    /// The column of tools at the left of the canvas, and the bar above the canvas. The caller places both.
     ToolPalette& palette() { return *palette_; }
     ToolBar& bar() { return *bar_; }
     Workbench& bench() { return *bench_; }
@@ -41,7 +42,7 @@ public:
     Tool& tool() const { return *tool_; }
     void choose(const QString& id);
 
-    /// Off: the canvas shows results. Only what is shown can be selected, and nothing is drawn or dragged.
+    /// False: the canvas shows results. Then only what is shown can be selected, and nothing can be drawn or dragged.
     void setDrawing(bool drawing);
 
     void press(const CanvasEvent& event) override;
@@ -56,7 +57,7 @@ public:
 
 Q_SIGNALS:
     void chosen(const QString& id);
-    void said(const QString& text, bool warns);  // also for the status bar
+    void said(const QString& text, bool warns);  // also shown in the status bar
     void drawingAsked();  // a drawing tool was chosen while results are shown
 
 protected:
@@ -65,7 +66,7 @@ protected:
 private:
     void showTool();
     void showSelected();
-    void showRoomToDraw();  // while the scene is empty
+    void showRoomToDraw();  // zooms to a default area if the scene is empty
     void stepBack();
     void enter();
     void take(const Point& typed);
@@ -82,11 +83,11 @@ private:
     ToolPalette* palette_;
     ToolBar* bar_;
     CoordinateBox* box_;
-    std::vector<QAction*> actions_;  // of the tools
-    std::optional<Pointed> at_;  // position of the mouse; none: not over the canvas
+    std::vector<QAction*> actions_;  // actions that choose the tools
+    std::optional<Pointed> at_;  // mouse position; none: the mouse is not over the canvas
     QString message_;
     bool warns_ = false;
-    QTimer* forget_;  // the message
+    QTimer* forget_;  // clears the message after some seconds
 };
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How tools look on the canvas: previews, snap marks, dimensions, the prompt. In
-// pixels, in the colours of the theme.
+// Appearance of tools on the canvas: previews, snap marks, dimensions and the prompt,
+// with sizes in pixels and in the colours of the theme.
 #pragma once
 
 #include "ui/edit/anchor_edit.h"
@@ -23,38 +23,39 @@ namespace keyblock {
 class CanvasMap;
 struct Theme;
 
-/// Paints in one theme over one view.
+/// Paints on one view in the colours of one theme.
 class ToolPainter {
 public:
     ToolPainter(QPainter& painter, const CanvasMap& map, const Theme& theme);
 
-    /// Not committed yet: accent, dashed 7–4.
+    /// A line that is not committed yet: accent colour, dashed (7–4).
     void ghost(const std::vector<Point>& points, bool closed = false, double width = 1.6);
     void ghostFill(const std::vector<Point>& outline);
-    /// Selected: accent, solid.
+    /// A selected line: accent colour, solid.
     void chosen(const std::vector<Point>& points, bool closed, double width = 2.0);
-    /// Under the mouse.
+    /// Highlight of a line under the mouse.
     void near(const std::vector<Point>& points, bool closed);
-    /// A wall that is picked.
+    /// A wall that has been picked.
     void wall(const std::vector<Point>& points);
-    /// Preview of a bolt: dashed shank, its nodes, hollow plate at the head.
+    /// Preview of a bolt: dashed shank, its nodes, and a hollow face plate at the head.
     void bolt(const Point& head, const Point& farEnd, bool plate, const std::vector<NodeAhead>& nodes);
 
-    void corner(const Point& place);  // 9 px square of a handle
+    void corner(const Point& place);  // handle, 9 px square
     void handle(const Point& place, bool hot);
     void dot(const Point& place);
 
-    /// A length between two points, `off` pixels to the left of the line, in a white box.
+    /// A dimension between two points with its text in a white box, `off` pixels to the left of the line.
     void dimension(const Point& from, const Point& to, const QString& text, double off);
-    /// A small text in a panel next to a point.
+    /// A short text in a small box, centred at `at` [px].
     void label(const QPointF& at, const QString& text);
 
-    /// The mark of a snap with its name on a dark tag.
+    /// The mark of a snap point, with its name on a dark tag.
     void snap(const Snap& snap);
     void box(const QRectF& box, bool crosses);
     void grid(double spacing);
 
-    /// The strip at the top left: bold prompt, detail, 3 px edge.
+    /// The strip at the top left of the canvas: bold prompt, detail, and a coloured left edge 3 px wide. Returns its
+    /// rectangle. \param room width available [px]
     static QRectF prompt(QPainter& painter, const Theme& theme, const QString& text, const QString& detail, bool warns,
                          double room);
 
@@ -70,11 +71,11 @@ private:
 QString lengthText(double metres);
 /// An angle as text: `35.0°`.
 QString angleText(double degrees);
-/// A number in a field of a tool: few digits, true minus.
+/// A number in an option of a tool, with few digits and a true minus sign.
 QString fieldText(double number);
 /// An area as text: `15.59 m²`.
 QString areaText(double squareMetres);
-/// `−2.50, 0.25`
+/// A point as text: `−2.50, 0.25`.
 QString placeText(const Point& place);
 
 }  // namespace keyblock

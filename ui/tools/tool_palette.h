@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The tools as a column of buttons at the left of the canvas, each with the letter
-// of its key. If the window is low, they continue in a second column.
+// The tools as a column of buttons at the left of the canvas, each labelled with its
+// key. A second column is added if the window is too low for one.
 #pragma once
 
 #include <QWidget>
@@ -35,7 +35,7 @@ private:
     void layOut();
 
     const Themes& themes_;
-    std::vector<QWidget*> items_, lines_;  // including the separators
+    std::vector<QWidget*> items_, lines_;  // items_ includes the separators
 };
 
 }  // namespace keyblock

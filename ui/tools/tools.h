@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The list of all tools, their commands, and the bolts in the selection.
+// The list of all tools, their commands, and the selected bolts.
 #pragma once
 
 #include <memory>
@@ -17,16 +17,16 @@ class ToolDesk;
 class ToolPalette;
 class Workbench;
 
-/// One instance of each tool, Select first.
+/// One instance of each tool; the select tool is first.
 std::vector<std::unique_ptr<Tool>> makeAllTools(Workbench& bench);
 
-/// A command, a key and a button for each tool.
+/// Adds a command, a key and a palette button for each tool; the commands are appended to `actions`.
 void addToolCommands(Commands& commands, ToolDesk& desk, ToolPalette& palette, std::vector<QAction*>& actions);
 
-/// Object snap, ortho, grid and grid snap.
+/// Adds the commands that switch object snap, ortho, grid and grid snap.
 void addModeCommands(Commands& commands, Workbench& bench);
 
-/// Rows of the bolts of the cut scene that belong to the selected bolts and patterns.
+/// Indices of the selected bolts, and of the bolts of selected patterns, among the bolts of the cut scene.
 std::vector<int> selectedBolts(const Workbench& bench);
 
 }  // namespace keyblock

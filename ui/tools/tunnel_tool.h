@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Places a tunnel, given by a few numbers, at its centre; handles change it
-// afterwards.
+// Places a tunnel, defined by a few dimensions, by its centre, or draws it corner by
+// corner. Handles change it afterwards.
 #pragma once
 
 #include "ui/tools/tool.h"
@@ -41,7 +41,7 @@ private:
     bool place(const SceneTunnel& tunnel);
 
     SceneTunnel tunnel_;
-    std::vector<Point> corners_;  // of one that is drawn by corners
+    std::vector<Point> corners_;  // corners of a polygonal profile drawn so far
     std::optional<Point> cursor_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What every tool works with: document, selection and canvas, the point under the
-// mouse (with snap, ortho, grid), and the way in which an edit becomes an undo step.
+// What all tools share: document, selection and canvas, the point under the mouse (with
+// snap, ortho and grid), and the commit of an edit as an undo step.
 #pragma once
 
 #include "ui/edit/edit.h"
@@ -30,14 +30,14 @@ struct Theme;
 /// A point given to a tool by the mouse or the keyboard.
 struct Pointed {
     Point place{0.0, 0.0};  // after snapping [m]
-    Point raw{0.0, 0.0};  // under the mouse [m]
+    Point raw{0.0, 0.0};  // position of the mouse, before snapping [m]
     std::optional<Snap> snap{};
     QPointF pixel{};
     Qt::KeyboardModifiers modifiers{};
     bool typed = false;
 };
 
-/// Snapping modes, switched by keys.
+/// Drawing aids that are switched by keys.
 struct PointingModes {
     bool objectSnap = true, ortho = false, gridSnap = false, gridShown = false;
 
@@ -57,23 +57,24 @@ public:
     const Display& display() const { return display_; }
     const Theme& theme() const;
 
-    const Scene& scene() const;  // the document's, without a preview
-    const std::vector<SceneObject>& objects() const;  // of that scene, without hidden objects
+    const Scene& scene() const;  // the scene of the document, without a preview
+    const std::vector<SceneObject>& objects() const;  // objects of that scene that are not hidden
     bool isHidden(const std::string& pointer) const;
-    bool isLocked(const std::string& pointer) const;  // against the mouse
-    const SceneObject* object(const QString& pointer) const;  // null: it has no shape or does not exist
+    bool isLocked(const std::string& pointer) const;  // cannot be selected with the mouse
+    const SceneObject* object(const QString& pointer) const;  // null: it has no shape, is hidden or does not exist
     double metres(double pixels) const;
-    double gridSpacing() const;  // of the grid at this zoom [m]
+    double gridSpacing() const;  // spacing of the grid at the current zoom [m]
 
     const PointingModes& modes() const { return modes_; }
     void setModes(const PointingModes& modes);
 
-    /// False while the canvas shows results.
+    /// False if the canvas shows results.
     bool isDrawing() const { return drawing_; }
     void setDrawing(bool drawing);
 
-    /// The snapped point at the mouse. `previous` is the base of ortho and perpendiculars; `except` are pointers that
-    /// are not snapped to.
+    /// The point at the mouse after snapping. A snap point that `accepts` rejects is ignored.
+    /// \param previous base of ortho and of perpendicular snaps
+    /// \param except pointers to objects excluded from snapping
     template <typename Accepts>
     Pointed pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
                     const std::optional<Point>& previous, const std::vector<std::string>& except, Accepts accepts) const {
@@ -85,13 +86,14 @@ public:
     Pointed pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
                     const std::optional<Point>& previous, const std::vector<std::string>& except) const;
 
-    /// The same without object snap.
+    /// Like `pointAt`, without object snap.
     Pointed freePointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
                         const std::optional<Point>& previous) const;
 
-    /// Makes the edit an undo step called `step`. Shows the reason if it was refused.
+    /// Applies the edit as an undo step called `step`. If the edit is refused, shows the reason and returns false.
     bool commit(const QString& step, const Edit& edit);
-    /// Makes the new object an undo step, by default called e.g. `Add joint J3`, and selects it.
+    /// Applies an edit that creates an object and selects the object. The undo step is called `step`, by default e.g.
+    /// `Add joint J3`.
     bool add(const Edit& edit, const QString& step = {});
     /// Shows a message next to the prompt.
     void say(const QString& text, bool warns = false);
@@ -114,7 +116,7 @@ private:
     const Themes& themes_;
     PointingModes modes_;
     bool drawing_ = true;
-    mutable std::shared_ptr<const Scene> seen_;  // the scene of `objects_` and `snaps_`
+    mutable std::shared_ptr<const Scene> seen_;  // scene from which `objects_` and `snaps_` were made
     mutable std::vector<SceneObject> objects_;
     mutable std::unique_ptr<SnapIndex> snaps_;
 };
