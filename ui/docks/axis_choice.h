@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Chooses which quantity of a run is plotted against which: two boxes that find a name
-// by a few of its letters, even in runs with hundreds of bolts.
+// Chooses the two quantities of a curve: two boxes that find a name by a few of its
+// letters, even in a run with hundreds of bolts.
 #pragma once
 
 #include <QWidget>
@@ -21,9 +21,9 @@ class AxisChoice : public QWidget {
 public:
     explicit AxisChoice(QWidget* parent = nullptr);
 
-    /// Offers the quantities of a run; the current choice stays if the new run has it too.
+    /// Lists the quantities of a run. The current choice is kept if the new run has the same quantities.
     void offer(const RunSource& run);
-    /// Names as in `allSeries`; `x` is empty for time, `y` if there is nothing to choose.
+    /// Names as in `allSeries`. `x` is empty for time; `y` is empty if there is no quantity to choose.
     std::string y() const;
     std::string x() const;
 

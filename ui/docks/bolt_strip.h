@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One bolt straightened, at the time shown: the state of its bond as a band with the
-// moving front, and below it forces, bond and slip on one axis.
+// The bolt diagram of one bolt at the time shown: the state of its bond as a band with
+// the moving debonding front, and below it forces, bond and slip along the bolt on a
+// common axis.
 #pragma once
 
 #include "ui/document/background.h"
@@ -36,7 +37,7 @@ public:
     ~BoltStrip() override;
 
     QSize sizeHint() const override { return {740, 214}; }
-    /// "B6 · rebar 20 · 2.40 m"; empty if none is shown.
+    /// Title of the bolt shown, e.g. "B6 · rebar 20 · 2.40 m"; empty if none is shown.
     QString title() const;
 
 Q_SIGNALS:
@@ -48,11 +49,11 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// History of the bolt so far, extended by one thread.
+    /// History of the bolt so far, which only one thread extends.
     struct Past;
     struct Shown {
         BoltChart chart;
-        std::vector<std::pair<double, std::string>> blocks;  // along the bolt [m]: names
+        std::vector<std::pair<double, std::string>> blocks;  // position along the bolt [m] and name of the block
         QString name, type, use;  // use: utilisation of the governing strength in the run so far
     };
 
@@ -71,7 +72,7 @@ private:
     BoltChoice& choice_;
     ChartView* view_;
     QToolButton* more_;
-    std::size_t panels_ = 0;  // index of the choice
+    std::size_t panels_ = 0;  // index of the chosen set of panels
     std::shared_ptr<Past> past_;
     std::shared_ptr<const Shown> shown_;
     QElapsedTimer made_;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A chart in a dock: drawn as on paper, in the colours of the window, with the current
-// time marked on it.
+// A chart in a dock, drawn as in a printed figure but in the colours of the window,
+// with the current time marked.
 #pragma once
 
 #include "ui/figure/chart_painter.h"
@@ -20,7 +20,7 @@ struct Theme;
 
 ChartTheme chartThemeOf(const Theme& theme);
 
-/// The current time on a chart: a point on the first curve of each panel that has a value.
+/// The current time on a chart, marked by a point on the first curve of each panel that has a value at this time.
 struct ChartNow {
     double x = 0.0;
     std::vector<std::optional<double>> y;  // one per panel
@@ -34,24 +34,24 @@ public:
 
     void show(Chart chart);
     using QWidget::show;
-    /// Shows no chart, and the reason.
+    /// Removes the chart and shows the message instead.
     void clear(const QString& message);
     void setNow(std::optional<ChartNow> now);
     void setRoom(const ChartLayout& layout);
     const std::optional<Chart>& chart() const { return chart_; }
 
-    /// Draws the chart if it changed, for widgets that paint next to it at its positions.
+    /// Redraws the chart if it has changed. For widgets that paint next to it and need its pixel positions.
     void prepare();
-    /// Whether the chart has room and is drawn, so that its positions are known.
+    /// True if the chart has enough room and has been drawn, so that its pixel positions are known.
     bool isDrawn() const { return chart_ && !drawn_.isNull(); }
-    /// Pixel of an abscissa; of a value in a panel that is drawn. \pre `isDrawn()`.
+    /// Pixel position of a value on the horizontal axis, and of a value in a panel. \pre `isDrawn()`
     double xOf(double value) const;
     double yOf(std::size_t panel, double value) const;
 
-    static constexpr double pixelsPerMm = 5.25;  // makes 10.5 px of the figures' 2 mm letters
+    static constexpr double pixelsPerMm = 5.25;  // so that letters 2 mm high in figures have 10.5 px here
 
 Q_SIGNALS:
-    void picked(double x);  // an abscissa was clicked
+    void picked(double x);  // the user clicked at this value on the horizontal axis
     void redrawn();  // pixel positions have changed
 
 protected:
