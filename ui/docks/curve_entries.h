@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The charts offered in the dock of curves: those of the run, any quantity against any
+// The charts offered in the Curves dock: those of the run, any quantity against any
 // other, pinned points, and the curves of a second run for comparison.
 #pragma once
 
@@ -19,51 +19,53 @@ namespace keyblock {
 
 enum class CurveKind { All, Energies };
 
-/// A chart of one panel, with the whole first curve before it is thinned.
+/// A chart with one panel, and the complete first curve before it is thinned out for drawing.
 struct CurveEntry {
     QString name;
     Chart chart;
-    std::vector<double> x, y;  // against another quantity: one value per row of the history, or per frame
+    std::vector<double> x, y;  // values of a curve against another quantity: one per history row, or per frame
     bool ofFrames = false;
 };
 
 struct CurveEntries {
     std::vector<CurveEntry> entries;
-    QString problem;  // why there are none
+    QString problem;  // error message if there are no entries
 };
 
-/// What to read from a run, and from a second run that is compared with it.
+/// Curves to read from a run, and from a second run for comparison.
 struct CurveOrder {
-    std::shared_ptr<const RunSource> run, other;  // other: null if none
+    std::shared_ptr<const RunSource> run, other;  // other: null if there is no second run
     CurveKind kind = CurveKind::All;
     std::vector<std::shared_ptr<const PinTrack>> tracks;
-    std::string y, x;  // axes, named as in `allSeries`; without y no such curve is read
+    std::string y, x;  // names of the quantities, as in `allSeries`; empty y: no such curve is read
 };
 
-/// The result of reading.
+/// The curves that were read for an order.
 struct CurveReading {
-    CurveEntries own, other;  // own includes the pins
-    CurveEntries free, otherFree;  // against the chosen axes
-    std::string y, x;  // the chosen axes
+    CurveEntries own, other;  // entries of the run, including its pins, and of the second run
+    CurveEntries free, otherFree;  // curves of the chosen quantities
+    std::string y, x;  // names of the chosen quantities
     RunTime time;
 };
 
-/// Takes longer with every row of the history. Does not throw: the entries hold the error message.
+/// Reads the curves; the time this takes grows with the number of history rows. Does not throw: `problem` of the
+/// entries holds the error message.
 CurveReading readCurves(const CurveOrder& order);
 
-/// The charts of the run itself.
+/// The charts of the run itself, without pins.
 CurveEntries curveEntries(const RunSource& run, CurveKind kind);
 
-/// A quantity of the run against another, named as in `allSeries`; against time if `x` is empty.
+/// Plots the quantity `y` of the run against `x`, both named as in `allSeries`; against time if `x` is empty.
 CurveEntries curveOver(const RunSource& run, const std::string& y, const std::string& x);
 
-/// Name of the chart that holds a pin's curve, if it is among the first four.
+/// Name of the chart that shows the quantity of this pin for the first four pins.
 QString pinEntryName(const Pin& pin);
 
-/// Charts of pins, one per quantity.
+/// Charts of the pins, grouped by quantity.
 std::vector<CurveEntry> pinEntries(const RunSource& run, const std::vector<std::shared_ptr<const PinTrack>>& tracks);
 
-/// Adds the curves of the same chart of another run, dashed and named `name`, to those that exist.
+/// Adds the curves of another run's chart of the same quantity, dashed. `name` identifies that run in a note on the
+/// chart.
 void addOther(CurveEntry& shown, const CurveEntry& other, const QString& name);
 
 }  // namespace keyblock

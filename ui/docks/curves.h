@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Curves of the run's history, one chart at a time, with the current time marked: load
-// over displacement, monitors, debonded length, energies, pins, any quantity against
-// any other; with the curves of a second run if one is compared.
+// The curves of a run, one chart at a time, with the current time marked:
+// load–displacement curves, monitors, debonded length, energies, pins, or any quantity
+// against any other. The curves of a second run are added if two runs are compared.
 #pragma once
 
 #include "ui/docks/curve_entries.h"
@@ -28,11 +28,11 @@ class Curves : public QWidget {
     Q_OBJECT
 
 public:
-    /// \param pins null: no pins and no choice of axes.
+    /// \param pins pinned points; null: no pins and no choice of quantities
     Curves(const Themes& themes, const Display& display, TimeCursor& cursor, CurveKind kind, Pins* pins,
            QWidget* parent = nullptr);
 
-    /// A second run whose curves are added, dashed; null: none.
+    /// Sets a second run whose curves are added, dashed; null: none.
     void setOther(std::shared_ptr<const LiveRun> other, const QString& name);
 
     QSize sizeHint() const override { return {445, 214}; }
@@ -65,11 +65,11 @@ private:
     ChartView* view_;
     QTimer timer_;
     bool stale_ = true, reads_ = false;
-    int asked_ = 0;  // number of readings started, to recognise one that is out of date
-    std::shared_ptr<const CurveReading> read_;  // null before the first of a run
-    std::shared_ptr<const LiveRun> other_, offered_;  // second run; run whose quantities can be chosen
+    int asked_ = 0;  // number of readings started, to recognise results that are out of date
+    std::shared_ptr<const CurveReading> read_;  // null until the first reading of a run has finished
+    std::shared_ptr<const LiveRun> other_, offered_;  // second run; run whose quantities are offered
     QString otherName_;
-    QString wanted_;  // name of the chart that the user chose
+    QString wanted_;  // name of the chart chosen by the user
     std::size_t pinCount_ = 0;
     Background reader_;
 };

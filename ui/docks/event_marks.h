@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Marks of events on the screen, in px: shape and colour both show the kind.
+// Marks of events on the screen: both shape and colour show the kind of event. Sizes in
+// px.
 #pragma once
 
 #include "solver/scene/event_kinds.h"
@@ -15,10 +16,10 @@ namespace keyblock {
 
 struct Theme;
 
-QString nameOf(EventGroup group);  // "yield"
-QString nameOf(EventKind kind);  // "plastic hinge"
+QString nameOf(EventGroup group);  // e.g. "yield"
+QString nameOf(EventKind kind);  // e.g. "plastic hinge"
 
-/// The mark centred at `at`, in the size given by the look.
+/// Draws the mark centred at `at`, in the size set for the screen.
 void drawEventMark(QPainter& painter, const Theme& theme, EventMark mark, const QPointF& at);
 
 }  // namespace keyblock

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The events up to the time shown, one per row: time, kind, location, force and causing
-// event. A click moves the time to the event and selects its bolt or block.
+// The events of the run, one per row: time, kind, location, force and causing event.
+// Events after the time shown are dimmed. A click moves the time to the event and
+// selects its bolt or block.
 #pragma once
 
 #include "solver/results/results.h"
@@ -30,10 +31,10 @@ public:
 
     EventsModel(const Themes& themes, const Display& display, TimeCursor& cursor, QObject* parent = nullptr);
 
-    /// The event of a row, as its number in the run.
+    /// Index of the event of this row among the events of the run.
     std::size_t eventAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
 
-    /// The last row within the first `events` of the run; −1: none.
+    /// The last row that shows one of the first `events` events of the run; −1: none.
     int lastRowUntil(long events) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -51,7 +52,7 @@ private:
     const Themes& themes_;
     const Display& display_;
     TimeCursor& cursor_;
-    std::size_t seen_ = 0;  // events of the run
+    std::size_t seen_ = 0;  // number of events of the run that have been read
     std::vector<std::size_t> rows_;
 };
 
@@ -66,7 +67,7 @@ public:
     QSize sizeHint() const override { return {415, 214}; }
 
 Q_SIGNALS:
-    void blockAsked(int block, const QString& what);  // row of the solved blocks
+    void blockAsked(int block, const QString& what);  // index among the solved blocks
     void countChanged();
 
 private:
@@ -80,7 +81,7 @@ private:
     EventsModel* model_;
     QTreeView* view_;
     QLabel* empty_;
-    bool opening_ = false;  // an event that was clicked
+    bool opening_ = false;  // true while an event that was clicked is being opened
 };
 
 }  // namespace keyblock

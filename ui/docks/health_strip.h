@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Solver diagnostics at the time shown, one row per measure, with the block that causes
-// the worst of them and advice.
+// Solver diagnostics at the time shown: one row per measure, with the block responsible
+// for the worst value and advice.
 #pragma once
 
 #include "ui/runs/live_feed.h"
@@ -24,19 +24,19 @@ enum class HealthState { Unknown, Good, Warning, Bad };
 enum class HealthMeasure { Passes, StepCuts, Penetration, Balance, Residual };
 inline constexpr std::size_t healthMeasures = 5;
 
-/// One measure at a time.
+/// One diagnostic measure at one time.
 struct HealthRow {
     HealthMeasure measure = HealthMeasure::Passes;
     HealthState state = HealthState::Unknown;
-    std::optional<double> value;  // unit as counted: iterations, reductions in 100 steps, shares
+    std::optional<double> value;  // iterations, time-step reductions in 100 steps, or a fraction
     double limit = 0.0;
-    int block = -1;  // block that causes it; −1: no particular one
-    std::vector<double> course;  // values up to the time shown, for the spark line
+    int block = -1;  // block responsible for the value; −1: no particular block
+    std::vector<double> course;  // values up to the time shown, for the sparkline
 };
 
 using HealthRows = std::array<HealthRow, healthMeasures>;
 
-/// The measures of a run at a time of a stage; for a run that was opened from a file, those of its stages as a whole.
+/// The measures at a time of a stage. For a run opened from a file, they describe whole stages instead.
 HealthRows healthAt(const LiveRun& run, int stage, double time);
 
 class HealthStrip : public QWidget {
@@ -49,7 +49,7 @@ public:
     QSize sizeHint() const override { return {415, 214}; }
 
 Q_SIGNALS:
-    void blockAsked(int block, const QString& why);  // row of the solved blocks
+    void blockAsked(int block, const QString& why);  // index among the solved blocks
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -70,7 +70,7 @@ private:
     TimeCursor& cursor_;
     HealthRows rows_;
     bool known_ = false;
-    QRectF link_;  // "Show block"
+    QRectF link_;  // rectangle of the link "Show block"
 };
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Controls that do not fit on a bar, as entries of a menu.
+// Menu entries for controls that do not fit on a bar.
 #pragma once
 
 class QMenu;
@@ -9,8 +9,8 @@ class QWidget;
 
 namespace keyblock {
 
-/// Adds the control: a list box becomes a submenu of its choices, a button an entry. Other widgets are left out. The
-/// menu must not outlive the control.
+/// Adds an entry for the control: a submenu of choices for a combo box, one entry for a button. Other widgets are
+/// ignored. The menu must not outlive the control.
 void addToMenu(QMenu& menu, QWidget& control);
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The pins in the dock of curves, one chip each, with a cross that unpins it.
+// The pins in the Curves dock, one chip per pin with a cross that removes the pin.
 #pragma once
 
 #include <QWidget>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The quantities defined in a scene, as measured in a run, compared with the expected
-// values of the scene.
+// The quantities defined in the scene, as measured in the run, compared with the
+// expected values given in the scene.
 #pragma once
 
 #include "solver/results/quantity.h"
@@ -43,8 +43,8 @@ private:
     const TimeCursor& cursor_;
     QLabel* hint_;
     QTreeWidget* list_;
-    std::shared_ptr<const LiveRun> run_;  // run that was read last
-    std::size_t rows_ = 0;  // number of history rows then
+    std::shared_ptr<const LiveRun> run_;  // run that was last read
+    std::size_t rows_ = 0;  // number of its history rows when it was last read
     Background reader_;
 };
 

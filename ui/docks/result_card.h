@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The results of the selected bolt or block at the time shown: a group at the top of
-// the property panel.
+// The results of the selected bolt or block at the time shown, as a group at the top of
+// the Properties panel.
 #pragma once
 
 #include "ui/docks/result_rows.h"
@@ -31,13 +31,13 @@ public:
                const BlockChoice& blocks, QWidget* parent = nullptr);
     ~ResultCard() override;
 
-    /// Whether results are shown; a drawing has none.
+    /// Turns the results on or off; they are off while the window shows the drawing.
     void setOn(bool on);
     /// The report shown; null: none.
     const std::shared_ptr<const ResultReport>& report() const { return report_; }
 
 Q_SIGNALS:
-    /// Another bolt or block is shown, or none: then the texts are empty.
+    /// A different bolt or block is shown, or none; both texts are empty if none is shown.
     void subjectChanged(const QString& title, const QString& detail);
 
 private:

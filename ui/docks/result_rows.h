@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Results of one bolt or block at a time as rows of text, in the units and signs shown:
-// plain values, created on any thread.
+// Results of one bolt or block at a given time as rows of text, in display units and
+// with the sign convention of the display. Plain values that any thread can create.
 #pragma once
 
 #include "solver/results/results.h"
@@ -20,13 +20,13 @@ class RunSource;
 
 struct ResultRow {
     QString name, value;
-    QString detail{};  // position and time, below the value; empty: none
-    std::optional<double> use{};  // share of a strength, drawn as a bar
+    QString detail{};  // position and time, shown below the value; empty: none
+    std::optional<double> use{};  // utilisation as a fraction of the strength, drawn as a bar
 };
 
 struct ResultEvent {
     QString when, what;
-    Event event;  // the first of them, to which a click moves the time
+    Event event;  // first event of the row; a click moves the time to it
 };
 
 struct ResultReport {
@@ -35,11 +35,11 @@ struct ResultReport {
     std::vector<ResultEvent> events;
 };
 
-/// \param events events of the run up to the frame. \pre the bolt is a row of the frame.
+/// The results of a bolt. \param events events of the run up to the frame. \pre `bolt` is a row of the frame.
 ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, const std::vector<Event>& events,
                          const ShownNumbers& numbers);
 
-/// The same for a block, a row of the frame.
+/// The results of a block. \param events events of the run up to the frame. \pre `block` is a row of the frame.
 ResultReport blockResults(const RunSource& run, const Frame& frame, int block, const std::vector<Event>& events,
                           const ShownNumbers& numbers);
 

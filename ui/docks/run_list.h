@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The runs of the document: open, resume, compare, remove.
+// The runs of the document, with the commands to open, resume, compare and remove them.
 #pragma once
 
 #include <QWidget>

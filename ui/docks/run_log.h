@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Messages of runs, one per line, with the time of day.
+// Messages of the runs, one per line, each with the time of day.
 #pragma once
 
 #include <QPlainTextEdit>

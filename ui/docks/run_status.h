@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Progress of the run and its controls, at the right end of the workflow bar. Without a
-// run it is a button that starts one.
+// Progress of the run and its controls, at the right end of the workflow bar. If there
+// is no run, a button that starts one.
 #pragma once
 
 #include <QWidget>
@@ -21,7 +21,7 @@ class RunStatus : public QWidget {
     Q_OBJECT
 
 public:
-    /// \pre the commands of runs have been added.
+    /// \pre the run commands have been added.
     RunStatus(const Themes& themes, Commands& commands, Runs& runs, QWidget* parent = nullptr);
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A line above the results that says why the results of the stage shown are unreliable;
-// hidden if they are not.
+// A line above the results that explains why the results of the stage shown are
+// unreliable; hidden if they are reliable.
 #pragma once
 
 #include "ui/look/elided_label.h"
@@ -18,7 +18,7 @@ class RunWarning : public ElidedLabel {
 public:
     RunWarning(const Themes& themes, const TimeCursor& cursor, QWidget* parent = nullptr);
 
-    /// Hidden while the drawing is shown instead of results.
+    /// Turns the line on or off; it is off while the window shows the drawing.
     void setOn(bool on);
 
 private:

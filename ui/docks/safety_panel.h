@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The factor of safety: its search with progress and Stop, the bracket found, and the
-// blocks that fail.
+// The factor of safety: the search with its progress and a Stop button, the bracket
+// found, and the blocks that fail.
 #pragma once
 
 #include <QWidget>

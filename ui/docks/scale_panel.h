@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The choice of a colour scale for a quantity, opened from its bar in the legend: the
-// range of values, whether extremes are excluded, and colour steps. Every change is
-// shown at once.
+// Settings for the colour scale of a quantity, opened from its colour bar in the
+// legend: range of values, exclusion of extreme values, and number of colour steps.
+// Every change takes effect at once.
 #pragma once
 
 #include "ui/picture/legend.h"
@@ -24,10 +24,12 @@ class ScalePanel : public QFrame {
     Q_OBJECT
 
 public:
-    /// \param bar as shown. \param clips whether extreme values can be excluded. Deletes itself when it closes.
+    /// The panel deletes itself when it closes.
+    /// \param bar the colour bar as shown
+    /// \param clips whether extreme values can be excluded
     ScalePanel(const LegendBar& bar, const ShownNumbers& numbers, bool clips, ViewSettings& settings, QWidget* parent);
 
-    /// Opens with its upper right corner at a point of the screen, moved if the screen has no room there.
+    /// Opens the panel with its upper right corner at `corner` on the screen, or shifted if there is not enough room.
     void openAt(const QPoint& corner);
 
 private:
@@ -39,7 +41,7 @@ private:
     std::optional<ValueRange> typed();
 
     LegendBar bar_;
-    double factor_;  // shown = factor · value in units of pictures
+    double factor_;  // display value = `factor_` × value of the bar
     ViewSettings& settings_;
     QRadioButton *all_, *frame_, *own_;
     QLineEdit *from_, *to_;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shows whether a run is stable, which blocks are not, and the utilisation of each
-// bolt. A click on a block outlines it, a click on a bolt selects it.
+// Shows whether the section is stable in the run, which blocks are unstable, and the
+// utilisation of each bolt. A click on a block outlines it; a click on a bolt selects
+// it.
 #pragma once
 
 #include "solver/results/bolt_use.h"
@@ -25,7 +26,7 @@ class LiveRun;
 class Themes;
 class TimeCursor;
 
-/// A bolt at the last frame: its state, and the energy that it has absorbed [J].
+/// A bolt in the last frame: its state and the energy that it has absorbed [J].
 struct BoltEnd {
     BoltCondition condition = BoltCondition::NotInstalled;
     double elastic = 0.0, plastic = 0.0, bond = 0.0;
@@ -41,7 +42,7 @@ public:
     QSize sizeHint() const override { return {415, 214}; }
 
 Q_SIGNALS:
-    void blockAsked(int block, const QString& how);  // row of the solved blocks
+    void blockAsked(int block, const QString& how);  // index among the solved blocks
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -64,11 +65,11 @@ private:
     QLabel* worst_;
     QTreeWidget* blocks_;
     QTreeWidget* bolts_;
-    std::shared_ptr<const LiveRun> run_;  // null: none is shown
-    std::size_t read_ = 0;  // frames of the run when its bolts were last read
-    std::vector<BoltUse> uses_;  // of the run so far, highest utilisation first
-    std::vector<BoltEnd> ends_;  // one row per bolt
-    Background reader_;  // last member: destroyed before the data its results are written to
+    std::shared_ptr<const LiveRun> run_;  // null: no run is shown
+    std::size_t read_ = 0;  // number of frames of the run when its bolts were last read
+    std::vector<BoltUse> uses_;  // in the run so far, highest utilisation first
+    std::vector<BoltEnd> ends_;  // one per bolt
+    Background reader_;  // last member: destroyed before the data to which it delivers results
 };
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The band across the window for the time shown: playback controls, readout, event
-// counts and the track below. Without a run it says how to get one.
+// The timeline across the window: playback controls, the time shown, event counts, and
+// the track below. If there is no run, it explains how to start one.
 #pragma once
 
 #include "solver/results/event_groups.h"
@@ -28,7 +28,7 @@ class TimeLine : public QWidget {
     Q_OBJECT
 
 public:
-    /// \pre the commands of runs and of time have been added.
+    /// \pre the commands for runs and for the time shown have been added.
     TimeLine(const Themes& themes, const Display& display, Commands& commands, TimeCursor& cursor,
              const BoltChoice& choice, QWidget* parent = nullptr);
 
@@ -65,7 +65,7 @@ private:
     QToolButton *live_ = nullptr, *next_ = nullptr;
     QLabel* events_ = nullptr;
     std::array<QToolButton*, eventGroups.size()> counts_{};
-    int short_ = 0;  // 0: all is shown
+    int short_ = 0;  // level of abbreviation; 0: everything is shown in full
     std::size_t counted_ = 0;
     EventCounts numbers_;
 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The stages of a run side by side with their progress, the events below, and the two
-// cursors: click and drag to scrub, wheel to zoom.
+// The stages of a run side by side with their progress, the events below them, and the
+// two cursors. Clicking and dragging moves through time; the wheel zooms.
 #pragma once
 
 #include "solver/results/results.h"
@@ -18,16 +18,16 @@ namespace keyblock {
 class Themes;
 class TimeCursor;
 
-/// A mark that fits, or the position of events whose marks do not.
+/// An event whose mark fits on the timeline, with the number of events that the mark represents.
 struct PlacedEvent {
     EventGroup group = EventGroup::Slip;
     double x = 0.0;  // [px]
     std::size_t event = 0;
-    int count = 1;  // events at this mark, including those without room
+    int count = 1;  // events represented by this mark, including those without room for their own
 };
 
-/// The most severe events first, each at least `least` [px] from those already placed; `places` [px], one per event,
-/// NaN for events that are not shown.
+/// Places the marks of the most severe events first and omits those less than `least` [px] from a mark already placed.
+/// \param places position of each event [px]; NaN: the event is not shown
 std::vector<PlacedEvent> placedEvents(const std::vector<Event>& events, const std::vector<double>& places,
                                       double least);
 
@@ -37,12 +37,12 @@ class TimeTrack : public QWidget {
 public:
     TimeTrack(const Themes& themes, TimeCursor& cursor, QWidget* parent = nullptr);
 
-    /// Shows all stages again.
+    /// Shows all stages.
     void zoomOut();
     double low() const { return low_; }
     double high() const { return high_; }
 
-    static constexpr double inset = 16.0;  // margin of the axis at both sides [px]
+    static constexpr double inset = 16.0;  // margin at both ends of the axis [px]
 
     QSize sizeHint() const override { return {600, 76}; }
 
@@ -79,7 +79,7 @@ private:
     const Themes& themes_;
     TimeCursor& cursor_;
     TimeAxis axis_;
-    double low_ = 0.0, high_ = 1.0;  // part of the axis shown
+    double low_ = 0.0, high_ = 1.0;  // part of the axis that is shown
     Drag drag_ = Drag::Nothing;
     QPointF dragFrom_;
     double dragLow_ = 0.0;
@@ -90,9 +90,9 @@ private:
         int width = 0;
         bool valid = false;
     };
-    mutable Laid laid_;  // conditions of the current layout of marks
+    mutable Laid laid_;  // state for which `marks_` was computed
     mutable std::vector<PlacedEvent> marks_;
-    mutable std::vector<int> columns_;  // pixel columns with events, rising
+    mutable std::vector<int> columns_;  // pixel columns that contain events, in ascending order
 };
 
 }  // namespace keyblock

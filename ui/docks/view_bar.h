@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bar above the canvas: which results are shown, and how.
+// The bar above the canvas that selects which results are shown and how.
 #pragma once
 
 #include <QWidget>
@@ -51,8 +51,8 @@ private:
     QComboBox *blocks_, *bolts_, *ribbon_, *factor_, *arrows_;
     QToolButton *callOuts_, *contacts_;
     std::vector<QToolButton*> toggles_;
-    QToolButton* more_ = nullptr;  // for controls that do not fit
-    std::vector<QWidget*> hidden_;  // controls that do not fit, from the left
+    QToolButton* more_ = nullptr;  // menu for controls that do not fit
+    std::vector<QWidget*> hidden_;  // controls that do not fit, from left to right
     bool hasCommands_ = false;
 };
 

@@ -55,7 +55,8 @@ public:
     void grid(double spacing);
 
     /// The strip at the top left of the canvas: bold prompt, detail, and a coloured left edge 3 px wide. Returns its
-    /// rectangle. \param room width available [px]
+    /// rectangle.
+    /// \param room width available [px]
     static QRectF prompt(QPainter& painter, const Theme& theme, const QString& text, const QString& detail, bool warns,
                          double room);
 
