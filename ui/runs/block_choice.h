@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The selected block of the run. Blocks of a run are not objects of the scene, which
-// may have been edited and cut differently since, so the document cannot select them.
+// The selected block of the run. The blocks of a run are not objects of the scene,
+// which may have been edited and cut differently since, so the document cannot select
+// them.
 #pragma once
 
 #include <QObject>
@@ -19,7 +20,7 @@ public:
     /// Selecting a bolt deselects the block.
     BlockChoice(const TimeCursor& cursor, BoltChoice& bolts, QObject* parent = nullptr);
 
-    /// Row of the solved blocks of the run shown; −1: none.
+    /// Index among the solved blocks of the run shown; −1: none.
     int block() const { return block_; }
     void choose(int block);
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The selected bolt of the run. Results have every bolt, including those of patterns;
-// the document selects single bolts, and patterns as a whole. So a bolt of a pattern is
-// chosen here, and the document selects its pattern. Bolts are matched by name, as the
-// document may have been edited since the run.
+// The selected bolt of the run. Results contain every bolt, including those of
+// patterns, whereas the document can select a pattern only as a whole. Selecting a bolt
+// of a pattern here therefore selects its pattern in the document. Bolts are matched by
+// name, because the document may have been edited since the run.
 #pragma once
 
 #include <QObject>
@@ -21,7 +21,7 @@ class BoltChoice : public QObject {
 public:
     BoltChoice(const Document& document, Selection& selection, const TimeCursor& cursor, QObject* parent = nullptr);
 
-    /// Row among the bolts of the run shown; −1: no particular one.
+    /// Index among the bolts of the run shown; −1: no particular bolt.
     int bolt() const { return bolt_; }
     void choose(int bolt);
 

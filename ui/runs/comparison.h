@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A second run, of this scene or another, for comparison with the one shown: its own
-// cursor follows the first by time. Without a second run only this object exists.
+// A second run, of this scene or another, for comparison with the run shown. It has its
+// own time cursor, which follows the time of the first. Unless runs are compared,
+// nothing but this object exists.
 #pragma once
 
 #include "ui/document/background.h"
@@ -24,18 +25,18 @@ public:
     explicit Comparison(TimeCursor& first, QObject* parent = nullptr);
     ~Comparison() override;
 
-    /// Reads the store in the background and shows its run next to the first.
+    /// Reads the run store in the background, then shows its run next to the first.
     void begin(const QString& store);
     void end();
     bool isOn() const;
 
     TimeCursor& first() const { return first_; }
     TimeCursor& second() const { return *second_; }
-    /// Path of the second run's store; empty: none.
+    /// Path of the second run's store; empty if there is no second run.
     QString store() const;
 
 Q_SIGNALS:
-    void changed();  // another second run, or none
+    void changed();  // a different second run, or none
     void failed(const QString& message);
 
 private:
@@ -44,10 +45,10 @@ private:
     TimeCursor& first_;
     TimeCursor* second_;
     Background opening_;
-    int asked_ = 0;  // so that a comparison that was closed meanwhile does not start
+    int asked_ = 0;  // number of requests, to recognise a comparison that was closed while it was being opened
 };
 
-/// "Run 2 · drift-bolted" for drift-bolted-2.kbrun.
+/// Title of a run from the path of its store, e.g. "Run 2 · drift-bolted" for drift-bolted-2.kbrun.
 QString runTitle(const QString& store);
 
 }  // namespace keyblock

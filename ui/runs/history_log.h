@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rows of a history that are only ever appended. A copy is cheap and does not grow, so
-// that another thread can read the state at the time of the copy.
+// A history to which rows are only appended. Copies are cheap and do not grow, so that
+// another thread can read the history as it was at the time of the copy.
 #pragma once
 
 #include "solver/results/results.h"
@@ -17,7 +17,7 @@ class HistoryLog {
 public:
     void append(std::vector<HistoryRow> rows);
     std::size_t size() const { return size_; }
-    /// \pre `row` is below the number of rows.
+    /// \pre `row` is less than the number of rows.
     const HistoryRow& operator[](std::size_t row) const;
     std::vector<HistoryRow> all() const;
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Buffer between the run's thread and the window: everything since the window last read
-// it. The solver appends under a lock that is held only for the append, and never waits
+// Buffer between the thread of the run and the window: it collects everything since the
+// window last read it. The solver holds the lock only to append data, and never waits
 // for drawing.
 #pragma once
 
@@ -18,45 +18,45 @@
 
 namespace keyblock {
 
-/// Worst values of the steps since the previous sample.
+/// Worst values over the steps since the previous sample.
 struct HealthSample {
     int stage = 0;
-    double time = 0.0;  // within the stage, of the last step
-    long steps = 0;  // in the run so far
-    long stepCuts = 0;  // in the stage so far
+    double time = 0.0;  // time of the last step within its stage
+    long steps = 0;  // number of steps in the run so far
+    long stepCuts = 0;  // time-step reductions in the stage so far
     StepHealth worst;
 };
 
-/// Joins two consecutive samples.
+/// Combines two consecutive samples into one. If the stage changes between them, the result is `second`.
 HealthSample joined(const HealthSample& first, const HealthSample& second);
 
-/// A state between two steps.
+/// The state after a step.
 struct ShownFrame {
     std::shared_ptr<const Frame> frame;
-    std::optional<std::size_t> stored;  // its number among stored frames, from 0; none: between two of them
+    std::optional<std::size_t> stored;  // index among the stored frames; none: the state is not stored
 };
 
-/// The start of a run, new or resumed.
+/// Data at the start of a run, new or resumed.
 struct LiveStart {
-    std::shared_ptr<const Scene> scene;  // as solved: cut
+    std::shared_ptr<const Scene> scene;  // the scene as solved, after cutting
     HistoryColumns columns;
 };
 
 struct LiveBatch {
-    std::optional<LiveStart> start;  // all earlier data are dropped
+    std::optional<LiveStart> start;  // if set, all earlier data are discarded
     std::vector<int> stagesBegun;
     std::vector<StageResult> stagesEnded;
     std::vector<Event> events;
     std::vector<HistoryRow> history;
     std::vector<FrameHead> frames;
-    ShownFrame newest;  // null: no newer one
+    ShownFrame newest;  // latest state; `frame` is null if there is no newer one
     std::optional<Progress> progress;
     std::optional<HealthSample> health;
 };
 
 class LiveFeed {
 public:
-    /// The data since the last call. Called by the window.
+    /// Returns the data collected since the last call. Called by the window.
     LiveBatch take();
 
     // Called by the run's thread.
@@ -65,11 +65,12 @@ public:
     void stageEnds(const StageResult& result);
     void event(const Event& event);
     void history(const HistoryRow& row);
-    /// Keeps a copy of the frame if the window has taken the previous one.
+    /// Adds the head of a stored frame, and a copy of the frame if the window has called `take` since the last copy.
     void frame(const Frame& frame, std::size_t number);
     void look(const Frame& frame);
     void progress(const Progress& progress);
-    /// Results that a store held before the run was resumed; null: all of them. Replaces earlier data.
+    /// Replaces all data by the results that a store held before the run was resumed. \param until checkpoint from
+    /// which the run resumes; null: all results in the store
     void earlier(const RunSource& run, const Checkpoint* until = nullptr);
 
 private:
@@ -78,10 +79,10 @@ private:
     std::atomic<bool> frameWanted_{true};
 };
 
-/// Passes everything to a store first, so that the window only sees data that are saved.
+/// Writes all results to a store before passing them to the feed, so that the window only shows data that are saved.
 class LiveSink : public Sink {
 public:
-    /// Both must outlive this. \param solved the scene as solved.
+    /// \param store,feed must outlive this object. \param solved the scene as solved.
     LiveSink(Sink& store, LiveFeed& feed, std::shared_ptr<const Scene> solved);
 
     void begin(const Scene& scene, const HistoryColumns& columns) override;

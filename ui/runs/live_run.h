@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run as the window sees it, in progress or finished: events, history and frame
-// headers in memory, the frames themselves in the store. The window's thread appends to
-// it and reads it; other threads get a `Moment`, or a `RunSoFar`.
+// A run in progress or finished, as the window shows it: events, history and frame
+// headers in memory, the frames themselves in the store. Only the window's thread
+// appends to it and reads it; other threads use snapshots, `Moment` or `RunSoFar`.
 #pragma once
 
 #include "solver/files/run_store/stored_frames.h"
@@ -24,13 +24,13 @@ namespace keyblock {
 
 class LiveRun : public RunSource {
 public:
-    /// A new run that writes to this store.
+    /// A new run, which writes to this store.
     LiveRun(std::filesystem::path store, const LiveStart& start);
 
-    /// A run read from a store, except its frames. \throws CannotRead
+    /// Reads a run from a store; its frames are read later, one by one. \throws CannotRead
     static std::shared_ptr<LiveRun> opened(const std::filesystem::path& store);
 
-    /// Appends a batch; a batch with a start belongs to a new `LiveRun`.
+    /// Appends a batch of data. A batch with a `start` needs a new `LiveRun`.
     void append(LiveBatch batch);
 
     const Scene& scene() const override { return *scene_; }
@@ -42,21 +42,21 @@ public:
     const std::vector<FrameHead>& frames() const override { return heads_; }
     Frame frame(std::size_t index) const override { return *sharedFrame(index); }
 
-    // The same without copies.
+    // Access without copying.
     const std::vector<StageRecord>& stageList() const { return stages_; }
     const std::vector<Event>& eventList() const { return events_; }
     const HistoryLog& historyRows() const { return history_; }
-    /// A snapshot; it does not grow.
+    /// Snapshot of the events; it does not grow.
     std::shared_ptr<const std::vector<Event>> sharedEvents() const;
 
-    /// The newest state, stored or not; null before the first, and for a run opened from a file.
+    /// The latest state, stored or not; its frame is null before the first state and for a run opened from a file.
     const ShownFrame& newest() const { return newest_; }
 
-    /// Diagnostics of the steps, a few hundred samples at most; empty for a run opened from a file.
+    /// Solver diagnostics of the steps, at most a few hundred samples; empty for a run opened from a file.
     const std::vector<HealthSample>& health() const { return health_; }
     const std::optional<Progress>& progress() const { return progress_; }
 
-    /// A stored frame, from any thread; the last few are kept. \throws CannotRead
+    /// A stored frame. Can be called from any thread; the frames used last stay in memory. \throws CannotRead
     std::shared_ptr<const Frame> sharedFrame(std::size_t index) const;
 
     const std::filesystem::path& store() const { return store_; }
@@ -70,25 +70,25 @@ private:
     HistoryColumns columns_;
     std::vector<StageRecord> stages_;
     std::vector<Event> events_;
-    mutable std::shared_ptr<const std::vector<Event>> handedOut_;  // shared copy of the events, until there are more
+    mutable std::shared_ptr<const std::vector<Event>> handedOut_;  // copy of the events, until more are appended
     HistoryLog history_;
     std::vector<FrameHead> heads_;
     ShownFrame newest_;
     std::vector<HealthSample> health_;
-    int joinedSteps_ = 1, pendingJoins_ = 0;  // samples of the feed per sample here; in the last one so far
+    int joinedSteps_ = 1, pendingJoins_ = 0;  // samples combined per entry of `health_`; still to add to the last
     std::optional<Progress> progress_;
 
     StoredFrames frames_;
     mutable std::mutex loading_;
-    mutable std::list<std::pair<std::size_t, std::shared_ptr<const Frame>>> loaded_;  // the newest first
+    mutable std::list<std::pair<std::size_t, std::shared_ptr<const Frame>>> loaded_;  // most recently used first
 };
 
-/// One time of a run as a snapshot: pictures are made from it, on any thread.
+/// Snapshot of a run at one time, from which any thread can make drawings.
 class Moment : public RunSource {
 public:
-    /// A stored frame.
+    /// Snapshot of the stored frame `index`.
     Moment(std::shared_ptr<const LiveRun> run, std::size_t index);
-    /// The run's newest state. \pre it exists.
+    /// Snapshot of the latest state of the run. \pre the state exists.
     explicit Moment(std::shared_ptr<const LiveRun> run);
 
     const Scene& scene() const override { return run_->scene(); }
@@ -97,13 +97,13 @@ public:
     std::vector<StageRecord> stages() const override { return stages_; }
     std::vector<Event> events() const override { return *events_; }
     std::vector<HistoryRow> history() const override { return {}; }
-    const std::vector<FrameHead>& frames() const override { return heads_; }  // the snapshot's frame
+    const std::vector<FrameHead>& frames() const override { return heads_; }  // of this frame
     Frame frame(std::size_t) const override { return *sharedFrame(); }
 
     std::shared_ptr<const Frame> sharedFrame() const;
 
 private:
-    std::shared_ptr<const LiveRun> run_;  // for unchanging data, and for frames
+    std::shared_ptr<const LiveRun> run_;  // for data that do not change, and to load frames
     std::vector<StageRecord> stages_;
     std::shared_ptr<const std::vector<Event>> events_;
     std::vector<FrameHead> heads_;
@@ -111,7 +111,7 @@ private:
     std::shared_ptr<const Frame> frame_;  // null: not loaded yet
 };
 
-/// Everything of a run so far as a snapshot: curves are made from it, on any thread.
+/// Snapshot of a whole run so far, from which any thread can make curves.
 class RunSoFar : public RunSource {
 public:
     explicit RunSoFar(std::shared_ptr<const LiveRun> run);
@@ -126,7 +126,7 @@ public:
     Frame frame(std::size_t index) const override { return *run_->sharedFrame(index); }
 
 private:
-    std::shared_ptr<const LiveRun> run_;  // for unchanging data, and for frames
+    std::shared_ptr<const LiveRun> run_;  // for data that do not change, and to load frames
     std::vector<StageRecord> stages_;
     std::shared_ptr<const std::vector<Event>> events_;
     HistoryLog history_;

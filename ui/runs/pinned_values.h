@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points that the user pinned on the section, with their values over the run. They
-// belong to the view, not to the scene. Frames are read in the background, each once;
-// without pins nothing is read.
+// Points that the user has pinned on the section, with their values over the run. Pins
+// belong to the view, not to the scene. Each frame is read once, in the background;
+// without pins no frames are read.
 #pragma once
 
 #include "ui/document/background.h"
@@ -27,15 +27,15 @@ public:
     explicit Pins(const TimeCursor& cursor, QObject* parent = nullptr);
     ~Pins() override;
 
-    /// In the order in which they were pinned.
+    /// Values of the pins, in the order in which the points were pinned.
     const std::vector<std::shared_ptr<const PinTrack>>& tracks() const { return tracks_; }
     std::vector<Pin> pins() const;
 
-    /// Adds a pin with the smallest free number, and returns the number.
+    /// Adds a pin under the smallest unused number, and returns this number.
     int add(Pin pin);
     void remove(int number);
     void clear();
-    /// Whether the curves include all frames of the run.
+    /// True if the values cover all frames of the run.
     bool isComplete() const;
 
 Q_SIGNALS:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Commands for runs and for the time shown.
+// Commands for runs and for the time cursor.
 #pragma once
 
 namespace keyblock {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The runs of the document: those next to its file, the one in progress, and stores
-// opened directly. Each run has its own store; none is overwritten.
+// The runs of the document: those in stores next to its file, the run in progress, and
+// stores that the user opened directly. Each run has its own store; no store is
+// overwritten.
 #pragma once
 
 #include "solver/files/run_store/run_summary.h"
@@ -25,15 +26,15 @@ class TimeCursor;
 
 struct RunEntry {
     QString path;
-    int number = 0;  // as in NAME-3.kbrun; 0: the store has none
-    QDateTime time;  // of the last change
-    std::optional<RunSummary> summary;  // none: it is in progress, or cannot be read
-    QString problem;  // why it cannot be read
+    int number = 0;  // from the name NAME-3.kbrun; 0: the name has no number
+    QDateTime time;  // when the store last changed
+    std::optional<RunSummary> summary;  // none: the run is in progress, or its store cannot be read
+    QString problem;  // why the store cannot be read
     bool goesOn = false;
     bool ofEarlierScene = false;
 
     QString name() const;  // "Run 3", or the name of the file
-    QString outcomeText() const;  // "finished", "stopped in Burst", …
+    QString outcomeText() const;  // e.g. "finished" or "stopped in Burst"
 };
 
 class Runs : public QObject {
@@ -43,47 +44,47 @@ public:
     Runs(Document& document, TimeCursor& cursor, QObject* parent = nullptr);
     ~Runs() override;
 
-    /// The document's runs, the newest first.
+    /// The runs of the document, latest first.
     const std::vector<RunEntry>& entries() const { return entries_; }
-    /// Looks for stores again.
+    /// Searches for stores again.
     void refresh();
 
-    /// Number of threads for new runs; 0: as many as the machine has.
+    /// Number of threads for new runs; 0: one per processor.
     void setThreads(int threads) { threads_ = threads; }
 
-    /// Why the document cannot be run; empty: it can.
+    /// Why the document cannot be run; empty if it can.
     QString nothingToRun() const;
-    /// Starts a run of the document, unless one is in progress.
+    /// Starts a run of the document. If a run is in progress, reports an error instead.
     void start();
-    /// Resumes an interrupted run. \pre it is resumable.
+    /// Resumes an interrupted run. \pre the run can be resumed.
     void resume(const QString& store);
     void pauseOrGoOn();
     void step();
     void stop();
-    /// The run in progress, or the last one; null before the first.
+    /// The run in progress, or the last one; null before the first run.
     RunSession* session() const { return session_.get(); }
     bool isRunning() const;
 
-    /// Shows a stored run; reads it in the background.
+    /// Reads a stored run in the background, then shows it.
     void open(const QString& store);
-    /// Shows the newest readable run of the document, if there is one and none is in progress.
+    /// Shows the latest readable run of the document. Does nothing if there is none, or while a run is in progress.
     void openNewest();
-    /// Deletes a store permanently. Reports an error if that fails.
+    /// Deletes a store permanently; reports an error if this fails.
     void remove(const QString& store);
-    /// Path of the store shown; empty: none.
+    /// Path of the store of the run shown; empty if no run is shown.
     QString shown() const;
 
-    /// "Run 12 used an earlier version of the scene"; empty if the run shown is of the current scene.
+    /// E.g. "Run 12 used an earlier version of the scene"; empty if the run shown used the current scene.
     QString staleness() const;
 
-    /// Stops a run in progress and waits for it; results so far are kept.
+    /// Stops the run in progress, if any, and waits for its end; results so far are kept.
     void stopForClosing();
 
 Q_SIGNALS:
     void listChanged();
-    void sessionChanged();  // another session, or a new state of it
+    void sessionChanged();  // a new session, or a new state of the current one
     void advanced();  // progress of the session
-    void sceneChanged();  // the document was edited: it may have become runnable, or not runnable
+    void sceneChanged();  // the document was edited, so that it may have become runnable or not
     void shownChanged();
     void stalenessChanged();
     void reported(const QString& message, bool isError);
@@ -104,8 +105,8 @@ private:
     int threads_ = 0;
     std::unique_ptr<RunSession> session_;
     std::vector<RunEntry> entries_;
-    QString opened_;  // a store that does not belong to the document
-    int documents_ = 0;  // number so far
+    QString opened_;  // store opened by the user that does not belong to the document
+    int documents_ = 0;  // number of documents so far
     QString documentHash_, shownHash_;
     Background listing_, opening_;
 };

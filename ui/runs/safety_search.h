@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Searches for the factor of safety of the document in the background while the window
-// stays usable.
+// Searches for the factor of safety of the document in the background, so that the
+// window stays usable.
 #pragma once
 
 #include "solver/run/safety.h"
@@ -28,22 +28,22 @@ class SafetySearch : public QObject {
 
 public:
     explicit SafetySearch(const Document& document, QObject* parent = nullptr);
-    /// Stops and waits.
+    /// Stops the search and waits for its thread.
     ~SafetySearch() override;
 
-    /// Searches for the factor of the current document, unless a search is in progress.
+    /// Starts a search for the current document, unless one is in progress.
     void start();
     void stop();
     bool isBusy() const { return busy_; }
 
-    // Of the latest search.
+    // Results of the latest search.
     const std::vector<SafetyRun>& runs() const { return runs_; }
-    const std::optional<SafetyFactor>& found() const { return found_; }  // none: it is not finished
+    const std::optional<SafetyFactor>& found() const { return found_; }  // none: the search has not finished
     const QString& problem() const { return problem_; }  // why there is no factor; empty: no error
     const std::vector<std::string>& blockNames() const { return names_; }
     const Scene& scene() const { return *scene_; }
-    double factorNow() const { return factor_; }  // of the run in progress
-    double fractionNow() const { return fraction_; }  // of that run, 0 … 1
+    double factorNow() const { return factor_; }  // strength reduction factor of the run in progress
+    double fractionNow() const { return fraction_; }  // completed fraction of this run, 0 … 1
 
 Q_SIGNALS:
     void changed();
@@ -62,10 +62,10 @@ private:
     QString problem_;
     std::atomic<double> factor_{1.0}, fraction_{0.0};
     Control control_;
-    std::mutex mutex_;  // protects the runs that the thread hands over
+    std::mutex mutex_;  // protects `newRuns_`, which the thread fills
     std::vector<SafetyRun> newRuns_;
     QTimer poll_;
-    Background searching_;  // last member: it waits for the thread, which uses the others
+    Background searching_;  // last member: its destructor waits for the thread, which uses the other members
 };
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Creates pictures of results on its own thread: at the time of the time cursor, with
-// the view settings, with ranges over all frames of the run. During a run the ranges
-// grow with the frames shown.
+// Makes the drawings of results on its own thread, for the time shown and with the view
+// settings. Colour ranges cover all frames of the run; during a run they grow with the
+// frames shown.
 #pragma once
 
 #include "ui/document/background.h"
@@ -30,22 +30,22 @@ public:
                 QObject* parent = nullptr);
     ~SectionFeed() override;
 
-    /// Whether results are wanted, if there are any, or the scene as drawn.
+    /// True: shows results if there are any. False: shows the drawing.
     void showResults(bool results);
     bool showsResults() const;
 
-    /// Common ranges for this run and a second one; null: for this one only. One of the two is the leader: steel
-    /// limits and round-off are those of its scene.
+    /// Sets a second run with which this run shares its colour ranges; null: no second run. Exactly one of the two runs
+    /// leads: its scene determines the steel limits and the round-off threshold of both.
     void shareRanges(std::shared_ptr<const LiveRun> other, bool leads);
 
-    /// The newest picture of results; null before the first.
+    /// The latest drawing of results; null before the first.
     const std::shared_ptr<const SectionPicture>& picture() const { return picture_; }
-    /// The frame of that picture.
+    /// The frame of this drawing.
     const std::shared_ptr<const Frame>& frame() const { return frame_; }
 
 Q_SIGNALS:
     void pictureChanged();
-    void modeChanged();  // from results to drawing or back
+    void modeChanged();  // switched between results and drawing
     void failed(const QString& message);  // a frame could not be read
 
 private:
@@ -65,8 +65,8 @@ private:
     ViewSettings& settings_;
     const Display& display_;
     bool results_ = true, showed_ = false, goesOn_ = false;
-    std::shared_ptr<Ranges> ranges_;  // of the run and the quantities shown
-    std::shared_ptr<const LiveRun> other_;  // run that shares the ranges
+    std::shared_ptr<Ranges> ranges_;  // colour ranges of the run for the quantities shown
+    std::shared_ptr<const LiveRun> other_;  // second run with the same colour ranges
     bool leads_ = true;
     std::shared_ptr<const SectionPicture> picture_;
     std::shared_ptr<const Frame> frame_;

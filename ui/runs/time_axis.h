@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One axis for all stages of a scene, computed or not: the width of each stage depends
-// on its kind, and time is linear within it. Positions are fractions of the whole, 0 …
-// 1.
+// One axis for all stages of a scene, computed or not. The width of a stage depends on
+// its kind, and time is linear within a stage. Positions on the axis run from 0 to 1.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -17,24 +16,24 @@ class TimeAxis {
 public:
     struct Span {
         int stage = 0;
-        double from = 0.0, to = 0.0;  // on the axis
-        double duration = 1.0;  // [s] of a dynamic stage; pseudo-time 1 of a static one
+        double from = 0.0, to = 0.0;  // positions on the axis
+        double duration = 1.0;  // duration of a dynamic stage [s]; 1 (pseudo-time) for a static stage
     };
 
     TimeAxis() = default;
-    /// Dynamic stages are three times as wide as static ones.
+    /// Makes each dynamic stage three times as wide as a static one.
     explicit TimeAxis(const Scene& scene);
 
     const std::vector<Span>& spans() const { return spans_; }
     bool isEmpty() const { return spans_.empty(); }
-    /// Position of a time; the end of the axis for a stage that does not exist.
+    /// Position of a time within a stage; the end of the axis if the stage does not exist.
     double at(int stage, double time) const;
 
     struct Moment {
         int stage = 0;
         double time = 0.0;
     };
-    /// The time at a position; outside 0 … 1 the nearest end. \pre there is a stage.
+    /// Time at a position; the nearest end of the axis for positions outside 0 … 1. \pre there is at least one stage.
     Moment momentAt(double place) const;
 
 private:

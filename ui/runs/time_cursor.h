@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The run and time shown, common to section, timeline, bolt diagram and curves. It
-// plays, steps, jumps to events and follows a run in progress.
+// The run and the time shown, common to section, timeline, bolt diagram and curves.
+// Plays the run, steps through its frames, jumps to events, and follows a run in
+// progress.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -24,7 +25,7 @@ class Moment;
 /// A time within a stage.
 struct StageTime {
     int stage = 0;
-    double time = 0.0;  // [s], or pseudo-time 0 … 1
+    double time = 0.0;  // [s], or pseudo-time 0 … 1 in a static stage
 
     auto operator<=>(const StageTime&) const = default;
 };
@@ -36,73 +37,75 @@ public:
     explicit TimeCursor(QObject* parent = nullptr);
     ~TimeCursor() override;
 
-    /// Shows another run at its newest time; null: none. `goesOn`: it is in progress, and is followed.
+    /// Shows another run at its latest time; null: no run. \param goesOn true if the run is in progress; it is then
+    /// followed.
     void setRun(std::shared_ptr<LiveRun> run, bool goesOn);
-    /// The run grew. Moves to the end if it is followed.
+    /// Call after the run has grown. Moves to its latest time if the run is followed.
     void grown();
-    /// The run ended; its last frame is shown if it was followed.
+    /// Call after the run has ended. Moves to its last frame if the run was followed.
     void ranOut();
 
     const std::shared_ptr<LiveRun>& run() const { return run_; }
     bool goesOn() const { return goesOn_; }
-    /// Whether the newest time of a run in progress is followed.
+    /// True while the latest time of a run in progress is followed.
     bool isLive() const { return live_; }
     bool hasMoment() const;
-    /// Stored frame shown; none: there is none yet, or the time is between stored frames.
+    /// Index of the stored frame shown; none if no frame is stored yet, or if the state shown is not stored.
     std::optional<std::size_t> frame() const;
-    /// The same, or the last one before; none: no frame is stored yet.
+    /// Like `frame`, but gives the last stored frame if the state shown is not stored; none if no frame is stored yet.
     std::optional<std::size_t> storedFrame() const;
     /// \pre `hasMoment()`.
     FrameHead head() const;
-    /// Snapshot for pictures, on any thread; null without one.
+    /// Snapshot of the state shown, from which any thread can make drawings; null without `hasMoment()`.
     std::shared_ptr<const Moment> moment() const;
 
     void goTo(std::size_t frame);
-    void goTo(const StageTime& time);  // to the last frame that is not later
-    void goToEvent(const Event& event);  // to the first frame that shows it; else the last
+    void goTo(const StageTime& time);  // shows the last frame that is not later
+    void goToEvent(const Event& event);  // shows the first frame that includes the event; otherwise the last frame
     void goLive();
     void step(int by);
     void home();
-    void end();  // of a run in progress: follows it
-    /// To the state just before the next event of the visible kinds, if it was kept, then to the first frame that
-    /// shows the event; false if there is none. Minor events are skipped if others are shown.
+    void end();  // shows the last frame; follows a run in progress
+    /// Moves to the stored state just before the next event or, if there is none or it is already shown, to the first
+    /// frame that includes the event. Returns false if there is no such event. Hidden kinds are skipped, and minor
+    /// events too unless there are no others.
     bool nextEvent();
-    bool previousEvent();  // to the last such frame before the one shown
+    bool previousEvent();  // moves to the last such frame before the one shown
     bool hasNextEvent() const { return nextEventFrame().has_value(); }
     bool hasPreviousEvent() const { return previousEventFrame().has_value(); }
-    bool canStep(int by) const;  // to an existing frame
+    bool canStep(int by) const;  // whether the frame exists
     bool canGoHome() const;
     bool canGoToEnd() const;
 
-    void playOrPause();  // of a run that is followed: stops at its last stored frame
+    void playOrPause();  // while a run is followed: stops at its last stored frame
     void play();
     void pause();
     bool isPlaying() const { return timer_.isActive(); }
     double speed() const { return speed_; }
-    void setSpeed(double speed);  // 1: 25 frames a second
+    void setSpeed(double speed);  // 1: 25 frames per second
     bool loops() const { return loops_; }
     void setLoops(bool loops);
 
-    /// The time that others are compared with, a stored frame; none: not set. A is the time shown.
+    /// Stored frame with which the time shown (cursor A) is compared; none if cursor B is not set.
     std::optional<std::size_t> cursorB() const { return b_; }
     void setCursorB(std::optional<std::size_t> frame);
 
     const std::set<std::size_t>& bookmarks() const { return bookmarks_; }
-    void toggleBookmark();  // at the frame shown, or the last one before
+    void toggleBookmark();  // at the frame shown, or at the last stored frame before it
     void toggleCursorB();
 
-    /// Kinds of events that are hidden on the timeline and skipped.
+    /// Kinds of events that the timeline hides and that jumps to events skip.
     const std::set<EventKind>& hiddenKinds() const { return hidden_; }
     void setHidden(EventKind kind, bool hidden);
 
 Q_SIGNALS:
     void runChanged();
     void runGrew();
-    void moved();  // to another time
-    void changed();  // playing, speed, loop, cursor B, bookmarks, kinds
+    void moved();  // another time is shown
+    void changed();  // playback, speed, loop, cursor B, bookmarks or hidden kinds
 
 private:
-    /// Size of the run when it last grew.
+    /// State of the run when it was last reported to have grown.
     struct Followed {
         int stage = -1;
         long step = -1;

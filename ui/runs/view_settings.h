@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Display settings of results: quantities of blocks and bolts, the force diagram, the
-// scale factor of displacements, and overlays.
+// Display settings of results: quantities of blocks and bolts, force diagram, scale
+// factor of displacements, and overlays.
 #pragma once
 
 #include "solver/results/frame_quantities.h"
@@ -15,15 +15,15 @@
 
 namespace keyblock {
 
-enum class RibbonOf { Nothing, Selected, Largest };  // Selected: if none is, the largest
+enum class RibbonOf { Nothing, Selected, Largest };  // Selected: the bolt with the largest value if none is selected
 
 struct ViewChoice {
     const FrameQuantity<BlockState>* blocks = nullptr;  // null: plain rock
-    const FrameQuantity<BoltNodeFrame>* bolts = nullptr;  // null: plain
+    const FrameQuantity<BoltNodeFrame>* bolts = nullptr;  // null: plain bolts
     RibbonOf ribbon = RibbonOf::Selected;
     double factor = 1.0;  // scale factor of displacements
     std::optional<ArrowKind> arrows;
-    bool contacts = false;  // contact forces as lines
+    bool contacts = false;  // contact forces drawn as lines
     bool callOuts = true;  // labels at events
     ScaleChoices scales{};
 
@@ -34,7 +34,7 @@ class ViewSettings : public QObject {
     Q_OBJECT
 
 public:
-    /// The defaults: σ₁ and N.
+    /// The default settings: σ₁ for blocks and N for bolts.
     explicit ViewSettings(QObject* parent = nullptr);
 
     const ViewChoice& choice() const { return choice_; }
