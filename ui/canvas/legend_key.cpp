@@ -83,7 +83,7 @@ void paintLegendKey(QPainter& painter, const Theme& theme, const std::vector<Mar
     painter.setPen(theme.text);
     painter.drawText(QRectF(at, QSizeF(2.0 * column, 16.0)), Qt::AlignVCenter,
                      groups.points.empty() ? QCoreApplication::translate("Marks", "Marks")
-                                           : QCoreApplication::translate("Marks", "Bonded nodes"));
+                                           : QCoreApplication::translate("Marks", "Bolt nodes"));
     QPointF below = at + QPointF(0.0, titleRow);
     below.ry() += paintGroup(painter, theme, groups.points, below);
     if (!groups.points.empty() && !groups.steel.empty()) {

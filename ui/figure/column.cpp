@@ -181,7 +181,7 @@ ColumnItem arrowItem(const ArrowField& field, double scale, double width) {
 ColumnItem keyItem(std::vector<MarkKind> kinds, double width) {
     const double rows = static_cast<double>((kinds.size() + 1) / 2);
     return {2.0 + row * rows, [kinds, width](Ink& ink, const Point& at) {
-                ink.text(at + Point(0.0, 2.0), "Bonded nodes", text_style::heading);
+                ink.text(at + Point(0.0, 2.0), "Bolt nodes", text_style::heading);
                 for (std::size_t i = 0; i < kinds.size(); ++i) {
                     const Point place = at + Point(i % 2 ? 0.52 * width : 0.0,
                                                    2.0 + row * static_cast<double>(i / 2 + 1));
