@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Anderson's mixing (1965) of a fixed-point iteration: from what the last rounds
-// changed it takes the combination of them that would have changed least, as far as
-// the change is linear.
+// Anderson mixing (1965) for a fixed-point iteration. It forms the linear combination
+// of the last iterates whose residual would be smallest if the residual were linear
+// in the iterate.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,9 +17,10 @@ class AndersonMixing {
 public:
     explicit AndersonMixing(int remembered);
 
-    /// Takes a round that changed its values by `change` to `after`, and sets `after` to where the next had best begin.
-    /// \param linear what depends linearly on the values; it is combined as they are.
-    /// \return false in the first round, and where the iteration went astray and begins again: nothing is set then.
+    /// Records an iteration and sets `after` to the mixed iterate from which the next one should start.
+    /// \param change the change of the values in this iteration; \param after the values after it.
+    /// \param linear any quantities that depend linearly on the values; they are combined with the same weights.
+    /// \return false, with nothing set, in the first iteration and when mixing restarts because the iteration diverged.
     bool mix(const Eigen::VectorXd& change, std::vector<double>& after, Eigen::VectorXd& linear);
 
 private:
@@ -27,10 +28,10 @@ private:
     void multiply(const Eigen::VectorXd& change);
 
     int remembered_;
-    int kept_ = 0, newest_ = -1;  // differences of successive rounds: how many, and the column of the newest
-    Eigen::MatrixXd changes_, places_, linear_;  // a column per difference: of the changes, and of where they led
-    Eigen::MatrixXd products_;  // of the columns of `changes_` with each other
-    Eigen::VectorXd withLast_;  // products of the same with the last change
+    int kept_ = 0, newest_ = -1;  // number of stored differences of successive iterations; column of the latest
+    Eigen::MatrixXd changes_, places_, linear_;  // differences of `change`, `after` and `linear`, one per column
+    Eigen::MatrixXd products_;  // scalar products of the columns of `changes_` with each other
+    Eigen::VectorXd withLast_;  // scalar products of the columns of `changes_` with the last change
     Eigen::VectorXd lastAfter_, lastChange_, lastLinear_;
     double lastSize_ = std::numeric_limits<double>::infinity();
 };

@@ -1,36 +1,38 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far a trial displacement is from balance, and when that is near enough. Every
-// body is judged by the forces that act on it, because what a step leaves unbalanced
-// the body keeps as a change of its velocity; at rest also by what the step may leave
-// on it, however large those forces are (theory, "Tolerance").
+// Unbalanced forces at a trial displacement, and the convergence test on them. The
+// unbalanced force of each body is compared with the forces acting on that body,
+// because it remains as a change of the body's velocity. In a step at rest it must
+// also stay below an absolute limit per body, however large the acting forces are
+// (theory, "Tolerance").
 #pragma once
 
 #include "solver/engine/step/trial.h"
 
 namespace keyblock {
 
-/// What does not balance at a trial, and what it is compared with. Looks at problem, rows and trial, which have to stay
-/// as they are.
+/// Unbalanced forces at a trial and the forces they are compared with. Keeps pointers to problem, rows and trial, which
+/// must outlive it unchanged.
 class Balance {
 public:
-    /// \param passes made so far: what is left may be round-off from the second on; before the first, only that of
-    /// inertia and loads.
-    /// \param tolerance of the forces at play: round-off is looked into only where more is left.
+    /// \param passes the number of iterations made so far. Before the first, only round-off of inertia and loads is
+    /// allowed for; from the second on, also that of the links.
+    /// \param tolerance the relative tolerance. From the second iteration on, round-off is estimated only if the trial
+    /// exceeds it.
     Balance(const StepProblem& problem, const LinkRows& rows, const Trial& trial, int passes, double tolerance);
 
-    /// What is unbalanced over the forces at play, of the bodies that are off by more than round-off.
+    /// Unbalanced force over the acting forces, for the bodies whose unbalanced force exceeds round-off.
     double residual() const { return residual_; }
 
-    /// Body that is balanced worst.
+    /// Body with the largest relative unbalanced force.
     int worst() const { return worst_; }
 
-    /// True where what is left is less than `tolerance` of the forces at play and no more than a step at rest may leave on
-    /// any body, or round-off.
+    /// True if, apart from round-off, the unbalanced force is at most `tolerance` times the acting forces and no body
+    /// exceeds the unbalanced force allowed for it in a step at rest.
     bool within(double tolerance) const;
 
-    /// Force that `within` lets pass on a body [N].
+    /// Unbalanced force that is acceptable on a body [N].
     double slack(int body, double tolerance) const;
 
 private:
@@ -43,9 +45,9 @@ private:
     const LinkRows* rows_;
     const Trial* trial_;
     int passes_;
-    std::vector<double> forces_, noise_;  // [N] per body; noise_ empty: not looked into
+    std::vector<double> forces_, noise_;  // acting forces and round-off per body [N]; noise_ empty: not estimated
     double residual_ = 0.0;
-    double beyond_ = 0.0;  // largest unbalanced force of a body over what the step may leave on it
+    double beyond_ = 0.0;  // largest ratio of a body's unbalanced force to `mayLeave`
     int worst_ = -1;
 };
 

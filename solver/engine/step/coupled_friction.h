@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Newton's direction where friction slides. A sliding force changes with its normal
-// force, which makes the matrix unsymmetric: the symmetric part is factored, and a
-// few steps of GMRES (Saad and Schultz 1986) bring in the rest (theory, "The step").
+// Newton direction with sliding friction. A sliding force changes with its normal
+// force, which makes the matrix unsymmetric. The symmetric part is factored, and a
+// few iterations of GMRES (Saad and Schultz 1986) account for the rest (theory, "The
+// step").
 #pragma once
 
 #include "solver/engine/step/step_matrix.h"
@@ -13,14 +14,15 @@ namespace keyblock {
 
 struct Direction {
     Eigen::VectorXd displacement;  // padded
-    bool slides = false;  // friction slides: no energy falls along it for certain
-    bool coupled = true;  // friction limits follow along it; else they stay as they are
+    bool slides = false;  // some friction link slides, so the energy need not decrease along this direction
+    bool coupled = true;  // friction limits follow their normal forces along this direction; otherwise they are fixed
 };
 
-/// Solves (A + C)·x = net force of `at`, where A is the matrix of the step for the tangents there, of which `matrix` holds
-/// a factor or nearly one, and C is how sliding friction follows its normal forces. Where friction slides, to a few
-/// hundredths of the net force, which is closer the nearer `at` is to balance (`residual`); else to round-off. Padded, zero
-/// where prescribed. Where that is not reached, or leads uphill, C is left out.
+/// Solves (A + C)·x = net force at `at`. A is the step matrix for the tangents at `at`, and `matrix` holds an exact or
+/// approximate factor of it; C is the dependence of sliding friction on its normal forces. Without sliding the solution
+/// is accurate to round-off; with sliding, to a few per cent of the net force or better, more closely as `residual`
+/// decreases. If this is not reached, or the result is not a descent direction, C is left out. The displacement is
+/// padded and zero for prescribed unknowns.
 Direction coupledDirection(const StepProblem& problem, const LinkRows& rows, const Trial& at, StepMatrix& matrix,
                            double residual, StepWork& work);
 

@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A step solved for the forces of its contacts instead of the places of its blocks.
-// A place off by 1e-10 m flips a contact; a force off by as small a share does not:
-// so the forces say which contacts hold and which slide where Newton's line search
-// only stumbles from one change of state to the next.
+// Solves a step for its contact forces instead of its block displacements. A
+// displacement error of 1e-10 m can change the state of a contact, whereas an equally
+// small relative error of a force does not. The forces therefore show which contacts
+// stick and which slide where Newton's line search makes hardly any progress from one
+// change of state to the next.
 //
-// Gauss–Seidel sweeps over the links, each force set to what its law gives where the
-// bodies yield by their own inertia and elasticity, friction limited by the present
-// normal force (Jourdan, Alart and Jean 1998); successive sweeps, all in one
-// direction, are combined by Anderson's mixing (1965). The bodies balance at every
-// moment. Links of bolt nodes, which weigh too little to be held that way, keep the
-// force they have at the trial that the sweeps start from.
+// The links are visited in Gauss–Seidel sweeps. Each force is set to the value that
+// its law gives as the two bodies respond to it with their own inertia and elasticity;
+// friction is limited by the current normal force (Jourdan, Alart and Jean 1998). All
+// sweeps run in the same direction and are combined by Anderson mixing (1965). The
+// bodies are in equilibrium under the forces at all times. Bolt nodes have too little
+// mass for this method; their links keep the force of the trial from which the sweeps
+// start.
 #pragma once
 
 #include "solver/engine/step/step_matrix.h"
@@ -25,27 +27,28 @@ namespace keyblock {
 
 class DualSweeps {
 public:
-    /// \param carried forces to begin from, as of `carriedForces`.
+    /// \param carried the initial forces, from `carriedForces`.
     DualSweeps(StepProblem& problem, const LinkRows& rows, const std::vector<double>& carried);
 
-    /// Forces that the links carry where the step begins, under the friction limits that they have, before shares [N].
+    /// Forces of the links at the start of the step under their current friction limits, before shares [N].
     static std::vector<double> carriedForces(const StepProblem& problem, const LinkRows& rows);
 
-    /// True where there are contacts whose states the sweeps can find, and every body can be moved by its own stiffness
-    /// alone, which they need.
+    /// True if the problem has contacts and the stiffness of every block alone is positive definite, as the sweeps
+    /// require.
     bool possible() const { return possible_; }
 
-    /// Sweeps from the forces of the last time (at first those given), then solves for the displacement under the states
-    /// that the forces say. Friction limits are left to the next judgement.
-    /// \param from where the step was judged last; its forces of bolts are kept.
-    /// \return the displacement (padded), or nothing where the matrix is singular.
+    /// Sweeps from the forces of the previous call (in the first call, from the given ones), then solves for the
+    /// displacement under the contact states that follow from the forces. The friction limits are not updated to the
+    /// new displacement.
+    /// \param from the trial evaluated last; bolt links keep their forces at it.
+    /// \return the displacement (padded), or nothing if the matrix is singular.
     std::optional<Eigen::VectorXd> solve(const Trial& from, StepMatrix& matrix, StepWork& work);
 
 private:
-    /// What a law is taken as while the states stay.
+    /// Straight line that replaces a law while the contact states are fixed.
     struct Straight {
         double force = 0.0, tangent = 0.0, strain = 0.0;
-        double sliding = 0.0;  // ±1 where the force is ± the limit
+        double sliding = 0.0;  // ±1 if the force equals ± the friction limit, otherwise 0
 
         double at(double e) const { return force + tangent * (e - strain); }
     };
@@ -60,9 +63,9 @@ private:
     const LinkRows& rows_;
     SweptLinks swept_;
     bool possible_ = true;
-    std::vector<double> forces_;  // of the swept links, before shares
+    std::vector<double> forces_;  // per swept link, before shares [N]
     std::vector<char> isSwept_;  // per link
-    std::vector<Straight> laws_;  // of every link, after the last sweep
+    std::vector<Straight> laws_;  // per link, after the last sweep
 };
 
 }  // namespace keyblock

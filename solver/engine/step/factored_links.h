@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The links as the factor of a step's matrix has them, with the weights and gradients
-// of the step in which each was put in. From step to step links are found again by
-// what they connect; what has changed since is a rank to add to the factor, or to take
-// from it.
+// The links as they are contained in the factor of a step's matrix, each with the
+// weight and gradient of the step in which it was added. From step to step, links are
+// identified by the bodies and features that they connect. Each change since then is a
+// rank-one update or downdate of the factor.
 #pragma once
 
 #include "solver/engine/step/link_rows.h"
@@ -16,7 +16,7 @@
 
 namespace keyblock {
 
-/// A link in the factor.
+/// A link as contained in the factor.
 struct FactoredLink {
     double weight = 0.0;  // [N/m]; 0: not in the factor
     int firstA = 0, firstB = 0;  // padded unknowns
@@ -26,29 +26,29 @@ struct FactoredLink {
 class FactoredLinks {
 public:
     struct Changes {
-        std::vector<FactoredLink> add, take;
-        bool rounded = false;  // a weight that is nearly that of the factor is left as it is there
+        std::vector<FactoredLink> add, take;  // rank-one terms to add to the factor and to remove from it
+        bool rounded = false;  // some weight differs slightly from that in the factor, which is kept
         std::size_t count() const { return add.size() + take.size(); }
     };
 
-    /// Finds the links of a new step among those in the factor.
-    /// \return whether they are the same links in the same order.
+    /// Matches the links of a new step with those in the factor.
+    /// \return true if they are the same links in the same order.
     bool begin(const StepProblem& problem, const LinkRows& rows);
 
-    /// What turns the factor into one for these weights, one per link of the step.
+    /// Changes that turn the factor into the one for these weights, one per link of the step [N/m].
     Changes changesTo(const LinkRows& rows, std::span<const double> weights) const;
 
-    /// Notes that the factor has been changed by `changesTo`, or has been made in full.
+    /// Record that the changes from `changesTo` were applied to the factor, or that it was recomputed in full.
     void change(const LinkRows& rows, std::span<const double> weights);
     void renew(const LinkRows& rows, std::span<const double> weights);
 
-    /// Weight in the factor of a link of the step [N/m].
+    /// Weight that a link of the step has in the factor [N/m]; 0 if it is not in the factor.
     double weight(std::size_t link) const { return links_[link].weight; }
 
 private:
-    std::vector<std::uint64_t> keys_;  // of the step's links
+    std::vector<std::uint64_t> keys_;  // per link of the step
     std::vector<FactoredLink> links_;  // per link of the step
-    std::vector<FactoredLink> ended_;  // in the factor, but not of this step
+    std::vector<FactoredLink> ended_;  // in the factor, but no longer in the step
 };
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The law of a link in a few numbers, for loops that ask all links many times: a
-// straight line between two limits, where the step takes the force at its end. Any
-// other law is bent, and has to be asked itself.
+// Compact form of a link's law, for loops that evaluate all links many times: a
+// straight line between two limits, for steps that use the force at their end. Any
+// other law is marked as bent and must be evaluated itself.
 #pragma once
 
 #include "solver/engine/step/step_problem.h"
@@ -15,22 +15,22 @@ namespace keyblock {
 
 struct FlatLaw {
     double stiffness = 0.0, offset = 0.0;
-    double low = 0.0, high = 0.0;  // of the force, before its share [N]; `high` alone, without `factor`, where it follows
-    double factor = 0.0;  // a limit that follows rises by this times the push of the link that it follows
-    bool follows = false;
-    bool bent = false;
+    double low = 0.0, high = 0.0;  // bounds of the force before its share [N]; `high` is the constant part if `follows`
+    double factor = 0.0;  // if `follows`: increase of the limit per unit of compression of the normal link
+    bool follows = false;  // the limit depends on the force of another link
+    bool bent = false;  // not a straight line between two limits: evaluate the law itself
 
-    /// Limit under the force of the link that it follows [N].
+    /// Friction limit [N] for the force `from` of the normal link that it follows [N], compression negative.
     double limit(double from) const { return high + std::max(0.0, -factor * from); }
 };
 
-/// `std::clamp` by minimum and maximum: no processor can foretell branches by the states of links.
+/// Like `std::clamp`, but without branches, which the processor could not predict because link states vary.
 inline double clipped(double x, double low, double high) {
     const double above = x < low ? low : x;
     return high < above ? high : above;
 }
 
-/// The law of a link as it is.
+/// Compact form of a link's law with its current limit.
 inline FlatLaw flatLaw(const StepProblem& problem, const Link& link) {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
     const Law& law = link.law;
@@ -43,7 +43,7 @@ inline FlatLaw flatLaw(const StepProblem& problem, const Link& link) {
     return flat;
 }
 
-/// The same where its limit follows another link.
+/// Compact form of the law of a link whose limit follows the force of another link.
 inline FlatLaw flatLaw(const StepProblem& problem, const LimitPair& pair) {
     const Link& link = problem.links[static_cast<std::size_t>(pair.limited)];
     FlatLaw flat = flatLaw(problem, link);

@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Friction limits follow normal forces. Every trial has the limits of its own normal
-// forces, and Newton's direction includes how they change (coupled_friction.h).
+// Friction limits that follow normal forces. Each trial uses the limits from its own
+// normal forces, and the Newton direction includes their change (coupled_friction.h).
 #pragma once
 
 #include "solver/engine/step/step_problem.h"
 
 namespace keyblock {
 
-/// Sets the limit of a pair from the force that its other link gives to the step's balance, before its share [N].
+/// Sets the limit of a pair.
+/// \param force the force of the pair's normal link in the step's equilibrium, before its share [N].
 void setLimit(StepProblem& problem, const LimitPair& pair, double force);
 
-/// Sets every limit that follows another force to what the forces at `d` allow.
+/// Updates every limit that follows another force to the forces at displacement `d`.
 void correctFrictionLimits(StepProblem& problem, const Eigen::VectorXd& d);
 
 }  // namespace keyblock

@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far to go along a direction: to where the net force has no part along it any
-// more. With the friction limits as they are that is where the step's convex energy is
-// least.
+// Step length along a direction: the point at which the net force has no component
+// along the direction. With fixed friction limits this is the minimum of the step's
+// convex energy.
 #pragma once
 
 #include "solver/engine/step/trial.h"
 
 namespace keyblock {
 
-/// Step length in (0, 1] at which the slope vanishes; 1 where it still falls there.
-/// \param coupled friction limits follow their normal forces along the way (and are left as they are at the last length
-/// that was tried); else they stay as they are.
-/// \param rates of the links' strains along `direction`.
+/// Step length in (0, 1] at which the slope of the energy vanishes; 1 if the energy still decreases there.
+/// \param coupled true to let friction limits follow their normal forces along the direction; on return they are those
+/// of the last length tried. If false, the limits stay fixed.
+/// \param rates the rates of change of the links' strains along `direction`.
 double lineSearch(StepProblem& problem, const Trial& from, const Eigen::VectorXd& direction,
                   const std::vector<double>& rates, bool coupled);
 

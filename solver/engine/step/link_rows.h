@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gradients of all links side by side, for the sweeps over them that a step is
-// made of. Every link has twelve entries, six for either body. A body with fewer
-// unknowns, or none, has zeros, which meet the next body's unknowns or the padding
-// behind the last one: no loop asks how wide a body is.
+// The gradients of all links in one array, for the loops over links that make up a
+// step. Each link has twelve entries, six for each body. For a body with fewer
+// unknowns, or none, the remaining entries are zero and are multiplied by the next
+// body's unknowns or by the padding after the last one, so that no loop depends on the
+// number of unknowns of a body.
 #pragma once
 
 #include "solver/engine/step/step_problem.h"
@@ -16,28 +17,29 @@ namespace keyblock {
 
 class LinkRows {
 public:
-    /// Unknowns that a padded vector has in excess of the problem's; they stay zero.
+    /// Number of extra entries at the end of a padded vector; they stay zero.
     static constexpr int padding = 6;
 
     explicit LinkRows(const StepProblem& problem);
 
     std::size_t count() const { return first_.size(); }
 
-    /// Gradients of link i in its two bodies, six entries each.
+    /// Strain gradients of link i for its two bodies, six entries each.
     const double* gradient(std::size_t i) const { return &gradients_[12 * i]; }
 
-    /// First unknowns of its two bodies.
+    /// Index of the first unknown of body A or B of link i.
     int firstOfA(std::size_t i) const { return first_[i].a; }
     int firstOfB(std::size_t i) const { return first_[i].b; }
 
-    /// Force on either body per unit of the link's, moments and strains turned into forces by the problem's weights.
+    /// Norm of the generalised force on body A or B per unit force of link i, with moments and strain terms converted
+    /// to forces by the problem's weights.
     double pullOnA(std::size_t i) const { return pulls_[i].a; }
     double pullOnB(std::size_t i) const { return pulls_[i].b; }
 
-    /// Strain at no displacement.
+    /// Strain of link i at zero displacement.
     double start(std::size_t i) const { return start_[i]; }
 
-    /// What displacement `x` (padded) adds to the strain of link i.
+    /// Strain increment of link i due to displacement `x` (padded).
     double rate(std::size_t i, const double* x) const {
         const double *g = gradient(i), *a = x + first_[i].a, *b = x + first_[i].b;
         double ofA = 0.0, ofB = 0.0;
@@ -46,7 +48,7 @@ public:
         return ofA + ofB;
     }
 
-    /// Adds `force` along the gradient of link i to `sum` (padded).
+    /// Adds `force` times the gradient of link i to `sum` (padded).
     void add(std::size_t i, double force, double* sum) const {
         const double* g = gradient(i);
         double *a = sum + first_[i].a, *b = sum + first_[i].b;
@@ -54,7 +56,7 @@ public:
         for (int k = 0; k < 6; ++k) b[k] += force * g[6 + k];
     }
 
-    /// Rates of all links for `x` (padded), on all threads where there are many.
+    /// Strain increments of all links for `x` (padded), computed in parallel if there are many links.
     void rates(const Eigen::VectorXd& x, std::vector<double>& result) const;
 
     /// Strains of all links at displacement `d` (padded).
@@ -72,7 +74,7 @@ private:
     std::vector<Pulls> pulls_;
 };
 
-/// A vector over the unknowns with zeros behind the last one, and back.
+/// Add padding zeros at the end of a vector over the unknowns, or remove them.
 Eigen::VectorXd padded(const Eigen::VectorXd& x);
 Eigen::VectorXd unpadded(const Eigen::VectorXd& x);
 

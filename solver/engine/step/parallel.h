@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Loops on all threads. Debian's oneTBB is not built for the thread sanitizer, which
-// therefore misses that the loop begins after what was before it and ends before what
-// comes after; here it is informed of both, so that it finds our own races.
+// Parallel loops. Debian's oneTBB is not built for the thread sanitizer, which
+// therefore does not see that a loop starts after the code before it and finishes
+// before the code after it. The annotations here inform it of both, so that it reports
+// only genuine races.
 #pragma once
 
 #include <tbb/blocked_range.h>
@@ -17,7 +18,9 @@
 
 namespace keyblock {
 
-/// body(i) for every i below `count`, in tasks of `grain` or more. Each writes to places of its own.
+/// Calls body(i) in parallel for every i below `count`.
+/// \param grain the grain size: ranges of at most this many indices are not split further.
+/// \pre no two calls write to the same location.
 template <typename Body>
 void inParallel(std::size_t count, std::size_t grain, const Body& body) {
 #ifdef __SANITIZE_THREAD__

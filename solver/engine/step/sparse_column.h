@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A sparse vector, as ranks are added to a factor by.
+// A sparse vector for rank-one updates of a factor.
 #pragma once
 
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace keyblock {
 
-/// The entries of a vector that differ from zero: row and value, in any order, no row twice.
+/// Non-zero entries of a vector as (row, value), in any order, each row at most once.
 using SparseColumn = std::vector<std::pair<int, double>>;
 
 }  // namespace keyblock

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The matrix of a step, inertia and elasticity of the bodies and a rank for every
-// link that resists: K + Σ wᵢ gᵢ gᵢᵀ. Its factor is kept within the step and, in
-// motion, from step to step. Where few links differ from those in the factor it is
-// updated rank by rank, else made again in full; counted work decides, never a clock.
-// A factor that was kept holds gradients that have turned a little since, so its
-// solutions need a few iterations (`coupledDirection`).
+// The matrix of a step, K + Σ wᵢ gᵢ gᵢᵀ: inertia and elasticity of the bodies plus a
+// rank-one term for every link with stiffness. Its factor is kept within the step and,
+// in motion, from step to step. If few links differ from those in the factor it is
+// updated rank by rank, otherwise it is recomputed. The choice depends on a count of
+// operations, never on measured time. The gradients in a factor that was kept are
+// slightly out of date, so solutions with it need a few iterations
+// (`coupledDirection`).
 #pragma once
 
 #include "solver/engine/step/factored_links.h"
@@ -24,35 +25,35 @@ namespace keyblock {
 
 class StepMatrix {
 public:
-    /// Begins a step: pattern, order and factor are kept from the last one where they hold for this one too.
+    /// Begins a step. Pattern, ordering and factor of the previous step are kept if they are still valid.
     void begin(const StepProblem& problem, const LinkRows& rows);
 
-    /// Makes the factor for these weights, one per link and none negative [N/m].
-    /// \return −1; or an unknown that the others leave without stiffness.
+    /// Updates or recomputes the factor for these weights, one non-negative weight per link [N/m].
+    /// \return −1 on success, otherwise the index of an unknown without stiffness.
     [[nodiscard]] int factor(const StepProblem& problem, const LinkRows& rows, std::span<const double> weights,
                              StepWork& work);
 
-    /// Weight of a link in the present factor [N/m]; none without a factor.
+    /// Weight of a link in the current factor [N/m]; none if there is no factor.
     std::optional<double> weightInFactor(std::size_t link) const {
         return current_ ? std::optional(links_.weight(link)) : std::nullopt;
     }
 
-    /// True where the factor is that of the matrix, except for round-off.
+    /// True if the factor is that of the current matrix, apart from round-off.
     bool exact() const { return exact_; }
 
-    /// Has the next factor made in full, whatever changes: because this one has grown too poor.
+    /// Forces the next `factor` to recompute in full, because this factor has become too inaccurate.
     void forget() { current_ = false; }
 
-    /// The matrix for the last weights times `x` (both padded); rows of prescribed unknowns have no meaning.
-    /// Leaves the links' strains under `x` in `rates`.
+    /// Product of the matrix for the last weights with `x` (both padded). Entries of prescribed unknowns are undefined.
+    /// \param rates receives the links' strain increments due to `x`.
     Eigen::VectorXd product(const StepProblem& problem, const LinkRows& rows, const Eigen::VectorXd& x,
                             std::vector<double>& rates) const;
 
-    /// Displacement under `force` by the last factor (both padded); prescribed unknowns get none.
+    /// Displacement under `force` from the last factor (both padded); zero for prescribed unknowns.
     /// \pre `factor` returned −1.
     Eigen::VectorXd solve(const Eigen::VectorXd& force, StepWork& work);
 
-    /// Entries of the last factor, zeros that it stores included.
+    /// Number of entries of the last factor, including stored zeros.
     double factorEntries() const { return system_.factorEntries(); }
 
 private:
@@ -72,19 +73,19 @@ private:
 
     LinearSystem system_;
     std::vector<char> known_;
-    std::vector<std::pair<int, int>> pairs_;  // bodies that share an entry, sorted
-    std::vector<int> equations_;  // per padded unknown; −1 where prescribed
-    std::vector<int> unknownOf_;  // per equation
-    std::vector<int> own_;  // per body: row of `pairs_` with itself
-    std::vector<Slots> slots_;  // per pair: of its 6 × 6 entries in the lower triangle, by columns; −1: not stored
-    std::vector<Matrix6> sums_;  // per pair: its entries
-    std::vector<int> linkPairs_;  // per link: row of `pairs_`; −1: of one body
-    bool current_ = false;  // there is a factor that can be updated
+    std::vector<std::pair<int, int>> pairs_;  // pairs of bodies with non-zero entries, sorted
+    std::vector<int> equations_;  // per padded unknown: its equation; −1: prescribed
+    std::vector<int> unknownOf_;  // per equation: its unknown
+    std::vector<int> own_;  // per body: row of `pairs_` of the body with itself
+    std::vector<Slots> slots_;  // per pair: slots of its 6 × 6 lower-triangle entries, by columns; −1: not stored
+    std::vector<Matrix6> sums_;  // per pair: its 6 × 6 entries
+    std::vector<int> linkPairs_;  // per link: row of `pairs_`; −1: the link acts on one body only
+    bool current_ = false;  // a factor exists that can be updated
     bool exact_ = false;
     FactoredLinks links_;
-    std::vector<Matrix6> blocks_;  // stiffness of the bodies in the factor
-    std::vector<Eigen::Vector3d> nodes_;
-    std::vector<double> weights_;  // given last
+    std::vector<Matrix6> blocks_;  // block stiffness in the factor
+    std::vector<Eigen::Vector3d> nodes_;  // bolt-node stiffness in the factor
+    std::vector<double> weights_;  // weights of the last call of `factor`
     std::vector<double> right_, left_;
 };
 

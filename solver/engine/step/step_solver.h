@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Solves a step by Newton's method with friction limits that follow their normal
-// forces and an exact line search, and by sweeps over the contact forces where the
-// line search finds no way through the changing states (theory, "The step").
+// Solves a step by Newton's method with an exact line search and friction limits that
+// follow their normal forces. If the line search makes no progress because contact
+// states keep changing, it sweeps over the contact forces (theory, "The step").
 #pragma once
 
 #include "solver/engine/step/dual_sweeps.h"
@@ -14,33 +14,33 @@
 namespace keyblock {
 
 struct SolveSettings {
-    double tolerance = 1e-4;
-    int maxPasses = 40;
-    bool openClose = false;  // by the classical iteration
-    bool again = false;  // the step has been solved before for nearly the same contacts: begin where that ended
-    int sweepsFrom = 0;  // iterations after which sweeps are tried
-    bool* sweepsFirst = nullptr;  // in motion: whether the last step took sweeps; kept for the next
+    double tolerance = 1e-4;  // unbalanced force over the acting forces
+    int maxPasses = 40;  // maximum number of iterations
+    bool openClose = false;  // use the classical open–close iteration
+    bool again = false;  // the step was solved before with nearly the same contacts: start from that solution
+    int sweepsFrom = 0;  // number of iterations after which sweeps are tried
+    bool* sweepsFirst = nullptr;  // in motion: whether the previous step needed sweeps; updated for the next one
 };
 
 struct SolveReport {
     bool converged = false;
     bool stopped = false;
-    double residual = 0.0;  // over the forces at play
-    int passes = 0;  // iterations
+    double residual = 0.0;  // unbalanced force over the acting forces
+    int passes = 0;  // iterations made
     StepWork work;
-    int worst = -1;  // body with the largest residual, or whose pivot vanished
+    int worst = -1;  // body with the largest residual or with a vanishing pivot
     bool singular = false;
 };
 
-/// Keeps what is worth keeping between steps: the pattern of the matrix and its symbolic factor.
+/// Solver for steps. It keeps the matrix pattern, the ordering and the factor from step to step.
 class StepSolver {
 public:
-    /// Balances the step from the better of `d` and no displacement (prescribed values are put in
-    /// first). Leaves the displacement in `d` and the friction limits that belong to it in `problem`.
+    /// Solves the step from `d` or from zero displacement, whichever has the smaller residual, after inserting the
+    /// prescribed values. On return `d` is the displacement and `problem` has the friction limits that belong to it.
     SolveReport solve(StepProblem& problem, Eigen::VectorXd& d, const SolveSettings& settings,
                       const std::function<bool()>& stopAsked);
 
-    /// Entries of the last factor, zeros that it stores included.
+    /// Number of entries of the last factor, including stored zeros.
     double factorEntries() const { return matrix_.factorEntries(); }
 
 private:
@@ -52,9 +52,9 @@ private:
     StepMatrix matrix_;
 };
 
-inline constexpr double quietStart = 1e-9;  // a start this well balanced needs no solve
+inline constexpr double quietStart = 1e-9;  // a start with a residual up to this needs no solution
 
-/// Body that an unknown belongs to.
+/// Body to which an unknown belongs.
 int bodyOf(const StepProblem& problem, int unknown);
 
 }  // namespace keyblock

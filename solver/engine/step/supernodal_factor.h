@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The supernodal Cholesky factor of a matrix, by columns from the left (Ng and Peyton
-// 1993): a supernode takes what all supernodes that reach it subtract from its columns,
-// and is then factored by itself. The products are those of CHOLMOD's own factorization,
-// in its order, with the same digits; that one begins several parallel regions of OpenMP
-// for every supernode, which cost more than the loops in them where there is one thread.
+// Left-looking supernodal Cholesky factorisation (Ng and Peyton 1993): the updates from
+// all earlier supernodes that reach a supernode are subtracted from its columns, which
+// are then factored on their own. The products are those of CHOLMOD's own factorisation,
+// in the same order and with identical results. CHOLMOD starts several OpenMP parallel
+// regions per supernode, which on a single thread cost more than the loops in them.
 #pragma once
 
 #include "solver/engine/step/supernode.h"
@@ -16,19 +16,19 @@ namespace keyblock {
 
 class SupernodalFactor {
 public:
-    /// Takes the pattern of a factor, which every later call has to have.
+    /// Stores the pattern of a factor. All later calls must use a factor with this pattern.
     void analyse(const cholmod_factor& factor);
 
-    /// Makes the factor of a matrix, the lower triangle of which has columns and rows in the order of elimination.
-    /// \return −1; or the first column whose pivot is not positive: the factor is then of no use.
-    /// \pre the factor has room for its values.
+    /// Computes the factor of a matrix, given by its lower triangle with rows and columns in elimination order.
+    /// \return −1 on success; otherwise the first column whose pivot is not positive, and the factor is invalid.
+    /// \pre the factor's values have been allocated.
     int apply(const cholmod_sparse& matrix, cholmod_factor& factor);
 
 private:
-    /// A supernode that has been factored, among those that have to be subtracted from the same one next.
+    /// Entry in a linked list of factored supernodes whose next update applies to the same supernode.
     struct Waiting {
-        int next = -1;  // of the list; −1: the last
-        int done = 0;  // rows of its that have been subtracted
+        int next = -1;  // next supernode of the list; −1: last
+        int done = 0;  // number of rows already used in updates
     };
 
     void take(const cholmod_sparse& matrix, const Supernode& node);
@@ -37,10 +37,10 @@ private:
     void wait(std::size_t s, const Supernode& node, int done);
 
     std::vector<int> supernodeOf_;  // per row
-    std::vector<int> place_;  // per row: its place among the rows of the supernode at hand
-    std::vector<int> first_;  // per supernode: head of the list of those that wait for it; −1: none
+    std::vector<int> place_;  // per row: its index among the rows of the current supernode
+    std::vector<int> first_;  // per supernode: head of the list of supernodes waiting to update it; −1: none
     std::vector<Waiting> waiting_;  // per supernode
-    std::vector<double> product_;  // work space of `subtract`
+    std::vector<double> product_;  // workspace of `subtract`
     std::vector<int> placeOfRow_;
 };
 

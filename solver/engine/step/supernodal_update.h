@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ranks added to a supernodal Cholesky factor, or taken from it, where it lies. A
-// factor in supernodes is solved with in less than half the time of one in single
-// columns, and several ranks at once are a few products of small dense matrices a
-// supernode. CHOLMOD's own updates need single columns.
+// In-place updates and downdates of a supernodal Cholesky factor by several ranks. A
+// solution with a supernodal factor takes less than half the time of one with a
+// simplicial factor, and an update by several ranks at once takes a few products of
+// small dense matrices per supernode. CHOLMOD's own updates need a simplicial factor.
 #pragma once
 
 #include "solver/engine/step/sparse_column.h"
@@ -17,17 +17,17 @@ namespace keyblock {
 
 class SupernodalUpdate {
 public:
-    /// Takes the pattern of a factor, which every later call has to have.
+    /// Stores the pattern of a factor. All later calls must use a factor with this pattern.
     void analyse(const cholmod_factor& factor);
 
-    /// Makes the factor L·Lᵀ of A that of A + Σ c·cᵀ, or of A − Σ c·cᵀ.
-    /// \param columns rows in the order of elimination.
-    /// \return false when the result is not positive definite: the factor is then of no use.
-    /// \pre the pattern of the factor holds every product of two entries of one column.
+    /// Updates the factor L·Lᵀ of A to that of A + Σ c·cᵀ (`add`) or A − Σ c·cᵀ.
+    /// \param columns the vectors c, with rows in elimination order.
+    /// \return false if the result is not positive definite; the factor is then invalid.
+    /// \pre the pattern of the factor contains every product of two entries of a column.
     bool apply(cholmod_factor& factor, bool add, std::span<const SparseColumn> columns);
 
 private:
-    /// Some columns of a supernode, from the first row on its diagonal.
+    /// Consecutive columns of a supernode, starting at their diagonal.
     struct Panel {
         double* values = nullptr;
         int stride = 0, width = 0, height = 0;
@@ -42,10 +42,10 @@ private:
     bool timesDiagonal(const Panel& panel) const;
 
     std::vector<int> supernodeOf_;  // per row
-    std::vector<double> columns_;  // what is left of the ranks of a group, side by side in every row; zero between calls
-    std::vector<std::uint32_t> ranksAt_;  // per supernode: a bit for every rank that reaches it
-    std::vector<double> gathered_;  // of one supernode or panel: a column per rank
-    std::vector<double> scaled_, left_, diagonal_, mixed_, work_;  // work space of `updatePanel`
+    std::vector<double> columns_;  // remainders of a group's vectors, interleaved by row; zero between calls
+    std::vector<std::uint32_t> ranksAt_;  // per supernode: one bit for each rank that reaches it
+    std::vector<double> gathered_;  // rows of one supernode or panel, one column per rank
+    std::vector<double> scaled_, left_, diagonal_, mixed_, work_;  // workspace of `updatePanel`
 };
 
 }  // namespace keyblock

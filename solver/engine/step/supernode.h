@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One supernode of a Cholesky factor: columns whose entries lie in the same rows, stored
-// as a dense matrix by columns.
+// One supernode of a Cholesky factor: columns with the same row pattern, stored as a
+// dense column-major matrix.
 #pragma once
 
 #include <cholmod.h>
@@ -11,10 +11,10 @@
 
 namespace keyblock {
 
-/// `width` columns from column `first` on, of `height` entries each, the first `width` of them on the diagonal.
+/// `width` columns starting at column `first`, with `height` rows, the first `width` of which are the diagonal block.
 struct Supernode {
     double* values = nullptr;
-    const int* rows = nullptr;  // in the order of elimination
+    const int* rows = nullptr;  // row indices in elimination order
     int first = 0, width = 0, height = 0;
 
     double* at(int row, int column) const { return values + row + static_cast<std::ptrdiff_t>(column) * height; }

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The links that sweeps over contact forces go through, one compact row each in the
-// order of the sweep: all that a visit reads lies together. The unknowns of a body are
-// scaled by the Cholesky factor L of its own stiffness, x = Lᵀ·d, in which a force
-// moves the body along the same vector that gives the strain, so that a row has one
-// vector instead of two.
+// The links visited by sweeps over contact forces, as compact rows in sweep order, so
+// that all data of a visit are contiguous. The unknowns of a body are scaled by the
+// Cholesky factor L of its own stiffness, x = Lᵀ·d. In these unknowns a unit force
+// displaces the body by the gradient of the strain, so that each row needs one vector
+// instead of two.
 #pragma once
 
 #include "solver/engine/step/flat_law.h"
@@ -18,60 +18,60 @@ namespace keyblock {
 
 class SweptLinks {
 public:
-    /// Squares of the forces and of their changes, summed over a sweep.
+    /// Sums of the squared changes of the forces and of the squared forces over a sweep.
     struct Change {
         double changed = 0.0, forces = 0.0;
     };
 
-    /// Takes the links between blocks; those of bolt nodes and those without stiffness are left out.
+    /// Collects the links between blocks; links of bolt nodes and links without stiffness are left out.
     SweptLinks(StepProblem& problem, const LinkRows& rows);
 
-    /// True where every block can be moved by its own stiffness alone, which sweeps need.
+    /// True if the stiffness of every block alone is positive definite, as the sweeps require.
     bool possible() const { return possible_; }
 
     std::size_t count() const { return rows_.size(); }
 
-    /// Link of the problem in row n.
+    /// Index in the problem of the link in row n.
     std::size_t linkOf(std::size_t n) const { return rows_[n].link; }
 
-    /// Sets the force that stays the same during the sweeps (padded).
+    /// Sets the outer force (padded), which is constant during the sweeps.
     void hold(const Eigen::VectorXd& outer);
 
-    /// Limits the forces, one per row and before shares, to what their laws can give [N].
+    /// Limits the forces, one per row and before shares, to the range of their laws [N].
     void clip(std::vector<double>& forces);
 
-    /// The same, and moves the blocks to where they balance under these forces.
+    /// Like `clip`, and also moves the blocks to equilibrium under the forces.
     void clipAndPlace(std::vector<double>& forces);
 
-    /// Limits the forces and moves the blocks by what that changes.
-    /// \pre the blocks have been placed under these forces.
+    /// Like `clip`, and also moves the blocks by the effect of the changed forces.
+    /// \pre the blocks are in equilibrium under the forces as passed in.
     void clipPlaced(std::vector<double>& forces);
 
-    /// Scaled displacements of the blocks, which depend linearly on the forces.
+    /// Scaled displacements of the blocks (padded); they depend linearly on the forces.
     Eigen::VectorXd& placed() { return moved_; }
 
-    /// Sets every force to what its law gives where the blocks yield to it, one after the other.
-    /// \param changes of the forces, one per row.
-    /// \pre the blocks have been placed under these forces.
+    /// Sets each force in turn to the value of its law, allowing for the displacement of the blocks under the force.
+    /// \param changes receives the changes of the forces, one per row.
+    /// \pre the blocks are in equilibrium under the forces as passed in.
     Change sweep(std::vector<double>& forces, Eigen::VectorXd& changes);
 
     /// Friction limit of row n under these forces [N].
     double limit(std::size_t n, const std::vector<double>& forces) const;
 
-    /// Strain at which the law of row n gives its force; for a law that is flat there, any.
+    /// Strain at which the law of row n gives `force`; if the law is flat there, any such strain.
     double strain(std::size_t n, double force) const;
 
-    /// Tangent of the law of row n there, where it neither slides nor stands open.
+    /// Tangent of the law of row n while it neither slides nor is open.
     double tangent(std::size_t n) const;
 
 private:
     struct Row {
-        std::array<double, 12> gradient{};  // scaled, six entries for either body
-        double start = 0.0;  // strain at no scaled displacement
+        std::array<double, 12> gradient{};  // scaled, six entries for each body
+        double start = 0.0;  // strain at zero scaled displacement
         double share = 1.0;
-        double compliance = 0.0;  // strain per unit of force
+        double compliance = 0.0;  // strain per unit force
         FlatLaw law;
-        int firstA = 0, firstB = 0;  // unknowns
+        int firstA = 0, firstB = 0;  // first unknowns of the two bodies
         int pair = -1;  // row of limitPairs; −1: none
         std::size_t link = 0;
     };
@@ -91,10 +91,10 @@ private:
     const LinkRows& links_;
     bool possible_ = true;
     std::vector<Matrix6> scales_;  // per block: L⁻¹; columns of prescribed unknowns are zero
-    std::vector<Row> rows_;  // a normal force before its friction
+    std::vector<Row> rows_;  // each normal force before its friction
     std::vector<double> bentStrains_;  // per row
     Eigen::VectorXd driven_;  // prescribed displacements (padded)
-    Eigen::VectorXd held_, moved_;  // scaled displacements under the outer force alone, and under all (padded)
+    Eigen::VectorXd held_, moved_;  // scaled displacements under the outer force alone and under all forces (padded)
 };
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A step at one trial displacement: strains of the links, what their laws give
-// there, and what the bodies are left with.
+// A step evaluated at a trial displacement: strains of the links, responses of their
+// laws, and net forces on the bodies.
 #pragma once
 
 #include "solver/engine/step/link_rows.h"
@@ -11,22 +11,23 @@
 
 namespace keyblock {
 
-/// Vectors over the unknowns are padded (`LinkRows`).
+/// Strains and forces at a trial displacement. Vectors over the unknowns are padded (`LinkRows`).
 struct Trial {
-    Eigen::VectorXd d;
-    std::vector<double> strains;  // of the links at `d`
-    std::vector<LawResponse> laws;  // force and tangent of every link there, before its share
-    Eigen::VectorXd net;  // external less internal force on every unknown
+    Eigen::VectorXd d;  // displacement
+    std::vector<double> strains;  // per link, at `d`
+    std::vector<LawResponse> laws;  // force and tangent per link at `d`, before its share
+    Eigen::VectorXd net;  // external minus internal force on every unknown
 };
 
-/// Judges displacement `d` (padded): the friction limits are set to what the forces there allow.
+/// Evaluates the step at displacement `d` (padded) and sets the friction limits to match the forces there.
 Trial trialAt(StepProblem& problem, const LinkRows& rows, Eigen::VectorXd d);
 
-/// Moves a trial on by `length` times the direction whose strain rates are known, and judges it there.
+/// Moves a trial by `length` times `direction` and evaluates it there.
+/// \param rates the strain rates of the links along `direction`.
 void advance(StepProblem& problem, const LinkRows& rows, const Eigen::VectorXd& direction,
              const std::vector<double>& rates, double length, Trial& trial);
 
-/// Inertia and elasticity of the bodies times `x`; both padded.
+/// Product of the bodies' stiffness (inertia and elasticity) with `x`; both padded.
 Eigen::VectorXd bodyProduct(const StepProblem& problem, const Eigen::VectorXd& x);
 
 }  // namespace keyblock
