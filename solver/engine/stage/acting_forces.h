@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every single force on every block, as the engine balances it: of the links of a
-// step, of its loads, of what is prescribed, and of inertia. Their sum on a block is
-// what the engine left unbalanced there.
+// All individual forces on the blocks as they enter the equilibrium equations of a
+// step: forces of links, loads, reactions of prescribed unknowns, and inertia. Their
+// sum on a block is the unbalanced force that the engine left there.
 #pragma once
 
 #include "solver/engine/stage/taken_step.h"
@@ -12,20 +12,20 @@
 
 namespace keyblock {
 
-/// A force on a block, and the part that gives it. Forces that are 0 are not listed.
+/// A force on a block and the part that exerts it. Zero forces are not listed.
 struct SingleForce {
-    BlockForce force;  // its position counts from the block's centroid, where the step has it [m]
-    int part = -1;  // row of the step's contacts, of the model's bonds, or an anchored one of all nodes; −1: else
+    BlockForce force;  // its position is relative to the block's centroid as used in the step [m]
+    int part = -1;  // contact of the step, glued edge of the model, or bolt node among all nodes; −1: none of these
 };
 
-/// Forces in a state at rest; of the blocks that do not move freely also the reaction, at their centroids.
+/// Forces in a state at rest, including the reactions of blocks with prescribed unknowns, at their centroids.
 std::vector<SingleForce> forcesAtRest(const Model& model, const State& state, const Loads& loads, const LoadPoint& at);
 
-/// The same where a motion begins: inertia is what all other forces leave.
+/// Forces at the start of a dynamic stage. The inertia force is minus the sum of all other forces.
 std::vector<SingleForce> forcesAtStart(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                                        const Damping& damping);
 
-/// Forces over a step in motion, inertia among them.
+/// Forces over a dynamic step, including inertia.
 std::vector<SingleForce> forcesOver(const Model& model, const Loads& loads, const TakenStep& step);
 
 }  // namespace keyblock

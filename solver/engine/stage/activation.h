@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parts of the model that are activated or deactivated between two steps: rock that
-// is excavated, bolts that are installed or removed, supports that a viscous boundary
-// releases. What goes takes the energy that it stores with it; the forces that it gave
-// to what stays are returned, for the run to hold and to release (theory, "Excavation").
+// Activation and deactivation of parts of the model between two steps: excavation of
+// rock, installation and removal of bolts, and release of supports by a viscous
+// boundary. The energy stored in a deactivated part is accounted for as released. The
+// forces that excavated rock and released supports exerted on the remaining parts are
+// returned, so that the run can hold them at first and relax them later (theory,
+// "Excavation").
 #pragma once
 
 #include "solver/engine/model/loads.h"
@@ -14,24 +16,27 @@
 
 namespace keyblock {
 
-/// Takes a bolt that a later stage installs out of a state where nothing has moved yet.
+/// Deactivates a bolt, and its plate, that is installed in a later stage.
+/// \pre nothing has moved yet in `state`.
 void leaveOut(const Model& model, State& state, int bolt);
 
-/// Takes out blocks and cells by rows of the model.
-/// \return what they gave to blocks and bolts that stay, by the forces last accepted.
+/// Excavates blocks and cells.
+/// \param rows the rows of the model's blocks.
+/// \return the last accepted forces that they exerted on the remaining blocks and bolts.
 std::vector<WallForce> excavate(const Model& model, State& state, const std::vector<int>& rows);
 
-/// Puts a bolt into the rock as it is now, straight and unstressed, bonded where it lies. Its ends are where the rock
-/// has carried them; its length is that of the scene.
+/// Installs a bolt in the rock at its current position, straight, unstressed and bonded to the blocks that it crosses.
+/// The bolt lies on the line through the displaced ends of its borehole and has the length given in the scene.
 void installBolt(const Model& model, State& state, int bolt);
 
-/// Takes a bolt away with all that it stores; its plate, too.
+/// Removes a bolt and its plate; their stored energy is accounted for as released.
 void removeBolt(const Model& model, State& state, int bolt);
 
-/// Releases the point supports on the sides. \return the forces that they gave, to be kept.
+/// Releases the point supports on the given sides of the model.
+/// \return the forces that they exerted, to be kept as loads.
 std::vector<WallForce> releaseSupports(const Model& model, State& state, const std::vector<BoundarySide>& sides);
 
-/// Released supports carry force again, where they are and the force that they gave.
+/// Reactivates the released supports at their current positions with the forces that they had at release.
 void restoreAllSupports(const Model& model, State& state);
 
 }  // namespace keyblock

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The list of everything that carries force. A new law or a lining is one more row.
+// The list of all force carriers. A new kind of carrier, such as a lining, is one more
+// row.
 #pragma once
 
 #include "solver/engine/boundary.h"
@@ -15,16 +16,17 @@
 
 namespace keyblock {
 
-/// In the order of their links in a step. Damping comes after all links that it damps. Limits and energies are listed
-/// from the last row to the first, so that of equal overloads a bolt's is released before a joint's. Sums follow these
-/// orders, and results depend on them to the last digit; a row that adds nothing in a scene changes nothing there.
+/// All force carriers in the order in which they add links to a step; damping follows the links that it damps. Limits
+/// and energies are listed from the last row to the first, so that if a bolt and a joint are equally overloaded the
+/// bolt is released first. Summation follows these orders, so results depend on them in the last digit. A carrier that
+/// adds nothing in a scene does not affect its results.
 inline constexpr std::array<const Carrier*, 6> carriers{&contactCarrier, &glueCarrier,    &supportCarrier,
                                                         &boltCarrier,    &dampingCarrier, &boundaryCarrier};
 
-/// The carrier that accepts links of this kind; null for links that leave nothing in the state.
+/// Carrier that accepts links of this kind; null for links that store nothing in the state.
 const Carrier* carrierOf(LinkKind kind);
 
-/// The carrier that releases limits of this kind.
+/// Carrier that releases limits of this kind.
 const Carrier& carrierOf(LimitKind kind);
 
 }  // namespace keyblock

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Dynamic stages: steps of one scheme of time integration. A step that does
-// not settle, or whose energy does not balance, is cut and later grown again; one
-// in which something reaches its limit ends there, and that is released before the next.
+// Dynamic stages: time steps of one integration scheme. If a step does not converge or
+// its energy balance is not satisfied, the time step is reduced and later increased
+// again. A step in which a limit is reached ends at that moment, and the part is
+// released before the next step.
 #pragma once
 
 #include "solver/engine/stage/engine.h"
@@ -13,37 +14,38 @@ namespace keyblock {
 
 struct DynamicSettings {
     Inertia scheme = Inertia::Shi;
-    double timeStep = 1e-3;  // [s] the longest
-    double rhoInf = 0.8;  // generalized-alpha
+    double timeStep = 1e-3;  // maximum time step [s]
+    double rhoInf = 0.8;  // spectral radius at infinite frequency, generalized-α only
     Damping damping{};
 };
 
-/// What the next step takes over from the last ones.
+/// Values carried over from the previous steps to the next one.
 struct DynamicPace {
-    double dt = 0.0;  // to be tried next [s]; 0: the longest
-    double lastMove = 0.0;  // of the last step [m]
-    double roundedUp = 0.0;  // what the stage's time has too much [s]
-    bool sweepsFirst = false;  // the last step took sweeps over the contact forces: the next may begin with them
+    double dt = 0.0;  // next time step to try [s]; 0: the maximum
+    double lastMove = 0.0;  // largest displacement in the previous step [m]
+    double roundedUp = 0.0;  // amount by which rounding has increased the stage's time [s]
+    bool sweepsFirst = false;  // the previous step needed sweeps over contact forces; the next may start with them
 };
 
-/// Keeps nothing from step to step but its settings.
+/// Integrates a dynamic stage step by step. Apart from its settings it keeps nothing from step to step.
 class DynamicStage {
 public:
     DynamicStage(Engine& engine, const Loads& loads, std::function<LoadPoint(double)> loadsAt, DynamicSettings settings);
 
-    /// Makes the state ready for the first step; no time passes. Touching blocks without history get contact forces
-    /// and stresses that agree with the first accelerations, kept as preload (theory, "The start of a motion"); driven
-    /// blocks get the velocity of their motion, and the scheme its accelerations.
+    /// Prepares the state for the first step without advancing time. Contacts that touch but carry no force yet, and
+    /// the stresses of their blocks, are preloaded consistently with the initial accelerations (theory, "The start of a
+    /// motion"). Driven blocks get the velocity of their prescribed motion, and the scheme gets its initial
+    /// accelerations if it uses them.
     StepEnding begin(State& state);
 
-    /// One accepted step from `time`, at most to `end`; `time` is moved on.
+    /// Makes one accepted step from `time`, no further than `end`, and advances `time`.
     StepEnding step(State& state, double& time, double end, DynamicPace& pace, StepObserver& observer);
 
 private:
     struct Trial {
         State state;
         double residual = 0.0;
-        TakenStep taken;  // but for where it began
+        TakenStep taken;  // without `before`
     };
     enum class Attempt { Settled, TooLong, Unbalanced, Stopped };
     Attempt attempt(const State& state, double time, double dt, DynamicPace& pace, Trial& trial);

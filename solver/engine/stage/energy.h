@@ -1,28 +1,29 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Energies of a state: what is stored, what moves, and the balance over all that
-// was accounted for since the start.
+// Energies of a state: elastic and kinetic energy, and the energy balance since the
+// start of the run.
 #pragma once
 
 #include "solver/engine/carrier/carrier.h"
 
 namespace keyblock {
 
-/// Elastic energy held by the links and blocks where they are [J], by kind.
+/// Elastic energy stored in the links and blocks at their current positions [J], by kind.
 StoredEnergy storedEnergy(const Model& model, const State& state);
 
-/// Kinetic energy of a block, and what its stress stores [J].
+/// Kinetic plus strain energy of a block [J].
+/// \param row the row of the model's blocks.
 double energyOfBlock(const Model& model, int row, const BlockMotion& motion);
 
-/// All energies with their balance.
+/// All energies and the relative error of their balance.
 Energy energyOf(const Model& model, const State& state);
 
-/// Everything stored, moving and used, less the work of the loads [J]: constant where the energies balance.
+/// Stored, kinetic and dissipated energy minus the work of the loads [J]; constant if the energy balance is satisfied.
 double accountedEnergy(const Energy& e);
 double accountedEnergy(const Model& model, const State& state);
 
-/// Largest term so far, with which errors of the balance are compared [J].
+/// Largest energy term, or a minimum at the level of round-off; the reference for errors of the energy balance [J].
 double largestEnergy(const Model& model, const State& state, const Energy& e);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The energy account. Every term is summed from the forces of its own element
-// along its path, and none is the remainder of the others, so that the balance is a
-// check of all of them (theory, "Energies").
+// The energy account. Each term is summed from the forces of its own element along
+// their path. No term is calculated as the remainder of the others, so that the energy
+// balance checks all of them (theory, "Energies").
 #pragma once
 
 #include "solver/engine/model/loads.h"
@@ -12,18 +12,20 @@
 
 namespace keyblock {
 
-/// Accounts for a dynamic step before it is accepted: work of loads and drives, what laws and blocks lose to the
-/// scheme, and damping. \param external generalised loads of the step [N].
+/// Accounts for a dynamic step before it is accepted: work of loads and prescribed motions, energy that the time scheme
+/// dissipates in laws and blocks, and damping.
+/// \param external the generalised loads of the step [N]; \param d the displacement over the step.
 void accountStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& external,
               const Eigen::VectorXd& d, const StepOptions& options);
 
-/// The energy of a search for equilibrium, from where it began.
+/// Energy account of a search for equilibrium, from the state in which it began.
 class StaticAccount {
 public:
     StaticAccount(const Model& model, const State& start, const Loads& loads, const LoadPoint& before);
 
-    /// Adds the path to `end` under `at` to its ledger, before it is accepted by `problem`, which is built there.
-    /// \param moved sum of the displacements along it.
+    /// Accounts in the ledger of `end` for the path from the start to `end` under loads `at`, before `end` is accepted.
+    /// \param moved the sum of the displacements along the path.
+    /// \param problem the step built at `end`, with which it will be accepted; receives the mean slip forces.
     void add(State& end, const LoadPoint& at, const Eigen::VectorXd& moved, StepProblem& problem) const;
 
 private:

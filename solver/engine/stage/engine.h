@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the solution of steps carries along beside the state: the solver with
-// its pattern, the counts of the numbers' health, and how to be stopped.
+// Data needed for solving steps in addition to the state: the solver with its matrix
+// pattern, the solver diagnostics, and the callbacks for stopping and progress.
 #pragma once
 
 #include "solver/engine/carrier/limit.h"
@@ -22,11 +22,11 @@ namespace keyblock {
 struct Engine {
     const Model& model;
     StepSolver solver;
-    Health health;
-    StepHealth newest;
-    TakenStep taken;  // the last step in motion; nothing of a run depends on it
-    std::function<bool()> stopAsked;  // asked in every pass
-    std::function<void()> passed;  // called after every solved step, for progress
+    Health health;  // solver diagnostics of the run
+    StepHealth newest;  // solver diagnostics of the latest step
+    TakenStep taken;  // latest accepted dynamic step, for output only
+    std::function<bool()> stopAsked;  // called in every iteration; true stops the search
+    std::function<void()> passed;  // called after every solved step to report progress
 
     explicit Engine(const Model& m) : model(m) {}
 };
@@ -36,58 +36,61 @@ enum class Ending { Done, NoEquilibrium, Undecided, Stopped, Failed };
 
 struct StepEnding {
     Ending ending = Ending::Done;
-    std::string message;  // what failed, and where
-    std::vector<int> blocks;  // that move or do not balance
-    std::vector<int> followers{};  // that those set moving
-    long cause = -1;  // the event after which nothing balanced; −1: the load
-    bool final = false;  // undecided, and a longer search would be, too
+    std::string message;  // the failure and its location
+    std::vector<int> blocks;  // blocks that move or are not in equilibrium
+    std::vector<int> followers{};  // blocks set in motion by those
+    long cause = -1;  // event after which no equilibrium was found; −1: the load increment
+    bool final = false;  // undecided, and a longer search would not decide it
 };
 
-/// Is notified of what happens inside an increment or step, in order.
+/// Receives the events within an increment or time step, in order.
 class StepObserver {
 public:
     virtual ~StepObserver() = default;
-    /// State just before something fails.
+    /// Called with the state just before an event.
     virtual void beforeEvent(const State& state, double time) = 0;
-    /// \return the event's number in the run, from 0.
+    /// Called with the event and the state just before it.
+    /// \return the number of the event in the run, from 0.
     virtual long event(Event event, const State& state, double time) = 0;
-    /// State just after, at equilibrium again in a static stage.
+    /// Called with the state just after an event, in a static stage normally back in equilibrium.
     virtual void afterEvent(const State& state, double time) = 0;
 };
 
-/// Releases a limit and reports the events that this is, each with the state before it.
-/// \param cause the event that set it over; −1: the load did. \return the number of the last event.
+/// Releases a limit and reports the resulting events, each with the state before it.
+/// \param cause the number of the event that caused the limit to be exceeded; −1: the load.
+/// \return the number of the last event.
 long releaseAndReport(const Model& model, State& state, const Limit& limit, double time, long cause,
                       StepObserver& observer);
 
-/// How a step is to be solved, beside what the scene asks for.
+/// Options for solving a step, in addition to the settings of the scene.
 struct StepNeeds {
-    double tolerance = 1e-4;  // over the forces at play
-    int maxPasses = 0;  // instead of the scene's, where above zero
-    bool convex = false;  // whatever iteration the scene asks for
-    bool again = false;  // as of `SolveSettings`
-    int sweepsFrom = 0;  // as of `SolveSettings`
-    bool* sweepsFirst = nullptr;  // as of `SolveSettings`
+    double tolerance = 1e-4;  // unbalanced force over the acting forces
+    int maxPasses = 0;  // maximum number of iterations; 0: that of the scene
+    bool convex = false;  // use Newton's method even if the scene selects open–close iteration
+    bool again = false;  // as in `SolveSettings`
+    int sweepsFrom = 0;  // as in `SolveSettings`
+    bool* sweepsFirst = nullptr;  // as in `SolveSettings`
 };
 
-/// Solves one step and counts it. Friction limits used are kept in the state's contacts.
+/// Solves one step and adds it to the solver diagnostics. Stores the friction limits used in the state's contacts.
 SolveReport solveStep(Engine& engine, StepProblem& problem, State& state, Eigen::VectorXd& d, const StepNeeds& needs);
 
 /// √area of the smallest block [m].
 double smallestSize(const Model& model);
 
-/// Largest move of a corner of a block, or of a node, by what is not prescribed in `d` [m].
+/// Upper bound of the displacement of a block's corners, and largest displacement of a bolt node, due to the unknowns
+/// in `d` that are not prescribed [m].
 double blockMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d, std::size_t block);
 double nodeMove(const StepProblem& problem, const Eigen::VectorXd& d);
 
-/// The largest of these [m].
+/// Largest value of `blockMove` and `nodeMove` over all blocks and nodes [m].
 double largestMove(const Model& model, const StepProblem& problem, const Eigen::VectorXd& d);
 
-/// Block behind a body of a step, −1 for a node; and its name for a message.
+/// Block that a body of a step represents (−1 for a bolt node), and the name of the body for messages.
 int blockOfBody(const Model& model, int body);
 std::string nameOfBody(const Model& model, int body);
 
-/// Counts an accepted state: deepest penetration and residual.
+/// Adds the largest penetration and the residual of an accepted state to the solver diagnostics.
 void countAccepted(Engine& engine, const State& state, double residual);
 
 }  // namespace keyblock

@@ -3,12 +3,12 @@
 //
 // The search for equilibrium under fixed loads, by pseudo-steps.
 //
-// A pseudo-step solves the step's minimisation from rest, with 2M/Δt² as a
-// regularisation; bodies move, geometry is taken afresh, and equilibrium is
-// judged on the true forces there, without that term. Laws are judged from the
-// state in which the increment began and accepted at equilibrium, so the path of the
-// pseudo-steps leaves no trace, except where a block moves far: its way is accepted
-// in pieces.
+// A pseudo-step solves the step's minimisation problem from rest, with 2M/Δt² as a
+// regularisation. The bodies are moved, the geometry is updated, and equilibrium is
+// checked with the true forces there, without that term. Laws are evaluated from the
+// state at the start of the increment and accepted at equilibrium, so that the result
+// does not depend on the path of the pseudo-steps. The exception is a block that moves
+// far: its path is accepted in pieces.
 #pragma once
 
 #include "solver/engine/stage/engine.h"
@@ -17,25 +17,26 @@
 namespace keyblock {
 
 struct StaticSettings {
-    double unbalanced = 1e-4;  // over the reference force
-    double body = automaticBody;  // of its weight, unbalanced on a block
-    double smallest = 0.0;  // [m²] blocks under it do not decide
-    long maxSteps = automaticIterations;  // pseudo-steps since the last event or accepted increment
-    bool chosen = false;  // lengths of increments follow what happens in them
-    bool followsFalls = true;  // what falls is followed over its own size, else only as far as shows that it does
+    double unbalanced = 1e-4;  // tolerance of the unbalanced force, over the reference force
+    double body = automaticBody;  // tolerance of the unbalanced force on a block, over its weight
+    double smallest = 0.0;  // smaller blocks do not decide whether there is an equilibrium [m²]
+    long maxSteps = automaticIterations;  // maximum number of pseudo-steps since the last event or accepted increment
+    bool chosen = false;  // increment lengths are chosen automatically
+    bool followsFalls = true;  // follow falling blocks until they have moved by their size, not only until they fall
 };
 
-/// Loads before the search, at which the state is in equilibrium, and those under which it looks for one.
+/// Loads before the search, with which the state is in equilibrium, and loads for which equilibrium is sought.
 struct LoadPath {
     const LoadPoint& before;
     const LoadPoint& at;
 };
 
-/// Moves the state to equilibrium. Without one, or without a verdict, it is left where the moving blocks had got to.
+/// Moves the state to equilibrium. If there is none, or the search is undecided, the state is left with the blocks at
+/// the positions that they have reached.
 StepEnding findEquilibrium(Engine& engine, State& state, const Loads& loads, const LoadPath& path,
                            const StaticSettings& settings);
 
-/// The longest way that a prescribed motion may go in one search [m].
+/// Largest prescribed displacement in one search [m].
 double longestMoveOf(const Model& model);
 
 }  // namespace keyblock

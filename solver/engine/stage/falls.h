@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether blocks fall while rest is sought. A pseudo-step begins at rest, so what
-// moves by d in it is accelerated by 2d/Δt²: something that only gives way a little
-// is slower in each step, something that falls or slides is not (theory,
-// "Equilibrium").
+// Detection of falling blocks during the search for equilibrium. A pseudo-step starts
+// from rest, so a block that moves by d in it has the acceleration 2d/Δt². The
+// acceleration of a block that only settles decreases from step to step; that of a
+// block that falls or slides does not (theory, "Equilibrium").
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -16,47 +16,48 @@ namespace keyblock {
 
 class Falls {
 public:
-    /// \param share of its weight that may be unbalanced on a block at rest. \param smallest [m²]: blocks of less area do
-    /// not decide.
+    /// \param share the unbalanced force allowed on a block at rest, as a fraction of its weight.
+    /// \param smallest the area [m²] below which a block does not decide whether there is an equilibrium.
     Falls(const Model& model, const State& state, double share, double smallest);
 
-    /// Takes note of a pseudo-step.
-    /// \param moves of the blocks in it [m]. \param own weights of the blocks, or what stands for them [N].
+    /// Records a pseudo-step of length `dt` [s].
+    /// \param moves the displacements of the blocks [m]; \param own the weights of the blocks, or the forces used
+    /// instead [N].
     void note(const std::vector<double>& moves, double dt, const std::vector<double>& own);
 
-    /// True where a block has fallen without being slowed down, and so far that no strain will hold it.
+    /// True if a block has fallen without slowing down, and too far to be stopped by elastic deformation.
     bool falls(const std::vector<BlockMotion>& blocks, int block) const;
 
-    /// True where the last pseudo-step and the one before it, of another length, accelerated a block alike.
+    /// True if the last two pseudo-steps, which had different lengths, gave a block nearly the same acceleration.
     bool sameWhateverTheStep(int block) const;
 
-    /// How far the centroid of a block has moved since the start, over the block's size; of a cell over that of all cells of its
-    /// block.
+    /// Displacement of a block's centroid since the start, over the block's size; for a cell, over the size of the
+    /// whole block.
     double moved(const std::vector<BlockMotion>& blocks, int block) const;
 
-    /// True for a block that is large enough to decide whether there is an equilibrium.
+    /// True if a block is large enough to decide whether there is an equilibrium.
     bool decides(int block) const { return !small_[static_cast<std::size_t>(block)]; }
 
-    /// True where a block has moved by more than its size.
+    /// True if a block has moved by more than its size.
     bool hasLeft(const std::vector<BlockMotion>& blocks, int block) const { return moved(blocks, block) > 1.0; }
 
-    /// True where others have set a block moving, and it still goes.
+    /// True if a block has moved noticeably and is still accelerating, as when other blocks have set it in motion.
     bool follows(const std::vector<BlockMotion>& blocks, int block) const;
 
-    /// Rows of blocks that do not decide and fall or have left their place.
+    /// Rows of the blocks that do not decide and either fall or have moved by more than their size.
     std::vector<int> loosePieces(const std::vector<BlockMotion>& blocks) const;
 
 private:
     bool isCaught(int block) const;
 
     const Model& model_;
-    std::vector<Point> places_;  // of the centroids at the start [m]
-    std::vector<double> sizes_;  // √area of the blocks, of a cell that of the whole block [m]
-    std::vector<char> small_;  // too small to decide
+    std::vector<Point> places_;  // centroids at the start [m]
+    std::vector<double> sizes_;  // √area per block; for a cell, √area of the whole block [m]
+    std::vector<char> small_;  // per block: true if too small to decide
     double share_;
-    std::vector<char> bolted_;  // bolts hold on to the block
-    std::deque<std::vector<double>> accelerations_;  // in the last pseudo-steps, over what `own` would give the blocks
-    std::deque<std::vector<double>> moves_;  // in the same [m]
+    std::vector<char> bolted_;  // per block: true if a bolt crosses it
+    std::deque<std::vector<double>> accelerations_;  // per pseudo-step and block, over that due to `own`
+    std::deque<std::vector<double>> moves_;  // per pseudo-step and block [m]
 };
 
 }  // namespace keyblock

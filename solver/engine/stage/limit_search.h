@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where in an increment the first limit is reached. Ratios bend where something
-// yields or slides: past a limit they may rise a thousand times faster than
-// before it, so a straight line from one side of the limit to the other says
-// little, and the search continues from the side that is not over.
+// Locates the point in an increment at which the first limit is reached. The ratios of
+// load to strength are not linear in the load: once something yields or slides they may
+// rise a thousand times faster than before. Interpolation across the limit is therefore
+// of little use, and the search extrapolates from the side below the limit.
 #pragma once
 
 #include "solver/engine/carrier/limit.h"
@@ -13,15 +13,17 @@
 
 namespace keyblock {
 
+/// Bracketing search for the fraction of an increment at which the first limit is reached.
 class LimitSearch {
 public:
-    /// \param low share of the increment at which no limit is passed, `high` one at which some are.
+    /// \param low a fraction of the increment at which no limit is exceeded; \param high one at which some limit is.
+    /// \param atLow, atHigh the limits at these fractions.
     LimitSearch(double low, std::vector<Limit> atLow, double high, std::vector<Limit> atHigh);
 
-    /// Share to look at next, within the two.
+    /// Next fraction to evaluate, between the two ends.
     double next();
 
-    /// Takes what was found there.
+    /// Stores the limits found at fraction `share`; `over` is true if one is exceeded.
     void take(double share, std::vector<Limit> limits, bool over);
 
     double high() const { return high_.share; }
@@ -37,10 +39,10 @@ private:
     double crossing(const Limit& over) const;
 
     End low_, high_;
-    End before_;  // the low end that was left; without limits: none yet
+    End before_;  // previous low end; no limits: none yet
     int tries_ = 0;
-    int moved_ = 0;  // the end that moved last: −1 low, 1 high
-    double width_;  // three tries ago
+    int moved_ = 0;  // end that moved last: −1 low, 1 high
+    double width_;  // width three tries ago
 };
 
 }  // namespace keyblock

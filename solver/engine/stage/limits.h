@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What can fail, how near it is to failing, and its release. Limits are judged on
-// an accepted state only; one is released at a time.
+// Strength limits: the list of parts that can fail, their load-to-strength ratios, and
+// their release. Limits are evaluated in accepted states only, and one is released at a
+// time.
 #pragma once
 
 #include "solver/engine/carrier/limit.h"
@@ -13,18 +14,19 @@
 
 namespace keyblock {
 
-/// Every limit that still holds, in the order in which ties are broken:
-/// bolts, then nodes and elements, then joints.
+/// All limits that have not failed yet, in the order in which ties are broken: bolts with their nodes and elements,
+/// then joints.
 std::vector<Limit> heldLimits(const Model& model, const State& state);
 
-/// The limit to release: the largest ratio, or the first of those equal to it; none under `least`.
+/// Limit to release next: the one with the largest ratio, or the first of several equal ones; none if all ratios are
+/// below `least`.
 std::optional<Limit> worstLimit(const std::vector<Limit>& limits, double least);
 
-/// True where releasing it changes forces, so that equilibrium must be found again: not for yield, a hinge, nor for
-/// friction or a curve that carries on from the force it has.
+/// True if releasing the limit changes forces, so that equilibrium must be found again. It does not for yielding, for a
+/// plastic hinge, or if friction or a force–slip curve continues from the current force.
 bool changesForces(const Model& model, const Limit& limit);
 
-/// Releases it. \return the events this is, with forces and slip just before.
+/// Releases a limit. \return the resulting events, with forces and slip just before the release.
 std::vector<Event> releaseLimit(const Model& model, State& state, const Limit& limit);
 
 }  // namespace keyblock

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What happened between two equilibria, to choose how much load is put on at once.
+// Review of the path between two equilibria, used to choose the load increment.
 //
-// Friction is satisfied at the end of an increment. That is the state which many
-// short increments reach as long as each contact keeps to the way it began: it
-// sticks, or slides in one direction to the end. A contact that slid and then
-// sticks or turns back somewhere within the increment carries a shear force that
-// depends on the path; how much, is estimated from how fast it slid before.
+// Friction is satisfied at the end of an increment. Many short increments would lead to
+// the same state if each contact behaves in the same way throughout: it sticks, or it
+// slides in one direction to the end. If a contact slides at first and then sticks or
+// reverses within the increment, its shear force depends on the path. The error is
+// estimated from the sliding in the previous increment.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -15,13 +15,15 @@
 namespace keyblock {
 
 struct PathReview {
-    bool straight = true;  // forces and displacements follow straight lines: no contact or bolt changed its behaviour
-    bool boltsFlow = false;  // steel, an anchor or its rock flows, slides or sticks again, or changes its block
-    double error = 0.0;  // largest estimated error over what is allowed
+    bool straight = true;  // forces and displacements vary linearly: no contact or bolt changed its behaviour
+    bool boltsFlow = false;  // a bolt's steel, bond or rock yielded, slipped or re-stuck, or a node changed block
+    double error = 0.0;  // largest estimated error over the allowed error
 };
 
-/// \param before, after equilibria at the ends of the increment. \param ratio length of the increment over that of the
-/// one before it; 0: the load turned or something failed in between, so that contacts may stick from the start.
+/// Compares the equilibria at the two ends of an increment.
+/// \param before, after the equilibria at the start and the end.
+/// \param ratio the length of the increment over that of the previous one; 0 if the load changed direction or something
+/// failed in between, so that contacts may stick from the start.
 PathReview reviewPath(const Model& model, const State& before, const State& after, double ratio);
 
 }  // namespace keyblock

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// When bodies rest. Every block is judged by its own weight, because what else acts
-// in a scene, and on the block itself, may be a thousand times as much: clamped
-// between walls under 25 MPa, a key block that nothing carries would pass as balanced
-// (theory, "Equilibrium").
+// Test for equilibrium of the bodies. The unbalanced force of each block is compared
+// with the block's own weight, because the other forces in a scene, even those on the
+// block itself, may be a thousand times larger. An unsupported key block between walls
+// under 25 MPa would otherwise be taken to be in equilibrium (theory, "Equilibrium").
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -14,34 +14,37 @@
 
 namespace keyblock {
 
-/// Forces that what is left unbalanced is compared with, a row per body [N].
+/// Reference forces for the unbalanced forces, one value per body [N].
 struct RestForces {
-    std::vector<double> own;  // weight of a block; without gravity its load, or what else acts on it; of a node all forces
-    std::vector<double> all;  // summed forces of loads, links and stress
-    std::vector<double> noise;  // that the digits of the coordinates leave
-    std::vector<double> outerNoise;  // the same without glue, which acts within a block
+    std::vector<double> own;  // block: weight, or without gravity its loads or other forces; node: sum of its forces
+    std::vector<double> all;  // sum of the magnitudes of the forces of loads, links and stress
+    std::vector<double> noise;  // round-off error due to the limited precision of the coordinates
+    std::vector<double> outerNoise;  // round-off error without glue, which acts within a block
     bool weighs = false;  // gravity or a body acceleration acts
 };
 
-/// \param weightPerMass of gravity and body acceleration (loads.h); 0: neither acts [m/s²].
-/// \param problem of a step at rest from `state`, its friction limits those of the forces there.
+/// Reference forces of all bodies at rest in `state`.
+/// \param problem a step at rest from `state`, with friction limits that match the forces there.
+/// \param weightPerMass the weight per mass, from the function of that name [m/s²]; 0: no gravity or body acceleration.
 RestForces restForces(const Model& model, const State& state, const StepProblem& problem, double weightPerMass);
 
-/// Of a block's weight, what round-off may hide if rest is to mean anything.
+/// Largest round-off error, as a fraction of a block's weight, with which equilibrium can still be decided.
 inline constexpr double mostNoise = 0.02;
 
 /// The body that is farthest from rest.
 struct Unrest {
     int body = -1;  // −1: nothing is free to move
-    double share = 0.0;  // unbalanced force over the block's weight, or what stands for it
-    double force = 0.0;  // [N]
-    double beyond = 0.0;  // over what may be left, round-off included: at rest to 1
-    std::vector<int> restless;  // all bodies that are beyond it
-    std::vector<int> undecidable;  // first rows of blocks of whose weight round-off hides more than `mostNoise`
-    double noise = 0.0;  // of these, the largest share that it hides
+    double share = 0.0;  // unbalanced force over the reference force, scaled to the tolerance of blocks
+    double force = 0.0;  // unbalanced force [N]
+    double beyond = 0.0;  // unbalanced force over the allowed one, which is at least round-off; at rest up to 1
+    std::vector<int> restless;  // all bodies with a ratio above 1
+    std::vector<int> undecidable;  // first rows of blocks whose round-off error exceeds `mostNoise` times their weight
+    double noise = 0.0;  // largest round-off error of these over the weight
 };
 
-/// \param net force on every unknown where nothing moves. \param share of its weight that may be unbalanced on a block.
+/// Finds the body that is farthest from rest.
+/// \param net the net force on every unknown at zero displacement.
+/// \param share the unbalanced force allowed on a block, as a fraction of its weight.
 Unrest farthestFromRest(const Model& model, const State& state, const StepProblem& problem, const RestForces& forces,
                         const Eigen::VectorXd& net, double share);
 

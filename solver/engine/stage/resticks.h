@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Friction that stops sliding changes no force at that moment: the point carries
-// on as an elastic spring. So a re-stick is no limit that is released, but is found by
-// comparing the states before and after.
+// Detection of re-sticking anchored points. When sliding stops, no force changes at
+// that moment; the point continues as an elastic spring. A re-stick is therefore not a
+// limit to be released, but is found by comparing the states before and after.
 #pragma once
 
 #include "solver/engine/stage/engine.h"
@@ -12,11 +12,12 @@
 
 namespace keyblock {
 
-/// A copy of the state where some anchored point slides and may stick; nothing where none does.
+/// Copy of the state if any anchored point slides and can re-stick; otherwise nothing.
 std::optional<State> ifSliding(const State& state);
 
-/// Reports, in the order of bolts and nodes, every anchored point that slid in `before` and sticks in `after`, each
-/// with the state before. \param cause the event that relieved them; −1: the load did.
+/// Reports every anchored point that slides in `before` and sticks in `after`, in the order of bolts and nodes, with
+/// the state before.
+/// \param cause the number of the event that relieved the points; −1: the load.
 void reportResticks(const Model& model, const std::optional<State>& before, const State& after, double time,
                     long cause, StepObserver& observer);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// After a step was solved: forces and history into the state, bodies to their
-// new positions, and the energy that friction and plastic flow used.
+// Acceptance of a solved step: stores forces and history in the state, moves the
+// bodies, and accounts for the energy dissipated by friction and plastic flow.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -10,11 +10,11 @@
 
 namespace keyblock {
 
-/// Moves blocks and nodes by the step's displacement; laws and forces stay as they are.
+/// Moves blocks and bolt nodes by the step's displacement `d`; laws and forces are not changed.
 void moveBodies(const Model& model, State& state, const Eigen::VectorXd& d);
 
-/// Accepts the step: takes forces and new history from the links at `d`, moves the bodies, and
-/// accounts for what friction and plastic flow used. Velocities are left to the caller.
+/// Accepts a step: stores the forces and the new history of the links at displacement `d`, moves the bodies, and
+/// accounts for the energy dissipated by friction and plastic flow. Velocities are left to the caller.
 void acceptStep(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d);
 
 }  // namespace keyblock

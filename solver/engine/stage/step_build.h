@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From state and loads to the matrices and links of a step.
+// Builds the matrices and links of a step from state and loads.
 #pragma once
 
 #include "solver/engine/model/loads.h"
@@ -10,11 +10,12 @@
 
 namespace keyblock {
 
-/// Everything of one step from where `state` is; its contacts were found for it.
+/// Builds the complete problem of a step from `state`.
+/// \pre the contacts in `state` have been found for this step.
 StepProblem buildStep(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                       const StepOptions& options);
 
-/// Displacement of a motion's block along its axis since the start of the run [m].
+/// Displacement of the block of a prescribed motion along the motion's axis since the start of the run [m].
 double displacementAlong(const Model& model, const State& state, const PrescribedMotion& motion);
 
 }  // namespace keyblock

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The last step that was accepted in motion, as it was solved. Its forces are those that
-// its inertia balances; at the positions that it led to, the laws give others.
+// The last accepted dynamic step, as it was solved. Its forces are in equilibrium with
+// its inertia, whereas at the positions reached by the step the laws give different
+// forces.
 #pragma once
 
 #include "solver/engine/model/loads.h"
@@ -12,13 +13,13 @@
 namespace keyblock {
 
 struct TakenStep {
-    State before;  // where the step began
+    State before;  // state at the start of the step
     StepProblem problem;
-    Eigen::VectorXd d;  // displacement over the step, of every unknown
-    LoadPoint at;  // loads that the step took
-    StepOptions options;  // without path
-    Eigen::VectorXd path;  // along which it was solved, where it was known before; empty: it was not
-    long step = -1;  // number of the step that it led to; −1: none was taken
+    Eigen::VectorXd d;  // displacement of every unknown over the step
+    LoadPoint at;  // loads used in the step
+    StepOptions options;  // without paths
+    Eigen::VectorXd path;  // displacement assumed for directions and lever arms; empty: predicted from velocities
+    long step = -1;  // step number of the state reached; −1: none yet
 };
 
 }  // namespace keyblock
