@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where four blocks or more meet at a place, some of them share no face there
-// but only a corner. While bonds hold the others together round that place they
-// hold these, too: a contact between the two corners would only be one more spring
-// that pushes but does not pull, and would make intact rock uneven.
+// Where four or more blocks meet at a point, some of them share only that corner and
+// no face. As long as bonds connect them through the other blocks at that point, they
+// need no contact of their own. A contact between the two corners would be an extra
+// spring that acts in compression only and would make the stiffness of intact rock
+// non-uniform.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -13,8 +14,8 @@
 
 namespace keyblock {
 
-/// Takes out the contacts that carry nothing and whose two blocks bonded contacts at the same place, in the scene as it
-/// was given, hold together by way of other blocks (theory, "Contacts"). The order of the rest stays.
+/// Removes contacts that carry no force if their two blocks are connected, through other blocks, by bonds that are at
+/// the same point in the original scene (theory, "Contacts"). The order of the remaining contacts is kept.
 void dropHeldCorners(const Model& model, std::vector<Contact>& contacts);
 
 }  // namespace keyblock

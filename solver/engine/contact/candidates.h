@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which edges of a block a corner of another is in front of, and by which of
-// them it comes in. Near a corner of the other block several are in question;
-// the path over the step decides, and a corner that slides on a face keeps
-// sliding where the next block's face is flush with it.
+// Candidate contacts: the edges of a block that a corner of another block faces, and
+// the edge through which it would enter. Near a corner of the other block there may be
+// several such edges; the path over the step then decides. A corner that slides along a
+// face continues to slide onto the face of the next block if the two are flush.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -19,16 +19,17 @@
 
 namespace keyblock {
 
-/// How a block moves over the step that begins, to first order.
+/// First-order displacement of a block over the coming step.
 struct Drift {
     Point shift{0.0, 0.0};  // of the centroid [m]
     double turn = 0.0;  // [rad]
 };
 
-/// Drift of every block. \param path displacement of the step, six unknowns a block; none: at rest.
+/// Drift of every block.
+/// \param path the displacement over the step, six unknowns per block; null: at rest.
 std::vector<Drift> driftOf(const std::vector<BlockMotion>& blocks, const Eigen::VectorXd* path);
 
-/// Where a block is: the straight pieces that begin at the corners of its list `turns`, in a box.
+/// Current outline of a block: its bounding box and its straight runs, which start at the corners in `turns`.
 struct Outline {
     Box box;
     std::vector<Edge> runs;
@@ -36,12 +37,12 @@ struct Outline {
 
 std::vector<Outline> outlinesOf(const Model& model, const std::vector<BlockMotion>& blocks);
 
-/// Where corners press: of each carrying contact the corner, and the ends of the edge that it rests on.
+/// Supported corners: for each contact that is compressed or bonded, its corner and both ends of its edge.
 class Standings {
 public:
     Standings(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before);
 
-    /// True where the corner is held up by something whose outward normal is `normal`, to 3°.
+    /// True if the corner is supported by a face whose outward normal is `normal` to within 3°.
     bool holdsUp(int block, int corner, const Point& normal) const;
 
 private:
@@ -50,34 +51,34 @@ private:
         Point normal{0.0, 0.0};
     };
 
-    std::vector<std::size_t> first_;  // entry of each block, and one past the last block's
+    std::vector<std::size_t> first_;  // per block: its first entry; then the number of entries
     std::vector<Entry> entries_;
 };
 
 struct CandidateSearch {
     const Model& model;
     const std::vector<BlockMotion>& blocks;
-    std::span<const Contact> before;  // of all blocks, or of A and B alone
+    std::span<const Contact> before;  // previous contacts of all blocks, or of blocks A and B only
     const std::vector<Drift>& drift;
     const std::vector<Outline>& outlines;
     const Standings& standings;
     double margin;
 
-    /// How far past an edge's end a corner still rests on it [m].
+    /// Distance past the end of an edge up to which a corner still counts as resting on it [m].
     double slack(int a, int b) const;
 
-    /// Adds the contacts of corner `corner` of A with the edges of B by which it comes in.
-    /// \return true where these may be others on another path, on which bodies move by up to the margin to each other
+    /// Adds the contacts of corner `corner` of block A with the edges of block B through which it would enter.
+    /// \return true if the result could be different for another path with relative displacements up to the margin.
     bool addCorner(int a, int corner, int b, std::vector<Contact>& found) const;
 };
 
-/// The contact's own entry in a sorted list; null where it has none.
+/// Contact with the same corner and edge in a sorted list; null if there is none.
 const Contact* sameContact(std::span<const Contact> contacts, const Contact& contact);
 
-/// The part of a sorted list that lies between two blocks.
+/// Part of a sorted list with the contacts between two blocks.
 std::span<const Contact> contactsBetween(std::span<const Contact> contacts, int a, int b);
 
-/// Place of a contact in the order of contacts: by pair of blocks, then by corner, then by edge.
+/// Sort key of contacts: pair of blocks, then corner, then edge.
 struct ContactPlace {
     std::uint64_t pair = 0, corner = 0;
     int edge = -1;
@@ -85,7 +86,7 @@ struct ContactPlace {
     explicit ContactPlace(const Contact& c)
         : pair(of(std::min(c.blockA, c.blockB), std::max(c.blockA, c.blockB))), corner(of(c.blockA, c.corner)), edge(c.edge) {}
 
-    /// Of two numbers that are not negative, the first of which decides.
+    /// Combines two non-negative numbers into one key; the first takes precedence.
     static std::uint64_t of(int first, int second) {
         return (static_cast<std::uint64_t>(first) << 32) + static_cast<std::uint64_t>(second);
     }
@@ -95,10 +96,10 @@ struct ContactPlace {
 
 inline bool comesBefore(const Contact& x, const Contact& y) { return ContactPlace(x) < ContactPlace(y); }
 
-/// The straight piece of outline that begins at corner `turn` of the block's list `turns`.
+/// Straight run of the outline that starts at entry `turn` of the block's list `turns`.
 Edge runOf(const BlockModel& block, const std::vector<Point>& corners, int turn);
 
-/// Sine of the angle under which directions count as parallel: 3°.
+/// Sine of 3°, the angle up to which two directions are considered parallel.
 inline constexpr double angleSlack = 0.0523;
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What contacts remember. History follows the pair of features; where a corner
-// slides off the end of its edge, the contact that takes its place takes its
-// force over, so that a surface cut into pieces is felt as one.
+// History of contacts. It belongs to the pair of corner and edge. If a corner slides
+// off the end of its edge, its force is transferred to the contact that replaces it, so
+// that a surface divided into several edges behaves as one.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -13,17 +13,22 @@
 
 namespace keyblock {
 
-/// A contact's own history, or what a contact without any starts with. \return elastic energy that it lost [J].
+/// Gives a contact its history from `before`, or the initial values of a new contact.
+/// \param first true for the original scene, in which touching faces carry no force and joints may be bonded.
+/// \return the decrease in elastic energy [J].
 double giveHistory(const Model& model, const std::vector<BlockMotion>& blocks, std::span<const Contact> before,
                    bool first, Contact& contact);
 
-/// Tributary length of joint of the contact where the blocks are: half of what a face of its corner shares with the
-/// edge, 0 where none lies along it [m].
+/// Tributary joint length of the contact at the current block positions [m]: half of the length that a face at its
+/// corner shares with the edge; 0 if no such face lies along the edge.
 double lengthOfJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact);
 
-/// Hands the forces of contacts that slid off their edges on to those found at the same place, and keeps bonded ones.
-/// \param underWay the blocks have moved since forces were accepted: what counts is what the laws give now.
-/// \param found sorted; stays so. \return elastic energy that was lost [J].
+/// Transfers the forces of contacts that slid off their edges to contacts found at the same position, and keeps bonded
+/// contacts.
+/// \param underWay true if the blocks have moved since forces were accepted; the current forces of the laws are then
+/// transferred.
+/// \param found the contacts found, sorted; they remain sorted.
+/// \return the decrease in elastic energy [J].
 double handOver(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& before,
                 bool underWay, std::vector<Contact>& found);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What can fail of a joint: bonds, and the peak of its friction.
+// Limits of joints: bond strength and peak friction.
 #pragma once
 
 #include "solver/engine/carrier/limit.h"
@@ -11,13 +11,14 @@
 
 namespace keyblock {
 
-/// True for the limits of joints.
+/// True if limits of this kind belong to joints.
 inline bool ofJoint(LimitKind kind) { return kind == LimitKind::JointBond || kind == LimitKind::PeakFriction; }
 
-/// Limits of all contacts that still hold, in their order: peak friction, then bond.
+/// Adds the limits of all contacts that have not failed yet, in the order of the contacts: peak friction, then bond.
 void addJointLimits(const Model& model, const State& state, std::vector<Limit>& limits);
 
-/// Releases one of them: the bond is lost, or friction falls to its residual angle. \return its event.
+/// Releases a joint limit: the bond fails, or friction drops to the residual angle.
+/// \return the resulting event.
 std::vector<Event> releaseJoint(const Model& model, State& state, const Limit& limit);
 
 }  // namespace keyblock

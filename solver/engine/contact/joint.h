@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which joint a contact is part of: its material, and how far it has been
-// driven apart.
+// The joint to which a contact belongs: its material and its prescribed opening.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -11,22 +10,23 @@
 
 namespace keyblock {
 
-/// Of the joint materials of two faces the weaker: less friction, and of equal friction less cohesion. Of the corner's
-/// block the face that lies along the edge counts, else both beside the corner. Intact rock is what was never parted:
-/// it counts where the faces met in the scene as it was given (`first`), elsewhere the blocks' own materials do.
-/// \return a row of Model::joints
+/// Governing joint material of a contact: the weaker of its faces' materials, that is the one with less friction or, if
+/// friction is equal, with less cohesion. Of the corner's block, the face that lies along the edge is used, or both
+/// faces at the corner if neither does. Intact rock applies only to faces that met in the original scene (`first`);
+/// otherwise the block's own joint material is used instead.
+/// \return a row of Model::joints.
 int governingJoint(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact, bool first);
 
-/// Row of State::openings of the joint or set that the edge and the corner's faces beside it are on; −1: none.
+/// Row of State::openings of the joint or joint set to which both the edge and a face at the corner belong; −1: none.
 int openingBetween(const Model& model, const Contact& contact);
 
-/// How far the contact's joint is driven apart: by its material and by its name [m].
+/// Prescribed opening of the contact's joint [m]: that of its material plus that of its named joint or joint set.
 double openingOf(const std::vector<double>& openings, const Contact& contact);
 
-/// The widest that a contact has been driven apart, by which more a search must reach [m].
+/// Largest opening that contacts have taken up [m]; the search for contacts must reach this much further.
 double widestOpening(const State& state);
 
-/// Gives contacts that were just found in a dilated joint the opening that it has by now; none carries force by that.
+/// Gives newly found contacts in a dilated joint the joint's current opening, without creating contact forces.
 void meetDilated(const State& state, std::vector<Contact>& contacts);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Joints whose strength a stage changes: weathering, water, grout. The forces of
-// that moment stay; what is too weak for them fails afterwards, through the same
-// limits as everything else.
+// Changes of joint strength by a stage: weathering, water, grouting. Forces do not
+// change at that moment. Joints that are now too weak for their forces fail afterwards
+// through the same limits as all other parts.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -12,12 +12,13 @@
 
 namespace keyblock {
 
-/// Strengths of the scene's joint materials as its stages up to and with `stage` set them (−1: as they are given), with
-/// the rows that no scene lists.
+/// Rows of Model::joints with the strengths set by the stages up to and including `stage` (−1: as given in the scene).
+/// Includes the built-in material and intact rock.
 std::vector<JointModel> jointModels(const Scene& scene, int stage);
 
-/// Gives the model the strengths of `stage` and gives every contact the one that governs it now; no force and no
-/// energy changes (theory, "Changed joints"). \pre the model has the strengths of the stage before.
+/// Sets the model's joint strengths to those of `stage` and determines the governing material of every contact again.
+/// Forces are kept, and the total energy does not change (theory, "Changed joints").
+/// \pre the model has the strengths of the previous stage.
 void changeJoints(const Scene& scene, int stage, Model& model, State& state);
 
 }  // namespace keyblock

@@ -1,20 +1,22 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Contacts as carriers of force: a corner before an edge gives two links, the gap
-// and the slip.
+// Contacts as force carriers. A corner facing an edge has two links: normal, with the
+// gap as strain, and friction, with the slip as strain.
 #pragma once
 
 #include "solver/engine/carrier/carrier.h"
 
 namespace keyblock {
 
-/// Links of the contacts, in the order of the state's contacts: normal, then friction. Their directions and lever arms
-/// are those where the blocks will be `ahead` [s] at the speed they have; half way, where their path is known.
+/// Adds the links of the contacts, in the order of the state's contacts: normal, then friction. Their directions and
+/// lever arms are those at the block positions predicted from the current velocities for the time `ahead` [s], or
+/// halfway along `path` if that is given.
+/// \param frictionLocked true to prevent sliding.
 void addContactLinks(const Model& model, const State& state, bool frictionLocked, StepProblem& problem,
                      double ahead = 0.0, const Eigen::VectorXd* path = nullptr);
 
-/// Links, history, limits and energy of the contacts.
+/// Force carrier of the contacts.
 extern const Carrier contactCarrier;
 
 }  // namespace keyblock

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Augmented Lagrangian: contact forces that need no penetration and no elastic
-// slip. After each solution the springs' forces become multipliers, and the
-// step is solved again, until the springs have nothing left to do (theory,
-// "Augmented Lagrangian"). Joints with a stiffness of their own keep it.
+// Augmented Lagrangian method: contact forces without penetration or elastic slip.
+// After each solution the forces of the contact springs become multipliers and the step
+// is solved again, until the spring deformations vanish (theory, "Augmented
+// Lagrangian"). Joints with a stiffness of their own keep it.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -12,17 +12,18 @@
 
 namespace keyblock {
 
-/// True where the scene asks for it.
+/// True if the scene uses the augmented Lagrangian method.
 bool usesMultipliers(const Model& model);
 
-/// Largest penetration or elastic slip at `d`, over what is allowed: 1e-9 of the smaller block.
+/// Largest penetration or elastic slip at displacement `d`, over the allowed value: 1e-9 of the smaller block's size.
 double multiplierError(const Model& model, const State& state, const StepProblem& problem, const Eigen::VectorXd& d);
 
-/// Takes the forces at `d` as the multipliers of the contacts, in the state and in the laws of the step, whose springs
-/// become `stiffer` times as stiff.
+/// Sets the contacts' multipliers to the forces at displacement `d`, in the state and in the step's laws.
+/// \param stiffer the factor by which the step's contact springs are stiffened.
 void takeMultipliers(State& state, StepProblem& problem, const Eigen::VectorXd& d, double stiffer);
 
-/// Leaves multipliers in the state under which the springs as the scene has them carry the forces at `d`.
+/// Sets the multipliers in the state so that contacts with their original spring stiffness carry the forces at
+/// displacement `d`.
 void keepMultipliers(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which corners stand before which edges. Candidates come from a grid over the
-// boxes of the blocks; history is found again by the pair of features, or taken
-// over from a neighbour at the same place.
+// Contact search: finds the corners that face edges of other blocks. Candidate pairs of
+// blocks come from a grid over their bounding boxes. History is matched by the pair of
+// corner and edge, or taken over from a contact at the same position.
 #pragma once
 
 #include "solver/engine/contact/candidates.h"
@@ -12,41 +12,42 @@
 
 namespace keyblock {
 
-/// What a search found before history decided, so that another path can be judged without a second search.
+/// Result of a search before history is applied. It gives the contacts for another path without a new search.
 struct FoundCorners {
-    /// A corner near an edge of another block. What does not depend on the path keeps its contact, if it has one.
+    /// A corner near an edge of another block, with its contacts.
     struct Corner {
         int a = -1, corner = -1, b = -1;
-        bool byPath = false;
+        bool byPath = false;  // the contacts depend on the path; otherwise they are the same for every path
         std::vector<Contact> found;
     };
-    double margin = 0.0;  // of the search [m]
-    std::vector<Outline> outlines;  // of the blocks where it was made
-    std::vector<std::vector<Corner>> pairs;
+    double margin = 0.0;  // margin of the search [m]
+    std::vector<Outline> outlines;  // outlines of the blocks in the search
+    std::vector<std::vector<Corner>> pairs;  // per pair of blocks
 };
 
-/// What a search goes by.
+/// Options of a contact search.
 struct ContactSearch {
-    double margin = 0.0;  // [m] how near a corner must be
-    bool first = false;  // the scene as it was given: faces that touch carry no force, joints may be bonded
+    double margin = 0.0;  // largest distance of a corner from an edge [m]
+    bool first = false;  // original scene: touching faces carry no force, and joints may be bonded
     bool underWay = false;  // the blocks have moved since their forces were accepted
-    const Eigen::VectorXd* path = nullptr;  // displacement of the step that begins; none: at rest
-    double* released = nullptr;  // takes the elastic energy of contacts that ended or changed [J]
-    FoundCorners* corners = nullptr;  // takes what was found
+    const Eigen::VectorXd* path = nullptr;  // displacement over the coming step; null: at rest
+    double* released = nullptr;  // receives the elastic energy released by contacts that ended or changed [J]
+    FoundCorners* corners = nullptr;  // receives the corners found
 };
 
-/// Contacts closer than the margin, sorted by block pair and corner, with the history of `before`.
-/// One spring per corner pair: where a corner of each lies on an edge of the other at the same
-/// place, the one with history is kept, else the one further inside.
+/// Finds the contacts within the margin, sorted by block pair and corner, with the history from `before`. There is one
+/// contact per pair of corners: if two corners at the same position each lie on an edge of the other block, the contact
+/// with history is kept, or, if neither has any, the one with the larger penetration.
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, const ContactSearch& search);
 
-/// The same from a margin and the question whether it is the scene as it was given.
+/// Finds contacts with the given margin and default options; `first` is true for the original scene.
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, double margin, bool first);
 
-/// False where a corner comes in by another edge than it was looked for, now that its path is known. `found` is of the
-/// search for `contacts` from where the blocks still are; the other searches once more with the same margin.
+/// False if, along the now known `path`, a corner enters through an edge other than the one in `contacts`. The blocks
+/// are still where `contacts` were found. The first version uses the result `found` of that search; the second searches
+/// again with the same margin.
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
                    const FoundCorners& found, const Eigen::VectorXd& path);
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,

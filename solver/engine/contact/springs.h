@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The law of a contact: a spring that only pushes across the edge, and one along
-// it that friction limits. With an augmented Lagrangian the springs only find the
-// forces and store nothing.
+// The law of a contact: a compression-only spring normal to the edge and a spring along
+// the edge that is limited by friction. With the augmented Lagrangian method the springs
+// serve only to find the forces and store no energy.
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -13,37 +13,39 @@
 
 namespace keyblock {
 
-/// Where a contact acts on block A: its corner, or a place on a bonded face [m].
+/// Point of block A at which a contact acts [m]: its corner, or a point on a bonded face.
 Point contactPoint(const std::vector<BlockMotion>& blocks, const Contact& contact);
 
-/// Share of the edge of block B at which that lies.
+/// Position of the contact point along the edge of block B, as a fraction of the edge's length.
 double placeOnEdge(const std::vector<BlockMotion>& blocks, const Contact& contact);
 
-/// Gap and slip of a contact where the blocks are [m].
+/// Gap and slip of a contact at the current block positions [m].
 double gapOf(const std::vector<BlockMotion>& blocks, const Contact& contact);
 double slipOf(const std::vector<BlockMotion>& blocks, const Contact& contact);
 
-/// True where the scene asks for multipliers and the contact is no joint with a stiffness of its own and no end of a
-/// bonded face: those deform by their stiffness, other contacts need no penetration to carry force.
+/// True if the contact uses multipliers and needs no penetration to carry force. This excludes joints with a stiffness
+/// of their own and ends of joined bonded faces, which deform according to their stiffness.
 bool isAugmented(const Model& model, const Contact& contact);
 
-/// Springs of one contact [N/m].
+/// Spring stiffnesses of a contact [N/m].
 struct ContactSprings {
     double normal = 0.0, shear = 0.0;
 };
 
-/// Penalty ratio · E · thickness, E the smaller of the two blocks', and its shear share; or, where faces meet and their
-/// joint material has a stiffness of its own, that times the contact's length and the thickness.
+/// Spring stiffnesses of a contact. The normal stiffness is penalty ratio · E · thickness, with the smaller E of the
+/// two blocks, and the shear stiffness is the shear ratio times that. If faces meet and their joint material has a
+/// stiffness, that stiffness times the contact's length and the thickness is used instead.
 ContactSprings contactSprings(const Model& model, const Contact& contact);
 
-/// Gap and slip at which normal and shear spring of a contact carry nothing [m].
+/// Gap and slip at which the normal and the shear spring of a contact carry no force [m].
 std::pair<double, double> zeroPoints(const Contact& contact, const ContactSprings& springs);
 
-/// Tangent of the friction angle that acts: the residual one after the first slip.
+/// Tangent of the current friction angle, which is the residual one after the first slip.
 double frictionOf(const Model& model, const Contact& contact);
 
-/// Zero points or multipliers such that the contact carries a force where the blocks are.
-/// \param strain gap or slip of its link there [m]; \param force compression, or along the edge [N].
+/// Set zero points or multipliers so that the contact carries the given force at the current block positions.
+/// \param strain the current gap or slip [m].
+/// \param force the compression, or the force along the edge [N].
 void carryNormal(const Model& model, Contact& contact, double strain, double force);
 void carryShear(const Model& model, Contact& contact, double strain, double force);
 
@@ -52,13 +54,13 @@ struct ContactForces {
     double normal = 0.0, shear = 0.0;
 };
 
-/// What the contact's laws give where the blocks are; friction up to what the compression there lets it hold.
+/// Forces of the contact's laws at the current block positions, with friction limited by the current compression.
 ContactForces forcesNow(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact);
 
-/// Makes the contact carry more where the blocks are.
+/// Adds `more` to the forces that the contact carries at the current block positions.
 void addForces(const Model& model, Contact& contact, const ContactForces& more);
 
-/// Elastic energy of the contact where the blocks are [J].
+/// Elastic energy of the contact at the current block positions [J].
 double contactEnergy(const Model& model, const std::vector<BlockMotion>& blocks, const Contact& contact);
 
 }  // namespace keyblock
