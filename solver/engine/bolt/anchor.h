@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The law of an anchored point: what ties a node of the bolt to the rock, along
-// its slot and across it. It is bonded, slides, sticks again or is lost; as the
-// node passes into another block it leaves its bond behind.
+// The law of an anchored point: the connection of a bolt node to the rock along and
+// across its borehole slot. The point is bonded, slides, re-sticks or has failed. A node
+// that passes into another block loses its bond.
 #pragma once
 
 #include "solver/engine/bolt/bolt_step.h"
@@ -13,55 +13,56 @@
 
 namespace keyblock {
 
-/// The force–slip curve in the current stage: the dynamic one where there is one; null without a curve.
+/// Force–slip curve for the current stage, with the dynamic strength if that applies; null if the law has no curve.
 const Backbone* curveNow(const AnchorModel& anchor, const BoltMotion& motion);
 
-/// Friction that an anchored point can carry under the normal force it had, for one metre or one node [N/m or N].
+/// Sliding resistance of an anchored point under its last accepted normal force, per metre or per node [N/m or N].
 double slidingLimit(const AnchorModel& anchor, const BoltNode& node, double strengthFactor);
 
-/// Force along the slot at which a bonded anchored point debonds [N]; none for a law without one.
+/// Force along the slot at which a bonded anchored point debonds [N]; none if the law has no strength.
 std::optional<double> bondStrength(const AnchorModel& anchor, const BoltNode& node, double strengthFactor);
 
-/// Links of a node in the rock: across the slot, then along it.
+/// Adds the links of a node that is in rock: across the slot, then along it.
 void addAnchorLinks(BoltStep& step, int node);
 
-/// True for those links.
+/// True if links of this kind belong to anchored points.
 bool ofAnchor(LinkKind kind);
 
-/// As `Carrier::accept` and `Carrier::relock`, for them.
+/// Like `Carrier::accept` and `Carrier::relock`, for the links of anchored points.
 void acceptAnchor(BoltMotion& motion, EnergyLedger& energy, const SolvedLink& solved);
 void relockAnchor(const State& state, BoltMotion& motion, EnergyLedger& energy, const SolvedLink& solved);
 
-/// True for the limits of an anchored point.
+/// True if limits of this kind belong to anchored points.
 bool ofAnchor(LimitKind kind);
 
-/// Limits of an anchored point that still hold.
+/// Adds the limits of an anchored point that have not failed yet.
 void addAnchorLimits(const BoltModel& bolt, const BoltMotion& motion, int owner, int node, std::vector<Limit>& limits);
 
-/// False where releasing its limit leaves the force as it is: friction or a curve carries on from it.
+/// False if releasing the limit does not change the force, because friction or the curve continues from it.
 bool anchorChangesForces(const AnchorModel& anchor, const Limit& limit);
 
-/// The point slides with what is left of its strength, or loses it all.
+/// Releases a limit: the point slides with its residual strength, or fails completely.
 void releaseAnchor(const AnchorModel& anchor, const Limit& limit, BoltMotion& motion);
 
-/// Nothing is left of it, as the whole bolt is lost.
+/// Marks an anchored point as failed because the whole bolt is lost.
 void loseAnchor(BoltNode& node);
 
-/// True where the point slid before and sticks now, in the same slot.
+/// True if the point was sliding before and now sticks in the same slot.
 bool sticksAgain(const BoltNode& before, const BoltNode& after);
 
-/// The nearest node along the bolt that was in a block before.
+/// Nearest node along the bolt that was already in the same block.
 struct AnchorNeighbour {
     const AnchorModel& anchor;
     const NodeBond& bond;
 };
 
-/// A node that comes into a block has no bond there. It rubs with the force of its neighbour, from which it takes over
-/// its length, so that the force on the whole length does not depend on where the nodes are.
-/// \param neighbour null: none
+/// Initialises the bond of a node that enters a block. It is not bonded there, but carries the frictional force per
+/// metre of its neighbour, whose tributary length it partly takes over. The total force on the embedded length
+/// therefore does not depend on the positions of the nodes.
+/// \param neighbour the neighbouring node; null: none.
 void enterRock(const AnchorModel& anchor, const AnchorNeighbour* neighbour, NodeBond& bond);
 
-/// The bond of a node that leaves its block stays behind in the rock.
+/// Removes the bond of a node that leaves its block.
 void leaveRock(const AnchorModel& anchor, BoltNode& node);
 
 }  // namespace keyblock

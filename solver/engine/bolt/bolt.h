@@ -1,27 +1,27 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A bolt as a carrier of force: its shank, anchored points and plate together,
-// and what happens to the whole of it when one of them fails.
+// A bolt as a force carrier: its shank, anchored points and face plate, and the loss of
+// the whole bolt when one of them fails.
 #pragma once
 
 #include "solver/engine/carrier/carrier.h"
 
 namespace keyblock {
 
-/// Links of a bolt per node, at most: four of its element, two to the rock, and room for the plate's.
+/// Maximum number of links per bolt node: four for its element, two to the rock, and an allowance for the face plate.
 inline constexpr std::size_t linksANode = 7;
 
-/// Links of one bolt: shank, anchored points, plate; none where it is lost or absent.
+/// Adds the links of one bolt: shank, anchored points and face plate; none if the bolt is lost or absent.
 void addBoltLinks(const Model& model, const State& state, int bolt, StepProblem& problem);
 
-/// Elastic energy held by one bolt: shank, anchored points and plate [J].
+/// Elastic energy of one bolt [J]: shank, anchored points and face plate.
 double boltEnergy(const Model& model, const State& state, int bolt);
 
-/// An event of a node or an element as the bolt is now.
+/// Event of kind `kind` for the node or element of `limit`, with the current values of the bolt.
 Event boltEvent(const Model& model, const State& state, const Limit& limit, EventKind kind);
 
-/// Links, history, limits and energy of the bolts.
+/// Force carrier of the bolts.
 extern const Carrier boltCarrier;
 
 }  // namespace keyblock

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One bolt in a step that is being built: what shank, anchored points and plate
-// need in order to add their links.
+// One bolt in a step under construction: the data that shank, anchored points and face
+// plate need to add their links.
 //
-// A spring between a node and the rock acts at the node's own place on both: the
-// block's displacement there is T(x)·D. So the pair of forces is collinear and
-// gives no couple (the paper's eq. 26 and 30 reach the same to first order).
+// A spring between a node and the rock acts on both at the position of the node, where
+// the block's displacement is T(x)·D. The two forces are therefore collinear and form no
+// couple (eqs. 26 and 30 of the paper achieve the same to first order).
 #pragma once
 
 #include "solver/engine/model/state.h"
@@ -17,14 +17,14 @@ namespace keyblock {
 struct BoltStep {
     BoltStep(const Model& wholeModel, const State& wholeState, int boltIndex, StepProblem& stepProblem);
 
-    /// A link between a node and the block of a slot or plate, along `direction`.
+    /// Adds a link between a node and the block of a slot or plate, acting along `direction`.
     Link& toRock(LinkKind kind, int node, int block, const Point& direction, double strain, double share);
 
-    /// A link between the two ends of an element.
+    /// Adds a link between the two ends of an element, with the strain gradients `g1` and `g2` at its ends.
     Link& ofElement(LinkKind kind, int element, double strain, double share, const Eigen::Vector3d& g1,
                     const Eigen::Vector3d& g2);
 
-    /// Row of the link that was added last.
+    /// Row of the link added last.
     int last() const { return static_cast<int>(problem.links.size()) - 1; }
 
     const Model& model;
@@ -33,7 +33,7 @@ struct BoltStep {
     const BoltMotion& motion;
     StepProblem& problem;
     int index;
-    int firstBody;  // of its nodes among the bodies of the step
+    int firstBody;  // body of the bolt's node 0 in the step
 };
 
 }  // namespace keyblock

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The law of the face plate: two springs between the bolt's head and the rock, or
-// the plate that is a block. While a jack tensions the bolt the plate's force is the
-// pretension whatever moves; once the rock has come to rest the nut locks off and
-// the plate is a spring that carries it (theory, "Pre-tension").
+// The law of the face plate: two springs between the bolt head and the rock, or between
+// the head and a plate that is modelled as a block. While a jack tensions the bolt, the
+// plate force equals the pretension regardless of displacements. Once equilibrium is
+// reached the nut is locked off, and the plate becomes a spring that carries that force
+// (theory, "Pre-tension").
 #pragma once
 
 #include "solver/engine/bolt/bolt_step.h"
@@ -12,25 +13,26 @@
 
 namespace keyblock {
 
-/// Links of the plate: along the bolt, then across it.
+/// Adds the links of the face plate: along the bolt, then across it.
 void addPlateLinks(BoltStep& step);
 
-/// True for those links.
+/// True if links of this kind belong to face plates.
 bool ofPlate(LinkKind kind);
 
-/// As `Carrier::accept`, for them.
+/// Like `Carrier::accept`, for the links of the face plate.
 void acceptPlate(BoltMotion& motion, EnergyLedger& energy, const SolvedLink& solved);
 
-/// The plate's limit, where it holds.
+/// Adds the limit of the face plate unless the plate has been lost.
 void addPlateLimit(const BoltModel& bolt, const BoltMotion& motion, int owner, std::vector<Limit>& limits);
 
-/// The plate holds nothing from now on.
+/// Marks the face plate as lost; it carries no force any more.
 void losePlate(BoltMotion& motion);
 
-/// Gives the plate's springs no force where the head is; a plate on excavated rock is lost.
+/// Sets the zero points of the plate's springs to the current position of the head. A plate on excavated rock is lost.
 void fitPlate(const BoltModel& bolt, const State& state, BoltMotion& motion);
 
-/// Locks off every plate that is being tensioned, with the force it has. \pre the state is an accepted equilibrium.
+/// Locks off all face plates that are being tensioned, at their pretension.
+/// \pre the state is an accepted equilibrium.
 void lockOffPlates(const Model& model, State& state);
 
 }  // namespace keyblock

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The law of the shank: an element between two nodes stretches by its steel's
-// curve, bends and shears as a beam, forms hinges and ruptures.
+// The law of the shank. An element between two nodes elongates according to the
+// stress–strain curve of its steel, bends and shears as a beam, forms plastic hinges and
+// ruptures.
 #pragma once
 
 #include "solver/engine/bolt/bolt_step.h"
@@ -10,51 +11,52 @@
 
 namespace keyblock {
 
-/// The curve of the steel in the current stage: the dynamic one where there is one; null without a curve.
+/// Stress–strain curve of the steel for the current stage, with the dynamic strength if that applies; null for linear
+/// steel.
 const Backbone* steelNow(const BoltModel& bolt, const BoltMotion& motion);
 
-/// How an element is strained where its nodes are now (theory, "The shank").
+/// Strains of an element at the current positions of its nodes (theory, "The shank").
 BeamStrains strainsOf(const BoltModel& bolt, const BoltMotion& motion, int element);
 
-/// Stiffness of the spring that resists an element's p1, and its limit (and p2's) without axial force [N m]; a limit of
-/// 0 where it has none.
+/// Stiffness of the bending spring for p1 of an element [N m/rad], and the plastic limit of the bending forces for p1
+/// and p2 at zero axial force [N m]; 0 if the bolt forms no hinges.
 double bendStiffness(const BoltModel& bolt, int element);
 double hingeForce(const BoltModel& bolt, const BoltMotion& motion);
 
-/// That limit under the axial force that the element carried when it was last accepted [N m].
+/// Plastic limit of the bending forces under the element's last accepted axial force [N m].
 double hingeLimit(const BoltModel& bolt, const BoltMotion& motion, int element);
 
-/// Combined action in an element under its last accepted forces: (N/N_p)² + (Q/Q_p)², and the same + |M|/M_p with
-/// M_p = Z·N_p/A; 0 for steel without limit (theory, "Rupture").
+/// Utilisation of an element under its last accepted forces: `forces` is (N/N_p)² + (Q/Q_p)², and `withMoment` adds
+/// |M|/M_p, with M_p = Z·N_p/A. Both are 0 for steel of unlimited strength (theory, "Rupture").
 struct Utilisation {
     double forces = 0.0, withMoment = 0.0;
 };
 Utilisation utilisationOf(const BoltModel& bolt, const BoltMotion& motion, int element);
 
-/// Links of an element: axial, the turning of its chord under tension, bending and shear.
+/// Adds the links of an element: axial, rotation of the chord under tension, bending and shear.
 void addShankLinks(BoltStep& step, int element);
 
-/// True for those links.
+/// True if links of this kind belong to the shank.
 bool ofShank(LinkKind kind);
 
-/// As `Carrier::accept` and `Carrier::relock`, for them.
+/// Like `Carrier::accept` and `Carrier::relock`, for the links of an element.
 void acceptShank(const BoltModel& bolt, BoltMotion& motion, EnergyLedger& energy, const SolvedLink& solved);
 void relockShank(const BoltModel& bolt, BoltMotion& motion, EnergyLedger& energy, const SolvedLink& solved);
 
-/// True for the limits of an element.
+/// True if limits of this kind belong to the shank.
 bool ofShank(LimitKind kind);
 
-/// Limits of an element that still hold.
+/// Adds the limits of an element that have not been reached yet.
 void addShankLimits(const BoltModel& bolt, const BoltMotion& motion, int owner, int element,
                     std::vector<Limit>& limits);
 
-/// The element has yielded, hinges or is ruptured from now on.
+/// Marks an element as yielded, hinged or ruptured, depending on the limit.
 void releaseShank(BoltMotion& motion, const Limit& limit);
 
-/// The event of one of its limits, as the forces are now.
+/// Kind of event for a limit of an element under its current forces.
 EventKind shankEvent(const BoltModel& bolt, const BoltMotion& motion, const Limit& limit);
 
-/// An element that carries no force.
+/// Sets all forces of an element to zero.
 void unloadElement(BoltElementState& element);
 
 }  // namespace keyblock

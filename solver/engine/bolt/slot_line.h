@@ -1,24 +1,24 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a borehole slot is now, and where a node of the bolt is by it.
+// Current position of a borehole slot, and the position of a bolt node relative to it.
 #pragma once
 
 #include "solver/engine/model/state.h"
 
 namespace keyblock {
 
-/// Where a slot is now.
+/// Current line of a slot: start point, unit vectors along and across it, and length.
 struct SlotLine {
     Point p2{0.0, 0.0}, along{1.0, 0.0}, across{0.0, 1.0};
     double length = 0.0;  // [m]
 };
 SlotLine slotLine(const State& state, const Slot& slot);
 
-/// Distance of a node from the slot's line, to its left [m].
+/// Signed distance of a node from the slot's line, positive to its left [m].
 double offSlot(const SlotLine& line, const BoltNode& node);
 
-/// Node minus rock along the slot since bonding [m].
+/// Displacement of a node relative to the rock along the slot since it was bonded [m].
 double alongSlot(const SlotLine& line, const BoltNode& node);
 
 }  // namespace keyblock

@@ -1,23 +1,24 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which block each node of a bolt is in, and its tributary length there (theory,
-// "Where a node is"; paper, Fig. 4). Found afresh from the geometry, so that a node
-// can pass through a gap into another block, and out.
+// The block in which each bolt node lies, and the node's tributary length there (theory,
+// "Where a node is"; paper, Fig. 4). Both are determined from the current geometry, so
+// that a node can pass through a gap into another block, or out of the rock.
 #pragma once
 
 #include "solver/engine/model/state.h"
 
 namespace keyblock {
 
-/// Blocks, tributary lengths and first bonds of every node of the bolts that are present, where the scene has them.
+/// Sets blocks, tributary lengths and initial bonds of all nodes of the active bolts, at their positions in the scene.
 void placeBolts(const Model& model, State& state);
 
-/// The same for one bolt, by the blocks as they are now.
+/// Sets blocks, tributary lengths and initial bonds of one bolt's nodes at the current positions of the blocks.
 void placeBoltNow(const Model& model, State& state, int bolt);
 
-/// Blocks and tributary lengths after the bodies moved.
-/// \return the largest change of a node's tributary length [m, or 1 per node].
+/// Updates blocks and tributary lengths of all bolt nodes after the bodies have moved.
+/// \return the largest change of a node's tributary length [m]; for laws per node, entering or leaving rock counts
+/// as 1.
 double followBolts(const Model& model, State& state);
 
 }  // namespace keyblock
