@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An edge of a block as lines and normals, for whatever acts on it or touches it.
+// Geometry of a block edge, used for loads and contacts.
 #pragma once
 
 #include "geometry/point.h"
@@ -16,7 +16,8 @@ struct Edge {
     double length = 0.0;
 };
 
-/// Edge `index` of an outline, from corner `index` to the next. \param corners counter-clockwise [m]
+/// Edge `index` of an outline, from corner `index` to the next one.
+/// \param corners the corners of the outline, counter-clockwise [m].
 Edge edgeOf(const std::vector<Point>& corners, int index);
 
 }  // namespace keyblock

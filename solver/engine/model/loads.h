@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What acts on the blocks from outside. The list is fixed for a stage; how much
-// of each acts at a moment is a load point, and two load points span the path
-// that an increment follows.
+// External loads on the blocks. The list of loads is fixed for a stage. A load point
+// gives the factor of each load at one moment, and two load points define the load path
+// of an increment.
 #pragma once
 
 #include "solver/engine/model/step_move.h"
@@ -12,42 +12,42 @@
 
 namespace keyblock {
 
-/// Keeps its direction and follows its point of the block.
+/// Force of constant direction that moves with a point of a block.
 struct PointForce {
     int block = -1;
-    Point place{0.0, 0.0};  // in the block's frame at the start, from its centroid [m]
-    Point force{0.0, 0.0};  // [N] over the whole thickness
+    Point place{0.0, 0.0};  // position relative to the centroid, in the block's initial frame [m]
+    Point force{0.0, 0.0};  // force over the full thickness [N]
 };
 
-/// Stays on its edge and normal to it as the block turns.
+/// Pressure on part of an edge, which remains normal to the edge as the block rotates.
 struct EdgePressure {
     int block = -1, edge = -1;
-    double from = 0.0, to = 1.0;  // part of the edge
-    double pressure = 0.0;  // [Pa] positive presses on the block
+    double from = 0.0, to = 1.0;  // start and end of the loaded part, as fractions of the edge
+    double pressure = 0.0;  // positive if it compresses the block [Pa]
 };
 
-/// Prescribes the centroid's displacement along an axis.
+/// Prescribed displacement of a block's centroid along an axis.
 struct PrescribedMotion {
     int block = -1;
     Point axis{1.0, 0.0};  // unit vector
-    bool holdsRotation = true;
+    bool holdsRotation = true;  // rotation is fixed
 };
 
-/// What excavated rock, or a released support, gave to a block or to a node of a bolt that stays.
+/// Force that excavated rock, or a released support, exerted on a remaining block or bolt node.
 struct WallForce {
-    int block = -1;  // −1: on the node
+    int block = -1;  // −1: acts on a bolt node
     int bolt = -1, node = -1;
-    Point place{0.0, 0.0};  // in the block's frame at the start, from its centroid [m]
-    Point force{0.0, 0.0};  // [N] over the whole thickness
-    bool ofSupport = false;  // of a support that was released
+    Point place{0.0, 0.0};  // position relative to the centroid, in the block's initial frame [m]
+    Point force{0.0, 0.0};  // force over the full thickness [N]
+    bool ofSupport = false;  // exerted by a released support
 };
 
-/// Acts against the velocity of its point of the block.
+/// Dashpot that acts against the velocity of a point of a block.
 struct Dashpot {
     int block = -1;
-    Point place{0.0, 0.0};  // in the block's frame at the start, from its centroid [m]
-    Point across{1.0, 0.0};  // normal to the side
-    double pressure = 0.0, shear = 0.0;  // across and along the side [N s/m]
+    Point place{0.0, 0.0};  // position relative to the centroid, in the block's initial frame [m]
+    Point across{1.0, 0.0};  // unit normal of the side
+    double pressure = 0.0, shear = 0.0;  // coefficients normal to and along the side [N s/m]
 };
 
 struct Loads {
@@ -55,50 +55,52 @@ struct Loads {
     std::vector<EdgePressure> pressures;
     std::vector<PrescribedMotion> motions;
     std::vector<WallForce> walls;
-    std::vector<Dashpot> dashpots;  // in motion only
+    std::vector<Dashpot> dashpots;  // in dynamic steps only
 };
 
-/// How much acts at a moment: factors of the loads, displacements since the start of the run [m].
+/// Magnitude of all loads at one moment: factors, and displacements since the start of the run.
 struct LoadPoint {
     double time = 0.0;
     double gravity = 0.0;  // factor
-    Point acceleration{0.0, 0.0};  // force per mass beside gravity [m/s²]
-    std::vector<double> forces, pressures, motions, walls;  // rows of Loads
-    std::vector<double> openings;  // since the start of the run, as State::openings; empty: none [m]
+    Point acceleration{0.0, 0.0};  // force per mass in addition to gravity [m/s²]
+    std::vector<double> forces, pressures, motions, walls;  // factors per row of Loads; `motions`: displacements [m]
+    std::vector<double> openings;  // joint openings since the start of the run, as State::openings; empty: none [m]
 };
 
-/// \param share 0 at `a`, 1 at `b`.
+/// Linear interpolation between two load points.
+/// \param share the position between them: 0 at `a`, 1 at `b`.
 LoadPoint between(const LoadPoint& a, const LoadPoint& b, double share);
 
-/// The farthest that a prescribed motion or a joint that dilates goes between two load points [m].
+/// Largest change of a prescribed displacement or joint opening between two load points [m].
 double longestDrive(const LoadPoint& a, const LoadPoint& b);
 
-/// True where the same acts at both, whenever that is.
+/// True if the loads at both points are equal, whatever their times.
 bool isSameLoad(const LoadPoint& a, const LoadPoint& b);
 
-/// A single force of the loads, but for weights.
+/// An individual force due to a load other than weight.
 struct SingleLoad {
     ForceSource source = ForceSource::Load;  // load, wall or support
-    int block = -1;  // −1: on the node
-    int node = -1;  // of all nodes
-    Point arm{0.0, 0.0};  // from the block's centroid to where it acts [m]
+    int block = -1;  // −1: acts on a bolt node
+    int node = -1;  // index among all bolt nodes
+    Point arm{0.0, 0.0};  // point of action relative to the block's centroid [m]
     Point force{0.0, 0.0};  // [N]
-    Vector6 onUnknowns = Vector6::Zero();  // of the block
+    Vector6 onUnknowns = Vector6::Zero();  // generalised force on the block's unknowns
 };
 
-/// Point forces, pressures and forces of walls. \param move of the blocks over the step, within which loads take their
-/// directions and lever arms.
+/// Individual forces of point forces, pressures and wall forces.
+/// \param move the expected displacement of the blocks over the step, which determines directions and lever arms.
 std::vector<SingleLoad> singleLoads(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                                     const StepMove& move);
 
-/// Force per mass of gravity and of accelerations that act like it [m/s²].
+/// Force per mass due to gravity and body acceleration [m/s²].
 Point accelerationOf(const Model& model, const LoadPoint& at);
 
-/// Weight per mass that what is unbalanced is compared with: the largest of gravity, body acceleration and both [m/s²].
+/// Weight per mass used as the reference for unbalanced forces [m/s²]: the largest of full gravity, body acceleration
+/// and their vector sum.
 double weightPerMass(const Model& model, const LoadPoint& at);
 
-/// Generalised forces of gravity, forces, pressures and excavated walls on every unknown. \param move as for
-/// `singleLoads`. \return summed magnitudes [N] in `total`.
+/// Generalised forces of gravity, point forces, pressures and wall forces on every unknown.
+/// \param move as in `singleLoads`. \param total receives the sum of the force magnitudes [N].
 Eigen::VectorXd externalForce(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                               const StepMove& move, double& total);
 
