@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A curve of force over strain with elastic unloading: the steel's backbone
-// and the force–slip curve of an anchor are the same law.
+// A force–strain curve with elastic unloading. The stress–strain curve of steel and the
+// force–slip curve of an anchor use the same law.
 //
-// Loading follows the curve, unloading its first slope; hardening is isotropic
-// and compression mirrors tension. With the plastic strain p and the
-// accumulated plastic strain a, the yield force is the curve's force at the
-// point whose plastic part is a. The step's response is the usual return
-// mapping; for a curve that never falls it has a convex potential.
+// Loading follows the curve, and unloading follows its initial slope. Hardening is
+// isotropic, and compression mirrors tension. The yield force at an accumulated plastic
+// strain a is the force at the point of the curve whose plastic strain is a. The response
+// over a step is the usual return mapping; it has a convex potential if the curve never
+// descends.
 #pragma once
 
 #include <utility>
@@ -16,25 +16,26 @@
 
 namespace keyblock {
 
-/// Curve from the origin, strain rising. A piece flatter than 1e-7 of the first slope uses that slope,
-/// and so does the force past the last point.
+/// Piecewise linear curve that starts at the origin, with increasing strain. A piece flatter than 1e-7 times the
+/// initial slope is given that minimum slope, as is the continuation beyond the last point.
 struct Backbone {
     double modulus = 0.0;  // slope of the first piece
-    std::vector<double> plastic;  // accumulated plastic strain at each yield point, from 0
-    std::vector<double> force;  // yield force there
+    std::vector<double> plastic;  // accumulated plastic strain at each yield point, starting at 0
+    std::vector<double> force;  // yield force at each yield point
     double lastStrain = 0.0;  // strain of the last point
 
+    /// Curve through the given (strain, force) points, with both coordinates scaled.
     /// \pre at least the origin and one point with positive strain and force.
     static Backbone of(const std::vector<std::pair<double, double>>& curve, double strainScale = 1.0,
                        double forceScale = 1.0);
 
-    /// The same curve with every yield force times `factor`; first slope and rupture strain stay.
+    /// Copy of the curve with all yield forces multiplied by `factor`; initial slope and rupture strain are unchanged.
     Backbone strengthened(double factor) const;
 };
 
 struct BackboneState {
     double plastic = 0.0;  // plastic strain, signed
-    double accumulated = 0.0;  // sum of its magnitudes
+    double accumulated = 0.0;  // accumulated magnitude of plastic strain
 
     bool operator==(const BackboneState&) const = default;
 };
@@ -43,16 +44,16 @@ struct BackboneResponse {
     double force = 0.0;
     double tangent = 0.0;
     BackboneState state;
-    double plasticWork = 0.0;  // of this step
+    double plasticWork = 0.0;  // plastic work over this step
 };
 
-/// Force at `strain` from a committed state.
+/// Response at `strain` from a committed state.
 BackboneResponse respond(const Backbone& backbone, const BackboneState& state, double strain);
 
-/// Mean of the force along the strain from `from`, where the state was committed, to `to`.
+/// Mean force along the strain path from `from`, where the state was committed, to `to`.
 double averageForce(const Backbone& backbone, const BackboneState& state, double from, double to);
 
-/// Yield force at the state's accumulated plastic strain.
+/// Yield force at an accumulated plastic strain.
 double yieldForce(const Backbone& backbone, double accumulated);
 
 }  // namespace keyblock

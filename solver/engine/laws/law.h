@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The scalar laws of everything that holds: strain in, force and tangent out.
-// Each is the derivative of a convex potential, which is what lets a step be
-// solved as a minimisation (theory, "The step").
+// Scalar laws of all links: they give force and tangent for a strain. Each law is the
+// derivative of a convex potential, so that a step can be solved as a minimisation
+// problem (theory, "The step").
 #pragma once
 
 #include "solver/engine/laws/backbone.h"
@@ -14,11 +14,11 @@ namespace keyblock {
 
 enum class LawKind {
     Linear,  // k·(e − offset)
-    Gap,  // the same where it pushes or just touches, nothing where it would pull
-    Capped,  // the same up to ± limit: Coulomb friction with a given limit
-    Constant,  // the force `limit`, whatever the strain
-    Curve,  // backbone with a plastic state
-    Viscous  // k·(e − offset) at the step's end under every scheme, and nothing of it stored
+    Gap,  // k·(e − offset) in compression (≤ 0), otherwise 0
+    Capped,  // k·(e − offset) limited to ± limit: Coulomb friction with a given limit
+    Constant,  // the force `limit` at any strain
+    Curve,  // backbone curve with a plastic state
+    Viscous  // k·(e − offset) at the end of the step in all time schemes; stores no energy
 };
 
 struct Law {
@@ -28,9 +28,9 @@ struct Law {
     double limit = 0.0;
     const Backbone* curve = nullptr;
     BackboneState state;
-    double share = 1.0;  // multiplies force, tangent and energy of the whole law in the model
-    bool rigid = false;  // the stiffness only finds the force: nothing is stored
-    double leastTangent = 0.0;  // over `stiffness`, given to Newton where the law is flat, so that no body is free
+    double share = 1.0;  // factor of force, tangent and energy in the model
+    bool rigid = false;  // the stiffness serves only to find the force; no energy is stored
+    double leastTangent = 0.0;  // tangent over `stiffness` where the law is flat, so that Newton's matrix stays regular
 };
 
 struct LawResponse {
@@ -38,7 +38,7 @@ struct LawResponse {
     double tangent = 0.0;
 };
 
-/// Force and tangent at strain `e`; shares are left to the caller.
+/// Force and tangent at strain `e`, before `share`.
 inline LawResponse respond(const Law& law, double e) {
     const double trial = law.stiffness * (e - law.offset);
     switch (law.kind) {
@@ -58,7 +58,7 @@ inline LawResponse respond(const Law& law, double e) {
     return {};
 }
 
-/// Elastic energy that a force stands for: f²/2k, before `share`.
+/// Elastic energy stored at a force f, f²/2k, before `share`; 0 for laws that store no energy.
 inline double storedEnergy(const Law& law, double force) {
     if (law.kind == LawKind::Constant || law.kind == LawKind::Viscous || law.rigid) return 0.0;
     const double k = law.kind == LawKind::Curve ? law.curve->modulus : law.stiffness;

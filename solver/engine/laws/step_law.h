@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What force a law gives to a whole step. A scheme may take the force at the
-// step's end, the mean along the strain that it passes (the discrete gradient,
-// which keeps energy), or a mix of the two. All three rise with
-// the strain at the end, so the step stays convex (theory, "Time").
+// Force of a law over a whole step. A time scheme may use the force at the end of the
+// step, the mean force along the strain path (the discrete gradient, which conserves
+// energy), or a combination of the two. All three increase with the strain at the end,
+// so the step remains convex (theory, "Time").
 #pragma once
 
 #include "solver/engine/laws/law.h"
@@ -15,42 +15,43 @@ enum class ForceRule { End, Average, Blend };
 
 struct StepRule {
     ForceRule rule = ForceRule::End;
-    double end = 1.0;  // Blend: weight of the end against the start, from ½ to 1, as of a straight law
+    double end = 1.0;  // for Blend: weight of the end relative to the start for a linear law, from ½ to 1
 };
 
-/// Force that the law carried when the step began. A friction limit may have fallen since: the offset remembers.
+/// Force of the law at the start of the step. For friction it follows from the offset alone, because the limit may have
+/// fallen since.
 inline double carriedForce(const Law& law, double before) {
     return law.kind == LawKind::Capped ? law.stiffness * (before - law.offset) : respond(law, before).force;
 }
 
-/// Mean of the force along the strain from `before` to `after`, and its tangent by `after`.
+/// Mean force along the strain path from `before` to `after`, and its derivative with respect to `after`.
 LawResponse averageResponse(const Law& law, double before, double after);
 
-/// Force and tangent of a step that goes from strain `before` to `after`; shares are left to the caller.
+/// Force and tangent over a step from strain `before` to `after`, before `share`.
 inline LawResponse respondOverStep(const Law& law, double before, double after, const StepRule& rule) {
     if (rule.rule == ForceRule::End || law.kind == LawKind::Viscous) return respond(law, after);
     if (rule.rule == ForceRule::Average) return averageResponse(law, before, after);
     const LawResponse end = respond(law, after), mean = averageResponse(law, before, after);
-    const double late = 2.0 * rule.end - 1.0;  // a part that loses and a part that keeps energy, and none that gives it
+    const double late = 2.0 * rule.end - 1.0;  // a dissipative and a conserving part, so that no energy is generated
     return {late * end.force + (1.0 - late) * mean.force, late * end.tangent + (1.0 - late) * mean.tangent};
 }
 
-/// What the law lost to the scheme [J]: work of the step's force, less what was stored and what friction or plastic
-/// flow used (theory, "Energies").
+/// Energy that the time scheme dissipates in the law [J]: the work of the step's force minus the stored energy and the
+/// work of friction or plastic flow (theory, "Energies").
 double lawLoss(const Law& law, double before, double after, const StepRule& rule);
 
-/// Where a path began. The force is given because that of a rigid law does not follow from strain.
+/// Start of a strain path. The force is given because that of a rigid law does not follow from the strain.
 struct PathStart {
     double strain = 0.0;
-    double force = 0.0;  // before share
-    double limit = 0.0;  // of friction
+    double force = 0.0;  // before `share`
+    double limit = 0.0;  // friction limit
 };
 
-/// A law between two equilibria, on a straight path of strain along which the friction limit goes evenly from the
-/// start's to the law's own.
+/// Work of a law between two equilibria, along a linear strain path on which the friction limit changes linearly from
+/// that of the start to that of the law.
 struct PathWork {
-    double slipForce = 0.0;  // mean force while it slid; the force at the end where it did not
-    double surplus = 0.0;  // trapezium of the forces that act at both ends, less what was stored and used; times share [J]
+    double slipForce = 0.0;  // mean force while sliding; the force at the end if it did not slide
+    double surplus = 0.0;  // trapezoidal work of the forces at both ends minus stored and dissipated energy [J]
 };
 PathWork pathWork(const Law& law, const PathStart& start, double after);
 
