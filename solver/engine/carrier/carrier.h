@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What everything that carries force can do. Contacts, glue, point supports,
-// bolts, damping and dashpots each fill in one `Carrier`; steps, limits and energies
-// loop over the list of them (stage/carriers.h) and know none by name. A new
-// law or a lining is a file with such a table, and a row of that list.
+// Common interface of all force carriers. Contacts, glue, point supports, bolts, damping
+// and dashpots each provide one `Carrier`. The code for steps, limits and energies loops
+// over their list (stage/carriers.h) without knowing them individually. A new kind of
+// carrier, such as a lining, is one file with a `Carrier` and one row of that list.
 #pragma once
 
 #include "solver/engine/carrier/limit.h"
@@ -17,7 +17,7 @@
 
 namespace keyblock {
 
-/// What the links of a step are made from. The state's contacts were found for the step.
+/// Input from which the links of a step are created. The contacts in the state have been found for this step.
 struct StepInput {
     const Model& model;
     const State& state;
@@ -29,66 +29,67 @@ struct StepInput {
 struct SolvedLink {
     const Link& link;
     double strain = 0.0;  // at the end of the step
-    double force = 0.0;  // there, before the law's share
-    double slipForce = 0.0;  // mean force while it slid, or the force at the end; before the law's share
+    double force = 0.0;  // at the end of the step, before the law's share
+    double slipForce = 0.0;  // mean force while sliding, or the force at the end; before the law's share
     BackboneState curve{};  // new state of a law with a curve
-    double plasticWork = 0.0;  // of such a law over the step, before its share
+    double plasticWork = 0.0;  // plastic work of a law with a curve over the step, before its share
 };
 
 /// Elastic energy by kind [J].
 struct StoredEnergy {
-    double strain = 0.0;  // of blocks, their glue and their supports
+    double strain = 0.0;  // of blocks, glue and point supports
     double contact = 0.0;
     double bolt = 0.0;
 };
 
-/// A null function: the carrier has nothing of that kind.
+/// A force carrier: its functions for links, limits and energy. A null function means that it has nothing to do there.
 struct Carrier {
     const char* name = "";
 
     /// Adds its links to a step whose bodies and loads are complete.
     void (*addLinks)(const StepInput& input, StepProblem& problem) = nullptr;
 
-    /// True for links that it accepts.
+    /// True if the carrier accepts links of this kind.
     bool (*ownsLink)(LinkKind kind) = nullptr;
 
-    /// Takes force and history of one of its links into the state, before the bodies move.
+    /// Stores force and history of one of its links in the state, before the bodies are moved.
     void (*accept)(const Model& model, State& state, const SolvedLink& solved) = nullptr;
 
-    /// After the bodies have moved: moves the zero point of a law that slid or flowed, so that it carries the accepted
-    /// force where the bodies are now, and accounts for the work.
+    /// Called after the bodies have been moved. Shifts the zero point of a link that slipped or yielded so that it
+    /// carries the accepted force at the new positions, and accounts for the work.
     void (*relock)(const Model& model, State& state, const SolvedLink& solved) = nullptr;
 
-    /// Last of an accepted step, once for all links.
+    /// Called once at the end of an accepted step, after all links.
     void (*finish)(State& state) = nullptr;
 
-    /// Lists its limits that still hold, in the order in which ties are broken.
+    /// Adds its limits that have not failed yet, in the order in which ties are broken.
     void (*addLimits)(const Model& model, const State& state, std::vector<Limit>& limits) = nullptr;
 
-    /// True for limits that it releases.
+    /// True if the carrier releases limits of this kind.
     bool (*ownsLimit)(LimitKind kind) = nullptr;
 
-    /// True where releasing it changes forces, so that equilibrium must be found again.
+    /// True if releasing the limit changes forces, so that equilibrium must be found again.
     bool (*changesForces)(const Model& model, const Limit& limit) = nullptr;
 
-    /// Releases one of its limits. \return the events, with forces and slip just before.
+    /// Releases one of its limits. \return the resulting events, with forces and slip just before the release.
     std::vector<Event> (*release)(const Model& model, State& state, const Limit& limit) = nullptr;
 
-    /// Adds forces that blocks about to be excavated exert on those that stay. \param excavated a row per block
+    /// Adds the forces that blocks about to be excavated exert on the remaining blocks and bolts.
+    /// \param excavated per block: true if it is excavated.
     void (*addWallForces)(const Model& model, const State& state, const std::vector<char>& excavated,
                           std::vector<WallForce>& walls) = nullptr;
 
-    /// Adds its elastic energy where the bodies are [J].
+    /// Adds its elastic energy at the current positions of the bodies [J].
     void (*addStoredEnergy)(const Model& model, const State& state, StoredEnergy& energy) = nullptr;
 };
 
-/// True where a capped law is at its limit, but for round-off: friction under less has not slid.
+/// True if a capped law is at its limit, apart from round-off. Friction below its limit has not slipped.
 bool reachesLimit(const Law& law, double force);
 
-/// A step without bodies' matrices, to which links can be added to look at them.
+/// Step without the matrices of the bodies, to which links can be added for evaluation.
 StepProblem stepForLinks(const Model& model);
 
-/// Elastic energy of the links where they are, added to `sum` one by one [J].
+/// Adds the elastic energies of the links in their current state to `sum`, one after the other. \return the result [J].
 double addLinkEnergy(const StepProblem& problem, double sum);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A limit: something that fails when what acts on it exceeds its strength. The
-// carriers of force list theirs; the stages pick which one fails next.
+// Limits: parts that fail when the load on them exceeds their strength. Each force
+// carrier lists its limits, and the stages select the one that fails next.
 #pragma once
 
 namespace keyblock {
@@ -14,17 +14,18 @@ enum class LimitKind {
 
 struct Limit {
     LimitKind kind = LimitKind::Bond;
-    int owner = -1;  // bolt, or contact
-    int part = -1;  // node or element
-    double ratio = 0.0;  // of load to strength
+    int owner = -1;  // bolt or contact
+    int part = -1;  // node or element of the bolt
+    double ratio = 0.0;  // load over strength
 };
 
-/// True where both limit the same part in the same way, whatever their ratios.
+/// True if both are the same limit of the same part, whatever their ratios.
 inline bool sameLimit(const Limit& a, const Limit& b) {
     return a.kind == b.kind && a.owner == b.owner && a.part == b.part;
 }
 
-/// Shares of a limit within which two overloads are a tie, and to which an event is located.
+/// Relative difference within which two overloads are a tie, and the excess over 1 up to which a ratio counts as having
+/// just reached its limit.
 inline constexpr double tieShare = 1e-6;
 inline constexpr double reachedShare = 1e-9;
 
