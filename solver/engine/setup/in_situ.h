@@ -1,22 +1,23 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// In-situ stress: rock that is stressed before anything is done to it. Blocks have
-// the stress at their centroids; contacts, glue and point supports start with what it
-// gives to their faces, so that where it is in equilibrium nothing moves
-// (theory, "In-situ stress").
+// In-situ stress, the initial stress in the rock. Each block has the stress at its
+// centroid. Contacts, glue and point supports start with the forces due to the stress on
+// their faces, so that nothing moves if the stress field is in equilibrium (theory,
+// "In-situ stress").
 #pragma once
 
 #include "solver/engine/model/state.h"
 
 namespace keyblock {
 
-/// Forces that point supports give where nothing has moved: those of the scene's stress on faces that no other block
-/// touches. Changes nothing in a scene without.
+/// Sets the forces of the point supports at zero displacement, due to the in-situ stress on faces that touch no other
+/// block. Does nothing in a scene without in-situ stress.
 void preloadSupports(const Scene& scene, Model& model);
 
-/// Contacts and glue of the start carry what the scene's stress gives to their faces. Changes nothing in a scene without.
-/// \pre `contacts` were found as the first ones.
+/// Sets the initial forces of contacts and glue due to the in-situ stress on their faces. Does nothing in a scene
+/// without in-situ stress.
+/// \pre the contacts in `state` were found for the original scene.
 void preloadFaces(const Scene& scene, const Model& model, State& state);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Divisions are used as given; where they are too coarse at a joint, the user is
-// warned.
+// Checks of bolt meshes. Divisions are used as given, but the user is warned if they are
+// too coarse at a joint.
 #pragma once
 
 #include "solver/scene/problem.h"
@@ -12,11 +12,13 @@
 
 namespace keyblock {
 
-/// A warning for every anchor named by its place whose node lies on a joint or in a gap, where it holds nothing; for
-/// every bolt whose elements at a joint are longer than 0.3 of the transfer length of its bond, with the error of a pull;
-/// and, unless the scene is a pull test, for given elements at a joint that are longer than an eighth of the length over
-/// which a dowel bends, or a node on a joint (theory, "Divisions").
-/// \pre the scene has no error.
+/// Warnings about bolt meshes (theory, "Divisions"). There is a warning for
+/// - an anchor at a given position whose node lies on a joint, in a gap or outside the rock, where it carries no force;
+/// - elements at a joint longer than 0.3 of the transfer length of the bond, with the resulting errors in a pull test;
+/// - a bond given per node on a bolt with automatic divisions, because its strength depends on the number of nodes;
+/// - given divisions, unless the scene is a pull test, with a node on a joint or with elements at a joint longer than
+///   an eighth of the bending length of a dowel.
+/// \pre the scene has no errors.
 std::vector<Problem> checkMeshes(const Scene& scene);
 
 }  // namespace keyblock
