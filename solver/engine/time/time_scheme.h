@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The schemes of time integration. Each says in four sums of displacement,
-// velocity and acceleration what it makes of inertia, of the new motion and of
-// damping, and which force of a law it takes; the step knows no scheme by name
-// (theory, "Time").
+// Time integration schemes. Each scheme is described by four linear combinations of
+// displacement, velocity and acceleration, for the inertia force, the new velocity, the
+// new acceleration and the damped velocity, and by the force over the step that it uses
+// for each law. The step itself does not depend on the scheme (theory, "Time").
 #pragma once
 
 #include "solver/engine/laws/step_law.h"
@@ -16,58 +16,59 @@ namespace keyblock {
 struct StepProblem;
 
 enum class Inertia {
-    None,  // forces where the bodies are and as they move, no step
-    Static,  // 2M/Δt² about rest: a regularisation
-    Shi,  // v⁺ = 2D/Δt − v, forces at the end
-    BackwardEuler,  // v⁺ = D/Δt, forces at the end
-    Newmark,  // as Shi, mean forces
+    None,  // no time step: forces at the current positions and velocities
+    Static,  // 2M/Δt² from rest, as a regularisation
+    Shi,  // v⁺ = 2D/Δt − v, forces at the end of the step
+    BackwardEuler,  // v⁺ = D/Δt, forces at the end of the step
+    Newmark,  // v⁺ as in Shi, mean forces over the step
     GeneralizedAlpha  // forces and accelerations between start and end (Chung and Hulbert 1993)
 };
 
 struct StepOptions {
     Inertia inertia = Inertia::Static;
     double dt = 1.0;  // [s]
-    bool frictionLocked = false;
-    double rhoInf = 1.0;  // GeneralizedAlpha: spectral radius of modes much stiffer than the step
+    bool frictionLocked = false;  // prevents sliding
+    double rhoInf = 1.0;  // for GeneralizedAlpha: spectral radius at infinite frequency
     Damping damping{};  // dynamic schemes only
-    const Eigen::VectorXd* path = nullptr;  // displacement over the step, where it is known already
-    const Eigen::VectorXd* cellPath = nullptr;  // the same for the glue of cells; null: predicted from velocities
+    const Eigen::VectorXd* path = nullptr;  // displacement over the step if already known
+    const Eigen::VectorXd* cellPath = nullptr;  // displacement for the glue of cells; null: predicted from velocities
 };
 
-/// d·D + v·(velocity) + a·(acceleration) at the step's start.
+/// Linear combination d·D + v·(velocity) + a·(acceleration), with D the displacement over the step and the motion at
+/// its start.
 struct Combination {
     double d = 0.0, v = 0.0, a = 0.0;
 };
 
-/// A scheme at one length of step.
+/// Coefficients of a time scheme for one time step.
 struct SchemeFactors {
-    Combination inertia;  // times M: force of inertia
-    Combination velocity;  // at the end
-    Combination acceleration;  // at the end; GeneralizedAlpha only
-    Combination rate;  // the velocity that damping resists
-    StepRule rule;  // of the links
-    double contactShare = 1.0;  // of contacts in the step's balance
-    double elastic = 1.0;  // share of D at which the stress of blocks is taken
-    double loadTime = 1.0;  // share of the step at which loads are taken
-    double armTime = 0.5;  // share of the step at which forces on points of blocks take their direction and lever arm
+    Combination inertia;  // inertia force, to be multiplied by M
+    Combination velocity;  // at the end of the step
+    Combination acceleration;  // at the end of the step; GeneralizedAlpha only
+    Combination rate;  // velocity on which damping acts
+    StepRule rule;  // rule for the forces of links
+    double contactShare = 1.0;  // weight of contact forces relative to the other forces
+    double elastic = 1.0;  // fraction of D at which block stresses are evaluated
+    double loadTime = 1.0;  // fraction of the step at which loads are evaluated
+    double armTime = 0.5;  // fraction of the step at which directions and lever arms of forces on blocks are evaluated
 };
 SchemeFactors factorsOf(const StepOptions& options);
 
-/// How far the bodies are known to move in a step, and where on the way forces act on them.
+/// Expected displacement over a step, and the moment of the step at which forces act.
 StepMove moveOf(const StepOptions& options);
 
-/// True for the schemes that lose kinetic energy beyond the work of their forces.
+/// True for schemes that dissipate kinetic energy in addition to the work of their forces.
 bool losesMotion(Inertia inertia);
 
-/// True for the schemes that carry accelerations from step to step.
+/// True for schemes that carry accelerations from step to step.
 bool carriesAccelerations(Inertia inertia);
 
 /// Inertia force on every unknown at displacement `d` [N].
 Eigen::VectorXd inertiaForce(const Model& model, const State& state, const SchemeFactors& factors,
                              const Eigen::VectorXd& d);
 
-/// Gives every body its velocity at the end of the step and accounts for what moves the driven ones and for what
-/// the scheme itself dissipates. A prescribed unknown moves at D/Δt.
+/// Sets the velocities of all bodies at the end of the step, and accounts for the work that accelerates driven bodies
+/// and for the energy dissipated by the scheme. A prescribed unknown gets the velocity D/Δt.
 void moveOn(const Model& model, State& state, const StepProblem& problem, const Eigen::VectorXd& d,
             const StepOptions& options);
 
