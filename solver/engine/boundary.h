@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sides of the model that let waves out: dashpots of the rock's own impedance
-// replace the supports of the side, whose forces stay (theory, "Viscous boundaries").
+// Viscous boundaries, which absorb outgoing waves: dashpots with the impedance of the
+// rock replace the supports on a side of the model, while the support forces are kept as
+// loads (theory, "Viscous boundaries").
 #pragma once
 
 #include "solver/engine/carrier/carrier.h"
@@ -11,14 +12,15 @@
 
 namespace keyblock {
 
-/// Two dashpots a face on the sides of the domain, or of the box round all blocks where there is none: density · wave
-/// speed · area, of pressure waves across the side and of shear waves along it.
+/// Dashpots on the given sides of the domain, or of the bounding box of all blocks if there is no domain. Each face has
+/// two dashpots; their coefficients are density · wave speed · area, with the speed of pressure waves normal to the
+/// side and of shear waves along it.
 std::vector<Dashpot> dashpotsOn(const Model& model, const State& state, const std::vector<BoundarySide>& sides);
 
-/// Rows of the point supports on the sides, where their blocks are present.
+/// Rows of the point supports on the given sides whose blocks are present.
 std::vector<std::size_t> supportsOn(const Model& model, const State& state, const std::vector<BoundarySide>& sides);
 
-/// Links of the dashpots of a step in motion.
+/// Force carrier of the dashpots, which act in dynamic steps only.
 extern const Carrier boundaryCarrier;
 
 }  // namespace keyblock

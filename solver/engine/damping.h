@@ -1,21 +1,21 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rayleigh damping of a step: a force a·M·v on every body, and b times the
-// elastic stiffness against the rate of strain of blocks, of the glue between
-// their cells and of bolts' shanks. Springs of contacts, supports and anchors
-// have none: what they lose is friction, and a viscous part would exceed the limits
-// that they obey.
+// Rayleigh damping of a step: a force a·M·v on every body, and b times the elastic
+// stiffness times the strain rate of blocks, of the glue between their cells, and of
+// bolt shanks. The springs of contacts, supports and anchors are not damped: their only
+// dissipation is friction, and a viscous force would add to their limited forces.
 #pragma once
 
 #include "solver/engine/carrier/carrier.h"
 
 namespace keyblock {
 
-/// Work of the damping of bodies over the step `d` [J]; that of shanks and glue is a law's.
+/// Energy dissipated by the damping of bodies over the displacement `d` of a step [J]. That of shanks and glue is
+/// accounted for by the laws of their links.
 double dampedWork(const Model& model, const State& state, const StepOptions& options, const Eigen::VectorXd& d);
 
-/// Damping of a dynamic step in its matrices, loads and links. It damps the links of the carriers before it.
+/// Damping of a dynamic step, added to its matrices, loads and links. It damps the links of the preceding carriers.
 extern const Carrier dampingCarrier;
 
 }  // namespace keyblock

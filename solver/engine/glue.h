@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What joins the cells of one block. Three elastic links an edge, which never
-// fail: stiff ones at its middle keep the cells together, and one against turning
-// has just the stiffness with which the cells, whose strain is constant, would
-// bend (theory, "Sub-blocks").
+// Elastic bond ("glue") between the cells of a block. Each shared edge has three links
+// that never fail. Two stiff ones at its midpoint keep the cells together. The third
+// resists relative rotation, with a stiffness that represents the bending of the two
+// cells, whose strain is constant (theory, "Sub-blocks").
 #pragma once
 
 #include "geometry/sub_blocks.h"
@@ -12,28 +12,33 @@
 
 namespace keyblock {
 
-/// Springs at an edge's middle over the stiffness of the rock between the cells' centroids.
+/// Stiffness of the springs at an edge's midpoint, over the stiffness of the rock between the cells' centroids.
 inline constexpr double glueMultiple = 1000.0;
 
-/// Bond along one edge. \param edge by rows of the model's blocks, which exist already.
+/// Glue along one edge.
+/// \param edge the shared edge, with its cells given as rows of the model's blocks, which must already exist.
 GlueModel glueModel(const Scene& scene, const Model& model, const SharedEdge& edge);
 
-/// Links of all glued edges where the cells are: normal, shear, turn for each.
+/// Adds the links of all glued edges at the current positions of the cells: normal, shear and rotation for each edge.
 void addGlueLinks(const Model& model, const State& state, StepProblem& problem);
 
-/// The same for a step in motion that moves blocks by about `path` (six rows per block). Directions and lever arms are
-/// those after `share` of it; strains at its end are exact, and near it linear.
+/// Adds the links of all glued edges for a dynamic step with an expected displacement `path` (six rows per block).
+/// Directions and lever arms are those after a fraction `share` of the path. Strains are exact at its end and linear
+/// in the deviation from it.
 void addGlueLinksOver(const Model& model, const State& state, const Eigen::VectorXd& path, double share,
                       StepProblem& problem);
 
-/// Displacement of cells over a time in which each block turns evenly about its own centroid; zero for other blocks.
+/// Expected displacement of the cells over `time` [s] if each block of cells rotates uniformly about its own centroid
+/// (six rows per block); zero for blocks without cells.
 Eigen::VectorXd predictedCellPath(const Model& model, const State& state, double time);
 
-/// True where the glue carries what it would carry where the cells really come to by `d`.
+/// True if the linearised glue forces agree, within a tolerance, with those at the exact positions of the cells after
+/// displacement `d`.
+/// \param from the positions at the start of the step.
 bool glueHolds(const Model& model, const std::vector<BlockMotion>& from, const StepProblem& problem,
                const Eigen::VectorXd& d);
 
-/// Links and energy of the glue.
+/// Force carrier of the glue.
 extern const Carrier glueCarrier;
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The six unknowns of a block, and matrices over them: what model and step share.
+// Vector and matrix types for the six unknowns of a block, shared by model and step.
 #pragma once
 
 #include <Eigen/Core>
