@@ -35,7 +35,7 @@ struct BlockModel {
     std::vector<int> faceJoints;  // row of Model::joints per edge; empty: `jointMaterial` for all edges
     std::vector<int> faceOpenings;  // per edge: row of `State::openings` of its joint or joint set, −1: none;
                                     // empty: no named joint dilates
-    std::vector<std::optional<BoundarySide>> faceSides;  // side of the domain per edge; empty: no viscous side
+    std::vector<std::optional<BoundarySide>> faceSides;  // domain side per edge; empty: no domain or viscous side
     int rock = -1;  // block of the scene to which it belongs; for a face plate, the block against which it lies
     bool cell = false;  // a cell of a block that is divided into sub-blocks
     int plateOf = -1;  // bolt whose face plate it is; −1: not a plate

@@ -148,7 +148,7 @@ struct State {
     std::vector<SupportState> supports;  // per point support of the model; empty: all in the initial state
     std::vector<GlueState> glue;  // per glued edge of the model
     std::vector<BoltMotion> bolts;
-    std::vector<double> openings;  // of joint materials (rows of Model::joints), then of joints and sets [m]
+    std::vector<double> openings;  // of joint materials, then of the scene's joints and joint sets [m]; empty: none
     std::vector<double> acceleration;  // per unknown; empty if the time scheme does not use accelerations
     EnergyLedger energy;
     double startEnergy = 0.0;  // energy stored before anything moved [J]
