@@ -13,15 +13,15 @@
 
 namespace keyblock {
 
-/// Points of the ellipse center + cos t·p + sin t·q for t from `start` to `start + sweep` [rad]; `sweep` may be negative.
-/// For a circle p and q are perpendicular and of equal length. A full ellipse has from 32 to 4096 edges.
-/// \param sagitta [m], above 0
+/// Points of the ellipse center + cos t·p + sin t·q for t from `start` to `start + sweep` [rad]; the sweep may be
+/// negative. For a circle, p and q are perpendicular and of equal length. A full ellipse has 32 to 4096 edges.
+/// \param sagitta [m] largest distance between an edge and the curve, > 0
 std::vector<Point> ellipsePoints(const Point& center, const Point& p, const Point& q, double start, double sweep,
                                  double sagitta);
 
 /// Points of a circular arc from a to b. The number of edges is limited as in `ellipsePoints`.
 /// \param bulge tangent of a quarter of the arc's angle; positive: to the right of a→b; 0: straight; 1: semicircle
-/// \param sagitta [m], above 0
+/// \param sagitta [m] largest distance between an edge and the arc, > 0
 std::vector<Point> bulgePoints(const Point& a, const Point& b, double bulge, double sagitta);
 
 /// A rational B-spline.

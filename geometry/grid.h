@@ -35,7 +35,7 @@ private:
         std::int64_t column = 0;
         int box = 0;
     };
-    /// The boxes larger than half a cell and not larger than a cell, for one cell size.
+    /// Boxes of similar size in a grid of one cell size; none is larger than a cell.
     struct Level {
         double cell = 0.0;  // [m]
         std::vector<Entry> entries;  // sorted by row, column, box

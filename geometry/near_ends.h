@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which points come close to each other, and which to segments, in time about
-// proportional to their number: points lie in the cells of a grid, and a segment
-// looks into the cells that it runs through.
+// Finds points that are close to each other or to segments, in time roughly
+// proportional to their number: points are stored in the cells of a grid, and for a
+// segment only the cells that it runs through are searched.
 #pragma once
 
 #include "geometry/polygon.h"
@@ -14,27 +14,31 @@
 
 namespace keyblock {
 
-/// Puts points that are close to each other together.
+/// Points grouped into places, so that points close to each other have the same place.
 struct Gathered {
-    std::vector<Point> places;  // more than the radius apart from each other, but for the fixed ones
-    std::vector<int> placeOf;  // of each point
+    std::vector<Point> places;  // more than the radius apart, except for fixed ones
+    std::vector<int> placeOf;  // per point: index of its place
 };
 
-/// Each point goes to the nearest place within `radius` [m], or becomes a place, in the order given. The first
-/// `fixed` points become places regardless of what they are close to, unless they are the very same.
+/// Assigns each point, in the order given, to the nearest place within the radius, or makes it a new place.
+/// \param fixed number of points at the start of the list that become places even if close to others, unless identical
+/// \param radius [m]
 Gathered gather(std::span<const Point> points, std::size_t fixed, double radius);
 
-/// The same for a radius of round-off, much faster: points closer than `radius` [m] to each other go together, in
-/// chains too, to the lowest of the first `fixed` among them, or else to the lowest. Places rise in x, then y.
+/// Faster alternative to `gather` for a radius of the order of round-off. Points no farther apart than the radius, also
+/// through a chain of points, are assigned to the lowest fixed point among them, or if there is none, to the lowest
+/// point. Places are in increasing order of x, then y.
+/// \param fixed number of fixed points at the start of the list
+/// \param radius [m]
 Gathered gatherSorted(std::span<const Point> points, std::size_t fixed, double radius);
 
-/// A segment between two places.
+/// A segment between two places, given by their indices.
 struct PlacePair {
     int from = 0, to = 0;
 };
 
-/// All pairs (place, segment) no farther apart than `radius` [m], but for the segment's own ends; sorted.
-/// Places outside `box` are left out.
+/// All pairs (place, segment) no farther apart than the radius, except a segment and its own ends; sorted. Places more
+/// than the radius outside `box` are ignored. \param radius [m]
 std::vector<std::pair<int, int>> nearPairs(std::span<const Point> places, std::span<const PlacePair> segments,
                                            const Box& box, double radius);
 

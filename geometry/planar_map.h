@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The faces that straight segments cut the plane into, found in exact arithmetic
-// and handed out as flat arrays of plain numbers: nothing that follows touches an
-// exact number or walks a tree of nodes.
+// The faces into which straight segments divide the plane. They are computed in exact
+// arithmetic and returned as flat arrays of ordinary numbers, so that later code needs
+// neither exact numbers nor linked nodes.
 #pragma once
 
 #include "geometry/point.h"
@@ -14,10 +14,10 @@
 
 namespace keyblock {
 
-/// Up to two domains, by index, rising; −1 for none.
+/// Indices of up to two domains, in increasing order; −1: none.
 using Domains = std::array<int, 2>;
 
-/// The domains in one of two sets but not in both; a third is left out.
+/// The domains that are in exactly one of the two sets; at most two are returned.
 inline Domains inOneOf(const Domains& a, const Domains& b) {
     Domains found{-1, -1};
     for (std::size_t i = 0, j = 0, count = 0; count < 2;) {
@@ -31,10 +31,11 @@ inline Domains inOneOf(const Domains& a, const Domains& b) {
     return found;
 }
 
-/// Whose an edge is. Where segments overlap, the lower `owner` has it and domains that come twice cancel.
+/// Owner of an edge, and domains that it bounds. Where segments overlap, the lower `owner` applies, and domains that
+/// occur twice cancel.
 struct EdgeMark {
     int owner = 0;
-    Domains domains{-1, -1};  // that begin or end here
+    Domains domains{-1, -1};  // domains with the edge on their outline
 };
 
 struct MarkedSegment {
@@ -42,23 +43,24 @@ struct MarkedSegment {
     EdgeMark mark;
 };
 
-/// A half-edge runs along its edge with its face on the left. Half-edges 2e and 2e + 1 are the two of edge e.
+/// One direction of an edge, with its face on the left. Edge e consists of the half-edges 2e and 2e + 1.
 struct HalfEdge {
-    int next = -1;  // half-edge of the same face
-    int target = -1;  // vertex it runs to
+    int next = -1;  // next half-edge of the same face
+    int target = -1;  // vertex at its end
     int face = -1;
 };
 
 struct PlanarMap {
-    std::vector<Point> points;  // vertices, rounded; two may round to the same
+    std::vector<Point> points;  // vertices, rounded; two may be rounded to the same point
     std::vector<HalfEdge> halfEdges;
-    std::vector<EdgeMark> marks;  // of edges
+    std::vector<EdgeMark> marks;  // one per edge
     int faces = 0;  // face 0 is the unbounded one
 };
 
-/// The map of segments that may cross, touch and overlap in any way. Vertices are exact within `precision` [m], or the
-/// nearest doubles where that is coarser. The same segments in the same order give the same map.
-/// \pre finite coordinates, no segment without length.
+/// The planar map of segments, which may cross, touch and overlap in any way. The same segments in the same order
+/// always give the same map.
+/// \param precision [m] largest error of a vertex, unless the spacing of doubles is coarser
+/// \pre coordinates are finite, and no segment has zero length.
 PlanarMap planarMap(std::span<const MarkedSegment> segments, double precision);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One number for each place: points that differ by round-off are the same, and
-// the first point at a place defines its doubles from then on.
+// Numbers distinct points. Points that differ only by round-off have the same number,
+// and the first of them defines the coordinates.
 #pragma once
 
 #include "geometry/point.h"
@@ -15,10 +15,11 @@ namespace keyblock {
 
 class PointSet {
 public:
-    /// Points no farther apart than `tolerance` [m] are one. \pre tolerance > 0; coordinates over tolerance below 2⁶².
+    /// \param tolerance [m] distance up to which points count as the same
+    /// \pre tolerance > 0; coordinates / tolerance < 2⁶².
     explicit PointSet(double tolerance) : tolerance_(tolerance) {}
 
-    /// The number of the place nearest to `p` within the tolerance, or else that of a new place at `p`.
+    /// Number of the nearest point within the tolerance of `p`; if there is none, `p` is added with a new number.
     int number(const Point& p);
 
     const Point& operator[](int number) const { return points_[static_cast<std::size_t>(number)]; }
@@ -26,7 +27,7 @@ public:
 
 private:
     struct Bin {
-        std::int64_t column = 0, row = 0;  // squares as wide as the tolerance
+        std::int64_t column = 0, row = 0;  // of a square cell as wide as the tolerance
 
         bool operator==(const Bin&) const = default;
     };
@@ -36,8 +37,8 @@ private:
 
     double tolerance_;
     std::vector<Point> points_;
-    std::unordered_map<Bin, int, Mixed> bins_;  // a second place of one bin is in `next_` of the first
-    std::vector<int> next_;
+    std::unordered_map<Bin, int, Mixed> bins_;  // last point in each bin
+    std::vector<int> next_;  // per point: the previous point in the same bin; −1: none
 };
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polygons as lists of corners, the first not repeated at the end. Areas and
-// moments are exact integrals taken about a corner, so that a scene a thousand
-// kilometres from the origin keeps its digits.
+// Polygons as lists of corners, the first not repeated at the end. Areas and moments
+// are integrated exactly about a corner, so that they stay accurate even a thousand
+// kilometres from the origin.
 #pragma once
 
 #include "geometry/point.h"
@@ -14,7 +14,7 @@
 
 namespace keyblock {
 
-/// Area, centroid and second moments about the centroid; the same for either direction.
+/// Area, centroid and second moments of area about the centroid. They do not depend on the direction of the outline.
 struct Moments {
     double area = 0.0;  // [m²]
     Point centroid{0.0, 0.0};  // [m]
@@ -23,51 +23,52 @@ struct Moments {
     double sxy = 0.0;  // ∫xy dA [m⁴]
 };
 
-/// Area, positive when the corners run counter-clockwise [m²].
+/// Area [m²], positive if the corners run counter-clockwise.
 double signedArea(std::span<const Point> polygon);
 
-/// Exact moments; of a polygon without area, zeros about its first corner.
-/// \pre at least one corner.
+/// Moments of a polygon; if it has no area, zero moments with the first corner as centroid.
+/// \pre the polygon has at least one corner.
 Moments moments(std::span<const Point> polygon);
 
-/// The same corners, counter-clockwise; the first stays first.
+/// The corners in counter-clockwise order; the first corner stays first.
 std::vector<Point> counterClockwise(std::vector<Point> polygon);
 
-/// Least distance of `p` from the edges, inside or outside [m].
-/// \pre at least one corner.
+/// Shortest distance [m] of a point inside or outside the polygon from its edges.
+/// \pre the polygon has at least one corner.
 double distanceToBoundary(std::span<const Point> polygon, const Point& p);
 
 enum class Side { Outside, Boundary, Inside };
 
-/// Where `p` lies; `Boundary` within `tolerance` [m] of an edge. Concave polygons and either direction are fine.
+/// Position of `p` relative to a polygon, which may be concave and run in either direction.
+/// \param tolerance [m] distance from an edge up to which a point lies on the boundary
 Side locate(std::span<const Point> polygon, const Point& p, double tolerance);
 
-/// A place where the outline crosses itself or runs back along itself; none for a sound outline.
-/// Repeated corners are skipped, and touching itself in a point without crossing is allowed.
-/// `tolerance` [m] decides what touches.
+/// A point at which the outline crosses itself or runs back along itself; none if the outline is valid. Repeated
+/// corners are skipped, and an outline may touch itself at a point without crossing.
+/// \param tolerance [m] distance up to which points and edges touch
 std::optional<Point> crossesItself(std::span<const Point> polygon, double tolerance);
 
-/// True when the interiors of two polygons share more than a seam of depth `tolerance` [m].
-/// \pre neither crosses itself.
+/// True if the interiors of two polygons overlap by more than a strip of width `tolerance` [m].
+/// \pre neither polygon crosses itself.
 bool overlap(std::span<const Point> a, std::span<const Point> b, double tolerance);
 
-/// True when `inner` lies within `outer` from end to end, but for a seam of depth `tolerance` [m].
-/// \pre neither crosses itself.
+/// True if `inner` lies entirely in `outer`, except for a strip of width `tolerance` [m].
+/// \pre neither polygon crosses itself.
 bool contains(std::span<const Point> outer, std::span<const Point> inner, double tolerance);
 
-/// Upright rectangle.
+/// Axis-aligned rectangle.
 struct Box {
     Point min{0.0, 0.0};  // [m]
     Point max{0.0, 0.0};  // [m]
 };
 
-/// The smallest box around points. \pre at least one point.
+/// Bounding box of the points. \pre there is at least one point.
 Box boxOf(std::span<const Point> points);
 
-/// The box with `margin` [m] added on every side.
+/// The box enlarged by `margin` [m] on every side.
 Box grown(const Box& box, double margin);
 
-/// True when two closed boxes share a point.
+/// True if the two closed boxes have a common point.
 bool meets(const Box& a, const Box& b);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Straight pieces of line: where a point falls on one, how far away it is, where
-// two meet, and which parts of one lie inside a polygon (a bolt in its blocks).
+// Straight line segments: projection of a point, distance from a point, intersection,
+// and the parts inside a polygon (e.g. of a bolt in a block).
 #pragma once
 
 #include "geometry/point.h"
@@ -14,25 +14,28 @@
 
 namespace keyblock {
 
-/// Parameter of the foot of `p` on the line a→b: 0 at a, 1 at b, beyond them outside; 0 when a = b.
+/// Parameter of the projection of `p` onto the line through a and b: 0 at a, 1 at b; outside 0 … 1 beyond the ends; 0
+/// if a = b.
 double footParameter(const Point& a, const Point& b, const Point& p);
 
-/// Distance of `p` from the segment a–b [m]; from a when a = b.
+/// Distance [m] of `p` from the segment a–b; from a if a = b.
 double distanceToSegment(const Point& a, const Point& b, const Point& p);
 
-/// Where two segments meet: the parameter on each, and the place.
+/// Intersection of two segments: the parameter on each (0 … 1), and the point.
 struct Crossing {
     double onFirst = 0.0;
     double onSecond = 0.0;
     Point place{0.0, 0.0};  // [m]
 };
 
-/// The common point of the closed segments a–b and c–d; none when they miss each other or are parallel.
+/// Intersection of the closed segments a–b and c–d; none if they have no common point or are parallel.
 std::optional<Crossing> crossing(const Point& a, const Point& b, const Point& c, const Point& d);
 
-/// The parts of a→b inside a polygon, as parameter intervals in rising order.
-/// A part along an edge, within `tolerance` [m] of it, is not inside; parts shorter than `tolerance` are left out.
-/// \pre the polygon does not cross itself; either direction, concave too.
+/// The parts of the segment a–b inside a polygon, as parameter intervals in increasing order. Parts along an edge,
+/// within the tolerance of it, are not inside; parts shorter than the tolerance are omitted.
+/// \param polygon clockwise or counter-clockwise; may be concave
+/// \param tolerance [m]
+/// \pre the polygon does not cross itself.
 std::vector<std::pair<double, double>> insideIntervals(std::span<const Point> polygon, const Point& a, const Point& b,
                                                        double tolerance);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is wrong with the numbers that describe a shape, in words. A check of
-// scenes adds the place; geometry knows no files.
+// A problem of the parameters of a shape, as text for the user. The scene check adds
+// the location in the file, since the geometry library does not know files.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace keyblock {
 
 struct ShapeProblem {
-    std::string field;  // as the scene file calls it
+    std::string field;  // key of the parameter in the scene file
     std::string message;  // what is wrong
     std::string remedy;  // what to do
 };

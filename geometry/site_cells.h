@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Voronoi cells of sites in the plane, bounded by a box well outside. A corner
-// where three cells meet is computed from their three sites in one order, so all
-// three have the same doubles; corners that fall together within the tolerance,
-// as those of four sites on one circle do, are one.
+// The Voronoi cells of sites in the plane, within a bounding box. A corner where three
+// cells meet is always computed from their sites in the same order, so that all three
+// cells have identical coordinates. Corners that coincide within the tolerance, such as
+// those of four sites on a circle, are merged.
 #pragma once
 
 #include "geometry/point_set.h"
@@ -17,12 +17,13 @@ namespace keyblock {
 
 struct SiteCells {
     PointSet corners;
-    std::vector<std::vector<int>> rings;  // a cell's corners, counter-clockwise; one ring for each site, in order
+    std::vector<std::vector<int>> rings;  // per site: corners of its cell, counter-clockwise
 };
 
-/// The cells of `sites` in `bounds`, in time proportional to their number where they are evenly spread.
-/// `spacing` [m] is about the distance of neighbours and decides the speed alone.
-/// \pre sites are farther apart than `tolerance` [m] and lie in `bounds`; tolerance is above round-off; spacing > 0.
+/// The Voronoi cells of `sites` within `bounds`, in time proportional to their number if they are evenly distributed.
+/// \param spacing [m] approximate distance between neighbours; affects only the speed
+/// \param tolerance [m] distance up to which corners are merged
+/// \pre sites are farther apart than the tolerance and lie in `bounds`; tolerance exceeds round-off; spacing > 0.
 SiteCells siteCells(std::span<const Point> sites, const Box& bounds, double spacing, double tolerance);
 
 }  // namespace keyblock

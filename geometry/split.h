@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parting a polygon by a straight line. Concave outlines fall into several
-// pieces; no piece is joined to another by a seam of no width.
+// Splits a polygon by a straight line. Each side of a concave polygon can give several
+// pieces, which are separate and not connected by edges of zero width.
 #pragma once
 
 #include "geometry/point.h"
@@ -12,14 +12,16 @@
 
 namespace keyblock {
 
-/// The pieces of a polygon on both sides of a line.
+/// The pieces of a polygon on the two sides of a line.
 struct Split {
     std::vector<std::vector<Point>> left, right;  // counter-clockwise
 };
 
-/// Parts a polygon by the line through `place` along the unit vector `along`. Corners within `tolerance` [m] of the
-/// line count as on it and stay where they are; the new corners lie on it.
-/// \pre counter-clockwise, and it does not cross itself.
+/// Splits a polygon by a line; new corners lie on the line.
+/// \param place point on the line [m]
+/// \param along unit vector in the direction of the line
+/// \param tolerance [m] distance up to which existing corners count as on the line; they are not moved
+/// \pre the polygon runs counter-clockwise and does not cross itself.
 Split split(std::span<const Point> polygon, const Point& place, const Point& along, double tolerance);
 
 }  // namespace keyblock

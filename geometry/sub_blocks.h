@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cuts a polygon into cells of about equal size and finds where cells share an
-// edge. The grid lies along the longest edge and fits the outline's box in whole
-// cells, so a rectangle falls into equal ones; what is left of cells at slanted
-// or concave sides joins a neighbour where it would be a sliver.
+// Divides a polygon into cells of about equal size and finds their common edges. The
+// grid is parallel to the longest edge and fills the bounding box in that direction with
+// whole cells, so that a rectangle is divided into equal cells. Parts of grid cells at
+// inclined or concave sides are merged with a neighbour if they would be slivers.
 #pragma once
 
 #include "geometry/point.h"
@@ -14,26 +14,27 @@
 
 namespace keyblock {
 
-/// Cells smaller than this share of a grid cell join a neighbour.
+/// Cells smaller than this fraction of a grid cell are merged with a neighbour.
 inline constexpr double leastCellShare = 0.25;
 
-/// A straight piece of edge that two cells share; it runs with cell `a` on its left.
+/// A straight part of an edge that two cells share. From `from` to `to`, cell `a` is on the left.
 struct SharedEdge {
-    int a = -1, b = -1;  // a < b
+    int a = -1, b = -1;  // indices of the cells; a < b
     Point from{0.0, 0.0}, to{0.0, 0.0};  // [m]
 };
 
 struct SubBlocks {
     std::vector<std::vector<Point>> cells;  // counter-clockwise, column by column along the longest edge
-    std::vector<SharedEdge> shared;  // sorted by a, then b
-    double cellArea = 0.0;  // of a whole grid cell [m²]
+    std::vector<SharedEdge> shared;  // sorted by `a`, then `b`
+    double cellArea = 0.0;  // area of a whole grid cell [m²]
 };
 
-/// How many grid cells of about `size` [m] the outline's box holds: the cells are at most that many.
+/// Estimated number of grid cells of size `size` [m] in the bounding box of the polygon along its longest edge.
 double gridCells(std::span<const Point> polygon, double size);
 
-/// Cells of about `size` [m]. Where the corners begin and which way they run does not matter, but for round-off.
-/// `tolerance` [m] decides what lies on a line of the grid.
+/// Divides a polygon into cells. Except for round-off, the result does not depend on its first corner or direction.
+/// \param size [m] approximate cell size
+/// \param tolerance [m] distance up to which points lie on a grid line
 /// \pre the polygon does not cross itself and has an area; size > 0.
 SubBlocks cutIntoCells(std::span<const Point> polygon, double size, double tolerance);
 

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes traces fit to be cut with. Exact arithmetic would keep every near-miss as
-// a gap and every near-coincidence as a sliver, so both are closed before, within
-// a tolerance and in plain doubles:
-//   1. ends that are close to each other, or to a corner of the border, become one;
-//   2. of traces that run along each other the one of the lower source stays, and
-//      of the other what goes beyond it;
-//   3. an end that nearly reaches a trace or the border, or just reaches it, is
-//      pulled over it. What extends beyond bounds no face and is dropped afterwards.
-// So no trace is ever bent, and no crossing depends on a rounded place.
+// Prepares traces for the cut. In exact arithmetic every near miss would remain a gap
+// and every near coincidence a sliver, so both are closed beforehand, within a tolerance
+// and in double precision:
+//   1. Ends that are close to each other, or to a corner of the boundary, are merged.
+//   2. Of traces that coincide, the one with the lower source is kept, and of the other
+//      only the parts that extend beyond it.
+//   3. An end that nearly or just reaches a trace or the boundary is extended slightly
+//      beyond it. The excess bounds no face and is removed after the cut.
+// Traces therefore stay straight, and no crossing depends on a rounded point.
 #pragma once
 
 #include "geometry/cut.h"
@@ -21,22 +21,24 @@
 
 namespace keyblock {
 
-/// An edge of the border, or what is left of a trace.
+/// An edge of the boundary, or a part of a trace that was kept.
 struct TracePiece {
     Point from{0.0, 0.0}, to{0.0, 0.0};  // [m]
     int source = borderSource;
-    double addedBefore = 0.0, addedBehind = 0.0;  // by pulling the ends over [m]
-    bool bridge = false;  // from an end to what it nearly reaches; no part of a trace
+    double addedBefore = 0.0, addedBehind = 0.0;  // lengths by which the ends were extended [m]
+    bool bridge = false;  // added link from an end to a trace or boundary that it nearly reaches
 };
 
 struct CleanTraces {
     std::vector<TracePiece> pieces;
-    std::vector<MarkedSegment> segments;  // the same pieces; owner: the piece, domain: the index of the domain
+    std::vector<MarkedSegment> segments;  // one per piece; owner: index of the piece; domains: index of the domain
     std::vector<CutNote> notes;
 };
 
-/// Cleans traces for domains in the order given; edges of domains stay as they are.
-/// \pre finite; outlines without repeated corners; `tolerance` well above the round-off of coordinates.
+/// Prepares traces for the cut; the edges of the domains are not changed.
+/// \param box bounding box of all domains
+/// \param tolerance [m], well above the round-off of coordinates
+/// \pre coordinates are finite; outlines have no repeated corners.
 CleanTraces cleanTraces(std::span<const CutDomain> domains, std::vector<CutTrace> traces, const Box& box,
                         double tolerance);
 

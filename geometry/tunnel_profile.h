@@ -1,22 +1,22 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The outlines of tunnels. A profile is kept as the straight pieces and arcs it is
-// made of: blocks are cut along a polygon with its corners on them, but bolts are
-// set by length along the true wall and normal to it (theory, "Tunnel profiles").
+// The outlines of tunnels. A profile is stored as its straight segments and arcs. Blocks
+// are cut along a polygon with its corners on these, but bolts are positioned by length
+// along the true wall and normal to it (theory, "Tunnel profiles").
 //
-// With the middle of the bounding box at (0, 0), width w and height h:
+// With width w and height h:
 //
-//   circle     radius d/2.
-//   d-shape    walls of height h − w/2 under a semicircle.
-//   horseshoe  The crown is a semicircle of radius w/2. At its springing line, the level h − w/2 =: H above the floor,
-//              it is vertical; a smooth wall with radius w has its centre on that level, at the foot of
-//              the opposite wall of the crown. A depth y below it the half-width is √(w² − y²) − w/2, so the floor is
-//              2√(w² − H²) − w wide, which is above 0 for H < w√3/2: w/2 <= h < w(1 + √3)/2 ≈ 1.366 w.
-//   arched     walls under the arc of a circle with rise r over the chord w: radius (w²/4 + r²)/(2r), half-angle
-//              2·atan(2r/w). It bulges over the walls for r > w/2.
+//   circle     Diameter d.
+//   d-shape    Vertical walls of height h − w/2 under a semicircle.
+//   horseshoe  The crown is a semicircle of radius w/2 with its springing line at the height H = h − w/2 above the
+//              floor. Below it each wall is an arc of radius w, tangent to the crown, with its centre at the opposite
+//              end of the springing line. At a depth y below that line the half-width is √(w² − y²) − w/2. The floor
+//              is 2√(w² − H²) − w wide, which is positive for H < w√3/2, so w/2 <= h < w(1 + √3)/2 ≈ 1.366 w.
+//   arched     Vertical walls under a circular arc of rise r over the chord w: radius (w²/4 + r²)/(2r), half-angle
+//              2·atan(2r/w). For r > w/2 the arc is wider than the chord.
 //
-// A piece that comes out without length (the walls of a d-shape with h = w/2) is left out.
+// Pieces of zero length (the walls of a d-shape with h = w/2) are omitted.
 #pragma once
 
 #include "geometry/point.h"
@@ -45,73 +45,77 @@ struct ArchedShape {
     double width = 0.0, wallHeight = 0.0, rise = 0.0;  // [m]
 };
 struct PolygonShape {
-    std::vector<Point> points;  // in either direction [m]
+    std::vector<Point> points;  // corners [m], clockwise or counter-clockwise
 };
 using ProfileShape = std::variant<CircleShape, DShape, HorseshoeShape, ArchedShape, PolygonShape>;
 
-/// Least rise over width of an arch; the centre of a flatter one lies so far away that its wall loses digits.
+/// Smallest ratio of rise to width of an arch. The centre of a flatter arch is so far away that its wall loses
+/// accuracy.
 inline constexpr double flattestArch = 1e-3;
 
-/// What keeps a shape from being a tunnel; none when nothing does. Bears NaN and infinity.
+/// The first problem that prevents a shape from being a tunnel; none if it is valid. Accepts NaN and infinity.
 std::optional<ShapeProblem> profileProblem(const ProfileShape& shape);
 
-/// Part of a circle, run counter-clockwise.
+/// Circular arc in counter-clockwise direction.
 struct Arc {
     Point center{0.0, 0.0};  // [m]
     double radius = 0.0;  // [m]
-    double start = 0.0, sweep = 0.0;  // [°] from +x; sweep > 0
+    double start = 0.0, sweep = 0.0;  // start angle from +x, and angle of the arc, > 0 [°]
 };
 
-/// A straight or round part of the wall, with the opening on its left.
+/// A straight segment or an arc of the wall, with the opening on the left.
 struct ProfilePiece {
     Point from{0.0, 0.0}, to{0.0, 0.0};  // [m]
     std::optional<Arc> arc;  // none: straight
-    int edges = 1;  // of the polygon that represents it
-    double begin = 0.0, length = 0.0;  // along the wall [m]
+    int edges = 1;  // number of polygon edges that represent it
+    double begin = 0.0, length = 0.0;  // position and length along the wall [m]
 };
 
-/// The wall, counter-clockwise from its start: the bottom of a circle, the lower left corner (the left end of the chord
-/// or floor) of the other shapes, the first point of a polygon.
+/// The wall, counter-clockwise from its start: the bottom of a circle, the left end of the floor of the other shapes,
+/// or the first point of a polygon.
 struct TunnelProfile {
     std::vector<ProfilePiece> pieces;
-    double length = 0.0;  // of the true wall [m]
+    double length = 0.0;  // total length of the true wall [m]
 };
 
-/// Edges of the polygon that represents a full circle: at least, and at most however small the requested sagitta is.
+/// Minimum and maximum number of polygon edges that represent a full circle, whatever the requested sagitta.
 inline constexpr int leastEdgesOfCircle = 32;
 inline constexpr int mostEdgesOfCircle = 4096;
 
-/// Arcs get an even number of equal edges, so that a crown has a corner in its middle. `sagitta` [m] is the farthest
-/// that an edge may lie off its arc; none: `leastEdgesOfCircle` alone decides (0.5 % of the radius).
+/// Profile of a tunnel shape. Arcs are represented by an even number of equal edges, so that the middle of a crown is a
+/// corner.
+/// \param sagitta [m] largest distance between an edge and its arc; none: `leastEdgesOfCircle` edges per circle, which
+/// gives 0.5 % of the radius
 /// \pre profileProblem(shape) is none; sagitta > 0.
 TunnelProfile tunnelProfile(const ProfileShape& shape, std::optional<double> sagitta = std::nullopt);
 
-/// Corner `i` of the polygon's part that represents a piece: 0 its beginning, `edges` its end.
+/// Corner `i` of the polygon edges that represent a piece: 0 is the start of the piece, `edges` its end.
 Point cornerOf(const ProfilePiece& piece, int i);
 
-/// The polygon that represents the wall, counter-clockwise, its corners on the true wall.
+/// The polygon that represents the wall, counter-clockwise, with its corners on the true wall.
 std::vector<Point> outline(const TunnelProfile& profile);
 
-// Lengths run along the true wall, counter-clockwise from the start [m]; any length is taken round and round.
+// Positions are lengths [m] along the true wall, counter-clockwise from the start, modulo the length of the whole wall.
 
-/// The place on the true wall.
+/// Point on the true wall.
 Point pointAtLength(const TunnelProfile& profile, double length);
 
-/// The place on the polygon, seen from the centre of the arc in line with the place on the true wall.
+/// Point on the polygon. On an arc it is the point in line with the arc's centre and the point on the true wall.
 Point outlinePointAtLength(const TunnelProfile& profile, double length);
 
-/// The unit normal of the true wall, pointing into the rock; at a corner, within 1e-9 of the whole length, half-way
-/// between the normals of both sides.
+/// Unit normal of the true wall, pointing into the rock. At a corner, within 1e-9 of the whole length, it bisects the
+/// normals of the two sides.
 Point normalAtLength(const TunnelProfile& profile, double length);
 
-/// Where the true wall is nearest to `p`, from 0 to below the whole length; of places equally near, the first.
+/// Position on the true wall nearest to `p`, at least 0 and below the whole length; of equally near positions, the
+/// first.
 double lengthOfNearest(const TunnelProfile& profile, const Point& p);
 
-/// Direction along the wall, as the section is drawn (x to the right, y upward).
+/// Direction along the wall in the drawn section (x to the right, y upward).
 enum class Way { CounterClockwise, Clockwise };
 
-/// How far it is from one place to another [m], from 0 to below the whole length; 0 when both are one place, within
-/// 1e-9 of the whole length.
+/// Length [m] along the wall from one position to another in the direction `way`, below the whole length; 0 if the
+/// positions coincide within 1e-9 of the whole length.
 double lengthBetween(const TunnelProfile& profile, double from, double to, Way way);
 
 }  // namespace keyblock

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Voronoi cells of about one size over a region: rock without joint sets, or the
-// grains of a rock. Sites are scattered one to a square of a grid and then moved
-// a few times to the centroids of their clipped cells (Lloyd 1982), which evens
-// the cells out and leaves no slivers along the border (theory, "Voronoi cells").
+// Voronoi cells of about equal size that fill a region, for rock without joint sets or
+// for the grains of a rock. One random site is placed in each square of a grid. The sites
+// are then moved several times to the centroids of their clipped cells (Lloyd 1982),
+// which makes the cells more uniform and leaves no slivers along the boundary (theory,
+// "Voronoi cells").
 #pragma once
 
 #include "geometry/clip.h"
@@ -16,25 +17,27 @@
 namespace keyblock {
 
 struct VoronoiCells {
-    std::vector<std::vector<Point>> cells;  // counter-clockwise [m]; together they fill the region
-    std::vector<Point> sites;  // of each cell: its points are nearer to it than to any other [m]
-    std::vector<Segment> edges;  // that two cells share, each once; their ends are corners of cells to the last digit
+    std::vector<std::vector<Point>> cells;  // corners, counter-clockwise [m]; the cells fill the region
+    std::vector<Point> sites;  // per cell: its site, the nearest one for all points of the cell [m]
+    std::vector<Segment> edges;  // edges common to two cells, each once; the ends are exactly corners of cells
 };
 
-/// How often sites move to the centroids of their cells.
+/// Number of times that the sites are moved to the centroids of their cells.
 inline constexpr int voronoiMoves = 4;
 
-/// How many squares of side `size` [m] the box of the region holds: sites are scattered over all of them, and those
-/// outside the region are dropped. For a check before the work.
-/// \pre the region has a corner, size > 0.
+/// Number of squares of side `size` [m] in the bounding box of the region, to be checked before `voronoiCells` is
+/// called, which generates a site in each square and discards those outside the region.
+/// \pre the region has at least one corner; size > 0.
 double voronoiEstimate(std::span<const Point> region, double size);
 
-/// Cells whose mean area is about size² [m²], the same for the same seed wherever the region is moved. They are convex,
-/// but for corners of a concave region; a cell that a notch of the region interrupts is several, with one site. A
-/// region too small for a site is one cell, of no site but its centroid. What is no larger than `tolerance` [m] is left
-/// out of cells and edges.
-/// \pre the region does not cross itself and has an area; either direction; size is well above the tolerance, which
-/// is above round-off; voronoiEstimate is within reason.
+/// Voronoi cells with a mean area of about size² [m²]. The same seed gives the same cells wherever the region is moved.
+/// Cells are convex except at corners of a concave region; a cell interrupted by a concave part of the outline becomes
+/// several cells with the same site. A region in which no random site lies gets one site, at its centroid. Parts of
+/// cells and edges no larger than the tolerance are omitted.
+/// \param region clockwise or counter-clockwise
+/// \param size [m], well above the tolerance
+/// \param tolerance [m], above round-off
+/// \pre the region does not cross itself and has an area; voronoiEstimate(region, size) is reasonable.
 VoronoiCells voronoiCells(std::span<const Point> region, double size, std::uint64_t seed, double tolerance);
 
 }  // namespace keyblock
