@@ -23,9 +23,9 @@
 namespace keyblock {
 
 /// Parameters of a joint set. Line n is at a distance of n spacings from the origin, on the left of the dip direction
-/// for n > 0. Trace 0 of line 0 is centred at the origin; a through-going trace is centred at the point of its line that
-/// is nearest to the origin. If the dip varies, each trace is rotated about its centre. The origin should therefore lie
-/// in or near the region if traces are through-going.
+/// for n > 0. Trace 0 of line 0 is centred at the origin; a through-going trace is centred at the point of its line
+/// that is nearest to the origin. If the dip varies, each trace is rotated about its centre. The origin should
+/// therefore lie in or near the region if traces are through-going.
 struct JointSet {
     double dip = 0.0;  // [°], counter-clockwise from +x
     double dipDeviation = 0.0;  // standard deviation [°] of a normal distribution truncated at `scatterCut`

@@ -49,7 +49,7 @@ struct Analysis {
     ContactMethod contact = ContactMethod::Penalty;  // method that prevents penetration
     double penaltyRatio = 40.0;  // contact stiffness = ratio · E · thickness
     double shearRatio = 0.4;  // ratio of shear to normal contact stiffness
-    double tolerance = 1e-4;  // of an iteration: unbalanced force relative to the acting forces
+    double tolerance = 1e-4;  // iteration tolerance: unbalanced force relative to the acting forces
     int maxPasses = 40;  // iterations of a step before the time step or increment is reduced
 
     bool operator==(const Analysis&) const = default;
@@ -247,7 +247,7 @@ struct Load {
     std::optional<Point> point;  // [m]; force at this point, on the block that contains it
     std::optional<std::array<Point, 2>> along;  // [m]; pressure on the block edges along this line
     Point force{0.0, 0.0};  // [N], total over the thickness
-    double pressure = 0.0;  // [Pa]; positive: compresses the block
+    double pressure = 0.0;  // [Pa]; positive: pushes against the edges
     Table table;  // (time, factor); empty: 1 throughout
 
     bool operator==(const Load&) const = default;
@@ -326,16 +326,16 @@ struct Stage {
     std::vector<Dilation> dilations;
     std::vector<StrengthChange> set;  // strength changes at the start of the stage; they remain in later stages
     std::vector<std::string> excavate;  // names of tunnels and blocks excavated at the start of the stage
-    std::vector<std::string> install, remove;  // names of bolts and patterns, at the start of the stage
+    std::vector<std::string> install, remove;  // bolts and patterns installed or removed at the start of the stage
     bool zeroDisplacements = false;
     bool continueAfterCollapse = true;  // key `continue`
-    // Static stages only.
+    // Static stages; `relaxation` also applies to dynamic ones.
     Until until;
     std::optional<int> increments;  // equal increments of pseudo-time 0 … 1; null: chosen by the program
-    std::optional<double> relaxation;  // fraction of the wall forces released by the end; null: 1 for new walls
+    std::optional<double> relaxation;  // fraction of the wall forces released by the end of the stage; null: all
     OnCollapse onCollapse = OnCollapse::End;  // what follows a collapse
     double collapseDuration = 1.0;  // [s]; duration of the motion that follows a collapse
-    // Dynamic stages only.
+    // Dynamic stages.
     double duration = 0.0;  // [s]
     std::optional<double> timeStep;  // longest time step [s]; null: chosen by the program
     std::optional<Integration> integration;  // null: that of the analysis
@@ -515,7 +515,7 @@ enum class BoltForces { Mobilised, Frozen };
 /// Settings of the search for a factor of safety; ordinary runs ignore them.
 struct Safety {
     Reduce reduce = Reduce::Joints;
-    double tolerance = 0.01;  // largest difference between the stable and the failing factor at the end
+    double tolerance = 0.01;  // largest difference between the stable and the failing factor at the end of the search
     BoltForces boltForces = BoltForces::Mobilised;
 
     bool operator==(const Safety&) const = default;
