@@ -43,8 +43,8 @@ public:
     void history(const HistoryRow& row) override;
     void frame(const Frame& frame) override;
     void stageEnds(const StageResult& result) override;
-    /// Stores the checkpoint and all results since the last transaction in one transaction. It is deleted at the end of
-    /// the last stage.
+    /// Stores the checkpoint and all results since the last transaction in one transaction. The checkpoint is deleted
+    /// when the run is complete.
     void checkpoint(const Checkpoint& checkpoint) override;
 
     /// Commits all results since the last frame and leaves a single file. \throws CannotWrite

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Reads frames of a store one at a time, even while a run is writing it. The store is
-// opened anew for each frame and shows everything committed so far, so that no reader
+// opened again for each frame and shows everything committed so far, so that no reader
 // prevents the writer from merging its write-ahead file.
 #pragma once
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Conversion of a JSON tree to a scene, as far as possible whatever errors it has. The
-// consistency of the scene is not checked here.
+// Conversion of a JSON tree to a scene. Errors do not stop it: everything that can be
+// read is converted. The consistency of the scene is not checked here.
 #pragma once
 
 #include "solver/files/json/json_tree.h"
