@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a scene begins to hold: the number that limit equilibrium gives in one
-// go, a run only by trying.
+// Finds the limit at which a scene becomes stable. Limit equilibrium gives this
+// number directly; with runs it has to be found by bisection.
 #pragma once
 
 #include <functional>
 
 namespace keyblock {
 
-/// Where `holds` changes from 0 at `low` to 1 at `high`, to within ±½·`width`; NaN where it does not or is NaN itself.
+/// The value, to within ±½·`width`, at which `holds` changes from 0 to 1.
+/// \return NaN if `holds(low)` is not 0, `holds(high)` is not 1, or `holds` returns NaN.
 double boundaryOf(double low, double high, double width, const std::function<double(double)>& holds);
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Collects the numbers of one case with their expected values.
+// Collects the measured and expected values of one case.
 #pragma once
 
 #include "solver/verify/verify.h"
@@ -16,10 +16,10 @@ class Checks {
 public:
     explicit Checks(std::string name) : name_(std::move(name)) {}
 
-    /// Within `tolerance` of `expected`, as a fraction of it.
+    /// Checks that `measured` is within `tolerance` of `expected`, as a fraction of `expected`.
     void relative(const std::string& quantity, double measured, double expected, double tolerance);
 
-    /// Within `tolerance` of `expected`, in the quantity's unit.
+    /// Checks that `measured` is within `tolerance` of `expected`, in the unit of the quantity.
     void absolute(const std::string& quantity, double measured, double expected, double tolerance);
 
     std::vector<CaseResult> take() { return std::move(results_); }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The groups that make up the suite, one file each.
+// The groups of cases in the verification suite, one source file each.
 #pragma once
 
 #include "solver/verify/verify.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One mode of vibration under every scheme: as the program integrates it, and as
-// the schemes' own formulas do.
+// One mode of vibration under every time integration scheme, as integrated by the
+// program and according to the formulas of the scheme.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -14,25 +14,28 @@ namespace keyblock {
 struct ModeSetting {
     Integration scheme = Integration::Shi;
     double rhoInf = 0.8;
-    double eta = 0.1;  // frequency × step
-    double massShare = 0.0, stiffnessShare = 0.0;  // of critical damping, by mass and by stiffness
+    double eta = 0.1;  // angular frequency × time step
+    double massShare = 0.0, stiffnessShare = 0.0;  // mass and stiffness damping, as fractions of critical damping
     int steps = 12;
 };
 
-/// Values of the mode step by step, from 1 at rest, as the program integrates it: the stress of a free block whose
-/// initial stress nothing balances. With Poisson's ratio 0 and the consistent mass ρw³h/12, ω² = 12E/(ρw²).
+/// Values of the mode at each step as integrated by the program, starting from 1 at rest: the normalised stress of a
+/// free block with an unbalanced initial stress. With Poisson's ratio 0 and the consistent mass ρw³h/12, ω² =
+/// 12E/(ρw²).
 std::vector<double> modeSeries(const ModeSetting& setting);
 
-/// The same by the scheme's own formulas for one mass on one spring.
+/// Values of the mode at each step according to the formulas of the scheme for one mass on one spring, starting from 1.
 std::vector<double> closedSeries(const ModeSetting& setting);
 
-/// Steps that determine the next: 2, or 3 where accelerations are carried that the forces do not give.
+/// Number of values that determine the next one: 2, or 3 if the scheme carries accelerations that do not follow from
+/// the forces.
 int stepsRemembered(const ModeSetting& setting);
 
-/// Largest root of the recurrence of `order` that the series obeys.
+/// Largest magnitude of a root of the linear recurrence of the given order that fits the series; NaN if the series has
+/// fewer than 2·`order` values.
 double spectralRadius(const std::vector<double>& series, int order);
 
-/// Spectral radius by the scheme's own formulas.
+/// Spectral radius according to the formulas of the scheme.
 double closedRadius(const ModeSetting& setting);
 
 }  // namespace keyblock

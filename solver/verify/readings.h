@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the verification reads from a run. A number that the run did not leave
-// is NaN, which meets no expectation.
+// Values that the verification reads from a run. A value that the run does not have
+// is NaN, which fails every check.
 #pragma once
 
 #include "solver/results/results.h"
@@ -14,7 +14,7 @@
 
 namespace keyblock {
 
-/// A run with the scene it came from.
+/// A scene with the results of its run.
 struct Solved {
     Scene scene;
     Results results;
@@ -23,33 +23,33 @@ struct Solved {
 /// Runs a scene in memory.
 Solved solve(Scene scene);
 
-/// A text as in a scene's `quantities` [SI].
+/// Value of a quantity [SI]. \param quantity text as in a scene's `quantities`.
 double reading(const Solved& solved, const std::string& quantity);
 
-/// Values of one monitor over the history. \param component 1 for uy of a point.
+/// Values of one monitor over the history. \param component for point monitors, 0: ux, 1: uy.
 std::vector<double> series(const Solved& solved, const std::string& monitor, int component = 0);
 
-/// Distance that the monitor `slider` went down a slope of `slope` [°] that falls towards +x [m].
+/// Displacement [m] of the monitor `slider` down a slope that dips at `slope` [°] towards +x.
 double slidDown(const Solved& solved, double slope);
 
-/// (opening [m], joint force [N]) over the history of a pulled bolt.
+/// Load–opening curve of a pulled bolt over the history: (opening [m], joint force [N]).
 std::vector<std::pair<double, double>> loadPath(const Solved& solved);
 
-/// Load at an opening, linear between rows [N].
+/// Load [N] at an opening [m], interpolated linearly between the points of a load–opening curve.
 double loadAtOpening(const std::vector<std::pair<double, double>>& path, double opening);
 
-/// An event that lets something go, with opening and joint force just before it.
+/// A debonding, rupture or plate loss, with opening and joint force just before it.
 struct Release {
     EventKind kind = EventKind::Debonding;
-    int index = -1;  // node, or element of a rupture
+    int index = -1;  // node, or for a rupture the element
     double opening = 0.0;  // [m]
     double load = 0.0;  // [N]
 };
 
-/// Debondings, ruptures and lost plates in their order.
+/// All debondings, ruptures and plate losses in their order.
 std::vector<Release> releases(const Solved& solved);
 
-/// Number of leading entries in which the nodes of the releases are those given.
+/// Number of leading releases whose nodes agree with `nodes`.
 int agreeing(const std::vector<Release>& found, const std::vector<int>& nodes);
 
 /// Number of events of a kind.

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Independent numbers that the program is checked against. They come from
-// calculations that share no code with the engine (tests/verify/reference), for
-// bolts from one that goes from event to event in exact steps; the tests make them
-// afresh from these.
-// Rock is rigid unless said, bars are linear or piecewise linear, SI throughout.
+// Independent reference values against which the program is checked. They come from
+// calculations that share no code with the engine (tests/verify/reference), for bolts
+// from one that steps exactly from event to event; tests recompute them with these
+// calculations. Rock is rigid unless stated otherwise, bars are linear or piecewise
+// linear, SI units throughout.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@
 
 namespace keyblock {
 
-/// One release of the reference: node from the far end, opening [m] and joint force [N] just before it.
+/// A release in the reference: the node, counted from the far end, with opening [m] and joint force [N] just before it.
 struct ReferenceRelease {
     int node = 0;
     double opening = 0.0;
     double load = 0.0;
 };
 
-/// Brittle bond of the paper's rebar at E 200 GPa, joint in the middle of an element.
+/// Releases of the paper's rebar with a brittle bond and E = 200 GPa, joint in the middle of an element.
 inline const std::vector<ReferenceRelease> brittleDebonding{
     {29, 0.64768e-3, 128.734691e3}, {30, 0.70975e-3, 128.734691e3}, {28, 0.78546e-3, 130.974229e3},
     {31, 0.84753e-3, 130.974229e3}, {27, 0.92561e-3, 133.213523e3}, {32, 0.98768e-3, 133.213523e3},
@@ -41,16 +41,16 @@ inline const std::vector<ReferenceRelease> brittleDebonding{
     {5, 3.93940e-3, 163.868920e3}, {4, 3.93940e-3, 161.254310e3}, {3, 3.93940e-3, 158.246230e3},
     {2, 3.93940e-3, 154.393202e3}, {1, 3.93940e-3, 148.511601e3}, {0, 3.93940e-3, 136.071170e3}};
 
-/// References of a debonding rebar.
+/// Reference values for a debonding rebar.
 struct RebarReference {
     const char* title;
-    double youngsModulus, peak;  // [Pa], [N] per node
+    double youngsModulus, peak;  // [Pa], peak bond force per node [N]
     int divisions;  // 59: joint in an element, 60: joint at a node
     double firstLoad, firstOpening, largestLoad, largestOpening, lastOpening;  // [N], [m]
     int releases;
 };
 
-inline constexpr double rebarResidual = 67.2e3;  // [N] 30 nodes of 2.24 kN
+inline constexpr double rebarResidual = 67.2e3;  // [N] 30 nodes with 2.24 kN each
 
 inline constexpr std::array<RebarReference, 6> rebarReferences{{
     {"stated parameters", 213.043e9, 24.56e3, 59, 132430.7, 0.645337e-3, 172451.9, 3.632214e-3, 3.724503e-3, 50},
@@ -61,11 +61,12 @@ inline constexpr std::array<RebarReference, 6> rebarReferences{{
     {"reading (b)", 215.8e9, 22.32e3, 60, 121049.1, 0.645573e-3, 161424.6, 3.509922e-3, 3.541515e-3, 51},
 }};
 
-/// Nodes in their order of release: alternately either side of the joint, then the far side to its end.
-/// \param divisions 59 or 60; \param releases 50 or 51
+/// Nodes in their order of release: alternately on the two sides of the joint, then on the far side to the far end.
+/// \param divisions 59 or 60. \param releases 50 or 51.
 std::vector<int> rebarOrder(int divisions, int releases);
 
-/// References of a D-bolt: the joint force at two openings and at the rupture.
+/// Reference values for a D-bolt: joint force and opening at yield and at rupture, and joint force at openings of 50 mm
+/// and 100 mm.
 struct DBoltReference {
     const char* title;
     bool tableSteel, plate;
@@ -79,8 +80,9 @@ inline constexpr std::array<DBoltReference, 4> dBoltReferences{{
     {"table's steel, no plate", true, false, 159907.0, 4.2211e-3, 183359.0, 199426.0, 194.943e-3, 204518.0},
 }};
 
-/// Elastic rebar under 200 kN; `force20` in the element from node 20. Made with rock of 6e13 Pa: where the bond is
-/// stiff the plate feels even the small strain of the rock (at 60 GPa it takes 17321, 690.2 and 47.7 N).
+/// Reference values for an elastic rebar under 200 kN; `force20` is the axial force in the element that starts at
+/// node 20. Computed with rock of 6e13 Pa, because with a stiff bond even the small strain of the rock affects the
+/// plate force (with 60 GPa it is 17321, 690.2 and 47.7 N).
 struct ElasticRebarReference {
     double stiffness, opening, plate, largestAnchor, force20;  // [N/m], [m], [N]
 };
@@ -91,8 +93,8 @@ inline constexpr std::array<ElasticRebarReference, 3> elasticRebarReferences{{
     {300e6, 0.626213e-3, 2.4980, 63914.11, 6252.85},
 }};
 
-/// Shear lag without a plate, springs in the middle of their stretches: slip at the joint and forces at 0.25 and
-/// 0.5 m from it.
+/// Reference values for shear lag under 200 kN without a plate, with `perSide` springs on each side of the joint,
+/// each in the middle of its tributary length: slip at the joint, and axial forces at 0.25 m and 0.5 m from it.
 struct ShearLagReference {
     int perSide;
     double slip, quarter, half;  // [m], [N]
@@ -104,7 +106,8 @@ inline constexpr std::array<ShearLagReference, 3> shearLagReferences{{
     {80, 1.639847e-3, 117125.6, 64512.0},
 }};
 
-/// The same bond by length under 2 kN, with a rigid plate.
+/// Reference values for the same bond under 2 kN with the stiffness given per length: joint opening without and with a
+/// rigid plate, and the plate force.
 struct PlateLagReference {
     int divisions;
     double openingWithout, openingWith, plate;  // [m], [m], [N]
@@ -115,8 +118,8 @@ inline constexpr std::array<PlateLagReference, 2> plateLagReferences{{
     {81, 32.80482760e-6, 31.67195364e-6, 525.772895},
 }};
 
-/// A voussoir beam of span 10 m and depth 0.5 m, E 10 GPa, ν 0.25, 25 kN/m³, under small displacements: bilinear finite
-/// elements in 64 rows, whose thrust is within 0.1 % of that in 32.
+/// Reference values for a voussoir beam of 10 m span and 0.5 m depth with E = 10 GPa, ν = 0.25 and 25 kN/m³ for small
+/// displacements, computed with 64 rows of bilinear finite elements. The thrust is within 0.1 % of that with 32 rows.
 struct VoussoirReference {
     double thrust, arm;  // [N], [m]
 };

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The scenes of the verification, built in code so that no file and no library
-// of bolts lies between a law and the number that it is checked against. All of them
-// run at a pass tolerance of 1e-10.
+// The verification scenes, built in code so that neither a file nor the bolt library
+// comes between a law and the number against which it is checked. All of them use an
+// iteration tolerance of 1e-10.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -13,56 +13,60 @@
 namespace keyblock {
 
 inline constexpr double gravity = 9.81;  // [m/s²]
-inline constexpr double rigidRock = 6e13;  // [Pa] Young's modulus that counts as rigid compared with a bolt
+inline constexpr double rigidRock = 6e13;  // [Pa] Young's modulus of rock that is practically rigid relative to a bolt
 
-/// Plane stress, 1 m thick, one rock, one joint of friction angle `frictionAngle` [°]; no block yet.
+/// A scene without blocks: plane stress, 1 m thick, one rock material and one joint material.
+/// \param youngsModulus [Pa]. \param frictionAngle of the joint material [°].
 Scene emptyScene(double youngsModulus, double poissonsRatio, double frictionAngle);
 
-/// Rectangle between two corners [m].
+/// Rectangular block between its lower left and upper right corners [m].
 Block boxBlock(const std::string& name, const Point& low, const Point& high);
 
-/// A block of 1 m × 0.5 m, the monitor `slider`, on a fixed slope of `slope` [°] falling towards +x, released at t = 0
-/// in a dynamic stage of 1 ms steps.
+/// A block of 1 m × 0.5 m with the monitor `slider` on a fixed slope that dips at `slope` [°] towards +x. The block is
+/// released at t = 0 in a dynamic stage with time steps of 1 ms. \param duration [s].
 Scene inclineScene(double slope, double frictionAngle, double duration);
 
-/// Two blocks that touch at x = `joint` [m], `length` [m] from end to end and 1 m high. The left one is fixed; the
-/// joint is smooth. One monitor, `opening`.
+/// Two blocks that touch at x = `joint` [m], together `length` [m] long and 1 m high. The left block is fixed; the
+/// joint is frictionless. The scene has the monitor `opening`.
 Scene twoBlocks(double youngsModulus, double joint, double length);
 
-/// Pulls the right block along x, rotation held, in equal increments.
+/// Stage that moves the right block of `twoBlocks` along x without rotation, in equal increments.
+/// \param displacement at the end [m].
 Stage pullStage(const Scene& scene, double displacement, int increments);
 
-/// Loads the right block along x in equal increments [N].
+/// Stage that loads the right block of `twoBlocks` along x in equal increments. \param force at the end [N].
 Stage loadStage(const Scene& scene, double force, int increments);
 
-/// Bolt along y = 0.5 m, and the monitor `joint force` in the element that crosses or touches the joint from the
-/// left; the scene's opening stays its first monitor.
+/// Adds a bolt along y = 0.5 m, and after the existing monitors the monitor `joint force` in the element that crosses
+/// the joint or reaches it from the left. \param from, to x of the far end and of the head [m].
 void addBolt(Scene& scene, const BoltType& type, double from, double to, int divisions, PlateKind plate);
 
-/// Type of the given steel area [m²] whose shank is linear and unbreakable.
+/// Bolt type with a linear elastic shank of unlimited strength. \param area steel area [m²]. \param youngsModulus [Pa].
 BoltType linearType(double area, double youngsModulus);
 
-/// The same with a backbone (strain, stress [Pa]) from the origin.
+/// Bolt type like `linearType`, but with a stress–strain curve. \param steel (strain, stress [Pa]) from the origin.
 BoltType steelType(double area, const Table& steel);
 
-/// Anchors of one law along a stretch of the bolt, or at its every node.
+/// Anchors of one law along the whole bolt. \param per what stiffness, strength and residual refer to.
 Anchor anchorRange(Per per, AnchorLaw law, double stiffness, std::optional<double> strength, double residual);
 
-/// Anchor at the node nearest to `s` [m] from the far end.
+/// Anchor at the node nearest to the distance `s` [m] from the far end.
 Anchor anchorAt(double s, AnchorLaw law, double stiffness);
 
-/// Area of a round bar of 20 mm [m²].
+/// Cross-sectional area of a round bar of 20 mm diameter [m²].
 double barArea();
 
-/// The paper's rebar with a given modulus [Pa] and peak [N], on `divisions` 59 (joint in an element) or 60 (joint at a
-/// node), rock of `rockModulus`; pulled by `displacement` in `increments`.
+/// The paper's rebar across the joint of two blocks, pulled by `displacement` [m].
+/// \param youngsModulus of the bar [Pa]. \param peak peak bond force per node [N].
+/// \param divisions 59: joint within an element, 60: joint at a node. \param rockModulus Young's modulus [Pa].
 Scene paperRebar(double youngsModulus, double peak, int divisions, double rockModulus, double displacement,
                  int increments);
 
-/// The paper's D-bolt, with a plate of 1e9 N/m or none.
+/// The paper's D-bolt, with a face plate of stiffness 1e9 N/m or without one.
 Scene paperDBolt(const Table& steel, PlateKind plate, double rockModulus, double displacement, int increments);
 
-/// The paper's rebar without debonding under 200 kN, plate 1e9 N/m.
+/// The paper's rebar with an elastic bond under 200 kN, with a face plate of stiffness 1e9 N/m.
+/// \param springStiffness bond stiffness per node [N/m].
 Scene elasticRebar(double springStiffness, double rockModulus);
 
 }  // namespace keyblock

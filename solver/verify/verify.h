@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The program checks itself against numbers that were found without it: closed
-// forms, independent references and the published tables. The command line
-// prints this list; each case is also a test.
+// Verification suite: the program is checked against independent numbers, namely
+// closed-form solutions, independent reference calculations and published tables. The
+// command line prints the results; each case is also a test.
 #pragma once
 
 #include <functional>
@@ -15,17 +15,17 @@ namespace keyblock {
 
 /// One number of a case and its expected value.
 struct CaseResult {
-    std::string name;  // of the case
-    std::string quantity;  // what was measured, with its unit
+    std::string name;  // name of the case
+    std::string quantity;  // quantity measured, with its unit
     double measured = 0.0;
     double expected = 0.0;
-    double tolerance = 0.0;  // of `expected` when `relative`, else in the quantity's unit
+    double tolerance = 0.0;  // as a fraction of `expected` if `relative`, otherwise in the unit of the quantity
     bool relative = true;
     bool passed = false;
-    double seconds = 0.0;  // [s] that the measurement took
+    double seconds = 0.0;  // time taken by the measurement [s]
 };
 
-/// A case of the suite; `run` solves it and measures, blocking.
+/// A case of the suite; `run` solves it and returns when all its results are available.
 struct Case {
     std::string name;
     std::string description;
@@ -35,12 +35,12 @@ struct Case {
 /// The whole suite, in the order in which it is printed.
 const std::vector<Case>& cases();
 
-/// One row of a published table: the paper's number, the independent reference's and the program's.
+/// One row of a published table, with the values of the paper, the independent reference and the program.
 struct PaperRow {
     std::string quantity;
     std::string unit;
     std::optional<double> paper;  // null: the paper does not give it
-    std::optional<double> reference;  // null: none was worked out
+    std::optional<double> reference;  // null: there is no independent reference
     double keyblock = 0.0;
     double tolerance = 0.0;  // relative, against `reference`
     bool passed = false;
@@ -51,7 +51,7 @@ struct PaperTable {
     std::vector<PaperRow> rows;
 };
 
-/// The paper's tables, solved afresh, blocking.
+/// The tables of the paper, with newly computed values of the program; returns when all are solved.
 std::vector<PaperTable> paperTables();
 
 }  // namespace keyblock
