@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A bolt type number by number: value, unit and where it comes from. What is listed
-// follows from the table of fields, so that a new field shows by itself.
+// Lists the values of a bolt type with unit and source. The list is made from the
+// field table, so that a new field is included automatically.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -14,14 +14,14 @@ namespace keyblock::cli {
 
 /// One value of a type.
 struct BoltNumber {
-    std::string key;  // as in `plate.width`, `anchors[0].strength`
+    std::string key;  // e.g. `plate.width` or `anchors[0].strength`
     std::string value;
     std::string unit;
     std::string source;
-    bool confirmed = true;  // false: no available source gives it
+    bool confirmed = true;  // false: no available source gives the value
 };
 
-/// Every value of the type that applies and is not null, in the order of the format.
+/// All values of the type that apply and are not null, in the order of the scene format.
 std::vector<BoltNumber> numbersOf(const BoltType& type);
 
 }  // namespace keyblock::cli

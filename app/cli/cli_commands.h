@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verbs and their options. Every verb prints for itself and returns the
-// program's exit code; what goes wrong outside its own business it throws.
+// The commands and their options. Every command prints its own output and returns the
+// exit code of the program; errors that it does not handle itself are thrown.
 #pragma once
 
 #include "app/cli/exit_codes.h"
@@ -20,19 +20,19 @@ enum class ProgressKind { Automatic, Bar, Json, None };
 
 struct RunOptions {
     std::filesystem::path scene;
-    std::optional<std::filesystem::path> out;  // null: the scene's name with .kbrun, in the same folder
+    std::optional<std::filesystem::path> out;  // run store; null: the scene's path with the extension .kbrun
     std::vector<std::string> overrides;  // path=value
-    int threads = 0;  // 0: as many as the machine has
-    ProgressKind progress = ProgressKind::Automatic;  // a bar on a terminal, else none
-    bool resume = false;  // continue in an existing run store
+    int threads = 0;  // 0: one per hardware thread
+    ProgressKind progress = ProgressKind::Automatic;  // a bar on a terminal, otherwise none
+    bool resume = false;  // resume the run in an existing run store
     bool overwrite = false;
-    bool failOnCollapse = false;  // exit with `DoesNotStand`
+    bool failOnCollapse = false;  // exit with `DoesNotStand` if the scene is not stable
 };
 
 struct CheckOptions {
     std::filesystem::path scene;
     std::vector<std::string> overrides;
-    bool all = false;  // every note of the cut
+    bool all = false;  // list every note about cutting
     bool json = false;
 };
 
@@ -43,43 +43,45 @@ struct InfoOptions {
 
 struct ExportOptions {
     std::filesystem::path run;
-    std::optional<std::string> table;  // one of these four
+    // one of the next four is given
+    std::optional<std::string> table;
     std::optional<std::string> figure;
-    std::optional<std::filesystem::path> vtk;  // the folder
-    std::optional<std::filesystem::path> animation;  // the file, or the folder of its images
+    std::optional<std::filesystem::path> vtk;  // folder
+    std::optional<std::filesystem::path> animation;  // video file, or folder for its images
     std::optional<std::string> bolt;
     std::optional<std::string> stage;
     std::optional<std::string> at;
-    std::optional<int> perSecond;  // frames of an animation
-    std::optional<std::string> quantity;  // of a figure or an animation, as all below
+    std::optional<int> perSecond;  // frames per second of an animation
+    // the next five are for figures and animations only
+    std::optional<std::string> quantity;
     std::optional<double> width;  // [mm]
     std::optional<int> dpi;
-    std::optional<double> deformed;  // factor on displacements
+    std::optional<double> deformed;  // magnification of displacements
     bool whole = false;
-    std::vector<std::filesystem::path> references;  // CSV files drawn with the curves
-    std::filesystem::path out;
+    std::vector<std::filesystem::path> references;  // CSV files with curves for comparison in the figure `curves`
+    std::filesystem::path out;  // file for a table or figure
 };
 
 struct ImportOptions {
     std::filesystem::path file;
     ImportSettings settings;
     std::filesystem::path out;
-    bool all = false;  // every entity that was not taken
+    bool all = false;  // list every entity that was not imported
 };
 
 struct SafetyOptions {
     std::filesystem::path scene;
-    std::optional<std::filesystem::path> out;  // the folder; null: the scene's name with -safety, in the same folder
+    std::optional<std::filesystem::path> out;  // folder; null: next to the scene, its name followed by -safety
     bool overwrite = false;
     std::vector<std::string> overrides;
-    int threads = 0;  // 0: as many as the machine has
+    int threads = 0;  // 0: one per hardware thread
     ProgressKind progress = ProgressKind::Automatic;
     bool json = false;
 };
 
 struct VerifyOptions {
-    std::vector<std::string> names;  // empty: every case
-    bool paper = false;  // the paper's tables instead of the cases
+    std::vector<std::string> names;  // names of cases; empty: all cases
+    bool paper = false;  // show the tables of the paper instead of the cases
     bool json = false;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From the words after `keyblock` to a command.
+// Converts the command line arguments to a command with its options.
 #pragma once
 
 #include "app/cli/cli_commands.h"
@@ -16,7 +16,7 @@ struct Answer {
     std::string text;
 };
 
-/// Reads the command line. \throws UsageError
+/// Reads the command line. \return a command, or the text for `--help` or `--version`. \throws UsageError
 std::variant<Command, Answer> readCommandLine(int argc, const char* const* argv);
 
 }  // namespace keyblock::cli

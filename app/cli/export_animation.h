@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part of `export` that writes animations.
+// The part of the command `export` that writes animations.
 #pragma once
 
 #include "app/cli/cli_commands.h"
@@ -11,10 +11,10 @@
 namespace keyblock::cli {
 
 /// Writes a video, or a folder of PNG images with a table of their times. \pre `options.animation` is set.
-/// \throws UsageError for what cannot be drawn, and in a build without figures.
+/// \throws UsageError if the animation cannot be drawn, or in a build without figures.
 ExitCode exportAnimation(const ExportOptions& options, const RunSource& run, const TableFilter& filter);
 
-/// Throws the usage errors that need no run.
+/// Checks the options as far as possible without the run. \throws UsageError
 void checkAnimationOptions(const ExportOptions& options);
 
 }  // namespace keyblock::cli

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part of `export` that paints.
+// The part of the command `export` that writes figures.
 #pragma once
 
 #include "app/cli/cli_commands.h"
@@ -10,11 +10,11 @@
 
 namespace keyblock::cli {
 
-/// Writes the figure and, next to it, its data; reports problems of references. \pre `options.figure` is set.
-/// \throws UsageError for what cannot be drawn, and in a build without figures.
+/// Writes the figure and, next to it, its data, and reports problems in reference files. \pre `options.figure` is set.
+/// \throws UsageError if the figure cannot be drawn, or in a build without figures.
 ExitCode exportFigure(const ExportOptions& options, const RunSource& run, const TableFilter& filter);
 
-/// Throws the usage errors that need no run.
+/// Checks the options as far as possible without the run. \throws UsageError
 void checkFigureOptions(const ExportOptions& options);
 
 }  // namespace keyblock::cli

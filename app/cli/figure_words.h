@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The figures by name, known to every build: one without figures says that it has
-// none, not that it does not know the word.
+// Names of the figures, known in every build, so that a build without figures can
+// report that it has no figures rather than that the name is unknown.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace keyblock::cli {
 
-/// In the order of `FigureKind`.
+/// Names of the figures, in the order of `FigureKind`.
 inline std::span<const std::string_view> figureWords() {
     static constexpr std::array<std::string_view, 4> words{"section", "bolt", "curves", "events"};
     return words;

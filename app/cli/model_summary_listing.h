@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The model summary of a scene for people: what is modelled, what is left out and why,
-// what a run may take.
+// Text of the model summary of a scene: what is modelled, what is left out and why, and
+// an estimate of run time and memory.
 #pragma once
 
 #include "solver/run/model_summary.h"
@@ -11,7 +11,7 @@
 
 namespace keyblock::cli {
 
-/// A line each.
+/// The model summary as text of several lines.
 std::string modelSummaryLines(const ModelSummary& summary);
 
 }  // namespace keyblock::cli

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Results go to standard output, everything else to standard error. A reader that
-// went away (`| head`) is not an error; a full disk behind the output is one.
+// Results are written to standard output, everything else to standard error. A closed
+// pipe (`| head`) is not an error, but a full disk behind the output is.
 #pragma once
 
 #include <stdexcept>
@@ -10,31 +10,32 @@
 
 namespace keyblock::cli {
 
-/// The command line cannot be carried out as given; reported on one line, exit code 2.
+/// The command line is invalid; reported on one line, with exit code 2.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Keeps a closed pipe, or a file that may grow no more, from ending the program.
+/// Ignores SIGPIPE and SIGXFSZ, so that a closed pipe or a file at its size limit makes writes fail instead of ending
+/// the program.
 void takeFailedWritesAsErrors();
 
-/// Writes to standard output, at once.
+/// Writes to standard output without delay.
 void print(std::string_view text);
 
-/// Writes to standard error, at once.
+/// Writes to standard error without delay.
 void printToError(std::string_view text);
 
-/// Writes `error: …` on one line to standard error, line breaks within turned to spaces.
+/// Writes `error: …` to standard error on one line; line breaks in the message are replaced by spaces.
 void printErrorLine(std::string_view message);
 
-/// The system's error number if standard output took less than it was given, for another reason than a reader that
-/// went away; else 0.
+/// System error number of the first failed write to standard output; 0 if there was none or it was due to a closed
+/// pipe.
 int outputFailure();
 
 /// Whether standard error is a terminal.
 bool errorIsTerminal();
 
-/// Columns of the terminal behind standard error; 80 where it does not say.
+/// Width of the terminal at standard error, in characters; 80 if it is unknown.
 int terminalWidth();
 
 }  // namespace keyblock::cli

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Shows the progress of a run on standard error, at most ten times a second: as a bar
-// with the time left, or as one JSON object a line.
+// with the time remaining, or as JSON objects, one per line.
 #pragma once
 
 #include "app/cli/cli_commands.h"
@@ -18,16 +18,16 @@
 
 namespace keyblock::cli {
 
-/// What `Automatic` means here: a bar on a terminal, else nothing.
+/// Resolves `Automatic`: a bar if standard error is a terminal, otherwise none. Other kinds are returned unchanged.
 ProgressKind chosenProgress(ProgressKind kind);
 
 using Clock = std::chrono::steady_clock;
 
-/// Passes everything on to another sink and shows progress as well.
+/// Forwards everything to another sink and also shows progress.
 class ProgressSink : public Sink {
 public:
-    /// \param scene as it is solved: cut. \param label before the stage's name; may be empty.
-    /// \pre `kind` is not `Automatic`; scene and sink outlive this.
+    /// \param scene the scene as solved, i.e. cut. \param label text before the name of the stage; may be empty.
+    /// \pre `kind` is not `Automatic`; `next` outlives this object.
     ProgressSink(const Scene& scene, Sink& next, ProgressKind kind, std::string label = {});
     /// Shows the last state, or clears the bar.
     ~ProgressSink() override;
@@ -43,23 +43,23 @@ public:
     void stageEnds(const StageResult& result) override;
     void checkpoint(const Checkpoint& checkpoint) override { next_.checkpoint(checkpoint); }
 
-    /// To be called after every step.
+    /// Updates the display; to be called whenever the run reports its progress.
     void update(const Progress& progress);
 
-    /// Wall clock of every stage that ended [s].
+    /// Wall-clock time [s] of each stage that has ended.
     const std::map<int, double>& stageSeconds() const { return stageSeconds_; }
 
 private:
     void tell();
     std::string barText(const ProgressLine& line) const;
 
-    Scene scene_;  // as it is run
-    const std::vector<std::string> blocks_;  // names
+    Scene scene_;  // as run
+    const std::vector<std::string> blocks_;  // names of the blocks
     Sink& next_;
     ProgressKind kind_;
     std::string label_;
     Progress progress_;
-    std::optional<double> startFraction_;  // done before this run began
+    std::optional<double> startFraction_;  // fraction completed before this run started or resumed
     bool unreported_ = false;
     std::optional<Event> lastEvent_;
     Clock::time_point runStart_;

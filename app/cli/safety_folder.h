@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a search for the factor of safety leaves on disk: the runs nearest the
-// bracket, so that the mechanism can be looked at, and a table of all runs.
+// Results of a search for the factor of safety on disk: the stable and the unstable
+// run at the ends of the bracket, so that the failure mechanism can be examined, and a
+// table of all runs.
 #pragma once
 
 #include "solver/files/part_folder.h"
@@ -15,19 +16,20 @@
 
 namespace keyblock::cli {
 
-/// `stands.kbrun`, `fails.kbrun` and `safety.csv` in a folder that appears whole.
+/// Folder with `stands.kbrun`, `fails.kbrun` and `safety.csv`, which gets its final name once it is complete.
 class SafetyFolder {
 public:
-    /// \throws CannotWrite where the folder is there and may not be replaced, or holds something else.
+    /// \throws CannotWrite if the folder exists and may not be replaced, or contains anything but an earlier search.
     SafetyFolder(const std::filesystem::path& folder, bool overwrite);
 
-    /// Runs into a store of its own and into `other`, which both get everything.
+    /// Calls `run` with a sink that writes both to a new run store and to `other`.
     void record(Sink& other, const std::function<void(Sink& both)>& run);
 
-    /// Keeps the run last recorded where it is the nearest to the bracket so far.
+    /// Adds a run to the table. The store of the latest recorded run becomes `stands.kbrun` or `fails.kbrun`, unless
+    /// the run is undecided.
     void keep(const SafetyRun& run);
 
-    /// Writes the table of the runs that were kept and puts the folder in its place. \param scene as it was solved.
+    /// Writes the table and gives the folder its final name. \param scene the scene as solved.
     void finish(const Scene& scene);
 
 private:

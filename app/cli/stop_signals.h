@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ctrl+C and SIGTERM ask a run to stop within one step and keep its results; asked
-// a second time, they end the program at once (the store stays whole).
+// Ctrl+C or SIGTERM makes a run stop within one step and keep its results; a second
+// signal ends the program immediately (the store remains intact).
 #pragma once
 
 #include <atomic>
 
 namespace keyblock::cli {
 
-/// While it lives, the signals set `stop`. One at a time; `stop` must outlive it.
+/// Makes the signals set `stop` for the lifetime of this object. \pre there is only one such object at a time, and
+/// `stop` outlives it.
 class StopSignals {
 public:
     explicit StopSignals(std::atomic<bool>& stop);

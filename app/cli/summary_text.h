@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Summary of a run: stages, events by kind, solver diagnostics, and the numbers
-// that the scene requests next to those it expects. `run` ends with it, `info`
-// begins with it.
+// Summary of a run: stages, events by kind, solver diagnostics, and the quantities
+// requested by the scene compared with their expected values. `run` prints it at the
+// end, `info` at the beginning.
 #pragma once
 
 #include "solver/results/run_source.h"
@@ -17,8 +17,8 @@ namespace keyblock::cli {
 
 /// Solver diagnostics over all stages that ended.
 struct RunHealth {
-    double passesMean = 0.0;  // a step
-    double workMean = 0.0, factorizationsMean = 0.0, fullFactorizationsMean = 0.0;  // a solved step
+    double passesMean = 0.0;  // iterations per step
+    double workMean = 0.0, factorizationsMean = 0.0, fullFactorizationsMean = 0.0;  // per solved step
     long stepCuts = 0;
     long energyCuts = 0;
     double maxPenetrationRatio = 0.0;
@@ -26,10 +26,11 @@ struct RunHealth {
     double residual = 0.0;
 };
 
-/// Null when no stage has ended.
+/// Solver diagnostics of a run; none if no stage has ended.
 std::optional<RunHealth> healthOf(const std::vector<StageRecord>& records);
 
-/// The whole summary. `stageSeconds` [s of wall clock, by stage] adds a column; empty leaves it out.
+/// The whole summary.
+/// \param stageSeconds wall-clock time [s] by stage, shown in a column of its own; empty: no such column.
 std::string summaryOf(const RunSource& run, const std::map<int, double>& stageSeconds);
 
 }  // namespace keyblock::cli

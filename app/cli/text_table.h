@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tables for people: columns as wide as their widest cell, numbers to the right.
+// Text tables for display: columns as wide as their widest cell, numbers aligned to
+// the right.
 #pragma once
 
 #include <string>
@@ -10,16 +11,16 @@
 
 namespace keyblock::cli {
 
-/// `value` with six significant digits, `.` decimals in every locale.
+/// `value` with six significant digits and a decimal point in every locale.
 std::string shown(double value);
 
-/// `share` as a percentage with two decimals and its sign, as in `+0.12 %`.
+/// The fraction `share` as a percentage with two decimals and a sign, as in `+0.12 %`; zero has no sign.
 std::string shownPercent(double share);
 
 /// Seconds with three decimals.
 std::string shownSeconds(double seconds);
 
-/// Number of characters that a UTF-8 text shows.
+/// Number of characters in a UTF-8 text.
 std::size_t shownWidth(std::string_view text);
 
 enum class Align { Left, Right };
@@ -27,16 +28,16 @@ enum class Align { Left, Right };
 struct TextColumn {
     std::string title;
     Align align = Align::Left;
-    std::size_t width = 0;  // at least
+    std::size_t width = 0;  // minimum width in characters
 };
 
 using TextRow = std::vector<std::string>;
 
-/// Title line and rows, each line ending with a line feed.
+/// A table with a line of titles and a line for each row, each ending with a line feed.
 /// \pre every row has a cell for every column.
 std::string textTable(std::vector<TextColumn> columns, const std::vector<TextRow>& rows);
 
-/// One line of such a table with the present widths of the columns.
+/// One line of a table, ending with a line feed; the columns are not widened to fit their cells.
 std::string textLine(const std::vector<TextColumn>& columns, const TextRow& cells);
 
 }  // namespace keyblock::cli

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a summary says first: whether it is stable, which blocks are not, which
-// joints and bolts failed there, and how well the numbers behind that balance.
+// First part of the summary of a run: whether the scene is stable, the unstable
+// blocks, the joints and bolts that failed around them, and the unbalanced force and
+// energy error behind the verdict.
 #pragma once
 
 #include "solver/results/run_source.h"
