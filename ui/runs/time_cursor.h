@@ -65,7 +65,7 @@ public:
     void goLive();
     void step(int by);
     void home();
-    void end();  // shows the last frame; follows a run in progress
+    void end();  // shows the last frame; if a run is in progress, follows it
     /// Moves to the stored state just before the next event or, if there is none or it is already shown, to the first
     /// frame that includes the event. Returns false if there is no such event. Hidden kinds are skipped, and minor
     /// events too unless there are no others.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Two runs side by side: a second canvas with the same view next to the first during a
-// comparison, captions that name the runs, and the curves of both.
+// Two runs side by side: during a comparison a second canvas with the same view appears
+// next to the first, captions name the runs, and the charts show the curves of both.
 #pragma once
 
 #include <QObject>
@@ -44,15 +44,15 @@ class CompareArea : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds its command.
+    /// Adds the command for comparing runs.
     CompareArea(const CompareNeeds& needs, QObject* parent);
     ~CompareArea() override;
 
-    /// Position of the second canvas, and the curves that show both runs.
+    /// Sets the layout for the second canvas, and the charts that show the curves of both runs.
     void place(QBoxLayout& besideCanvas, Curves& curves, Curves& energies);
 
 private:
-    /// Exists only while two runs are shown.
+    /// Widgets of the second run; exist only while two runs are shown.
     struct Second;
 
     void beginOrEnd();

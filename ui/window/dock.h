@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Docks with a header of 30 px. Docks in a tab group have their tabs as header, without
-// a second one below.
+// Docks with a header 30 px high. In a tab group the tabs serve as the header, and no
+// second header is shown below them.
 #pragma once
 
 #include <QString>
@@ -15,13 +15,14 @@ namespace keyblock {
 
 class Themes;
 
-constexpr int treeWidth = 236, propertyWidth = 300;  // [px] initial width of the docks at the sides
+constexpr int treeWidth = 236, propertyWidth = 300;  // initial width of the docks at the sides [px]
 
-/// Makes a dock around the widget; `id` is saved in layouts. The header shows `title` and buttons to float and close.
+/// Makes a dock around the widget. Saved layouts refer to the dock by `id`. The header shows `title` and buttons to
+/// float and close the dock.
 QDockWidget* makeDock(QMainWindow& window, const Themes& themes, const QString& id, const QString& title,
                       QWidget* widget);
 
-/// A dock without header that cannot be moved.
+/// Makes a dock without a header that cannot be moved.
 QDockWidget* makeBand(QMainWindow& window, const QString& id, const QString& title, QWidget* widget);
 
 }  // namespace keyblock

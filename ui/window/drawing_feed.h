@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shows the scene as drawn on the canvas, while the drawing is shown.
+// Shows the scene on the canvas as it is drawn, unless the canvas shows results.
 #pragma once
 
 #include <QObject>
@@ -19,7 +19,7 @@ public:
     DrawingFeed(Document& document, const Visibility& visibility, Canvas& canvas, QObject* parent = nullptr);
 
     bool isOn() const { return on_; }
-    /// On: the canvas shows the drawing and is updated with it. Off: others use the canvas.
+    /// True: the canvas shows the drawing and follows its changes. False: the canvas is left to other views.
     void setOn(bool on);
 
 Q_SIGNALS:
@@ -33,7 +33,7 @@ private:
     const Visibility& visibility_;
     Canvas& canvas_;
     bool on_ = true;
-    bool isOther_ = false;  // another document, not shown yet
+    bool isOther_ = false;  // true: the document was replaced and has not been shown yet
 };
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Exports what is on the screen as figures, tables and animations.
+// The commands that export the current view as figures, tables and animations.
 #pragma once
 
 class QMainWindow;
@@ -15,7 +15,7 @@ class Themes;
 class TimeCursor;
 class ViewSettings;
 
-/// Adds export.figure, export.table, export.film and export.all.
+/// Adds the commands export.figure, export.table, export.film and export.all.
 void addExportCommands(QMainWindow& window, Commands& commands, const Themes& themes, const TimeCursor& cursor,
                        const BoltChoice& choice, const ViewSettings& view, const Canvas& canvas);
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// New, open, save, and the commands of the window itself: undo, theme, units.
+// The commands New, Open and Save, and those of the window itself: undo, theme and
+// units.
 #pragma once
 
 #include <functional>
@@ -19,17 +20,19 @@ class Themes;
 
 enum class UnsavedEdits { Ask, Settled };
 
-/// `open` gets the file that the user chooses: a scene, a run or a drawing. Asks about unsaved edits first.
+/// Asks about unsaved edits before opening a file.
+/// \param open called with the file that the user chooses: a scene, a run or a drawing
 void addFileCommands(Commands& commands, Document& document, QWidget& window, std::function<void(const QString&)> open);
 void addEditCommands(Commands& commands, Document& document);
 void addCanvasCommands(Commands& commands, Canvas& canvas);
 void addViewCommands(Commands& commands, Themes& themes, Display& display);
 
-/// Opens a scene file; asks first if unsaved edits would be lost. If it has errors, the readable part is opened, and
-/// the document reports what is missing. \param edits whether the user has already been asked about them.
+/// Opens a scene file, after asking about unsaved edits. If the file has errors, the part that can be read is opened,
+/// and the document reports what is missing.
+/// \param edits `Ask`, or `Settled` if the user has been asked about unsaved edits already
 void openDocument(Document& document, const QString& path, QWidget& window, UnsavedEdits edits = UnsavedEdits::Ask);
 
-/// True if the document is saved, was saved now, or the user discards the edits.
+/// True if the document has no unsaved edits, or the user saves or discards them. Asks the user if necessary.
 bool mayDiscard(Document& document, QWidget& window);
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files dropped on the window are opened as if the user had chosen them.
+// Opens files dropped on the window as if the user had chosen them in the Open dialog.
 #pragma once
 
 #include <QObject>
@@ -17,7 +17,7 @@ class FileDrops : public QObject {
     Q_OBJECT
 
 public:
-    /// `open` gets the first file with a known extension: .json, .kbrun, .dxf or .csv.
+    /// \param open called with the first dropped file that has a known extension: .json, .kbrun, .dxf or .csv
     FileDrops(QMainWindow& window, std::function<void(const QString& path)> open);
 
 protected:
@@ -27,7 +27,7 @@ private:
     std::function<void(const QString&)> open_;
 };
 
-/// The first of these files that Studio can open; empty: none.
+/// The first of the dropped files that Studio can open; empty if there is none.
 QString openableFile(const QMimeData& dropped);
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Entries of the menus File and Help that are not commands: recent scenes, and
+// Entries of the File and Help menus that are not commands: recent scenes, and
 // information about the program.
 #pragma once
 
@@ -14,7 +14,9 @@ namespace keyblock {
 
 class RecentFiles;
 
-/// Adds "Open recent" below Open and "About" at the end of Help. \pre the menus are filled. `open` gets a path.
+/// Adds "Open recent" below Open, and "About" at the end of the Help menu.
+/// \param open called with the path of the chosen scene
+/// \pre the menus have been filled.
 void addToMenus(QMainWindow& window, const RecentFiles& recent, std::function<void(const QString&)> open);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reports, without a dialog, files that do not open cleanly and files that another
-// program has changed.
+// Notices, shown without a dialog, about files that could only be read in part and
+// files that another program has changed.
 #pragma once
 
 class QMainWindow;

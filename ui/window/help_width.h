@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Help is in a tab group with Properties, but its tables need more width. The group is
-// widened while help is in front, and narrowed again afterwards.
+// Help shares a tab group with Properties, but its tables need more width. The group is
+// widened while help is in front and narrowed again afterwards.
 #pragma once
 
 #include <QObject>
@@ -28,7 +28,7 @@ private:
 
     QMainWindow& window_;
     QDockWidget &help_, &properties_;
-    int base_;  // [px] of Properties without help
+    int base_;  // width of Properties without help [px]
     bool wide_ = false;
 };
 

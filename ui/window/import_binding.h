@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Import of drawings into the window's document.
+// Import of drawings into the document of the window.
 #pragma once
 
 class QMainWindow;
@@ -15,10 +15,10 @@ class Themes;
 
 void addImportCommands(QMainWindow& window, Commands& commands, Document& document, const Themes& themes);
 
-/// Whether the file is a drawing or a list, by its extension.
+/// True if the file is a drawing or a list that can be imported, judged by its extension.
 bool isDrawing(const QString& path);
 
-/// Previews the import of a drawing; the document changes once the user confirms.
+/// Opens the import preview for a drawing. The document changes only when the user confirms.
 void openImport(QMainWindow& window, Document& document, const Themes& themes, const QString& path);
 
 }  // namespace keyblock

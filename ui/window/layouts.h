@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Dock layout: one arrangement for drawing, one for viewing results. Each remembers
-// which docks were moved, closed or floated; both together can be saved under a name,
-// and the defaults can always be restored.
+// The layouts of the docks: one arrangement for drawing and one for viewing results.
+// Each remembers which docks were moved, closed or floated. Both can be saved together
+// under a name, and the defaults can be restored at any time.
 #pragma once
 
 #include <QByteArray>
@@ -26,24 +26,24 @@ class Layouts : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds its commands, among them one for each dock. \pre the window has all of its docks.
+    /// Adds the commands for layouts, and one for each dock. \pre the window has all of its docks.
     Layouts(QMainWindow& window, Commands& commands);
 
-    /// Restores the docks as they were when the window was last closed, or the defaults.
+    /// Restores the docks as they were when the window was last closed; the default layout if there is none.
     void begin();
-    /// Shows the docks of an arrangement as they were last used in it.
+    /// Shows the docks as they were last used in this arrangement.
     void show(Arrangement arrangement);
     /// Saves both arrangements for the next start.
     void keep();
     void reset();
 
     QStringList names() const;
-    void save(const QString& name);  // replaces a layout of that name
+    void save(const QString& name);  // replaces an existing layout with this name
     void load(const QString& name);
     void remove(const QString& name);
-    const QString& current() const { return current_; }  // empty: none of the saved ones
+    const QString& current() const { return current_; }  // name of the saved layout in use; empty: none
 
-    /// A button with the names of layouts, for the corner of the menu bar.
+    /// A button with a menu of saved layouts, for the corner of the menu bar.
     QToolButton* makeButton(QWidget* parent);
 
 private:

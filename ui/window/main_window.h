@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The main window: it creates and places the widgets of all parts and binds commands.
+// The main window: creates and places the widgets of all parts, and connects the
+// commands.
 #pragma once
 
 #include <QMainWindow>
@@ -33,7 +34,7 @@ public:
     explicit MainWindow(Themes& themes);
     ~MainWindow() override;
 
-    /// Opens a scene, a run with its scene, or the import of a drawing; reports errors.
+    /// Opens a scene, a run with its scene, or the import of a drawing. Errors are shown to the user.
     void openPath(const QString& path);
 
     /// Opens `path` at start-up; shows the start page if empty.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Menus from the list of commands.
+// Makes the menus from the list of commands.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,11 @@ namespace keyblock {
 
 class Commands;
 
-/// Fills the bar with File, Edit, View, Insert, Run, Results, Tools, Help; menus without commands are omitted, and
-/// groups of commands are separated by lines.
+/// Fills the menu bar with File, Edit, View, Insert, Run, Results, Tools and Help. Menus without commands are left out;
+/// separators divide groups of commands.
 void fillMenus(QMenuBar& bar, const Commands& commands);
 
-/// Puts widgets at the right end of the bar.
+/// Places widgets at the right end of the menu bar.
 void placeAtRight(QMenuBar& bar, const std::vector<QWidget*>& widgets);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run is opened with its scene: the scene file next to the store if it is unchanged,
-// else the copy of the scene in the store.
+// Opens a run together with its scene: from the scene file next to the run store if the
+// file is unchanged, otherwise from the copy in the store.
 #pragma once
 
 #include "ui/window/file_commands.h"
@@ -12,8 +12,9 @@ namespace keyblock {
 class Document;
 class Runs;
 
-/// Replaces the document, unless it already has the scene of the run, after asking about unsaved edits if the user was
-/// not asked yet. A store that cannot be read leaves the document as it is; `runs` reports the error.
+/// Replaces the document by the scene of the run, unless it already has this scene, and shows the run. If the store
+/// cannot be read, `runs` reports the error and the document stays unchanged.
+/// \param edits `Ask`, or `Settled` if the user has been asked about unsaved edits already
 void openRun(Document& document, Runs& runs, const QString& store, QWidget& window, UnsavedEdits edits);
 
 }  // namespace keyblock

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connects panels and runs, which do not know each other: the tree lists the runs of
-// the scene, the model summary is not computed during a run, and properties begin with
-// results.
+// Connects panels and runs, which are independent of each other: the scene tree lists
+// the runs of the scene, the model summary is not computed during a run, and the
+// Properties panel starts with the results.
 #pragma once
 
 namespace keyblock {
@@ -14,7 +14,7 @@ struct Panels;
 
 void showRunsIn(const Panels& panels, Runs& runs);
 
-/// Puts the results of the selected bolt or block above its properties.
+/// Shows the results of the selected bolt or block above its properties.
 void showResultsIn(const Panels& panels, ResultCard& results);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Creates and places the panels: the tree at the left, properties at the right,
-// problems, stages, bolt library and model summary below.
+// Creates and places the panels: the scene tree at the left, Properties at the right,
+// and Problems, Stages, the bolt library and the model summary at the bottom.
 #pragma once
 
 class QDockWidget;
@@ -25,7 +25,7 @@ class Themes;
 class Visibility;
 class WorkflowBar;
 
-/// What the panels work on.
+/// The objects that the panels use.
 struct PanelNeeds {
     Document& document;
     Selection& selection;
@@ -33,10 +33,10 @@ struct PanelNeeds {
     Display& display;
     Commands& commands;
     Themes& themes;
-    Canvas& canvas;  // shows the locations they refer to
+    Canvas& canvas;  // used to zoom to objects
 };
 
-/// The panels, for connections to other parts.
+/// The panels, for connecting them to other parts of the window.
 struct Panels {
     SceneTree* tree = nullptr;
     PropertyPanel* properties = nullptr;
@@ -49,7 +49,7 @@ struct Panels {
 
 Panels placePanels(QMainWindow& window, const PanelNeeds& needs);
 
-/// A click on a workflow step brings the dock for that step to the front.
+/// A click on a step of the workflow brings the dock for this step to the front.
 void raiseAskedPanels(WorkflowBar& bar, const Panels& panels);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Places the widgets of tools: their palette at the left of the canvas, their bar above
-// it, their switches below; and informs them when results are shown.
+// Places the widgets of the tools: the palette at the left of the canvas, the bar above
+// it and the switches below it. Informs the tools when results are shown.
 #pragma once
 
 class QHBoxLayout;
@@ -28,13 +28,13 @@ struct ToolNeeds {
     const Themes& themes;
 };
 
-/// Where others add widgets around the canvas.
+/// Layouts around the canvas to which other parts add widgets.
 struct CanvasPlaces {
-    QVBoxLayout& column;  // bars above it
-    QHBoxLayout& row;  // a second canvas next to it
+    QVBoxLayout& column;  // canvas with bars above it
+    QHBoxLayout& row;  // canvas with room for a second canvas next to it
 };
 
-/// Makes the canvas with palette and bar the centre of the window.
+/// Makes the canvas, with palette and bar, the central widget of the window.
 CanvasPlaces placeTools(const ToolNeeds& needs);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connects the probe of the canvas, the pins of the run and the scene, and adds the
-// command of the probe.
+// Connects the probe on the canvas with the pins, the run and the scene, and adds the
+// probe command.
 #pragma once
 
 #include "ui/picture/pick.h"
@@ -38,13 +38,13 @@ class ProbeBinding : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds its command. \param tell shows a message to the user.
+    /// Adds the probe command. \param tell shows a message to the user.
     ProbeBinding(const ProbeNeeds& needs, std::function<void(const QString&)> tell, QObject* parent);
 
-    /// Ends the probe: another tool is chosen, or results are no longer shown.
+    /// Ends the probe because another tool was chosen or results are no longer shown.
     void end();
 
-    /// Pins a point of the section, so that Curves shows its values over time.
+    /// Pins a point of the section, so that the Curves dock shows its values over time.
     void pin(const Pick& pick, const Point& place);
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Clicks on the section while results are shown: blocks are selected and outlined, and
-// a menu offers actions on the block or bolt under the cursor.
+// Mouse clicks on the section while results are shown: a click selects and outlines a
+// block, and a context menu offers actions for the block or bolt under the cursor.
 #pragma once
 
 #include "ui/canvas/canvas_tool.h"
@@ -30,7 +30,7 @@ struct ResultSelectionNeeds {
     const SectionFeed& feed;
     BoltChoice& bolts;
     BlockChoice& blocks;
-    std::function<void(const Pick&, const Point&)> pin;  // a point on a block or bolt, to see its values over time
+    std::function<void(const Pick&, const Point&)> pin;  // pins a point on a block or bolt
 };
 
 class ResultSelection : public QObject, public CanvasOverlay {
@@ -40,9 +40,9 @@ public:
     explicit ResultSelection(ResultSelectionNeeds needs, QObject* parent);
     ~ResultSelection() override;
 
-    /// The outline of the selected block.
+    /// Paints the outline of the selected block.
     void paint(QPainter& painter, const CanvasMap& map) const override;
-    /// The menu of a right click at that pixel.
+    /// Fills the context menu for a right click at `pixel`.
     void fillMenu(QMenu& menu, const QPointF& pixel);
 
 protected:

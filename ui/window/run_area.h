@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Everything about runs and results in the window: the timeline and the docks below the
-// canvas, the bar above it, the run's progress next to the workflow, and which part
-// draws on the canvas when.
+// Everything in the window that concerns runs and results: the timeline and the docks
+// below the canvas, the bar above it, the progress of the run next to the workflow, and
+// the switch between drawing and results on the canvas.
 #pragma once
 
 #include "ui/canvas/legend_panel.h"
@@ -45,7 +45,7 @@ class ViewBar;
 class ViewSettings;
 class WorkflowBar;
 
-/// The parts of the window that it uses.
+/// The parts of the window that the run area uses.
 struct RunAreaParts {
     QMainWindow& window;
     Themes& themes;
@@ -62,15 +62,15 @@ class RunArea : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds its commands. Docks and bars are added by `place`.
+    /// Adds the commands for runs and results. `place` adds the docks and bars.
     explicit RunArea(const RunAreaParts& parts);
     ~RunArea() override;
 
-    /// Puts the docks at the bottom of the window and the bar into the column that holds the canvas, above it. A
-    /// second canvas is added to the row, next to the first.
+    /// Adds the docks to the bottom of the window, the bars to `aboveCanvas`, and during a comparison a second canvas
+    /// to `besideCanvas`.
     void place(QVBoxLayout& aboveCanvas, QBoxLayout& besideCanvas);
 
-    /// States of the last two steps of the workflow.
+    /// Sets the states of the workflow steps Run and Results.
     void addTo(WorkStates& states) const;
 
     Runs& runs() { return *runs_; }
@@ -78,7 +78,7 @@ public:
     const BoltChoice& choice() const { return *choice_; }
     ViewSettings& settings() { return *settings_; }
     ProbeBinding& probe() { return *probe_; }
-    /// Results of the selected bolt or block, for the property panel.
+    /// Results of the selected bolt or block, for the Properties panel.
     ResultCard& results() { return *results_; }
 
 Q_SIGNALS:
@@ -110,7 +110,7 @@ private:
     Comparison* comparison_;
     SafetySearch* safety_;
     CompareArea* compare_;
-    int asked_ = -1;  // outlined block
+    int asked_ = -1;  // block outlined on request of a dock; −1: none
     ViewBar* bar_ = nullptr;
     RunWarning* warning_ = nullptr;
     HealthStrip* health_ = nullptr;

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Without a graphics card, OpenGL is computed on the processors that a run needs too.
+// Keeps OpenGL drawing without a graphics card from slowing down runs, which use the
+// same processors.
 #pragma once
 
 namespace keyblock {
 
-/// Restricts Mesa's drawing to processors that a run does not need: with as many threads as processors it interrupts
-/// the run's thread a hundred times a second and evicts its cache. Call before the application object exists; a value
+/// Limits Mesa's software rendering to processors that a run does not need. With as many threads as processors, Mesa
+/// interrupts the thread of the run a hundred times a second and evicts its cache. A value that the user has set in
+/// LP_NUM_THREADS is kept. \pre the application object has not been created yet.
 /// set by the user (LP_NUM_THREADS) is kept.
 void leaveProcessorsToRuns();
 

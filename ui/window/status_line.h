@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The status line: cursor position and object under it, model size, next undo step,
-// units and signs.
+// The status line: cursor position, object under the cursor, model size, next undo
+// step, units and sign convention.
 #pragma once
 
 #include <QObject>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Progress of the workflow, step by step, from the scene and its problems.
+// State of each workflow step, derived from the scene and its problems.
 #pragma once
 
 #include "solver/scene/problem.h"
@@ -21,10 +21,10 @@ enum class WorkState { Nothing, NotYet, Done, Warning, Error, Running };  // Not
 
 using WorkStates = std::array<WorkState, workSteps>;
 
-/// The step that a problem belongs to, by its pointer.
+/// The step to which a problem at this pointer belongs.
 WorkStep stepOf(const std::string& pointer);
 
-/// States of the first four steps; those of Run and Results come from the runs.
+/// States of the first four steps. The states of Run and Results depend on the runs and are set elsewhere.
 WorkStates workStates(const Scene& scene, std::span<const Problem> problems);
 
 }  // namespace keyblock

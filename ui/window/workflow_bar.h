@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The workflow along the top: a tab for each step with a tick, a warning or a cross. It
-// shows the state; it never enforces the order.
+// The workflow bar at the top of the window: one tab per step, with a tick, a warning
+// or a cross. The bar shows the state of each step but does not enforce an order.
 #pragma once
 
 #include "ui/window/workflow.h"
@@ -28,14 +28,14 @@ public:
     void choose(WorkStep step);
     void setStates(const WorkStates& states);
 
-    /// Puts a widget at the right end, after existing ones.
+    /// Adds a widget at the right end, to the right of those added before.
     void addRight(QWidget* widget);
 
     QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
     void chosen(keyblock::WorkStep step);
-    void asked(keyblock::WorkStep step);  // the user clicked it, whether it is the current one or not
+    void asked(keyblock::WorkStep step);  // the user clicked this step, current or not
 
 protected:
     bool event(QEvent* event) override;
