@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Slow work on one background thread, one job at a time. Usually only the newest
-// request is run, and a waiting one that is overtaken is never started; where every
-// request counts, they are run in order.
+// Runs slow work on one background thread, one job at a time. Usually only the newest
+// request matters: a waiting job that a newer one replaces is never started. If every
+// request matters, the jobs are run in order.
 #pragma once
 
 #include <QObject>
@@ -22,23 +22,23 @@ class Background : public QObject {
 
 public:
     explicit Background(QObject* parent = nullptr);
-    /// Waits for the running job; its result is dropped, and so are waiting jobs.
+    /// Waits for the running job. Its result and all waiting jobs are discarded.
     ~Background() override;
 
-    /// Delivers the result of a job in the window's thread; may be empty.
+    /// Delivers the result of a job; runs in the thread of this object. May be empty.
     using Result = std::function<void()>;
 
-    /// Runs the job on the thread, replacing waiting ones; its result runs in this object's thread. A job
-    /// reports errors through its result.
+    /// Runs the job on the background thread, replacing all waiting jobs. Its result runs in the thread of this object.
+    /// A job reports errors through its result.
     void ask(std::function<Result()> job);
 
-    /// The same after the waiting ones; overtakes none.
+    /// Like `ask`, but runs the job after those waiting instead of replacing them.
     void add(std::function<Result()> job);
 
-    /// For use in a job: it was overtaken or is no longer wanted.
+    /// To be called by a job: true if a newer request replaces this job, or its result is no longer wanted.
     bool isOvertaken() const { return overtaken_; }
 
-    /// For use in a job whose result is wanted even if it is overtaken: true once it is no longer wanted.
+    /// For a job whose result is wanted even if a newer request follows: true once the result is no longer wanted.
     const std::atomic<bool>& ends() const { return ends_; }
 
 private:

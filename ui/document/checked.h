@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Checks, cuts and draws a scene: the background work of the document for every new
-// scene.
+// Checks, cuts and draws a scene: the work that the document does in the background for
+// every new scene.
 #pragma once
 
 #include "solver/scene/check.h"
@@ -14,16 +14,16 @@
 
 namespace keyblock {
 
-/// The result of a check.
+/// A scene with the results of its check.
 struct Checked {
     std::shared_ptr<const Scene> scene;
     std::vector<Problem> problems;
-    std::shared_ptr<const SceneCut> cut;  // null: it has errors, or needs no cut
-    std::shared_ptr<const SectionPicture> picture;  // preview frame; null: errors, or no blocks
+    std::shared_ptr<const SceneCut> cut;  // null: the scene has errors, or needs no cut
+    std::shared_ptr<const SectionPicture> picture;  // null: the scene has errors, or no blocks
 };
 
-/// Checks, cuts and draws a scene synchronously; exceptions become problems.
-/// \param stop when it becomes true, the work ends soon with a partial result; null: it runs to its end.
+/// Checks, cuts and draws a scene synchronously. Exceptions are reported as problems.
+/// \param stop when this becomes true, the work ends soon with a partial result; null: no interruption
 std::shared_ptr<const Checked> checkedOf(const std::shared_ptr<const Scene>& scene,
                                          const std::atomic<bool>* stop = nullptr);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The document of the window: one scene by value, its undo stack, its file, and the
-// results of the check. An undo step keeps the scenes before and after, so that
+// results of the check. An undo step keeps the scenes before and after it, so that
 // every edit is a function from scene to scene and needs no class of its own.
 #pragma once
 
@@ -25,19 +25,19 @@ class Background;
 class LazyScene;
 struct Edit;
 
-/// A scene with the name of the step that led to it.
+/// A scene of a restored undo stack, with the name of the step that led to it.
 struct RestoredStep {
-    QString name;  // empty for the first
+    QString name;  // empty for the first scene
     std::shared_ptr<const LazyScene> scene;
 };
 
-/// Contents of a file with errors.
+/// What could be read of a file with errors.
 struct PartReading {
     QString path;
-    QByteArray text;  // of the file
-    std::vector<Problem> problems;  // by line
+    QByteArray text;  // contents of the file
+    std::vector<Problem> problems;  // in the order of their lines
     std::size_t leftOut = 0;  // number of incomplete objects
-    bool isOpen = false;  // the document has the readable part; else it is unchanged
+    bool isOpen = false;  // the document now shows the readable part; otherwise it is unchanged
 };
 
 class Document : public QObject {
@@ -47,64 +47,70 @@ public:
     explicit Document(QObject* parent = nullptr);
     ~Document() override;
 
-    /// Never null; the scene shown now, including a preview.
+    /// The scene shown now, which may be a preview; never null.
     const std::shared_ptr<const Scene>& scene() const;
 
-    /// Adds an undo step called `step`; `pointers` maps earlier pointers to the new ones. An edit that changes nothing
-    /// adds no step. Ends a preview.
+    /// Adds an undo step called `step`, and ends a preview. An edit that changes nothing adds no step.
+    /// \param pointers maps pointers from before the step to those after it
     void apply(const QString& step, Scene after, PointerChange pointers = {});
 
-    /// The same for an edit that may be refused; reports why, or what else changed. False: refused.
+    /// Applies an edit that may have been refused, and reports why, or what else it changed. Returns false if it was
+    /// refused.
     bool apply(const QString& step, Edit edit);
 
-    /// Shows and checks a scene during a drag, without a step; `endPreview` returns to the document.
+    /// Shows and checks a scene during a drag without adding an undo step. `endPreview` returns to the scene of the
+    /// document.
     void preview(Scene during);
     void endPreview();
     bool isPreviewing() const { return preview_ != nullptr; }
 
-    /// The document without a preview.
+    /// The scene of the document, without a preview; never null.
     const std::shared_ptr<const Scene>& committed() const { return scene_; }
 
     QUndoStack& undo() { return *undo_; }
 
-    /// The newest finished check; it belongs to an older scene while a newer one is being checked.
+    /// The latest finished check. It belongs to an older scene while a newer one is being checked.
     const Checked& checked() const { return *checked_; }
     bool checkIsCurrent() const;
 
     const QString& path() const { return path_; }  // empty: never saved
-    QString title() const;  // name of the file, or `untitled`
+    QString title() const;  // file name, or `untitled`
     bool isModified() const;
 
-    /// Replaces everything by a scene that is not in a file yet. `isWork`: it counts as modified, as after an import.
+    /// Replaces the document by a scene that is not in a file yet. \param isWork true: the scene counts as modified,
+    /// e.g. after an import
     void startNew(Scene scene, const QString& name = {}, bool isWork = false);
 
-    /// Replaces everything by a document with its undo steps: `index` is the current one, `saved` the one in the file.
-    /// The other scenes are read when undo or redo reaches them.
-    /// \pre `steps` is not empty and both are valid indices; every scene can be read.
+    /// Replaces the document by one with undo steps. Only the current scene is read at once; the others are read when
+    /// undo or redo reaches them.
+    /// \param index index of the current step
+    /// \param saved index of the step that is in the file
+    /// \pre `steps` is not empty, both indices are valid, and every scene can be read.
     void restore(const std::vector<RestoredStep>& steps, std::size_t index, std::optional<std::size_t> saved,
                  const QString& path, const QString& name);
 
-    /// Opens a file. Returns the errors if it cannot be opened, and leaves the document unchanged; warnings of a scene
-    /// that opens come with the check.
+    /// Opens a file. If this fails, returns the errors and leaves the document unchanged. Warnings about a scene that
+    /// opens are reported by the check.
     std::vector<Problem> open(const QString& path);
 
-    /// Opens the readable part of a file with errors as a new document without a file, so that saving does not overwrite
-    /// the original; emits `readInPart`, also if nothing can be read. False: the document is unchanged.
+    /// Opens the readable part of a file with errors as a new document without a file, so that saving does not
+    /// overwrite the original. Emits `readInPart` even if nothing can be read; then returns false and leaves the
+    /// document unchanged.
     bool openPart(const QString& path);
 
     /// Writes the file atomically. \throws CannotWrite
     void save(const QString& path);
 
-    /// The saved file is gone, so the document counts as modified.
+    /// Call if the file no longer exists: the document then counts as modified.
     void fileIsGone();
 
 Q_SIGNALS:
-    void changed();  // the scene
-    void moved(const keyblock::WhereNow& now);  // after a step or its undo: maps earlier pointers
+    void changed();  // the scene changed
+    void moved(const keyblock::WhereNow& now);  // after a step or its undo; maps earlier pointers to the new ones
     void reported(const QString& text, bool warns);  // a message about an edit
     void checkedChanged();
-    void fileChanged();  // path, title, or whether modified
-    void replaced();  // with another document
+    void fileChanged();  // the path, the title, or whether the document is modified
+    void replaced();  // a different document is open
     void readInPart(const keyblock::PartReading& reading);
 
 private:

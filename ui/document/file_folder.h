@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The initial folder of dialogs for scenes and drawings: that of the document, else
-// the last one used; exports in between do not change it.
+// The initial folder of dialogs for scenes and drawings: that of the document or, if it
+// has no file, the last one used. Exports to other folders do not change it.
 #pragma once
 
 #include <QString>

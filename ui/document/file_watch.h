@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Notices when another program writes or removes the document's file.
+// Detects that another program has changed or removed the file of the document.
 #pragma once
 
 #include <QByteArray>
@@ -22,7 +22,7 @@ public:
     explicit FileWatch(Document& document, QObject* parent = nullptr);
 
 Q_SIGNALS:
-    void changedOnDisk(const QString& path);  // the file differs from what was opened or saved
+    void changedOnDisk(const QString& path);  // the file differs from the version opened or saved
     void goneFromDisk(const QString& path);
 
 private:
@@ -31,9 +31,9 @@ private:
 
     Document& document_;
     QFileSystemWatcher* watcher_;
-    QTimer* settled_;  // a program may write a file in several parts
+    QTimer* settled_;  // delays the check, because a program may write a file in several parts
     QString path_;
-    QByteArray known_;  // hash of the file's content
+    QByteArray known_;  // hash of the file contents
 };
 
 }  // namespace keyblock

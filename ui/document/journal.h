@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Follows a document and keeps its edits in a journal, so that a crash loses no
-// work. A document without edits has no journal, and one that is closed or replaced
-// deliberately leaves none.
+// Records the edits of a document in a journal, so that a crash loses no work. A
+// document without edits has no journal, and none is left behind if the document is
+// closed or replaced deliberately.
 #pragma once
 
 #include <QObject>
@@ -21,7 +21,7 @@ class Document;
 class JournalFile;
 class LazyScene;
 
-/// The folder of journals: in the program's data folder of the user.
+/// The folder of the journals, within the program's data folder of the user.
 QString journalFolder();
 
 class Journal : public QObject {
@@ -29,25 +29,28 @@ class Journal : public QObject {
 
 public:
     explicit Journal(Document& document, const QString& folder = journalFolder(), QObject* parent = nullptr);
-    /// Writes pending edits; the journal stays unless `close` was called.
+    /// Writes pending edits. The journal file stays unless `close` has been called.
     ~Journal() override;
 
-    /// Removes the journal because the document was saved or discarded.
+    /// Removes the journal, because the document was saved or its edits were discarded.
     void close();
-    /// Waits until all edits are written; false if the disk has not accepted all of them yet.
+    /// Waits until all edits are written; false if some could not be written to disk yet.
     bool flush();
 
-    /// Continues a journal that was not closed; `restore` makes its steps those of the document.
+    /// Continues a journal that was not closed.
+    /// \param lines lines of that journal
+    /// \param states scenes of its steps
+    /// \param restore sets the undo steps of the document to those of the journal
     void goOn(std::string lines, std::vector<std::shared_ptr<const LazyScene>> states,
               const std::function<void()>& restore);
-    /// Calls back when all edits up to now are on the disk or the journal is closed; at once if they are.
+    /// Calls `done` once all edits so far are on disk or the journal is closed; immediately if they are.
     void onceKept(std::function<void()> done);
-    /// The file; empty while there is none.
+    /// Path of the journal file; empty if there is none.
     QString path() const;
 
 Q_SIGNALS:
-    void failed(const QString& why);  // edits cannot be written
-    void mended();  // edits are written again, including those in between
+    void failed(const QString& why);  // edits cannot be written to disk
+    void mended();  // all edits are written again, including those made meanwhile
 
 private:
     bool open();
@@ -60,13 +63,13 @@ private:
     Document& document_;
     QString folder_;
     std::unique_ptr<JournalFile> file_;
-    std::vector<std::shared_ptr<const LazyScene>> states_;  // by index of the undo stack
-    std::size_t taken_ = 0;  // of these, those taken over from another journal
+    std::vector<std::shared_ptr<const LazyScene>> states_;  // by index on the undo stack
+    std::size_t taken_ = 0;  // how many of these come from another journal
     bool isTaking_ = false;
     int index_ = 0, saved_ = 0;
     QString savedAs_;
     bool broken_ = false;
-    std::function<void()> kept_;  // callback; none: nothing is waiting
+    std::function<void()> kept_;  // empty: nothing is waiting
 };
 
 }  // namespace keyblock

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Writes a journal on its own thread, because writing a large scene would block the
-// window. This is not a Background: lines are retried until the disk accepts them, the
-// window can wait for them, and the last ones are written before the thread ends.
-// A line is written with one system call, so that a kill leaves whole lines. The file
-// is locked while it is in use, and the lock ends with the process: a journal without
-// a lock was not closed.
+// window. `Background` is not used: lines that cannot be written are retried, the
+// window can wait for them, and the last ones are written before the thread ends. Each
+// line is written by one system call, so that a killed program leaves only whole lines.
+// The file is locked while it is in use, and the lock ends with the process; an
+// existing journal without a lock was therefore not closed.
 #pragma once
 
 #include "solver/scene/scene.h"
@@ -28,26 +28,27 @@ class JournalFile {
 public:
     using ScenePtr = std::shared_ptr<const Scene>;
 
-    /// Creates the file. `report` is called from the writer's thread with an error that stops the writing, such as a
-    /// full disk, and with an empty text once everything is written after that.
+    /// Creates the file.
+    /// \param report called from the writer's thread with an error that stops writing (a full disk, for example), and
+    /// with an empty text once all lines have been written after an error
     /// \throws CannotWrite
     JournalFile(const std::filesystem::path& path, std::function<void(std::string)> report);
-    /// Writes pending lines and releases the file.
+    /// Writes pending lines, then closes and unlocks the file.
     ~JournalFile();
     JournalFile(const JournalFile&) = delete;
     JournalFile& operator=(const JournalFile&) = delete;
 
     void begin(const std::string& path, const std::string& name, ScenePtr first, bool isSaved);
-    /// Continues the lines of another journal.
+    /// Starts with the lines of another journal, in order to continue it.
     void begin(std::string lines);
-    /// \param before null: it is in the file, but was not written by this program.
+    /// \param before null: the previous scene is in the journal, but was not written by this program
     void step(std::size_t index, const std::string& name, ScenePtr before, ScenePtr after);
     void move(std::size_t index);
     void saved(std::optional<std::size_t> index, const std::string& path);
 
-    /// Waits until everything passed so far is written; false if the disk has not accepted all of it yet.
+    /// Waits until all lines so far are written; false if some could not be written to disk yet.
     bool flush();
-    /// Removes the file; pending lines are not written.
+    /// Removes the file. Pending lines are not written.
     void remove();
 
     const std::filesystem::path& path() const { return path_; }
@@ -62,11 +63,11 @@ private:
     std::filesystem::path path_;
     std::function<void(std::string)> report_;
     int file_ = -1;
-    std::atomic<bool> broken_{false};  // a line could not be created, so later ones would be damaged
-    std::deque<std::string> unwritten_;  // writer's thread: lines not accepted by the disk
-    std::atomic<bool> failing_{false};  // the last attempt wrote nothing
-    std::size_t size_ = 0;  // of whole lines in the file [bytes]
-    ScenePtr written_;  // writer's thread: the scene of `text_`
+    std::atomic<bool> broken_{false};  // a line is missing or incomplete, so that no more are written
+    std::deque<std::string> unwritten_;  // writer's thread: lines that could not be written to disk yet
+    std::atomic<bool> failing_{false};  // the last attempt to write failed
+    std::size_t size_ = 0;  // size of the complete lines in the file [bytes]
+    ScenePtr written_;  // writer's thread: the scene whose text is in `text_`
     std::string text_;
     std::mutex mutex_;
     std::condition_variable wake_, idle_;

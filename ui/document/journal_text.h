@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The journal of edits as text: a line for the scene as it was opened and one for
-// each edit, undo and save since. Lines are only appended. An edit is stored as the
-// changed parts of the scene's text, so that a thousand edits of a large scene stay
-// small. Each line starts with a hash of the rest to detect damage; a last line
-// without an end was not written completely and is ignored.
+// The journal of edits as text: one line for the scene as it was opened, and one for
+// each edit, undo and save since then. Lines are only appended. An edit is stored as
+// the changed parts of the scene's text, so that even a thousand edits of a large scene
+// need little space. Each line starts with a hash of the rest of the line, by which
+// damage is detected. A last line without a line end was not written completely and is
+// ignored.
 #pragma once
 
 #include "ui/document/text_changes.h"
@@ -20,36 +21,36 @@ namespace keyblock {
 
 struct JournalStep {
     std::string name;  // name of the undo step; empty for the first scene
-    bool isWhole = false;  // the whole text of the scene, as for the first; else changes of the previous one
+    bool isWhole = false;  // true: stores the whole text of the scene; false: changes of the previous text
     std::vector<TextChange> changes;
-    std::size_t size = 0;  // size of the scene's text after it [bytes]
+    std::size_t size = 0;  // size of the scene's text after this step [bytes]
 };
 
 /// Contents of a journal.
 struct Journalled {
-    std::string path;  // of the scene's file; empty: never saved
-    std::string name;  // shown if it has no file
-    std::vector<JournalStep> steps;  // the first is the scene as it was opened; empty: the journal is unusable
-    std::size_t index = 0;  // of the current step at the end
-    std::optional<std::size_t> saved;  // index of the saved step
-    std::size_t changes = 0;  // edits, undos and redos
-    std::size_t size = 0;  // of the lines read [bytes]
-    std::string damage;  // error message for the user; empty: none
+    std::string path;  // path of the scene file; empty: never saved
+    std::string name;  // name of a document without a file
+    std::vector<JournalStep> steps;  // the first is the scene as opened; empty: the journal is unusable
+    std::size_t index = 0;  // index of the step that was current at the end
+    std::optional<std::size_t> saved;  // index of the step that was saved last
+    std::size_t changes = 0;  // number of edits, undos and redos
+    std::size_t size = 0;  // size of the lines read [bytes]
+    std::string damage;  // error message; empty: no damage
 };
 
 std::string journalBegin(const std::string& path, const std::string& name, const std::string& sceneText, bool isSaved);
-/// The scene at `index` is now `after`, and it is the last one.
+/// Line for an edit: the scene at `index` becomes `after`, and later scenes are dropped.
 std::string journalStep(std::size_t index, const std::string& name, std::string_view before, std::string_view after);
-/// The same if the text of the previous scene is unknown to a reader.
+/// Like `journalStep`, for a reader that does not know the text of the previous scene.
 std::string journalWholeStep(std::size_t index, const std::string& name, const std::string& after);
 std::string journalMove(std::size_t index);
-/// The scene at `index` was saved, or none of them.
+/// Line for a save of the scene at `index`; none: no scene on the undo stack is the saved one.
 std::string journalSaved(std::optional<std::size_t> index, const std::string& path);
 
-/// Reads a journal up to the first damaged line, or up to so many changes.
+/// Reads a journal up to the first damaged line. \param mostChanges number of changes after which reading stops
 Journalled readJournal(std::string_view text, std::optional<std::size_t> mostChanges = {});
 
-/// The scene's text after a step. \param before the text of the previous step; unused if the step has the whole text.
+/// The text of the scene after a step. \param before text before the step; not used if the step stores the whole text
 std::string textAfter(const JournalStep& step, std::string_view before);
 
 }  // namespace keyblock

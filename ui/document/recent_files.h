@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The scenes opened or saved last, kept in the user's settings.
+// The scenes that were opened or saved last, stored in the user's settings.
 #pragma once
 
 #include <QDateTime>
@@ -23,10 +23,10 @@ class RecentFiles : public QObject {
     Q_OBJECT
 
 public:
-    /// Follows the document: the file opened or saved last is first.
+    /// Follows the document: the file that was opened or saved last comes first.
     explicit RecentFiles(Document& document, QObject* parent = nullptr);
 
-    /// Newest first; includes missing files, so that the user sees that they are gone.
+    /// Latest first. Missing files are included, so that the user sees that they no longer exist.
     const std::vector<RecentFile>& files() const { return files_; }
     void add(const QString& path);
     void forget(const QString& path);

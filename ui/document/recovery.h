@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Finds journals that were not closed and recovers their documents.
+// Finds journals that were not closed and recovers documents from them.
 #pragma once
 
 #include "ui/document/journal.h"
@@ -16,28 +16,28 @@ namespace keyblock {
 
 class Document;
 
-/// A journal whose program ended without closing it.
+/// A journal that was not closed before its program ended.
 struct Abandoned {
-    QString journal;  // file
-    QString path;  // of the scene; empty: never saved
+    QString journal;  // path of the journal file
+    QString path;  // path of the scene file; empty: never saved
     QString title;
-    std::size_t changes = 0;  // edits, undos and redos
+    std::size_t changes = 0;  // number of edits, undos and redos
     QString lastStep;
     QDateTime last;  // time of the last edit
-    QString damage;  // message for the user; empty: none
+    QString damage;  // error message; empty: no damage
 };
 
-/// Documents that can be recovered, newest first. Journals of open windows are skipped, those without anything to
-/// recover are removed; unreadable ones are renamed and listed in `unusable`.
+/// Documents that can be recovered, latest first. Skips journals of open windows and removes those with nothing to
+/// recover. Journals that cannot be read or used are listed in `unusable`; damaged ones are renamed to `….damaged`.
 std::vector<Abandoned> abandonedJournals(const QString& folder = journalFolder(), QStringList* unusable = nullptr);
 
 enum class Recover { Everything, WithoutLastCommand };
 
-/// Restores the document with its undo steps from the journal; the old journal is removed once `journal` has all of
-/// it. Returns why it cannot be recovered; empty: it was.
+/// Restores a document with its undo steps. The old journal is removed once `journal` has stored all of it. Returns why
+/// the document cannot be recovered; empty if it was recovered.
 QString recover(const Abandoned& abandoned, Recover what, Document& document, Journal& journal);
 
-/// Discards its edits.
+/// Discards the edits of this journal.
 void giveUp(const Abandoned& abandoned);
 
 }  // namespace keyblock

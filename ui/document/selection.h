@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The selection as JSON pointers into the scene, shared by tree, canvas and property
-// panel.
+// The selected objects as JSON pointers into the scene, shared by scene tree, canvas
+// and property panel.
 #pragma once
 
 #include "ui/edit/pointer_change.h"
@@ -15,7 +15,7 @@ namespace keyblock {
 
 class Document;
 
-/// Maps pointers from before a step; drops deleted objects.
+/// Converts pointers from before a step to those after it. Pointers to deleted objects are dropped.
 QStringList whereNow(const QStringList& pointers, const WhereNow& now);
 
 class Selection : public QObject {
@@ -24,7 +24,7 @@ class Selection : public QObject {
 public:
     using QObject::QObject;
 
-    /// Follows its objects through all changes of the scene.
+    /// Keeps the same objects selected when a change of the scene changes their pointers.
     void follow(const Document& document);
 
     const QStringList& pointers() const { return pointers_; }
@@ -51,7 +51,7 @@ Q_SIGNALS:
 
 private:
     QStringList pointers_;
-    QSet<QString> members_;  // the same, for fast lookup
+    QSet<QString> members_;  // elements of `pointers_`, for fast lookup
 };
 
 }  // namespace keyblock

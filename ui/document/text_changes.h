@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The difference of two texts as replaced ranges of lines, so that an edit at two
-// distant positions of a large scene is stored compactly.
+// The difference between two texts as a list of replaced ranges of lines, so that an
+// edit at two distant positions of a large scene is stored compactly.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,20 @@
 
 namespace keyblock {
 
-/// A range of a text and its replacement.
+/// A range of a text, and the text that replaces it.
 struct TextChange {
-    std::size_t begin = 0, removed = 0;  // in the old text [bytes]
+    std::size_t begin = 0, removed = 0;  // range in the old text [bytes]
     std::string text;
 };
 
-/// The changes from `before` to `after`, in order and without overlap. UTF-8 characters stay whole. Not always the
-/// smallest set, but found in time proportional to the length of the texts.
+/// The changes that turn `before` into `after`, in order and without overlap; UTF-8 characters are never split. Not
+/// always the smallest set of changes, but found in a time proportional to the length of the texts.
 std::vector<TextChange> textChanges(std::string_view before, std::string_view after);
 
-/// True if they are in order and within a text of that length.
+/// True if the changes are in order and lie within a text of `length` bytes.
 bool areWithin(const std::vector<TextChange>& changes, std::size_t length);
 
-/// \pre `areWithin` the old text.
+/// Applies the changes to `before`. \pre `areWithin(changes, before.size())`
 std::string changed(std::string_view before, const std::vector<TextChange>& changes);
 
 }  // namespace keyblock

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Objects that the user has hidden in the section or locked against the mouse. This
-// is part of the view, not of the scene: it is not saved and not affected by undo.
-// Objects are remembered by name, so that they stay hidden when others are added or
-// removed, and follow a new name.
+// Objects that the user has hidden in the section or locked against mouse input. This
+// is part of the view, not of the scene: it is neither saved nor affected by undo.
+// Objects are identified by name, so that they stay hidden when others are added or
+// removed, and when they are renamed.
 #pragma once
 
 #include "ui/edit/pointer_change.h"
@@ -26,13 +26,14 @@ class Visibility : public QObject {
 public:
     explicit Visibility(const Document& document, QObject* parent = nullptr);
 
-    /// For an object (`/joints/3`) or a whole list (`/joints`). Entries of a hidden list are hidden.
+    /// `pointer` refers to an object (`/joints/3`) or a whole list (`/joints`). All entries of a hidden list are
+    /// hidden.
     bool isHidden(const QString& pointer) const { return has(hidden_, pointer); }
     bool isLocked(const QString& pointer) const { return has(locked_, pointer); }
     void setHidden(const QString& pointer, bool hidden);
     void setLocked(const QString& pointer, bool locked);
 
-    /// True while nothing is hidden.
+    /// True if nothing is hidden.
     bool showsAll() const { return hidden_.isEmpty(); }
     void showAll();
 
@@ -48,7 +49,7 @@ private:
 
     const Document& document_;
     QSet<QString> hidden_, locked_;
-    std::shared_ptr<const Scene> seen_;  // the scene of these names
+    std::shared_ptr<const Scene> seen_;  // scene in which the objects have these names
 };
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The drawing without hidden objects: bolts and patterns, blocks, and the lines of
+// The drawing without hidden objects: bolts and patterns, blocks, and the traces of
 // joints and joint sets.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace keyblock {
 
 class Visibility;
 
-/// The same picture if nothing is hidden; null if there is none.
+/// The drawing of the check without hidden objects; the same drawing if nothing is hidden, null if there is no drawing.
 std::shared_ptr<const SectionPicture> visiblePicture(const Checked& checked, const Visibility& visibility);
 
 }  // namespace keyblock
