@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The choices of an export: content, quantities, format and size. It shows the rows
-// that apply to the chosen content, and creates the export order from them.
+// The options of an export: content, quantities, format and size. The form shows the
+// rows that apply to the chosen content and makes the export order from them.
 #pragma once
 
 #include "ui/export/export_job.h"
@@ -27,16 +27,16 @@ public:
 
     explicit ExportForm(QWidget* parent);
 
-    /// Offers what this run has, and selects what the screen shows.
+    /// Offers what the run contains, and selects what the window shows.
     void take(const Exportable& now);
     void choose(ExportWhat what);
 
     Kind kind() const;
-    /// Without a path to write to.
+    /// The export order, still without the path to write to.
     ExportOrder order() const;
-    /// Extension of the file to write; empty: a folder.
+    /// Extension of the file to write; empty: the export writes a folder.
     QString ending() const;
-    /// Suggested path without extension.
+    /// Suggested path, without an extension.
     QString suggested() const;
 
 Q_SIGNALS:

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Exports in the background, from the run's store, so that neither the window nor a run
-// in progress waits for it. Only charts are drawn in the window's thread, a fraction of
-// a second each.
+// Exports from the run store in the background, so that neither the window nor a run in
+// progress has to wait. Only charts are drawn in the window's thread, each within a
+// fraction of a second.
 #pragma once
 
 #include "ui/document/background.h"
@@ -22,9 +22,9 @@ enum class ExportWhat { Figure, Numbers, Film, Everything };
 struct ExportOrder {
     ExportWhat what = ExportWhat::Figure;
     std::filesystem::path store;
-    std::filesystem::path out;  // a file; for everything a folder
+    std::filesystem::path out;  // file to write; a folder to export everything
     FigureRequest figure;
-    bool withData = false;  // also the data of a figure, as CSV files next to it
+    bool withData = false;  // also writes the data of a figure as CSV files next to it
     TableKind table = TableKind::History;
     int perSecond = 12;
 };
@@ -34,10 +34,10 @@ class ExportJob : public QObject {
 
 public:
     explicit ExportJob(QObject* parent = nullptr);
-    /// Stops and waits.
+    /// Stops the export and waits for its thread.
     ~ExportJob() override;
 
-    /// \pre it is not busy.
+    /// \pre no export is in progress.
     void start(ExportOrder order);
     void stop() { stop_ = true; }
     bool isBusy() const { return busy_; }
@@ -60,7 +60,7 @@ private:
     Background working_;
 };
 
-/// Whether the run has data for a figure; figures without data are omitted when everything is exported.
+/// True if the run has data for this kind of figure. Exporting everything leaves out figures without data.
 bool isThere(const RunSource& run, FigureKind kind);
 
 }  // namespace keyblock

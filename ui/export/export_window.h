@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Figures, tables and animations of the run shown, with a print preview. A window of
-// its own that may stay open while working.
+// The window for exporting figures, tables and animations of the run shown, with a
+// preview. It is a separate window that can stay open while the user works.
 #pragma once
 
 #include "ui/export/export_job.h"
@@ -30,9 +30,9 @@ public:
     ExportWindow(std::function<Exportable()> shown, const Themes& themes, QWidget* parent);
     ~ExportWindow() override;
 
-    /// Reads the current view, and shows the window with a kind chosen.
+    /// Takes over the current view, and shows the window with `what` selected.
     void open(ExportWhat what);
-    /// The run has more frames than before: an open window updates its preview.
+    /// To be called when the run has more frames: updates the preview if the window is open.
     void refresh();
 
 private:
@@ -47,7 +47,7 @@ private:
     std::function<Exportable()> shown_;
     const Themes& themes_;
     Exportable now_;
-    std::size_t frames_ = 0;  // frames of the previewed run
+    std::size_t frames_ = 0;  // number of frames of the run at the last preview
     ExportJob* job_;
     Background *painting_, *copying_;
     ExportForm* form_;

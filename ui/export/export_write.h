@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writes figures, tables and animations of a run to files, for the export of the
-// window.
+// Writes figures, tables and animations of a run to files, for the export window.
 #pragma once
 
 #include "solver/results/tables.h"
@@ -16,28 +15,31 @@
 
 namespace keyblock {
 
-/// The user stopped the export.
+/// Thrown if the user stops the export.
 struct ExportStopped : std::exception {};
 
-/// Whether a figure uses charts, which only the window's thread may create.
+/// True if the figure contains charts, which only the window's thread can draw.
 bool hasCharts(FigureKind kind);
 
-/// Writes the figure and, `withData`, its data as CSV files next to it. Returns the names of the files. \throws
-/// CannotDraw, CannotWrite
+/// Writes a figure and, if `withData` is set, its data as CSV files next to it. Returns the names of the files.
+/// \throws CannotDraw, CannotWrite
 std::vector<std::filesystem::path> writeFigureFiles(const RunSource& run, const FigureRequest& request, bool withData,
                                                     const std::filesystem::path& out);
 
-/// \throws CannotWrite
+/// Writes a table as a file. \throws CannotWrite
 void writeTableFile(const RunSource& run, TableKind kind, const TableFilter& filter, const std::filesystem::path& out);
 
-/// Whether a table is of one frame, and not of the whole run.
+/// True if the table describes one frame; false if it describes the whole run.
 bool isOfFrame(TableKind kind);
 
-/// The frame that a filter selects, as "frame 12 of 67, stage burst at 0.052 s"; empty without frames.
+/// The frame that the filter selects, e.g. "frame 12 of 67, stage burst at 0.052 s"; empty if the run has no frames.
 std::string frameText(const RunSource& run, const TableFilter& filter);
 
-/// Writes sections of all frames as .mp4 or .webm, or as PNG files into a folder, whose name has no extension. `done`
-/// is called after each frame. \throws CannotDraw, CannotWrite, ExportStopped
+/// Writes the section at every frame, as an .mp4 or .webm animation or, if `out` has no extension, as PNG files in a
+/// folder.
+/// \param perSecond frames per second of an animation
+/// \param done called after each frame
+/// \throws CannotDraw, CannotWrite, ExportStopped
 void writeFilm(const RunSource& run, const FigureRequest& request, int perSecond, const std::filesystem::path& out,
                const std::atomic<bool>& stop, const std::function<void(std::size_t, std::size_t)>& done);
 

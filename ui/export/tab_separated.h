@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Converts a table for the clipboard: spreadsheets split text at tabs into columns, but
-// not at commas.
+// Converts a table for the clipboard: spreadsheets split pasted text into columns at
+// tabs, but not at commas.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace keyblock {
 
-/// The CSV text with tabs between its values; quotes around a value are removed, a tab or line break within becomes a
-/// space.
+/// Converts CSV text to values separated by tabs. Quotes around values are removed; a tab or line break within a value
+/// becomes a space.
 std::string tabSeparated(std::string_view csv);
 
 }  // namespace keyblock
