@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The samples as cards in as many columns as fit, with buttons that filter by kind.
+// The samples as cards, in as many columns as fit, with buttons that filter them by
+// kind.
 #pragma once
 
 #include "ui/start/samples.h"
@@ -49,7 +50,7 @@ private:
     QWidget* sheet_;
     QWidget *title_ = nullptr, *hint_ = nullptr;
     int columns_ = 1;
-    double asked_ = 0.0;  // pixel ratio of the pictures; 0: none requested yet
+    double asked_ = 0.0;  // pixel ratio of the requested pictures; 0: none requested yet
 };
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A drawing read once with some settings, and the resulting scene.
+// The result of reading a drawing with certain import settings.
 #pragma once
 
 #include "solver/files/drawing/section_import.h"
@@ -15,11 +15,11 @@ namespace keyblock {
 
 struct ImportAttempt {
     Import import;
-    std::optional<SectionPicture> picture;  // of the resulting scene
-    std::string unreadable;  // why there is no scene; empty: there is one
+    std::optional<SectionPicture> picture;  // drawing of the resulting scene
+    std::string unreadable;  // why there is no scene; empty if there is one
 };
 
-/// Never throws: errors are in `unreadable`.
+/// Reads the drawing at `path`. Does not throw: `unreadable` holds the error message.
 std::shared_ptr<const ImportAttempt> attemptImport(const std::string& path, const ImportSettings& settings);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Import of a drawing: roles of layers, units, arc tolerance, how every entity is
-// imported, and a preview of the scene. A window of its own that may stay open.
+// Import of a drawing: roles of layers, units, arc tolerance, a list of how each entity
+// is imported, and a preview of the scene. It is a separate window that can stay open.
 #pragma once
 
 #include "solver/files/drawing/section_import.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A section painted to fill the widget.
+// A widget filled with the drawing of a section.
 #pragma once
 
 #include "ui/picture/section.h"
@@ -20,7 +20,7 @@ class PicturePane : public QWidget {
 public:
     explicit PicturePane(const Themes& themes, QWidget* parent = nullptr);
 
-    /// Null: the text is shown instead.
+    /// Shows the drawing or, if there is none, the text `otherwise`.
     void show(std::optional<SectionPicture> picture, const QString& otherwise);
 
     QSize sizeHint() const override { return {520, 320}; }

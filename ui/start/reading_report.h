@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parts of a scene file that could not be read: each problem with its line, next to
+// Lists the parts of a scene file that could not be read, each with its line, next to
 // the text of the file.
 #pragma once
 

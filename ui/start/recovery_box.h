@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reports a document that was not closed properly, and offers to recover it.
+// Reports that a document was not closed properly, and offers to recover it.
 #pragma once
 
 #include "ui/document/recovery.h"

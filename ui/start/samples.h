@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The samples built into the program: their descriptions and measured run times
+// The samples built into the program, with their descriptions and measured run times
 // (resources/gallery/measure.py).
 #pragma once
 
@@ -15,22 +15,22 @@
 namespace keyblock {
 
 struct Sample {
-    QString name;  // of its file, without .json
-    QString path;  // of the file within the program
+    QString name;  // file name without .json
+    QString path;  // path of the file within the program's resources
     QString title, shows, category;
     bool isDynamic = false;
-    bool isVerification = false;  // all its expected values have a source other than this program, and close tolerances
+    bool isVerification = false;  // expected values all come from other sources and have close tolerances
     int blocks = 0, bolts = 0;
-    double seconds = 0.0;  // measured run time; 0: not measured
+    double seconds = 0.0;  // measured run time [s]; 0: not measured
 };
 
-/// All samples: a few instructive ones, then drifts, bolts and blocks, each by name.
+/// All samples: first a few instructive ones, then drifts, bolts and blocks, each group sorted by name.
 std::vector<Sample> gallerySamples();
 
-/// Folder of the records that samples refer to; created on the first call.
+/// Folder with the records that the samples use; created on the first call.
 QString sampleRecordFolder();
 
-/// The sample as a scene with its records included; none if it cannot be read.
+/// The scene of a sample, with its records included; none if it cannot be read.
 std::optional<Scene> sampleScene(const Sample& sample);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The two kinds of buttons on the start page that open a scene: a card of the samples
-// and a row of the recent files. Both paint themselves.
+// The two kinds of buttons on the start page that open a scene: cards for samples and
+// rows for recent files. Both paint themselves.
 #pragma once
 
 #include "ui/start/thumbnails.h"
@@ -60,10 +60,10 @@ private:
     QImage image_;
 };
 
-/// `today 14:20`, `yesterday`, `18 Nov`, `18 Nov 2025`.
+/// A point in time as text, e.g. `today 14:20`, `yesterday`, `18 Nov` or `18 Nov 2025`.
 QString whenText(const QDateTime& when, const QDateTime& now = QDateTime::currentDateTime());
 
-/// `0.3 s`, `8 s`, `2 min`.
+/// A duration as text, e.g. `0.3 s`, `8 s` or `2 min`.
 QString durationText(double seconds);
 
 }  // namespace keyblock

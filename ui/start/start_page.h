@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The start page: create, recover or reopen a scene, or open a sample. It covers the
-// window between menu and status bar until a document is open; the command view.start
-// shows it again.
+// The start page, from which the user creates, recovers or reopens a scene, or opens a
+// sample. It covers the window between the menu bar and the status bar until a document
+// is open. The command view.start shows it again.
 #pragma once
 
 #include "ui/document/recovery.h"
@@ -27,7 +27,7 @@ class StartPage : public QWidget {
     Q_OBJECT
 
 public:
-    /// The objects that the page uses; all must outlive it.
+    /// Objects that the start page uses; all must outlive it.
     struct Rooms {
         Themes& themes;
         Commands& commands;
@@ -36,22 +36,22 @@ public:
         RecentFiles& recent;
     };
 
-    /// `covered` is the widget that the page covers; it follows its size.
+    /// \param covered widget that the page covers; the page always has the same size
     StartPage(const Rooms& rooms, QWidget* covered);
 
     static bool isWantedAtStart();
 
-    /// Looks for scenes to recover and shows the page.
+    /// Searches for scenes that can be recovered, and shows the page.
     void open();
 
-    /// Scenes that can be recovered; reports journals that cannot be read.
+    /// Scenes that can be recovered. Reports journals that cannot be read.
     std::vector<Abandoned> lookForAbandoned();
 
 Q_SIGNALS:
     void openWanted(const QString& path);
     void sampleWanted(const keyblock::Sample& sample);
     void recoverWanted(const keyblock::Abandoned& abandoned, keyblock::Recover what);
-    void reported(const QString& message);  // for the status bar
+    void reported(const QString& message);  // shown in the status bar
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -75,7 +75,7 @@ private:
 
     Rooms rooms_;
     Thumbnails* thumbnails_;
-    QVBoxLayout* recovery_ = nullptr;  // created with the side column
+    QVBoxLayout* recovery_ = nullptr;  // created together with the side column
     QVBoxLayout* recent_ = nullptr;
     QWidget* side_;
 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A scene as a small picture for lists and cards: rock and bolts without names, numbers
-// or legends. The tints of blocks only distinguish neighbours.
+// Small drawings of scenes for lists and cards: rock and bolts without names, numbers
+// or legends. The colours of blocks only distinguish neighbours.
 #pragma once
 
 #include <QImage>
@@ -13,9 +13,11 @@ namespace keyblock {
 struct SectionPicture;
 struct Theme;
 
-enum class ThumbnailView { Heart, Everything };  // the relevant part, clipped if necessary; or everything
+enum class ThumbnailView { Heart, Everything };  // the relevant part, cropped if necessary; or the whole scene
 
-/// The picture of a scene as drawn, `pixels` large; stroke widths are those of a screen with pixel ratio `ratio`.
+/// Paints a scene as it is drawn.
+/// \param pixels size of the image
+/// \param ratio device pixel ratio for which line widths are chosen
 QImage paintThumbnail(const SectionPicture& picture, QSize pixels, double ratio, const Theme& theme,
                       ThumbnailView view = ThumbnailView::Heart);
 

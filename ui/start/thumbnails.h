@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures of scene files, painted in the background because the scene has to be cut
-// first, and kept in the user's cache folder until the file changes.
+// Thumbnails of scene files. They are painted in the background, because the scene has
+// to be cut first, and stay in the user's cache folder until the file changes.
 #pragma once
 
 #include "ui/document/background.h"
@@ -16,11 +16,11 @@ namespace keyblock {
 
 struct Theme;
 
-/// What a card shows of a scene.
+/// Facts about a scene that a card or row shows.
 struct SceneFacts {
     int blocks = 0, bolts = 0;
     int errors = 0, warnings = 0;
-    bool isThere = false;  // the file is a scene that could be read, at least in part
+    bool isThere = false;  // the file is a scene of which at least a part could be read
 };
 
 class Thumbnails : public QObject {
@@ -29,7 +29,9 @@ class Thumbnails : public QObject {
 public:
     explicit Thumbnails(QObject* parent = nullptr) : QObject(parent) {}
 
-    /// Requests the picture of a scene file, in pixels of the screen; `ready` delivers it, from the cache or later.
+    /// Requests the thumbnail of a scene file, `size` screen pixels large. `ready` delivers it later, sooner if it is
+    /// in the cache.
+    /// cache.
     void ask(const QString& path, QSize size, double ratio, const Theme& theme);
 
 Q_SIGNALS:
