@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How well typed text matches the name of a command.
+// Rates how well typed text matches the name of a command.
 #pragma once
 
 #include <QString>
 
 namespace keyblock {
 
-/// Each typed word must be found: best at the start of a word of the name, then anywhere in it, then as letters in
-/// order. −1: no match; higher is better; 0 if nothing is typed.
+/// Every word typed must occur in the name: best at the start of a word, then within a word, then as scattered letters
+/// in the same order. Returns −1 if there is no match, 0 if nothing is typed, and otherwise a rating; higher is better.
 int matchOf(const QString& typed, const QString& name);
 
 }  // namespace keyblock

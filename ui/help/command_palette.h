@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All commands by name: type a few letters, Enter runs one. It opens over the window
-// and closes with Esc, with a click elsewhere, or when a command is chosen.
+// A list of all commands that the user searches by typing a few letters; Enter runs the
+// selected command. The palette opens over the window and closes with Esc, with a click
+// elsewhere, or when a command is chosen.
 #pragma once
 
 #include <QFrame>
@@ -40,12 +41,13 @@ private:
     const Themes& themes_;
     QLineEdit* typed_;
     QListWidget* found_;
-    QLabel* none_;  // message if nothing matches
-    QStringList recent_;  // ids, newest first, saved in the settings
-    QPoint mouse_;  // cursor position when an item was last chosen with the mouse [px of the screen]
+    QLabel* none_;  // message if no command matches
+    QStringList recent_;  // ids of recently used commands, latest first, saved in the settings
+    QPoint mouse_;  // cursor position on the screen when the mouse last selected an item [px]
 };
 
-/// Commands that match the typed text, best first; among equals, enabled ones first, then the most recently used.
+/// Commands that match the typed text, best match first. Among equal matches enabled commands come first, then those
+/// used most recently.
 QList<QAction*> commandsFor(const QString& typed, const Commands& commands, const QStringList& recent);
 
 }  // namespace keyblock

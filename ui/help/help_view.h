@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The help pages in the window, with a search over all of them. F1 opens them at the
-// field or tool under the cursor.
+// Shows the help pages in the window, with a search in all of them. F1 opens the help
+// on the field or tool under the cursor.
 #pragma once
 
 #include <QWidget>
@@ -23,9 +23,11 @@ class HelpView : public QWidget {
 public:
     explicit HelpView(const Themes& themes, QWidget* parent = nullptr);
 
-    /// Shows a page, at the first occurrence of `words` (a heading or a field's name); without words at its beginning.
+    /// Shows a page.
+    /// \param words text to scroll to, e.g. a heading or the name of a field; empty: the top of the page
+    /// \param occurrence which occurrence of `words` to show, from 0
     void open(const QString& page, const QString& words = {}, int occurrence = 0);
-    /// Shows search results for the words.
+    /// Shows the results of a search for `words`.
     void search(const QString& words);
 
 Q_SIGNALS:
@@ -45,7 +47,8 @@ private:
     QString shown_;
 };
 
-/// The help topic of a widget: the nearest `helpTopic` property of it or its parents, `page` or `page#words`.
+/// Help topic of a widget: the `helpTopic` property of the widget or of its nearest parent that has one, in the form
+/// `page` or `page#words`.
 QString helpTopicOf(const QWidget* widget);
 
 }  // namespace keyblock

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All commands with their keyboard shortcuts, by menu. Shortcuts are changed here; a
-// command that would lose its shortcut is named before.
+// All commands with their keyboard shortcuts, listed by menu. Shortcuts are changed
+// here; before a command loses its shortcut to another, the sheet names it.
 #pragma once
 
 #include <QKeySequence>
@@ -48,7 +48,7 @@ private:
     QPushButton *set_ = nullptr, *original_ = nullptr;
 };
 
-/// The command that has these keys, other than `but`; null: none.
+/// The command with this shortcut, other than `but`; null if there is none.
 QAction* commandWithKeys(const Commands& commands, const QKeySequence& keys, const QAction* but);
 
 }  // namespace keyblock

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The box at the right of the menu bar that looks like a search field and opens the
+// The box at the right of the menu bar. It looks like a search field and opens the
 // command palette.
 #pragma once
 
@@ -15,7 +15,7 @@ class SearchBox : public QAbstractButton {
     Q_OBJECT
 
 public:
-    /// `command` opens the palette; its keys are shown in the box.
+    /// \param command opens the palette; its shortcut is shown in the box
     SearchBox(QAction& command, const Themes& themes, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {196, 24}; }
