@@ -4,17 +4,20 @@
 #
 # Installs the packages that Keyblock is built with on Debian 12. It lists missing
 # packages and needs root only if there are any; otherwise it finishes at once. It
-# is safe to run again. Arguments are further packages; `readers` means the programs
-# with which tests read exported files and use the window on a virtual display;
-# without them those tests are left out.
+# is safe to run again. Arguments are further packages or groups of them: `readers`
+# is what tests need besides (a virtual display, programs that read exported files,
+# the source of a locale with decimal commas), `desktop` what moves the mouse and
+# types in the window, `lint` what `make lint` checks with.
 set -eu
 export LC_ALL=C
 
-readers="poppler-utils librsvg2-bin xvfb xauth x11-utils xdotool wmctrl openbox dbus at-spi2-core python3-pyatspi
-         imagemagick"
 further=""
 for argument in "$@"; do
-    [ "$argument" != readers ] || argument=$readers
+    case $argument in
+        readers) argument="xvfb poppler-utils librsvg2-bin locales python3" ;;
+        desktop) argument="xauth x11-utils xdotool wmctrl openbox dbus at-spi2-core python3-pyatspi imagemagick" ;;
+        lint) argument="git clang-format clang-tidy python3" ;;
+    esac
     further="$further $argument"
 done
 

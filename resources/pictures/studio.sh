@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Regenerates the README's image of Studio, on a virtual display. Needs the packages
-# of `sh resources/install/debian.sh readers`. Usage: studio.sh PROGRAM.
+# of `sh resources/install/debian.sh readers desktop`. Usage: studio.sh PROGRAM.
 set -eu
 program=$(realpath "${1:?usage: studio.sh PROGRAM}")
 here=$(cd "$(dirname "$0")" && pwd)

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
+#include <set>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -41,11 +41,19 @@ bool isLeftOut(const std::string& name) {
     return name != "angle-rebar-40" && name != "angle-dbolt-20" && name != "angle-rebar-00";
 }
 
-std::vector<std::string> sampleNames() {
+/// These differ when turned by 37°. Rock of 6e13 Pa (guillotine) has contact springs of 2.4e15 N/m: the last digit of a
+/// position is half a newton there, and forces differ by 4e-6 of the largest. Where a bond softens (rebar-20), a step is
+/// not solved to the last digit (theory, "Curves that fall"): forces differ by 3e-6 of the largest, and an element that
+/// comes within 2e-5 of its yield may or may not be reported.
+const std::set<std::string> differWhenTurned{"guillotine", "rebar-20"};
+
+/// The samples that differ when turned, or all others.
+std::vector<std::string> sampleNames(bool differ) {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(KEYBLOCK_SAMPLES_DIR)) {
         const std::string name = entry.path().stem().string();
-        if (entry.path().extension() != ".json" || isLeftOut(name) || isSection(entry.path())) continue;
+        if (entry.path().extension() != ".json" || differWhenTurned.contains(name) != differ) continue;
+        if (isLeftOut(name) || isSection(entry.path())) continue;
         names.push_back(name);
     }
     std::sort(names.begin(), names.end());
@@ -75,31 +83,32 @@ std::string testName(const testing::TestParamInfo<std::string>& sample) {
     return name;
 }
 
-class Seen : public testing::TestWithParam<std::string> {};
-
-/// Rock of 6e13 Pa has contact springs of 2.4e15 N/m: the last digit of a position is half a newton there. Where a bond
-/// softens, a step is not solved to the last digit (theory, "Curves that fall"); an element that comes within 2e-5 of its
-/// yield then may or may not be reported.
-const std::map<std::string, std::string> knownToDiffer{
-    {"guillotine", "4e-6 of the largest force, which is round-off"},
-    {"rebar-20", "3e-6 of the largest force and one yield, within 2e-5 of the limit of its element"}};
-
-TEST_P(Seen, TurnedAndInAMirrorIsTheSame) {
-    const Scene scene = strictSample(GetParam());
+void expectSame(const std::string& sample, const std::vector<Isometry>& isometries) {
+    const Scene scene = strictSample(sample);
     const Results own = runInMemory(scene);
-    for (const Isometry& isometry : {turn, mirror}) {
+    for (const Isometry& isometry : isometries) {
         if (isometry.angle != 0.0 && !canBeTurned(scene)) continue;
-        if (isometry.angle != 0.0 && knownToDiffer.contains(GetParam())) continue;
         SCOPED_TRACE(isometry.mirror ? "mirrored" : "turned");
         const Results seen = runInMemory(seenThrough(isometry, scene));
         expectSameEvents(own, seen);
         EXPECT_EQ(differenceThrough(isometry, own, seen, sameForces), "");
     }
-    const auto known = knownToDiffer.find(GetParam());
-    if (known != knownToDiffer.end()) GTEST_SKIP() << "turned by 37° it differs by " << known->second;
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, Seen, testing::ValuesIn(sampleNames()), testName);
+class Seen : public testing::TestWithParam<std::string> {};
+
+TEST_P(Seen, TurnedAndInAMirrorIsTheSame) { expectSame(GetParam(), {turn, mirror}); }
+
+INSTANTIATE_TEST_SUITE_P(Samples, Seen, testing::ValuesIn(sampleNames(false)), testName);
+
+class SeenWithRoundOff : public testing::TestWithParam<std::string> {};
+
+TEST_P(SeenWithRoundOff, InAMirrorIsTheSame) { expectSame(GetParam(), {mirror}); }
+
+/// Fails by the differences that are given above.
+TEST_P(SeenWithRoundOff, DISABLED_TurnedIsTheSame) { expectSame(GetParam(), {turn}); }
+
+INSTANTIATE_TEST_SUITE_P(Samples, SeenWithRoundOff, testing::ValuesIn(sampleNames(true)), testName);
 
 }  // namespace
 }  // namespace keyblock
