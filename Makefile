@@ -4,7 +4,7 @@
 # Commands for users and developers. Each does its own set-up: missing Debian packages
 # are installed first, and only what has changed is built.
 .DEFAULT_GOAL := help
-.PHONY: help run show pictures test test-quick e2e drifts safety-series kills asan tsan bench fuzz clean packages
+.PHONY: help run show pictures test test-quick lint lint-all e2e drifts safety-series kills asan tsan bench fuzz clean packages
 
 SAMPLE := drift-rebar-dbolt
 SHOWN := build/release/$(SAMPLE)
@@ -15,6 +15,8 @@ help:
 	@echo "make pictures  regenerate the images of the README"
 	@echo "make test   build and run all tests"
 	@echo "make test-quick  build and run, in less than a minute, the tests without the window and without long runs"
+	@echo "make lint   check the format of changed lines, the words of texts, includes, and changed C++ files with clang-tidy, SINCE=commit"
+	@echo "make lint-all  the same for all files, without the format"
 	@echo "make e2e    test the window with real mouse and keyboard input on a virtual display: draw, bolt, run and export a drift"
 	@echo "make drifts run random drifts and check the verdicts against the tables of results, SEED=7 or SEED=1-200"
 	@echo "make safety-series  check factors of safety against closed forms: forty scenes, and thirty factors in each"
@@ -76,6 +78,12 @@ test-quick: packages
 	@cmake --preset dev --log-level=WARNING
 	@cmake --build --preset quick
 	@ctest --preset quick
+
+lint lint-all:
+	@sh resources/install/debian.sh lint
+	@cmake --preset dev --log-level=WARNING
+	@cmake --build --preset lint
+	@sh tests/lint/lint.sh build/dev $(if $(filter lint-all,$@),all,"$(SINCE)")
 
 e2e: packages
 	@sh resources/install/debian.sh readers desktop
