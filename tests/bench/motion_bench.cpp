@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A hundred steps of walls at rest and of walls that slide, after they have settled:
-// time, and the counted work and factorizations of a solve in motion (theory,
-// "Counted work").
+// time, and the counted work and factorizations of a solve in motion (theory, "Sweeps
+// over the contact forces").
 #include "solver/run/run.h"
 #include "tests/properties/wall.h"
 

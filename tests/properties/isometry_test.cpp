@@ -43,7 +43,7 @@ bool isLeftOut(const std::string& name) {
 
 /// These differ when turned by 37°. Rock of 6e13 Pa (guillotine) has contact springs of 2.4e15 N/m: the last digit of a
 /// position is half a newton there, and forces differ by 4e-6 of the largest. Where a bond softens (rebar-20), a step is
-/// not solved to the last digit (theory, "Curves that fall"): forces differ by 3e-6 of the largest, and an element that
+/// not solved to the last digit (theory, "Divisions"): forces differ by 3e-6 of the largest, and an element that
 /// comes within 2e-5 of its yield may or may not be reported.
 const std::set<std::string> differWhenTurned{"guillotine", "rebar-20"};
 
