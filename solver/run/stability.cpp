@@ -17,7 +17,7 @@ namespace {
 
 constexpr double asFar = 0.9;  // of the way of a displaced block: what is joined to it and went so far is named with it
 constexpr double itsOwnWay = 0.5;  // of the way of its neighbour: what went less was left, and did not leave
-constexpr double setMoving = 0.05;  // of its size: a block that a collapse has moved so far is named, though it has come to rest
+constexpr double namedMove = 0.05;  // of its size: a block that a collapse has moved so far is named, though it rests now
 constexpr double slow = 0.02;  // [m/s] at which a block may still move when a dynamic stage ends
 constexpr double touching = 10.0;  // times the geometric tolerance
 
@@ -48,7 +48,7 @@ StageStart startOfStage(const Model& model, const State& state) {
 }
 
 void mark(StageStart& start, const State& state, double time, double duration) {
-    const auto take = [&](Mark& mark, double share) {
+    const auto take = [&](BlockPositions& mark, double share) {
         if (!mark.centroids.empty() || time < share * duration) return;
         mark.time = time;
         for (const BlockMotion& block : state.blocks) mark.centroids.push_back(block.centroid);
@@ -165,7 +165,7 @@ std::vector<UnstableBlock> Stability::collapsed(const std::vector<int>& blocks, 
         unstable.back().mode = Movement::Follows;
     };
     for (const int first : followers) addFollower(first);
-    for (const int first : displacedBlocks(setMoving)) addFollower(first);
+    for (const int first : displacedBlocks(namedMove)) addFollower(first);
     return unstable;
 }
 

@@ -17,7 +17,7 @@
 namespace keyblock {
 
 /// Block positions at one time of a dynamic stage.
-struct Mark {
+struct BlockPositions {
     double time = 0.0;  // [s]
     std::vector<Point> centroids;  // [m]; empty if that time has not been reached yet
 };
@@ -26,7 +26,7 @@ struct Mark {
 struct StageStart {
     std::vector<BlockMotion> blocks;
     std::vector<std::pair<int, int>> joined;  // rows of blocks that touched or were bolted to each other
-    Mark nine, eight;  // positions at 90 % and 80 % of the duration of a dynamic stage
+    BlockPositions nine, eight;  // positions at 90 % and 80 % of the duration of a dynamic stage
 };
 
 StageStart startOfStage(const Model& model, const State& state);
