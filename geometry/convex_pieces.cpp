@@ -17,7 +17,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double straight = 1e-9;  // sine of a turn
+constexpr double straightTurn = 1e-9;  // sine of a turn
 
 double turn(const Point& a, const Point& b, const Point& c) {
     const Point in = b - a, out = c - b;
@@ -28,7 +28,7 @@ double turn(const Point& a, const Point& b, const Point& c) {
 bool isConvex(std::span<const Point> polygon) {
     const std::size_t n = polygon.size();
     for (std::size_t i = 0; i < n; ++i)
-        if (turn(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]) < -straight) return false;
+        if (turn(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]) < -straightTurn) return false;
     return true;
 }
 

@@ -14,23 +14,23 @@ namespace keyblock {
 namespace {
 
 /// A corner with its place against the line: `off` is exactly 0 on it.
-struct Corner {
+struct ChainCorner {
     Point p{0.0, 0.0};
     double along = 0.0, off = 0.0;
 };
 
 /// Corners of the polygon, and one wherever an edge crosses the line.
-std::vector<Corner> cornersAndCrossings(std::span<const Point> polygon, const Point& place, const Point& along,
+std::vector<ChainCorner> cornersAndCrossings(std::span<const Point> polygon, const Point& place, const Point& along,
                                         double tolerance) {
-    std::vector<Corner> own;
+    std::vector<ChainCorner> own;
     for (const Point& p : polygon) {
         const double off = cross(along, p - place);
         own.push_back({p, along.dot(p - place), std::abs(off) <= tolerance ? 0.0 : off});
     }
-    std::vector<Corner> all;
+    std::vector<ChainCorner> all;
     for (std::size_t i = 0; i < own.size(); ++i) {
-        const Corner& a = own[i];
-        const Corner& b = own[(i + 1) % own.size()];
+        const ChainCorner& a = own[i];
+        const ChainCorner& b = own[(i + 1) % own.size()];
         all.push_back(a);
         if (a.off * b.off >= 0.0) continue;
         const double share = a.off / (a.off - b.off);
@@ -41,11 +41,11 @@ std::vector<Corner> cornersAndCrossings(std::span<const Point> polygon, const Po
 }
 
 struct Chain {
-    std::vector<Corner> corners;  // first and last on the line
+    std::vector<ChainCorner> corners;  // first and last on the line
 };
 
 /// The runs of the outline on the positive side; empty with `whole` set where the outline never leaves it.
-std::vector<Chain> chainsAbove(const std::vector<Corner>& corners, bool& whole) {
+std::vector<Chain> chainsAbove(const std::vector<ChainCorner>& corners, bool& whole) {
     const std::size_t n = corners.size();
     const auto above = [&](std::size_t i) { return corners[i % n].off > 0.0 || corners[(i + 1) % n].off > 0.0; };
     std::size_t start = 0;  // an edge that is not above
@@ -61,29 +61,29 @@ std::vector<Chain> chainsAbove(const std::vector<Corner>& corners, bool& whole) 
     return chains;
 }
 
-struct End {
+struct ChainEnd {
     double along = 0.0;  // place on the line
     double lean = 0.0;  // cosine of the chain's direction there: of two ends at one place the one that leans back is first
     std::size_t chain = 0;
     bool first = false;
 };
 
-std::vector<End> sortedEnds(const std::vector<Chain>& chains, double tolerance) {
-    std::vector<End> ends;
+std::vector<ChainEnd> sortedEnds(const std::vector<Chain>& chains, double tolerance) {
+    std::vector<ChainEnd> ends;
     for (std::size_t c = 0; c < chains.size(); ++c) {
-        const std::vector<Corner>& k = chains[c].corners;
-        const auto lean = [](const Corner& from, const Corner& to) {
+        const std::vector<ChainCorner>& k = chains[c].corners;
+        const auto lean = [](const ChainCorner& from, const ChainCorner& to) {
             return (to.along - from.along) / std::hypot(to.along - from.along, to.off);
         };
         ends.push_back({k.front().along, lean(k.front(), k[1]), c, true});
         ends.push_back({k.back().along, lean(k.back(), k[k.size() - 2]), c, false});
     }
-    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.along < b.along; });
+    std::sort(ends.begin(), ends.end(), [](const ChainEnd& a, const ChainEnd& b) { return a.along < b.along; });
     for (std::size_t i = 0; i < ends.size();) {  // ends at one place, by the direction they leave it
         std::size_t j = i + 1;
         while (j < ends.size() && ends[j].along - ends[j - 1].along <= tolerance) ++j;
         std::stable_sort(ends.begin() + static_cast<std::ptrdiff_t>(i), ends.begin() + static_cast<std::ptrdiff_t>(j),
-                         [](const End& a, const End& b) { return a.lean < b.lean; });
+                         [](const ChainEnd& a, const ChainEnd& b) { return a.lean < b.lean; });
         i = j;
     }
     return ends;
@@ -91,12 +91,12 @@ std::vector<End> sortedEnds(const std::vector<Chain>& chains, double tolerance) 
 
 /// Joins chains to closed pieces; empty when the ends do not pair.
 std::vector<std::vector<Point>> closed(const std::vector<Chain>& chains, double tolerance) {
-    const std::vector<End> ends = sortedEnds(chains, tolerance);
+    const std::vector<ChainEnd> ends = sortedEnds(chains, tolerance);
     std::vector<std::size_t> next(chains.size(), chains.size());
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
         if (ends[i].first == ends[i + 1].first) return {};
-        const End& from = ends[i].first ? ends[i + 1] : ends[i];
-        const End& to = ends[i].first ? ends[i] : ends[i + 1];
+        const ChainEnd& from = ends[i].first ? ends[i + 1] : ends[i];
+        const ChainEnd& to = ends[i].first ? ends[i] : ends[i + 1];
         next[from.chain] = to.chain;
     }
     std::vector<char> used(chains.size(), 0);
@@ -106,7 +106,7 @@ std::vector<std::vector<Point>> closed(const std::vector<Chain>& chains, double 
         std::vector<Point> piece;
         for (std::size_t at = c; !used[at]; at = next[at]) {
             used[at] = 1;
-            for (const Corner& k : chains[at].corners)
+            for (const ChainCorner& k : chains[at].corners)
                 if (piece.empty() || (k.p - piece.back()).norm() > tolerance) piece.push_back(k.p);
         }
         if (piece.size() > 1 && (piece.front() - piece.back()).norm() <= tolerance) piece.pop_back();
@@ -115,7 +115,7 @@ std::vector<std::vector<Point>> closed(const std::vector<Chain>& chains, double 
     return pieces;
 }
 
-std::vector<std::vector<Point>> piecesAbove(std::span<const Point> polygon, const std::vector<Corner>& corners,
+std::vector<std::vector<Point>> piecesAbove(std::span<const Point> polygon, const std::vector<ChainCorner>& corners,
                                             double tolerance) {
     bool whole = false;
     const std::vector<Chain> chains = chainsAbove(corners, whole);
@@ -126,10 +126,10 @@ std::vector<std::vector<Point>> piecesAbove(std::span<const Point> polygon, cons
 }  // namespace
 
 Split split(std::span<const Point> polygon, const Point& place, const Point& along, double tolerance) {
-    std::vector<Corner> corners = cornersAndCrossings(polygon, place, along, tolerance);
+    std::vector<ChainCorner> corners = cornersAndCrossings(polygon, place, along, tolerance);
     Split parts;
     parts.left = piecesAbove(polygon, corners, tolerance);
-    for (Corner& c : corners) c.along = -c.along, c.off = -c.off;
+    for (ChainCorner& c : corners) c.along = -c.along, c.off = -c.off;
     parts.right = piecesAbove(polygon, corners, tolerance);
     return parts;
 }

@@ -45,9 +45,9 @@ std::vector<Point> scattered(const Polygon& region, double size, std::uint64_t s
 }
 
 /// The region, ready to be cut by convex cells.
-class Cutter {
+class RegionCutter {
 public:
-    Cutter(const Polygon& region, double tolerance)
+    RegionCutter(const Polygon& region, double tolerance)
         : region_(region), tolerance_(tolerance), edges_(boxesOfEdges(region, tolerance)) {}
 
     /// The parts of a convex cell in the region; its first corner shows where a cell lies that no edge comes near.
@@ -87,7 +87,7 @@ struct Parts {
     std::vector<std::vector<Polygon>> cells;
 };
 
-Parts partsOf(const std::vector<Point>& scatteredSites, const Polygon& region, const Cutter& cutter, double size,
+Parts partsOf(const std::vector<Point>& scatteredSites, const Polygon& region, const RegionCutter& cutter, double size,
               double tolerance) {
     PointSet distinct(tolerance);
     for (const Point& site : scatteredSites) distinct.number(site);
@@ -185,7 +185,7 @@ VoronoiCells voronoiCells(std::span<const Point> region, double size, std::uint6
     const Point origin = boxOf(region).min;
     Polygon own = counterClockwise({region.begin(), region.end()});
     for (Point& corner : own) corner -= origin;
-    const Cutter cutter(own, tolerance);
+    const RegionCutter cutter(own, tolerance);
     std::vector<Point> sites = scattered(own, size, seed, tolerance);
     if (sites.empty()) sites.push_back(moments(own).centroid);
     Parts parts = partsOf(sites, own, cutter, size, tolerance);

@@ -14,7 +14,7 @@ namespace keyblock {
 namespace {
 
 /// A share of the whole length that counts as none.
-constexpr double together = 1e-9;
+constexpr double onePlace = 1e-9;
 
 /// A piece, and a place on it.
 struct Place {
@@ -74,7 +74,7 @@ Point outlinePointAtLength(const TunnelProfile& profile, double length) {
     if (!piece.arc) return pointOn(piece, place.share);
     const double edges = place.share * piece.edges;
     const double nearest = std::round(edges);
-    if (std::abs(edges - nearest) * piece.length <= together * profile.length * piece.edges)
+    if (std::abs(edges - nearest) * piece.length <= onePlace * profile.length * piece.edges)
         return cornerOf(piece, static_cast<int>(nearest));
     const int edge = static_cast<int>(std::floor(edges));
     const double half = 0.5 * piece.arc->sweep / piece.edges * radiansPerDegree;
@@ -91,12 +91,12 @@ Point normalAtLength(const TunnelProfile& profile, double length) {
     const Point own = normalOn(piece, place.share);
     const double fromBegin = place.share * piece.length;
     Point other = own;
-    if (fromBegin <= together * profile.length)
+    if (fromBegin <= onePlace * profile.length)
         other = normalOn(profile.pieces[(place.piece + count - 1) % count], 1.0);
-    else if (piece.length - fromBegin <= together * profile.length)
+    else if (piece.length - fromBegin <= onePlace * profile.length)
         other = normalOn(profile.pieces[(place.piece + 1) % count], 0.0);
     const Point sum = own + other;
-    return sum.norm() > together ? Point(sum.normalized()) : own;
+    return sum.norm() > onePlace ? Point(sum.normalized()) : own;
 }
 
 double lengthOfNearest(const TunnelProfile& profile, const Point& p) {
@@ -104,7 +104,7 @@ double lengthOfNearest(const TunnelProfile& profile, const Point& p) {
     for (const ProfilePiece& piece : profile.pieces) {
         const double share = nearestShare(piece, p);
         const double distance = (pointOn(piece, share) - p).norm();
-        if (distance >= least - together * profile.length) continue;
+        if (distance >= least - onePlace * profile.length) continue;
         least = distance;
         nearest = piece.begin + share * piece.length;
     }
@@ -113,7 +113,7 @@ double lengthOfNearest(const TunnelProfile& profile, const Point& p) {
 
 double lengthBetween(const TunnelProfile& profile, double from, double to, Way way) {
     const double round = wrapped(profile, way == Way::CounterClockwise ? to - from : from - to);
-    const double margin = together * profile.length;
+    const double margin = onePlace * profile.length;
     return round <= margin || profile.length - round <= margin ? 0.0 : round;
 }
 

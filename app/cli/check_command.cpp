@@ -24,7 +24,7 @@ std::string counted(const std::vector<Problem>& problems, Severity severity) {
 }
 
 /// Errors to standard error, the rest of the answer to standard output.
-void tell(const std::filesystem::path& scene, const std::vector<Problem>& problems) {
+void tellErrors(const std::filesystem::path& scene, const std::vector<Problem>& problems) {
     for (const Problem& problem : problems)
         if (problem.severity == Severity::Error)
             printToError(oneLine(problem) + '\n');
@@ -83,7 +83,7 @@ ExitCode perform(const CheckOptions& options) {
         print(checkJson(reading, summary));
         return hasErrors(reading.problems) ? Invalid : Done;
     }
-    tell(options.scene, reading.problems);
+    tellErrors(options.scene, reading.problems);
     if (reading.cut)
         tellCut(*reading.cut, options.all);
     if (summary)

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Of a video; null: a folder of images.
-std::optional<MovieFormat> formatOf(const fs::path& out) {
+std::optional<MovieFormat> movieFormatOf(const fs::path& out) {
     const std::string ending = out.extension().string();
     if (ending == ".mp4") return MovieFormat::Mp4;
     if (ending == ".webm") return MovieFormat::WebM;
@@ -41,7 +41,7 @@ void checkAnimationOptions(const ExportOptions& options) {
 #endif
     if (!options.out.empty()) throw UsageError("--animation already gives the file to write; omit --out");
     if (options.at) throw UsageError("an animation shows all frames; omit --at, or select a stage with --stage");
-    if (options.perSecond && !formatOf(*options.animation))
+    if (options.perSecond && !movieFormatOf(*options.animation))
         throw UsageError("--fps applies to .mp4 and .webm only; omit it for images in a folder");
 }
 
@@ -137,7 +137,7 @@ ExitCode exportAnimation(const ExportOptions& options, const RunSource& run, con
     try {
         const StoppableRun frames(run, stop);
         const Animation animation(frames, requestOf(options, filter));
-        if (const auto format = formatOf(*options.animation)) writeMovie(animation, options, *format, stop);
+        if (const auto format = movieFormatOf(*options.animation)) writeMovie(animation, options, *format, stop);
         else writeFolder(run, animation, *options.animation);
     } catch (const CannotDraw& problem) {
         throw UsageError(problem.what());

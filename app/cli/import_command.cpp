@@ -16,9 +16,9 @@ namespace keyblock::cli {
 
 namespace {
 
-constexpr int mostOfAKind = 10;
+constexpr int mostNotTaken = 10;
 
-std::string counted(std::size_t count, const std::string& what) {
+std::string countedThings(std::size_t count, const std::string& what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
@@ -49,13 +49,13 @@ void tellNotTaken(const Import& import, bool all) {
     std::map<std::tuple<std::string, std::string, std::string>, int> counts;
     for (const NotTaken& item : import.notTaken) {
         const int count = ++counts[{item.kind, item.layer, item.why}];
-        if (all || count <= mostOfAKind)
+        if (all || count <= mostNotTaken)
             print("  " + item.kind + " on layer " + inQuotes(item.layer) + ", " + placeText(item) + ": " + item.why +
                   '\n');
     }
     for (const auto& [key, count] : counts)
-        if (!all && count > mostOfAKind)
-            print("  and " + std::to_string(count - mostOfAKind) + " more " + std::get<0>(key) + " on layer " +
+        if (!all && count > mostNotTaken)
+            print("  and " + std::to_string(count - mostNotTaken) + " more " + std::get<0>(key) + " on layer " +
                   inQuotes(std::get<1>(key)) + ": " + std::get<2>(key) + "; --all lists them\n");
 }
 
@@ -69,10 +69,10 @@ void tellProblems(const Import& import) {
 
 std::string sceneLine(const Import& import, const std::filesystem::path& out) {
     const Scene& scene = *import.scene;
-    std::string line = out.string() + ": " + counted(scene.joints.size(), "joint") + ", " +
-                       counted(scene.tunnels.size(), "tunnel") + ", " + counted(scene.bolts.size(), "bolt");
+    std::string line = out.string() + ": " + countedThings(scene.joints.size(), "joint") + ", " +
+                       countedThings(scene.tunnels.size(), "tunnel") + ", " + countedThings(scene.bolts.size(), "bolt");
     if (import.cut)
-        line += "; cut into " + counted(static_cast<std::size_t>(import.cut->blocks), "block") + " of " +
+        line += "; cut into " + countedThings(static_cast<std::size_t>(import.cut->blocks), "block") + " of " +
                 rounded(import.cut->area) + " m²" +
                 (import.cut->notes.empty() ? "" : "; 'keyblock check' lists what was changed");
     return line + '\n';

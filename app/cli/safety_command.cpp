@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t mostListed = 10;  // blocks, and joints; --json has all
+constexpr std::size_t mostMoving = 10;  // blocks, and joints; --json has all
 const std::vector<TextColumn> runColumns{
     {"factor", Align::Right, 9}, {"", Align::Left, 10}, {"stage", Align::Left, 16}, {"outcome", Align::Left, 11},
     {"steps", Align::Right, 7}};
@@ -113,10 +113,10 @@ std::string answerLine(const SafetyFactor& found) {
     return found.upper ? "factor of safety below " + shown(*found.upper) + " (fails)\n" : "";
 }
 
-std::string blockTable(const std::vector<std::string>& names, const FailureMode& mode) {
+std::string movingBlocks(const std::vector<std::string>& names, const FailureMode& mode) {
     std::vector<TextRow> rows;
     for (const MovingBlock& block : mode.blocks)
-        if (rows.size() < mostListed)
+        if (rows.size() < mostMoving)
             rows.push_back({blockName(names, block.block), std::string(wordOf(block.movement)),
                             shown(block.displacement.x()), shown(block.displacement.y()), shown(block.rotation)});
     return textTable({{"largest movement"},
@@ -127,10 +127,10 @@ std::string blockTable(const std::vector<std::string>& names, const FailureMode&
                      rows);
 }
 
-std::string jointTable(const std::vector<std::string>& names, const FailureMode& mode) {
+std::string movingJoints(const std::vector<std::string>& names, const FailureMode& mode) {
     std::vector<TextRow> rows;
     for (const MovingJoint& joint : mode.joints)
-        if (rows.size() < mostListed)
+        if (rows.size() < mostMoving)
             rows.push_back({blockName(names, joint.blockA) + " on " + blockName(names, joint.blockB),
                             shown(joint.position.x()), shown(joint.position.y()), shown(joint.slip),
                             shown(joint.opening)});
@@ -152,7 +152,7 @@ std::string modeText(const Scene& solved, const SafetyFactor& found) {
     if (!found.mode || found.mode->blocks.empty())
         return text;
     const std::vector<std::string> names = blockNames(solved);
-    return text + "\n" + blockTable(names, *found.mode) + jointTable(names, *found.mode);
+    return text + "\n" + movingBlocks(names, *found.mode) + movingJoints(names, *found.mode);
 }
 
 ExitCode exitCodeOf(const SafetyFactor& found) {

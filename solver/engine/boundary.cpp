@@ -73,7 +73,7 @@ private:
     double near_;
 };
 
-void addLinks(const StepInput& input, StepProblem& problem) {
+void addDashpots(const StepInput& input, StepProblem& problem) {
     if (!problem.moves || input.loads.dashpots.empty()) return;
     const State& state = input.state;
     const SchemeFactors factors = factorsOf(input.options);
@@ -133,6 +133,6 @@ std::vector<std::size_t> supportsOn(const Model& model, const State& state, cons
     return supports;
 }
 
-const Carrier boundaryCarrier{.name = "dashpots", .addLinks = addLinks};
+const Carrier boundaryCarrier{.name = "dashpots", .addLinks = addDashpots};
 
 }  // namespace keyblock

@@ -53,7 +53,7 @@ void dampBodies(const Model& model, const Damping& damping, const SchemeFactors&
             problem.nodeStiffness[node++] += factors.rate.d * damping.mass * nodeMass(bolt, n);
 }
 
-void addLinks(const StepInput& input, StepProblem& problem) {
+void addDampingLinks(const StepInput& input, StepProblem& problem) {
     const Damping& damping = input.options.damping;
     if (damping == Damping{}) return;
     const Model& model = input.model;
@@ -84,6 +84,6 @@ double dampedWork(const Model& model, const State& state, const StepOptions& opt
     return work;
 }
 
-const Carrier dampingCarrier{.name = "damping", .addLinks = addLinks};
+const Carrier dampingCarrier{.name = "damping", .addLinks = addDampingLinks};
 
 }  // namespace keyblock

@@ -128,7 +128,7 @@ bool carries(const Model& model, const State& state, const GlueModel& glue) {
     return !state.blocks[glue.a].absent;  // with all cells of its block
 }
 
-void addLinks(const StepInput& input, StepProblem& problem) {
+void addGlueLinks(const StepInput& input, StepProblem& problem) {
     const StepOptions& options = input.options;
     if (!problem.moves || input.model.glue.empty()) return addGlueLinks(input.model, input.state, problem);
     addGlueLinksOver(input.model, input.state,
@@ -136,7 +136,7 @@ void addLinks(const StepInput& input, StepProblem& problem) {
                      factorsOf(options).armTime, problem);
 }
 
-void addStoredEnergy(const Model& model, const State& state, StoredEnergy& energy) {
+void addGlueEnergy(const Model& model, const State& state, StoredEnergy& energy) {
     StepProblem links = stepForLinks(model);
     addGlueLinks(model, state, links);
     energy.strain = addLinkEnergy(links, energy.strain);
@@ -241,6 +241,6 @@ bool glueHolds(const Model& model, const std::vector<BlockMotion>& from, const S
     return true;
 }
 
-const Carrier glueCarrier{.name = "glue", .addLinks = addLinks, .addStoredEnergy = addStoredEnergy};
+const Carrier glueCarrier{.name = "glue", .addLinks = addGlueLinks, .addStoredEnergy = addGlueEnergy};
 
 }  // namespace keyblock

@@ -31,11 +31,11 @@ void fixBoundary(const Scene& scene, const Support& support, Model& model, Bound
     }
 }
 
-void addLinks(const StepInput& input, StepProblem& problem) {
+void addSupportLinks(const StepInput& input, StepProblem& problem) {
     addSupportLinks(input.model, input.state, moveOf(input.options), problem);
 }
 
-void addStoredEnergy(const Model& model, const State& state, StoredEnergy& energy) {
+void addSupportEnergy(const Model& model, const State& state, StoredEnergy& energy) {
     StepProblem links = stepForLinks(model);
     addSupportLinks(model, state, {}, links);
     energy.strain = addLinkEnergy(links, energy.strain);
@@ -131,6 +131,6 @@ void restoreSupports(const Model& model, State& state) {
     }
 }
 
-const Carrier supportCarrier{.name = "point supports", .addLinks = addLinks, .addStoredEnergy = addStoredEnergy};
+const Carrier supportCarrier{.name = "point supports", .addLinks = addSupportLinks, .addStoredEnergy = addSupportEnergy};
 
 }  // namespace keyblock

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& folder, const std::error_code& error) {
+[[noreturn]] void failFolder(const fs::path& folder, const std::error_code& error) {
     throw CannotWrite(cannotWriteText(folder, error.value()));
 }
 
@@ -24,12 +24,12 @@ PartFolder::PartFolder(const fs::path& folder, const std::function<bool(const st
     : shown_(folder) {
     std::error_code error;
     target_ = fs::weakly_canonical(folder, error);
-    if (error) fail(folder, error);
+    if (error) failFolder(folder, error);
     if (!target_.has_filename()) target_ = target_.parent_path();
     checkTarget(isOurs);
     part_ = partPath(target_);
     fs::remove_all(part_, error);
-    if (!fs::create_directory(part_, error)) fail(folder, error);
+    if (!fs::create_directory(part_, error)) failFolder(folder, error);
 }
 
 PartFolder::~PartFolder() {
@@ -46,7 +46,7 @@ void PartFolder::putInPlace() const {
     if (!error) fs::rename(part_, target_, error);
     std::error_code ignored;
     if (error) fs::rename(old, target_, ignored);
-    if (error) fail(shown_, error);
+    if (error) failFolder(shown_, error);
     fs::remove_all(old, ignored);
 }
 
@@ -60,7 +60,7 @@ void PartFolder::checkTarget(const std::function<bool(const std::string&)>& isOu
         if (const std::string name = entry.path().filename().string(); !isOurs(name))
             throw CannotWrite("cannot write " + shown_.string() + ": the folder contains " + inQuotes(name) +
                               ", which is not part of such an export; choose a new or empty folder");
-    if (error) fail(shown_, error);
+    if (error) failFolder(shown_, error);
 }
 
 }  // namespace keyblock

@@ -17,30 +17,30 @@ struct Word {
     Measure measure = Measure::Number;
 };
 
-constexpr std::array<Word, 24> words{{{"s", Measure::Time},
-                                      {"ms", Measure::Time},
-                                      {"min", Measure::Time},
-                                      {"m", Measure::Length},
-                                      {"cm", Measure::Length},
-                                      {"mm", Measure::Length},
-                                      {"um", Measure::Length},
-                                      {"µm", Measure::Length},
-                                      {"ft", Measure::Length},
-                                      {"inch", Measure::Length},
-                                      {"N", Measure::Force},
-                                      {"kN", Measure::Force},
-                                      {"MN", Measure::Force},
-                                      {"N m", Measure::Moment},
-                                      {"kN m", Measure::Moment},
-                                      {"MN m", Measure::Moment},
-                                      {"J", Measure::Energy},
-                                      {"kJ", Measure::Energy},
-                                      {"MJ", Measure::Energy},
-                                      {"m/m"},
-                                      {"mm/m"},
-                                      {"%"},
-                                      {"1"},
-                                      {"-"}}};
+constexpr std::array<Word, 24> unitNames{{{"s", Measure::Time},
+                                          {"ms", Measure::Time},
+                                          {"min", Measure::Time},
+                                          {"m", Measure::Length},
+                                          {"cm", Measure::Length},
+                                          {"mm", Measure::Length},
+                                          {"um", Measure::Length},
+                                          {"µm", Measure::Length},
+                                          {"ft", Measure::Length},
+                                          {"inch", Measure::Length},
+                                          {"N", Measure::Force},
+                                          {"kN", Measure::Force},
+                                          {"MN", Measure::Force},
+                                          {"N m", Measure::Moment},
+                                          {"kN m", Measure::Moment},
+                                          {"MN m", Measure::Moment},
+                                          {"J", Measure::Energy},
+                                          {"kJ", Measure::Energy},
+                                          {"MJ", Measure::Energy},
+                                          {"m/m"},
+                                          {"mm/m"},
+                                          {"%"},
+                                          {"1"},
+                                          {"-"}}};
 
 /// By `Measure`.
 constexpr std::array<std::string_view, 6> measureWords{"number", "time", "length", "force", "moment", "energy"};
@@ -75,14 +75,14 @@ bool standsAlone(const MeasureUnit& unit) {
 }  // namespace
 
 std::optional<MeasureUnit> measureUnitOf(std::string_view word) {
-    const auto found = std::ranges::find(words, bare(word), [](const Word& known) { return bare(known.text); });
-    if (found == words.end()) return std::nullopt;
+    const auto found = std::ranges::find(unitNames, bare(word), [](const Word& known) { return bare(known.text); });
+    if (found == unitNames.end()) return std::nullopt;
     return MeasureUnit{found->measure, readUnit(found->text).value_or(Unit{})};  // `-` is a pure number
 }
 
 std::string measureUnitWords() {
     std::string text;
-    for (const Word& word : words) text += (text.empty() ? "" : ", ") + std::string(word.text);
+    for (const Word& word : unitNames) text += (text.empty() ? "" : ", ") + std::string(word.text);
     return text;
 }
 

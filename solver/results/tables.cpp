@@ -17,7 +17,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> words{"history", "events", "bolts", "blocks", "contacts", "energy", "forces"};
+constexpr std::array<std::string_view, 7> kindWords{"history", "events", "bolts", "blocks", "contacts", "energy", "forces"};
 
 using Columns = std::vector<std::string_view>;
 
@@ -196,13 +196,13 @@ void writeEnergy(const RunSource& run, const TableFilter& filter, CsvWriter& csv
 
 }  // namespace
 
-std::span<const std::string_view> tableWords() { return words; }
+std::span<const std::string_view> tableWords() { return kindWords; }
 
 std::optional<TableKind> tableKindOf(std::string_view word) {
-    const auto found = std::find(words.begin(), words.end(), word);
-    if (found == words.end())
+    const auto found = std::find(kindWords.begin(), kindWords.end(), word);
+    if (found == kindWords.end())
         return std::nullopt;
-    return static_cast<TableKind>(found - words.begin());
+    return static_cast<TableKind>(found - kindWords.begin());
 }
 
 bool hasBolts(TableKind kind) { return kind == TableKind::Bolts || kind == TableKind::Events; }

@@ -20,9 +20,9 @@ namespace keyblock {
 
 namespace {
 
-constexpr double share = 0.1;  // of the largest movement, to be reported
+constexpr double reportedShare = 0.1;  // of the largest movement, to be reported
 constexpr double plumb = 0.984807753012208;  // cos 10°
-constexpr double touching = 0.01;  // of the smaller block: its corners so near to an edge touch it
+constexpr double touchingCorner = 0.01;  // of the smaller block: its corners so near to an edge touch it
 constexpr double onEdge = 1e-6;  // of the block: a corner may lie on two edges
 
 double sizeOf(const BlockState& block) {
@@ -70,7 +70,7 @@ double movement(const MovingJoint& joint) { return std::hypot(joint.slip, joint.
 template <typename Row, typename Measure>
 void keepLargest(std::vector<Row>& rows, const Measure& measure) {
     std::ranges::stable_sort(rows, [&](const Row& a, const Row& b) { return measure(a) > measure(b); });
-    const double least = rows.empty() ? 0.0 : share * measure(rows.front());
+    const double least = rows.empty() ? 0.0 : reportedShare * measure(rows.front());
     std::erase_if(rows, [&](const Row& row) { return measure(row) < least || measure(row) == 0.0; });
 }
 
@@ -133,7 +133,7 @@ void addTouches(const Frame& frame, std::size_t a, std::size_t b, double distanc
 
 /// Where two blocks lie against each other along a length; empty where only corners meet.
 std::vector<Touch> touchesOf(const Frame& frame, std::size_t a, std::size_t b) {
-    const double smaller = std::min(sizeOf(frame.blocks[a]), sizeOf(frame.blocks[b])), distance = touching * smaller;
+    const double smaller = std::min(sizeOf(frame.blocks[a]), sizeOf(frame.blocks[b])), distance = touchingCorner * smaller;
     std::vector<Touch> touches;
     if (isApart(frame.blocks[a], frame.blocks[b], distance)) return touches;
     addTouches(frame, a, b, distance, touches);

@@ -46,7 +46,7 @@ bool isHeld(const Scene& cut, std::size_t block) {
 }
 
 /// Where the point of a block was that is at `place` now.
-Point placeBefore(const BlockState& before, const BlockState& now, const Point& place) {
+Point placeAtFreezing(const BlockState& before, const BlockState& now, const Point& place) {
     const Eigen::Rotation2Dd turn(before.rotation - now.rotation);
     return before.centroid + turn * Point(place - now.centroid);
 }
@@ -106,7 +106,7 @@ private:
     FrozenForce frozen(const BlockForce& force, const StageFrames& stage) const {
         const auto row = static_cast<std::size_t>(force.block);
         const BlockState &before = stage.first.blocks[row], &now = stage.last.blocks[row];
-        const Point at = placeBefore(before, now, force.position);
+        const Point at = placeAtFreezing(before, now, force.position);
         return {force.block, pointInside(before.points), withinOutline(cut_.blocks[rockOf(force.block)].points, at),
                 force.force};
     }

@@ -33,7 +33,7 @@ constexpr double passesAnIncrement = 3.0, passesARelease = 7.0, passesATimeStep 
 constexpr double passesARockSearch = 200.0, passesARockStep = 4.0;
 constexpr int slidingIncrements = 12, flowingIncrements = 50;  // chosen for a stage in which joints slide, bolts flow
 constexpr double releasedShare = 0.7;  // of what can fail
-constexpr int rock = 20;  // free blocks with three contacts each that may slide: so many are jointed rock
+constexpr int jointedRock = 20;  // free blocks with three contacts each that may slide: so many are jointed rock
 
 constexpr double startSeconds = 0.03;  // of the program and its run store
 constexpr double frameSeconds = 1e-3;  // to keep a frame
@@ -146,7 +146,7 @@ Nature natureOf(const Model& model, const State& start, const ModelCounts& count
     });
     const int free = counts.blocks - counts.cells - counts.fixed;
     nature.jointed =
-        free >= rock && std::count_if(start.contacts.begin(), start.contacts.end(), slides) >= 3 * free;
+        free >= jointedRock && std::count_if(start.contacts.begin(), start.contacts.end(), slides) >= 3 * free;
     nature.shears = std::any_of(model.bolts.begin(), model.bolts.end(), [](const BoltModel& bolt) {
         return bolt.hinges && !bolt.joints.empty();
     });

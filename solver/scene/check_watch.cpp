@@ -21,7 +21,7 @@ const Bolt* findBolt(const Scene& scene, const std::string& name) {
     return found == scene.bolts.end() ? nullptr : &*found;
 }
 
-std::vector<std::string_view> boltNames(const Scene& scene) {
+std::vector<std::string_view> namesOfBolts(const Scene& scene) {
     std::vector<std::string_view> names;
     for (const Bolt& bolt : scene.bolts)
         names.push_back(bolt.name);
@@ -32,7 +32,7 @@ std::string placeKey(const Monitor& monitor) {
     return monitor.at ? "at" : monitor.atFromHead ? "at_from_head" : "at_fraction";
 }
 
-void checkPlace(const Monitor& monitor, const Bolt& bolt, const std::string& pointer, CheckReport& report) {
+void checkMonitorPlace(const Monitor& monitor, const Bolt& bolt, const std::string& pointer, CheckReport& report) {
     const int places = (monitor.at ? 1 : 0) + (monitor.atFromHead ? 1 : 0) + (monitor.atFraction ? 1 : 0);
     if (places > 1)
         return report.error(pointer, "the monitor gives more than one position along the bolt",
@@ -51,10 +51,10 @@ void checkPlace(const Monitor& monitor, const Bolt& bolt, const std::string& poi
 
 void checkBoltMonitor(const Monitor& monitor, const std::string& pointer, CheckContext& context) {
     if (const Bolt* bolt = findBolt(context.scene, *monitor.bolt))
-        return checkPlace(monitor, *bolt, pointer, context.report);
+        return checkMonitorPlace(monitor, *bolt, pointer, context.report);
     if (context.isCut)
         context.report.error(under(pointer, "bolt"), "there is no bolt " + inQuotes(*monitor.bolt),
-                             suggestion(*monitor.bolt, boltNames(context.scene)));
+                             suggestion(*monitor.bolt, namesOfBolts(context.scene)));
 }
 
 void checkBetween(const Monitor& monitor, const std::string& pointer, CheckContext& context) {

@@ -12,7 +12,7 @@ namespace keyblock {
 namespace {
 
 constexpr int largestSeed = 2147483647;
-constexpr std::string_view traces = translatable("Fields", "Traces");
+constexpr std::string_view tracesTitle = translatable("Fields", "Traces");
 constexpr std::string_view wholeDomain = translatable("Fields", "whole domain");
 
 template <double SceneCut::*limit>
@@ -99,21 +99,21 @@ const Structure& structureOf(const SceneJointSet*) {
             row<&SceneJointSet::spacingDeviation>("spacing_deviation", "Standard deviation of the spacing.",
                                                   {.unit = "m", .range = atLeast(0)}),
             row<&SceneJointSet::traceLength>("trace_length", "Mean length of a trace; null: through-going.",
-                                             {.unit = "m", .range = above(0), .heading = traces,
+                                             {.unit = "m", .range = above(0), .heading = tracesTitle,
                                               .nullText = translatable("Fields", "through-going")}),
             row<&SceneJointSet::traceLengthDeviation>("trace_length_deviation", "Standard deviation of the trace length.",
                                                       {.label = translatable("Fields", "Length deviation"),
                                                        .unit = "m", .range = atLeast(0), .only = withLength,
-                                                       .heading = traces}),
+                                                       .heading = tracesTitle}),
             row<&SceneJointSet::bridge>("bridge", "Mean length of the rock bridge between two traces of a line.",
-                                        {.unit = "m", .range = atLeast(0), .only = withLength, .heading = traces}),
+                                        {.unit = "m", .range = atLeast(0), .only = withLength, .heading = tracesTitle}),
             row<&SceneJointSet::bridgeDeviation>("bridge_deviation", "Standard deviation of the bridge.",
                                                  {.unit = "m", .range = atLeast(0), .only = withLength,
-                                                  .heading = traces}),
+                                                  .heading = tracesTitle}),
             row<&SceneJointSet::stagger>("stagger",
                                          "Offset of each line from the previous one, as a share of trace length plus "
                                          "bridge; null: random.",
-                                         {.only = withLength, .heading = traces,
+                                         {.only = withLength, .heading = tracesTitle,
                                           .nullText = translatable("Fields", "random")}),
             row<&SceneJointSet::origin>("origin", "Centre of the first trace.", {.unit = "m"}),
             row<&SceneJointSet::seed>("seed", "Random seed.",

@@ -14,7 +14,7 @@ const Only dynamicOnly{.key = "kind", .words = {"dynamic"}};
 
 constexpr std::string_view pointInBlock = translatable("Fields", "Point in block");
 constexpr std::string_view unchanged = translatable("Fields", "unchanged");
-constexpr std::string_view activation = translatable("Fields", "Excavation and support");
+constexpr std::string_view activationTitle = translatable("Fields", "Excavation and support");
 
 double usualBody(const Scene&) { return automaticBody; }
 double usualSmallest(const Scene&) { return automaticSmallest; }
@@ -248,15 +248,15 @@ const Structure& structureOf(const Stage*) {
             row<&Stage::excavate>("excavate",
                                   "Names of tunnels and blocks that are excavated at the start of this stage. A tunnel "
                                   "that no stage excavates is open from the start.",
-                                  {.names = {"tunnels", "blocks"}, .heading = activation}),
+                                  {.names = {"tunnels", "blocks"}, .heading = activationTitle}),
             row<&Stage::install>("install",
                                  "Names of bolts and patterns that are installed at the start of this stage, "
                                  "unstressed in the rock as it is at that time. Bolts that no stage installs are "
                                  "present from the start.",
-                                 {.names = {"bolt_patterns", "bolts"}, .heading = activation}),
+                                 {.names = {"bolt_patterns", "bolts"}, .heading = activationTitle}),
             row<&Stage::remove>("remove",
                                 "Names of bolts and patterns that are removed at the start of this stage.",
-                                {.names = {"bolt_patterns", "bolts"}, .heading = activation}),
+                                {.names = {"bolt_patterns", "bolts"}, .heading = activationTitle}),
             row<&Stage::zeroDisplacements>("zero_displacements",
                                            "Whether displacements of blocks, monitors and motions are counted from the "
                                            "start of this stage."),
@@ -274,7 +274,7 @@ const Structure& structureOf(const Stage*) {
                                     "Relaxation: share of the forces of the excavated rock on its walls that is "
                                     "released, at a constant rate, by the end of the stage; the rest keeps acting "
                                     "until a later stage releases it. Null: all of what this stage excavates, at once "
-                                    "in a dynamic stage.", {.range = within(0, 1), .heading = activation}),
+                                    "in a dynamic stage.", {.range = within(0, 1), .heading = activationTitle}),
             row<&Stage::onCollapse>("on_collapse",
                                     "What follows if the stage ends in collapse: the next stage, or first the motion "
                                     "of the falling blocks, as rows of a separate dynamic stage, called by the name of "

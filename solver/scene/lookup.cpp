@@ -43,7 +43,7 @@ int findBlock(const Scene& scene, const Point& place, double tolerance, bool bou
 }
 
 template <typename Pairs>
-int indexOfKey(const Pairs& pairs, const std::string& key) {
+int indexOfPair(const Pairs& pairs, const std::string& key) {
     const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const auto& pair) { return pair.first == key; });
     return found == pairs.end() ? -1 : static_cast<int>(found - pairs.begin());
 }
@@ -77,12 +77,12 @@ int blockWithPoint(const Scene& scene, const Point& point) {
 }
 
 const Material& materialOf(const Scene& scene, const Block& block) {
-    return scene.materials.at(static_cast<std::size_t>(indexOfKey(scene.materials, block.material))).second;
+    return scene.materials.at(static_cast<std::size_t>(indexOfPair(scene.materials, block.material))).second;
 }
 
 int jointMaterialIndex(const Scene& scene, const Block& block) {
     if (block.jointMaterial)
-        return indexOfKey(scene.jointMaterials, *block.jointMaterial);
+        return indexOfPair(scene.jointMaterials, *block.jointMaterial);
     return scene.jointMaterials.empty() ? -1 : 0;
 }
 

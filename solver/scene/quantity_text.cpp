@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<std::pair<std::string_view, Reduction>, 4> reductions{
     {{"max", Reduction::Max}, {"min", Reduction::Min}, {"last", Reduction::Last}, {"first", Reduction::First}}};
 
-std::string_view trimmed(std::string_view text) {
+std::string_view withoutSpaces(std::string_view text) {
     const auto first = text.find_first_not_of(' ');
     if (first == std::string_view::npos)
         return {};
@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
 std::string_view takeWord(std::string_view& text) {
     const auto end = std::min(text.find(' '), text.size());
     const std::string_view word = text.substr(0, end);
-    text = trimmed(text.substr(end));
+    text = withoutSpaces(text.substr(end));
     return word;
 }
 
@@ -54,7 +54,7 @@ int indexOfKey(const Rows& rows, std::string_view key) {
 }
 
 template <typename Named>
-int indexOfName(const std::vector<Named>& items, std::string_view name) {
+int indexNamed(const std::vector<Named>& items, std::string_view name) {
     const auto found = std::find_if(items.begin(), items.end(), [&](const Named& item) { return item.name == name; });
     return found == items.end() ? -1 : static_cast<int>(found - items.begin());
 }
@@ -96,15 +96,15 @@ SubjectReading unknownSubject(std::string_view name, const Scene& scene) {
 }
 
 SubjectReading readSubject(std::string_view text, const Scene& scene) {
-    if (const int monitor = indexOfName(scene.monitors, text); monitor >= 0)
+    if (const int monitor = indexNamed(scene.monitors, text); monitor >= 0)
         return wholeMonitor(monitor, scene);
     const auto dot = text.rfind('.');
     if (dot == std::string_view::npos)
         return unknownSubject(text, scene);
     const std::string_view name = text.substr(0, dot);
     const std::string_view part = text.substr(dot + 1);
-    const int monitor = indexOfName(scene.monitors, name);
-    const int bolt = indexOfName(scene.bolts, name);
+    const int monitor = indexNamed(scene.monitors, name);
+    const int bolt = indexNamed(scene.bolts, name);
     if (bolt >= 0 && (monitor < 0 || indexOfKey(boltQuantityRows, part) >= 0))
         return boltPart(bolt, part, scene);
     if (monitor >= 0)
@@ -117,7 +117,7 @@ SubjectReading readSubject(std::string_view text, const Scene& scene) {
 int monitorValueCount(const Monitor& monitor) { return monitor.point ? 2 : 1; }
 
 QuantityReading readQuantity(std::string_view text, const Scene& scene) {
-    std::string_view rest = trimmed(text);
+    std::string_view rest = withoutSpaces(text);
     const std::string_view word = takeWord(rest);
     const auto reduction = std::find_if(reductions.begin(), reductions.end(),
                                         [&](const auto& entry) { return entry.first == word; });

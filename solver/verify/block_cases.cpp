@@ -17,9 +17,6 @@ namespace keyblock {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double hardRock = 60e9;  // [Pa]
-
 Monitor pointMonitor(const std::string& name, const Point& at) {
     Monitor monitor;
     monitor.name = name;

@@ -10,16 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <tuple>
 
 namespace keyblock {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double hardRock = 60e9;  // [Pa]
-constexpr double density = 2700.0;  // [kg/m³] of the verification's rock
+constexpr double rockDensity = 2700.0;  // [kg/m³] of the verification's rock
 constexpr double modesSeen = 0.1;  // [s] after which a block's mode is determined
 constexpr double moved = 5e-5;  // [m, rad]: less is elastic
 
@@ -63,8 +60,8 @@ Momenta momentaAtEnd(const Results& results) {
     for (std::size_t i = 0; i < last.blocks.size(); ++i) {
         const BlockState& block = last.blocks[i];
         const double spin = (block.rotation - before.blocks[i].rotation) / (last.time - before.time);
-        sum.linear += density * block.velocity;
-        sum.angular += density * (cross(block.centroid, block.velocity) + spin / 6.0);
+        sum.linear += rockDensity * block.velocity;
+        sum.angular += rockDensity * (cross(block.centroid, block.velocity) + spin / 6.0);
         sum.largestSpin = std::max(sum.largestSpin, std::abs(spin));
     }
     return sum;
@@ -73,7 +70,7 @@ Momenta momentaAtEnd(const Results& results) {
 void collide(Checks& checks, const std::string& name, const Scene& scene, const Point& linear, double angular) {
     const Solved solved = solve(scene);
     const Momenta after = momentaAtEnd(solved.results);
-    const double scale = std::max(linear.norm(), density);
+    const double scale = std::max(linear.norm(), rockDensity);
     const double slower = solved.results.frames.back().blocks[0].velocity.x();
     const bool met = slower < 0.9 * scene.stages[0].initialVelocities[0].velocity.x();
     checks.absolute(name + ": the blocks collided", met ? 1.0 : 0.0, 1.0, 0.0);
@@ -86,18 +83,18 @@ std::vector<CaseResult> freeCollision() {
     Scene flat = twoSquares(0.0);
     push(flat, 0, {1.0, 0.0}, 0.0);
     checks.absolute("flat: spin [rad/s]", momentaAtEnd(solve(flat).results).largestSpin, 0.0, 1e-9);
-    collide(checks, "flat", flat, density * Point(1.0, 0.0), -0.5 * density);
+    collide(checks, "flat", flat, rockDensity * Point(1.0, 0.0), -0.5 * rockDensity);
 
     Scene offset = twoSquares(0.6);
     push(offset, 0, {1.0, 0.0}, 0.0);
-    collide(checks, "off centre", offset, density * Point(1.0, 0.0), -0.5 * density);
+    collide(checks, "off centre", offset, rockDensity * Point(1.0, 0.0), -0.5 * rockDensity);
 
     Scene grazing = twoSquares(0.3);
     push(grazing, 0, {1.0, 0.7}, 0.5);
     push(grazing, 1, {-0.4, -0.2}, 0.0);
-    const Point left = density * Point(1.0, 0.7), right = density * Point(-0.4, -0.2);
+    const Point left = rockDensity * Point(1.0, 0.7), right = rockDensity * Point(-0.4, -0.2);
     collide(checks, "turning, past each other", grazing, left + right,
-            cross(Point(0.5, 0.5), left) + cross(Point(1.501, 0.8), right) + density * 0.5 / 6.0);
+            cross(Point(0.5, 0.5), left) + cross(Point(1.501, 0.8), right) + rockDensity * 0.5 / 6.0);
     return checks.take();
 }
 

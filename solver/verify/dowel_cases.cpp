@@ -17,7 +17,6 @@ namespace keyblock {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double grout = 27.08e9;  // [N/m²] 2·E_g/(D/d − 1), E_g 8.8 GPa, hole 33 mm, bar 20 mm
 
 Monitor jointQuantity(const Scene& scene, const std::string& name, BoltQuantity quantity) {

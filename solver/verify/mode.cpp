@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double modulus = 60e6, density = 2700.0, firstStress = 100.0;
+constexpr double modeModulus = 60e6, modeDensity = 2700.0, firstStress = 100.0;
 
 double radiusOf(const Eigen::MatrixXd& matrix) { return matrix.eigenvalues().cwiseAbs().maxCoeff(); }
 
@@ -46,8 +46,8 @@ Eigen::Matrix3d stepMatrix(const ModeSetting& s) {
 }  // namespace
 
 std::vector<double> modeSeries(const ModeSetting& setting) {
-    const double frequency = std::sqrt(12.0 * modulus / density), step = setting.eta / frequency;
-    Scene scene = emptyScene(modulus, 0.0, 30.0);
+    const double frequency = std::sqrt(12.0 * modeModulus / modeDensity), step = setting.eta / frequency;
+    Scene scene = emptyScene(modeModulus, 0.0, 30.0);
     scene.blocks = {boxBlock("block", {0, 0}, {1, 1})};
     scene.blocks[0].initialStress = {firstStress, 0.0, 0.0};
     scene.analysis.damping = {2.0 * setting.massShare * frequency, 2.0 * setting.stiffnessShare / frequency};

@@ -24,7 +24,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double radius = 1.0;  // [m] of the opening
 constexpr double boundary = 20.0;  // [m]: held there, the rock is too stiff by some (radius/boundary)² at the opening
 constexpr double sideways = -2e6, upright = -1e6;  // [Pa] the stress in situ
-constexpr double modulus = 10e9;  // [Pa]
+constexpr double openingModulus = 10e9;  // [Pa]
 constexpr double unbreakable = 1e15;  // [Pa]
 constexpr double nearest = 1.2, farthest = 3.0;  // [radii] where stresses are compared
 
@@ -85,7 +85,7 @@ void cutIntoTriangles(Scene& scene, const std::vector<std::vector<Point>>& rings
 }
 
 Scene openingScene(int sides) {
-    Scene scene = emptyScene(modulus, 0.25, 30.0);
+    Scene scene = emptyScene(openingModulus, 0.25, 30.0);
     scene.analysis.plane = Plane::Strain;
     scene.jointMaterials[0].second.cohesion = unbreakable;
     scene.jointMaterials[0].second.tensileStrength = unbreakable;

@@ -16,10 +16,10 @@ namespace keyblock {
 
 namespace {
 
-constexpr double friction = 54e3;  // [N/m]
+constexpr double boltFriction = 54e3;  // [N/m]
 constexpr double firstEnd = 1.0, secondStart = 1.2, secondEnd = 2.2;  // [m] the blocks along the bolt
 constexpr double farEnd = 0.2, head = 3.0, drawn = 2.1;  // [m]
-constexpr double speed = 1.0, timeStep = 1e-3, faster = 0.1;  // [m/s, s]; after [m] the bolt is drawn at that speed
+constexpr double drawSpeed = 1.0, timeStep = 1e-3, faster = 0.1;  // [m/s, s]; after [m] the bolt is drawn at that speed
 constexpr double shortest = 0.02;  // [m] embedded: less is compared with this length
 
 /// Two fixed blocks with a gap between them, and a third that draws the bolt by its head.
@@ -34,7 +34,7 @@ Scene drawnThrough() {
     }
     BoltType type = linearType(380e-6, 200e9);
     type.boltClass = BoltClass::CFC;
-    Anchor rubbing = anchorRange(Per::Length, AnchorLaw::Frictional, 75e6, friction, 0.0);
+    Anchor rubbing = anchorRange(Per::Length, AnchorLaw::Frictional, 75e6, boltFriction, 0.0);
     rubbing.to = {false, 2.0};
     type.anchors = {rubbing, anchorAt(head - farEnd, AnchorLaw::Elastic, 1e9)};
     addBolt(scene, type, farEnd, head, 84, PlateKind::None);
@@ -46,7 +46,7 @@ Scene drawnThrough() {
 }
 
 /// Axial force where the bolt crosses x [N].
-double forceAt(const BoltFrame& bolt, double x) {
+double axialForceAt(const BoltFrame& bolt, double x) {
     for (std::size_t n = 0; n + 1 < bolt.nodes.size(); ++n)
         if (bolt.nodes[n].position.x() <= x && bolt.nodes[n + 1].position.x() > x) return bolt.nodes[n].axialForce;
     return 0.0;
@@ -69,10 +69,10 @@ void follow(Passage& passage, const Frame& frame, double from, double lag) {
     const double inFirst = std::max(0.0, firstEnd - tip);
     const double inBoth = inFirst + std::max(0.0, secondEnd - std::max(secondStart, tip));
     const auto off = [](double force, double embedded) {
-        return std::abs(force - friction * embedded) / (friction * std::max(embedded, shortest));
+        return std::abs(force - boltFriction * embedded) / (boltFriction * std::max(embedded, shortest));
     };
-    passage.gapForce = std::max(passage.gapForce, off(forceAt(bolt, 0.5 * (firstEnd + secondStart)), inFirst));
-    passage.lastForce = forceAt(bolt, 0.5 * (secondEnd + 2.6));
+    passage.gapForce = std::max(passage.gapForce, off(axialForceAt(bolt, 0.5 * (firstEnd + secondStart)), inFirst));
+    passage.lastForce = axialForceAt(bolt, 0.5 * (secondEnd + 2.6));
     passage.pullForce = std::max(passage.pullForce, off(passage.lastForce, inBoth));
 }
 
@@ -97,7 +97,7 @@ void compare(Checks& checks, const std::string& how, const Scene& scene, double 
     const Passage passage = passageOf(solved.results, from, lag);
     checks.absolute(how + ": force in the gap, deviation from friction × embedded length", passage.gapForce, 0.0, 1e-2);
     checks.absolute(how + ": force behind the second block, likewise", passage.pullForce, 0.0, 1e-2);
-    checks.absolute(how + ": force at the end [N]", passage.lastForce, 0.0, 1e-2 * friction * shortest);
+    checks.absolute(how + ": force at the end [N]", passage.lastForce, 0.0, 1e-2 * boltFriction * shortest);
     checks.absolute(how + ": the tip's blocks are 1, none, 2, none", passage.wayOfTip, 1.0, 0.0);
     checks.absolute(how + ": pulled out of a block", countOf(solved, EventKind::PulledOut), 2.0, 0.0);
     checks.absolute(how + ": debondings after the first loading", countOf(solved, EventKind::Debonding), 54.0, 0.0);
@@ -112,11 +112,11 @@ std::vector<CaseResult> pullRightOut() {
     Stage& stage = scene.stages.front();
     stage.kind = StageKind::Dynamic;
     stage.increments.reset();
-    const double start = 2.0 * faster / speed;
-    stage.duration = start + (drawn - faster) / speed;
+    const double start = 2.0 * faster / drawSpeed;
+    stage.duration = start + (drawn - faster) / drawSpeed;
     stage.timeStep = timeStep;
     stage.motions.front().table = {{0.0, 0.0}, {start, faster}, {stage.duration, drawn}};
-    compare(checks, "in motion", scene, faster, speed * timeStep);
+    compare(checks, "in motion", scene, faster, drawSpeed * timeStep);
     return checks.take();
 }
 

@@ -15,7 +15,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double noReading = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t columnOf(const Scene& scene, const std::string& monitor, int component) {
     const auto found = std::find_if(scene.monitors.begin(), scene.monitors.end(),
@@ -44,7 +44,7 @@ Solved solve(Scene scene) {
 }
 
 double reading(const Solved& solved, const std::string& quantity) {
-    return measure(quantity, solved.scene, solved.results).value.value_or(none);
+    return measure(quantity, solved.scene, solved.results).value.value_or(noReading);
 }
 
 std::vector<double> series(const Solved& solved, const std::string& monitor, int component) {
@@ -72,7 +72,7 @@ double loadAtOpening(const std::vector<std::pair<double, double>>& path, double 
         const auto& [x1, y1] = path[i];
         if (x0 <= opening && opening <= x1 && x1 > x0) return y0 + (y1 - y0) * (opening - x0) / (x1 - x0);
     }
-    return none;
+    return noReading;
 }
 
 std::vector<Release> releases(const Solved& solved) {
@@ -82,8 +82,8 @@ std::vector<Release> releases(const Solved& solved) {
         if (!letsGo(event.kind)) continue;
         const HistoryRow* row = rowBefore(solved.results, event);
         const bool ofElement = event.kind == EventKind::TensileRupture || event.kind == EventKind::ShearRupture;
-        found.push_back({event.kind, ofElement ? event.element : event.node, row ? row->values[opening] : none,
-                         row ? row->values[load] : none});
+        found.push_back({event.kind, ofElement ? event.element : event.node, row ? row->values[opening] : noReading,
+                         row ? row->values[load] : noReading});
     }
     return found;
 }

@@ -10,7 +10,6 @@
 #include "solver/verify/scenes.h"
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <tuple>
 
@@ -18,7 +17,6 @@ namespace keyblock {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double unitWeight = 26e3;  // [N/m³]
 
 /// Rock from the roof line y = 0 up to `top` between `left` and `right`, cut by joints, under −`stress` along x.

@@ -8,11 +8,14 @@
 
 #include "solver/scene/scene.h"
 
+#include <numbers>
 #include <string>
 
 namespace keyblock {
 
+inline constexpr double degree = std::numbers::pi / 180.0;  // [rad]
 inline constexpr double gravity = 9.81;  // [m/s²]
+inline constexpr double hardRock = 60e9;  // [Pa] Young's modulus
 inline constexpr double rigidRock = 6e13;  // [Pa] Young's modulus of rock that is practically rigid relative to a bolt
 
 /// A scene without blocks: plane stress, 1 m thick, one rock material and one joint material.

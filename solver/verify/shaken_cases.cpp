@@ -16,8 +16,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double slope = 20.0, friction = 22.0;  // [°]
+constexpr double planeSlope = 20.0, friction = 22.0;  // [°]
 constexpr double amplitude = 0.1 * gravity, frequency = 1.0, duration = 5.0;
 
 Sine shaking() { return {amplitude, frequency, 0.0}; }
@@ -54,18 +53,18 @@ struct Shaken {
 };
 
 Shaken shake(const std::optional<Acceleration>& body, const std::optional<Acceleration>& base) {
-    Scene scene = inclineScene(slope, friction, duration);
+    Scene scene = inclineScene(planeSlope, friction, duration);
     scene.stages[0].bodyAcceleration = body;
     scene.stages[0].baseAcceleration = base;
     const Solved solved = solve(scene);
-    return {slidDown(solved, slope), series(solved, "slider", 0)};
+    return {slidDown(solved, planeSlope), series(solved, "slider", 0)};
 }
 
 /// A rigid block under g and a horizontal acceleration a(t): normal force N = g cos α − a sin α, drive g sin α + a cos α
 /// down the slope; it starts to slide where the drive passes N·tan φ and stops where its velocity does. Up the slope
 /// it is held.
 double slidRigid(double towards) {
-    const double a = slope * degree, mu = std::tan(friction * degree);
+    const double a = planeSlope * degree, mu = std::tan(friction * degree);
     const double dt = 1e-5;
     double v = 0.0, s = 0.0;
     for (int i = 0; i < static_cast<int>(std::lround(duration / dt)); ++i) {

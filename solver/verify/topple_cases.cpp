@@ -12,16 +12,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 namespace keyblock {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double baseDip = 30.0 * degree, unitWeight = 25e3;  // [N/m³]
-constexpr double width = 10.0, rise = 1.0;  // [m] of a column; of its base over the next one's below
+constexpr double baseDip = 30.0 * degree, columnWeight = 25e3;  // [N/m³]
+constexpr double columnWidth = 10.0, baseRise = 1.0;  // [m] of a column; of its base over the next one's below
 constexpr std::array<double, 16> heights{4,  8,  12, 16, 20, 24, 28, 32,
                                          36, 40, 34, 28, 22, 16, 10, 4};  // [m] from the toe up
 constexpr int columns = static_cast<int>(heights.size());
@@ -29,7 +27,7 @@ constexpr double watched = 1.5;  // [s]
 constexpr double moving = 0.05;  // [m/s] then: what holds has come to rest but for a hundredth of this or less
 
 /// Top of a column above the lowest base, square to the bases [m].
-double topOf(int n) { return rise * n + heights[static_cast<std::size_t>(n)]; }
+double topOfColumn(int n) { return baseRise * n + heights[static_cast<std::size_t>(n)]; }
 
 /// Force that the toe needs from outside at a friction of `tangent`, over the unit weight (Goodman and Bray 1976). From
 /// the crest down each column hands on what would else topple it about its lower corner or let it slide, whichever is
@@ -38,13 +36,13 @@ double forceAtToe(double tangent) {
     const double s = std::sin(baseDip), c = std::cos(baseDip);
     double push = 0.0;
     for (int n = columns - 1; n >= 0; --n) {
-        const double height = heights[static_cast<std::size_t>(n)], weight = width * height, base = rise * n;
+        const double height = heights[static_cast<std::size_t>(n)], weight = columnWidth * height, base = baseRise * n;
         const double slides = push - weight * (c * tangent - s) / (1.0 - tangent * tangent);
         double topples = 0.0;
         if (n > 0) {
-            const double above = n + 1 < columns ? std::min(topOf(n), topOf(n + 1)) - base : 0.0;
-            const double below = std::min(topOf(n), topOf(n - 1)) - base;
-            topples = (push * (above - width * tangent) + 0.5 * weight * (height * s - width * c)) / below;
+            const double above = n + 1 < columns ? std::min(topOfColumn(n), topOfColumn(n + 1)) - base : 0.0;
+            const double below = std::min(topOfColumn(n), topOfColumn(n - 1)) - base;
+            topples = (push * (above - columnWidth * tangent) + 0.5 * weight * (height * s - columnWidth * c)) / below;
         }
         push = n > 0 ? std::max({topples, slides, 0.0}) : slides;
     }
@@ -65,17 +63,19 @@ double criticalAngle() {
 Scene slopeScene(double frictionAngle) {
     Scene scene = emptyScene(60e9, 0.25, frictionAngle);
     scene.analysis.gravity = {-gravity * std::sin(baseDip), -gravity * std::cos(baseDip)};
-    scene.materials[0].second.density = unitWeight / gravity;
+    scene.materials[0].second.density = columnWeight / gravity;
     for (int n = 0; n < columns; ++n) {
-        const double left = width * n, base = rise * n;
-        const double from = n == 0 ? -3.0 * width : left;  // the toe slides out on the lowest step
-        scene.blocks.push_back(boxBlock("step " + std::to_string(n + 1), {from, -2.0 * width}, {left + width, base}));
+        const double left = columnWidth * n, base = baseRise * n;
+        const double from = n == 0 ? -3.0 * columnWidth : left;  // the toe slides out on the lowest step
+        scene.blocks.push_back(
+            boxBlock("step " + std::to_string(n + 1), {from, -2.0 * columnWidth}, {left + columnWidth, base}));
         Support support;
-        support.blockAt = Point(left + 0.5 * width, -width);
+        support.blockAt = Point(left + 0.5 * columnWidth, -columnWidth);
         scene.supports.push_back(support);
     }
     for (int n = 0; n < columns; ++n)
-        scene.blocks.push_back(boxBlock(std::to_string(n + 1), {width * n, rise * n}, {width * (n + 1), topOf(n)}));
+        scene.blocks.push_back(
+            boxBlock(std::to_string(n + 1), {columnWidth * n, baseRise * n}, {columnWidth * (n + 1), topOfColumn(n)}));
     Stage stage;
     stage.name = "gravity";
     stage.kind = StageKind::Dynamic;

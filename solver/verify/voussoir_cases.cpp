@@ -22,8 +22,8 @@ namespace keyblock {
 namespace {
 
 constexpr double span = 10.0, depth = 0.5;  // [m]
-constexpr double modulus = 10e9;  // [Pa]
-constexpr double unitWeight = 25e3;  // [N/m³]
+constexpr double beamModulus = 10e9;  // [Pa]
+constexpr double beamWeight = 25e3;  // [N/m³]
 
 /// γ·t·s²/8: what thrust and arm must make up [N m].
 double momentOf(double weight) { return weight * depth * span * span / 8.0; }
@@ -47,7 +47,7 @@ void addHalf(Scene& scene, const std::string& name, double from, int rows) {
 /// Half a beam between an abutment that it does not slide on and a smooth wall in place of its mirror image, or both
 /// halves. \param weight unit weight [N/m³]
 Scene beamScene(int rows, double weight, bool whole) {
-    Scene scene = emptyScene(modulus, 0.25, 60.0);
+    Scene scene = emptyScene(beamModulus, 0.25, 60.0);
     scene.analysis.gravity = {0.0, -gravity};
     scene.analysis.tolerance = 1e-8;  // what the digits of the glue allow
     scene.materials[0].second.density = weight / gravity;
@@ -102,11 +102,11 @@ double thrustByRule() {
         const double first = depth * (1.0 - 2.0 * n / 3.0), rise = 8.0 * first * first / (3.0 * span);
         double arm = first;
         for (int round = 0; round < 200; ++round) {
-            const double most = momentOf(unitWeight) / (0.5 * n * depth * arm);
-            const double shortening = (span + rise) * 0.5 * most * (2.0 / 3.0 + 0.5 * n) / modulus;
+            const double most = momentOf(beamWeight) / (0.5 * n * depth * arm);
+            const double shortening = (span + rise) * 0.5 * most * (2.0 / 3.0 + 0.5 * n) / beamModulus;
             arm = std::sqrt(3.0 * span / 8.0 * std::max(0.0, rise - shortening));
         }
-        return std::array{momentOf(unitWeight) / (0.5 * n * depth * arm), momentOf(unitWeight) / arm};
+        return std::array{momentOf(beamWeight) / (0.5 * n * depth * arm), momentOf(beamWeight) / arm};
     };
     std::array<double, 2> least{INFINITY, std::nan("")};
     for (int i = 1; i < 1000; ++i) least = std::min(least, archFor(i / 1000.0));
@@ -120,12 +120,12 @@ std::vector<CaseResult> voussoirBeam() {
     Checks checks("voussoir beam");
     for (const int rows : {4, 8, 16}) {
         const double share = 0.1;  // of the weight: the sag, which adds to the thrust, is a thousandth of the arm
-        const Arch arch = archOf(beamScene(rows, share * unitWeight, false));
+        const Arch arch = archOf(beamScene(rows, share * beamWeight, false));
         checks.relative("thrust over weight, " + std::to_string(rows) + " rows of cells, on the reference's",
                         arch.thrust / share / voussoirReference.thrust, 1.0, resolved(rows));
     }
-    const Arch arch = archOf(beamScene(4, unitWeight, true));
-    checks.relative("thrust × arm over γts²/8, at equilibrium", arch.thrust * arch.arm / momentOf(unitWeight), 1.0, 1e-3);
+    const Arch arch = archOf(beamScene(4, beamWeight, true));
+    checks.relative("thrust × arm over γts²/8, at equilibrium", arch.thrust * arch.arm / momentOf(beamWeight), 1.0, 1e-3);
     checks.relative("thrust at equilibrium, 4 rows of cells [N]", arch.thrust, voussoirReference.thrust, resolved(4));
     checks.relative("for comparison: Brady and Brown's rule [N]", thrustByRule(), 621e3, 5e-3);
     return checks.take();

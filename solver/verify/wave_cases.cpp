@@ -19,20 +19,20 @@ namespace keyblock {
 
 namespace {
 
-constexpr double modulus = 10e9, density = 2500.0;  // [Pa], [kg/m³]
+constexpr double waveModulus = 10e9, waveDensity = 2500.0;  // [Pa], [kg/m³]
 constexpr double waveLength = 10.0;  // [m]
 constexpr double cell = waveLength / 20.0;  // [m]
-constexpr double amplitude = 1e3;  // [Pa] of the incident wave
+constexpr double waveStress = 1e3;  // [Pa] of the incident wave
 constexpr double squeeze = 1e6;  // [Pa] that keeps the joint closed
 constexpr int periods = 4;
 constexpr int stepsPerPeriod = 500;  // η 0.0126: Shi's scheme takes η/4 per radian, 1 % of what passes half the bar
 
-double period() { return waveLength / std::sqrt(modulus / density); }
+double period() { return waveLength / std::sqrt(waveModulus / waveDensity); }
 
 /// Displacement of the incident wave, σ/(Z·ω) [m].
 double incident() {
     const double omega = 2.0 * std::numbers::pi / period();
-    return amplitude / (std::sqrt(modulus * density) * omega);
+    return waveStress / (std::sqrt(waveModulus * waveDensity) * omega);
 }
 
 /// Twice the incident wave as a pressure on the end: the dashpot there takes half.
@@ -40,7 +40,7 @@ Load source() {
     constexpr int rows = 60;  // a period
     Load load;
     load.along = {Point(0.0, 0.0), Point(0.0, cell)};
-    load.pressure = 2.0 * amplitude;
+    load.pressure = 2.0 * waveStress;
     for (int i = 0; i <= rows * periods; ++i)
         load.table.emplace_back(period() * i / rows, std::sin(2.0 * std::numbers::pi * i / rows));
     return load;
@@ -59,10 +59,10 @@ Stage waveStage() {
 
 /// A bar one wave long with a joint of stiffness K·Z·ω in its middle, under stress in situ that its ends hold.
 Scene barScene(double k) {
-    Scene scene = emptyScene(modulus, 0.0, 30.0);
-    scene.materials[0].second.density = density;
+    Scene scene = emptyScene(waveModulus, 0.0, 30.0);
+    scene.materials[0].second.density = waveDensity;
     scene.jointMaterials[0].second.normalStiffness =
-        k * std::sqrt(modulus * density) * 2.0 * std::numbers::pi / period();
+        k * std::sqrt(waveModulus * waveDensity) * 2.0 * std::numbers::pi / period();
     scene.blocks = {boxBlock("left", {0.0, 0.0}, {0.5 * waveLength, cell}),
                     boxBlock("right", {0.5 * waveLength, 0.0}, {waveLength, cell})};
     for (Block& block : scene.blocks) block.subBlocks = CellSettings{cell};

@@ -12,7 +12,7 @@
 namespace keyblock {
 namespace {
 
-std::string brokenAnswer(const Import& import) {
+std::string brokenImport(const Import& import) {
     if (hasErrors(import.problems) == import.scene.has_value())
         return import.scene ? "a scene beside an error" : "neither a scene nor an error";
     for (const Problem& problem : import.problems)
@@ -40,7 +40,7 @@ ImportSettings everythingIsAJoint() {
 
 std::string brokenDrawingProperty(std::string_view bytes) {
     const Import drawn = importSection(readDxf(bytes), everythingIsAJoint(), "drawing");
-    if (std::string broken = brokenAnswer(drawn); !broken.empty()) return broken;
+    if (std::string broken = brokenImport(drawn); !broken.empty()) return broken;
     const DxfGroups groups = readDxfGroups(bytes);
     if (drawn.scene && accountedFor(drawn) < sortDxf(groups).entities.size()) return "an entity is not accounted for";
     Drawing list = readCsvList(bytes, "list", lengthUnitOf("m"));
@@ -49,7 +49,7 @@ std::string brokenDrawingProperty(std::string_view bytes) {
     settings.roles = {{"*", LayerRole::Joint}};
     const Import listed = importSection(std::move(list), settings, "list");
     if (listed.scene && accountedFor(listed) != rows) return "a row is not accounted for";
-    return brokenAnswer(listed);
+    return brokenImport(listed);
 }
 
 }  // namespace keyblock

@@ -17,9 +17,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-const TunnelProfile circle = tunnelProfile(CircleShape{{0, 0}, 4.0});
+const TunnelProfile circularTunnel = tunnelProfile(CircleShape{{0, 0}, 4.0});
 const TunnelProfile drift = tunnelProfile(DShape{{0, 0}, 5.0, 5.5});
 
 BoltPattern pattern(const Point& from, const Point& to, double spacing) {
@@ -32,16 +30,16 @@ BoltPattern pattern(const Point& from, const Point& to, double spacing) {
 }
 
 TEST(BoltPattern, StandsAtEqualLengthsFromEndToEnd) {
-    // Half a circle of radius 2: 2π, in sixths.
-    const auto bolts = layOut(circle, pattern({2, 0}, {-2, 0}, pi / 3.0));
+    // Half a circularTunnel of radius 2: 2π, in sixths.
+    const auto bolts = layOut(circularTunnel, pattern({2, 0}, {-2, 0}, std::numbers::pi / 3.0));
     ASSERT_EQ(bolts.size(), 7u);
     for (std::size_t i = 0; i < bolts.size(); ++i) {
         const Point out = directionOf(30.0 * static_cast<double>(i));
         EXPECT_NEAR(cross(out, bolts[i].head), 0.0, 1e-14);
         EXPECT_LT((bolts[i].farEnd - bolts[i].head - 2.4 * out).norm(), 1e-14);
         EXPECT_LE(bolts[i].head.norm(), 2.0 + 1e-14);
-        EXPECT_GE(bolts[i].head.norm(), 2.0 * std::cos(pi / 32.0) - 1e-14) << "on an edge of the polygon";
-        EXPECT_NEAR(bolts[i].fromBeginning, pi / 3.0 * static_cast<double>(i), 1e-14);
+        EXPECT_GE(bolts[i].head.norm(), 2.0 * std::cos(std::numbers::pi / 32.0) - 1e-14) << "on an edge of the polygon";
+        EXPECT_NEAR(bolts[i].fromBeginning, std::numbers::pi / 3.0 * static_cast<double>(i), 1e-14);
     }
     EXPECT_EQ(bolts.front().head, Point(2, 0));
     EXPECT_LT((bolts[3].head - Point(0, 2)).norm(), 1e-14);
@@ -54,7 +52,7 @@ TEST(BoltPattern, TheOtherWayRoundIsTheMirrorImage) {
     up.angleFromWall = down.angleFromWall = 70.0;
     const auto a = layOut(drift, up), b = layOut(drift, down);
     // 0.25 of wall on either side, and the crown.
-    ASSERT_EQ(a.size(), static_cast<std::size_t>((0.5 + 2.5 * pi - 0.3) / 0.8) + 1u);
+    ASSERT_EQ(a.size(), static_cast<std::size_t>((0.5 + 2.5 * std::numbers::pi - 0.3) / 0.8) + 1u);
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) {
         EXPECT_LT((Point(-a[i].head.x(), a[i].head.y()) - b[i].head).norm(), 1e-13);
@@ -80,39 +78,39 @@ TEST(BoltPattern, LeansForwardBelowARightAngle) {
 
 TEST(BoltPattern, TheEndCountsInSpiteOfRoundOff) {
     for (int parts = 1; parts <= 60; ++parts)
-        EXPECT_EQ(boltCount(circle, pattern({2, 0}, {0, 2}, pi / parts)), parts + 1) << parts;
-    EXPECT_EQ(boltCount(circle, pattern({2, 0}, {0, 2}, pi * 1.0000001)), 1.0);
+        EXPECT_EQ(boltCount(circularTunnel, pattern({2, 0}, {0, 2}, std::numbers::pi / parts)), parts + 1) << parts;
+    EXPECT_EQ(boltCount(circularTunnel, pattern({2, 0}, {0, 2}, std::numbers::pi * 1.0000001)), 1.0);
 }
 
 TEST(BoltPattern, FromAPlaceToItselfIsTheWholeWayRound) {
     for (const Way way : {Way::CounterClockwise, Way::Clockwise}) {
-        BoltPattern p = pattern({0, 9}, {0, 5}, 4.0 * pi / 12.0);
+        BoltPattern p = pattern({0, 9}, {0, 5}, 4.0 * std::numbers::pi / 12.0);
         p.way = way;
-        const auto ring = layOut(circle, p);
+        const auto ring = layOut(circularTunnel, p);
         ASSERT_EQ(ring.size(), 12u);
         for (std::size_t i = 0; i < ring.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) EXPECT_GT((ring[i].head - ring[j].head).norm(), 1.0);
         p.offset = 1e-12;
-        EXPECT_EQ(boltCount(circle, p), 12.0);
-        p.offset = 2.0 * pi;
-        EXPECT_EQ(boltCount(circle, p), 7.0);
+        EXPECT_EQ(boltCount(circularTunnel, p), 12.0);
+        p.offset = 2.0 * std::numbers::pi;
+        EXPECT_EQ(boltCount(circularTunnel, p), 7.0);
     }
 }
 
 TEST(BoltPattern, OneBoltWhereTheSpacingIsLongerNoneBeyondTheEnd) {
     BoltPattern p = pattern({2, 0}, {0, 2}, 10.0);
-    ASSERT_EQ(layOut(circle, p).size(), 1u);
+    ASSERT_EQ(layOut(circularTunnel, p).size(), 1u);
     p.offset = 3.0;
-    EXPECT_EQ(layOut(circle, p).size(), 1u);
+    EXPECT_EQ(layOut(circularTunnel, p).size(), 1u);
     p.offset = 3.2;  // the part is π long
-    EXPECT_TRUE(layOut(circle, p).empty());
+    EXPECT_TRUE(layOut(circularTunnel, p).empty());
     p.to = p.from;
     p.offset = 12.6;  // the whole is 4π
-    EXPECT_TRUE(layOut(circle, p).empty());
+    EXPECT_TRUE(layOut(circularTunnel, p).empty());
 }
 
 TEST(BoltPattern, BoltsLeaveThePolygonAtEveryAllowedAngle) {
-    for (const TunnelProfile* profile : {&circle, &drift})
+    for (const TunnelProfile* profile : {&circularTunnel, &drift})
         for (const double angle : {leastAngleFromWall, 45.0, 90.0, greatestAngleFromWall}) {
             BoltPattern p = pattern({0, 9}, {0, 9}, 0.07);
             p.angleFromWall = angle;
@@ -144,7 +142,7 @@ TEST(BoltPattern, ProblemsNameTheField) {
         EXPECT_EQ(field([&](BoltPattern& p) { p.angleFromWall = bad; }), "angle_from_wall");
     EXPECT_EQ(field([&](BoltPattern& p) { p.from.x() = nan; }), "from");
     EXPECT_EQ(field([&](BoltPattern& p) { p.to.y() = infinity; }), "to");
-    EXPECT_GT(boltCount(circle, pattern({2, 0}, {0, 2}, 1e-9)), 1e9);
+    EXPECT_GT(boltCount(circularTunnel, pattern({2, 0}, {0, 2}, 1e-9)), 1e9);
 }
 
 }  // namespace

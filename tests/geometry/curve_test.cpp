@@ -15,8 +15,6 @@
 namespace keyblock {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// The farthest that the edge between two points of a circle lies off it.
 double sagittaOf(const std::vector<Point>& points, const Point& center, double radius) {
     double largest = 0.0;
@@ -31,8 +29,8 @@ TEST(Curve, AnArcKeepsItsSagitta) {
         EXPECT_LE(sagittaOf(points, {3, 4}, 5.0), sagitta * (1 + 1e-9));
         for (const Point& p : points) EXPECT_NEAR((p - Point(3, 4)).norm(), 5.0, 1e-14 * 10);
     }
-    EXPECT_EQ(ellipsePoints({0, 0}, {1, 0}, {0, 1}, 0, 2 * pi, 1.0).size(), 33U);  // never coarser
-    EXPECT_EQ(ellipsePoints({0, 0}, {1, 0}, {0, 1}, 0, 2 * pi, 1e-30).size(), 4097U);  // nor finer
+    EXPECT_EQ(ellipsePoints({0, 0}, {1, 0}, {0, 1}, 0, 2 * std::numbers::pi, 1.0).size(), 33U);  // never coarser
+    EXPECT_EQ(ellipsePoints({0, 0}, {1, 0}, {0, 1}, 0, 2 * std::numbers::pi, 1e-30).size(), 4097U);  // nor finer
 }
 
 TEST(Curve, BulgesAreArcs) {
@@ -45,11 +43,11 @@ TEST(Curve, BulgesAreArcs) {
     // Its mirror image to the left.
     EXPECT_LT(bulgePoints({0, 0}, {0, 2}, -1.0, 1e-4)[3].x(), 0.0);
     // A quarter circle: radius of the chord over √2.
-    const double quarter = std::tan(pi / 8);
+    const double quarter = std::tan(std::numbers::pi / 8);
     const Point center(-1, 1);  // left of (0,0)→(0,2)
     for (const Point& p : bulgePoints({0, 0}, {0, 2}, quarter, 1e-3)) EXPECT_NEAR((p - center).norm(), std::sqrt(2.0), 1e-14);
     // Three quarters.
-    for (const Point& p : bulgePoints({0, 0}, {0, 2}, std::tan(3 * pi / 8), 1e-3))
+    for (const Point& p : bulgePoints({0, 0}, {0, 2}, std::tan(3 * std::numbers::pi / 8), 1e-3))
         EXPECT_NEAR((p - Point(1, 1)).norm(), std::sqrt(2.0), 2e-14);
 }
 

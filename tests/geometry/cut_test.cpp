@@ -26,8 +26,8 @@ Outline rectangle(double left, double bottom, double right, double top) {
     return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
-/// A square of 2 m about the origin.
-CutInput square() {
+/// A squareInput of 2 m about the origin.
+CutInput squareInput() {
     CutInput input;
     input.domains = {{1, rectangle(-1, -1, 1, 1)}};
     return input;
@@ -77,7 +77,7 @@ const CutBlock* blockAt(const Cut& cut, const Point& p) {
 }
 
 TEST(Cut, WithoutTracesADomainIsABlock) {
-    const Cut cut = cutIntoBlocks(square());
+    const Cut cut = cutIntoBlocks(squareInput());
     ASSERT_EQ(cut.blocks.size(), 1u);
     EXPECT_EQ(outlineOf(cut, cut.blocks[0].outer), rectangle(-1, -1, 1, 1));
     EXPECT_EQ(cut.blocks[0].outer.sources, std::vector<int>(4, borderSource));
@@ -89,7 +89,7 @@ TEST(Cut, WithoutTracesADomainIsABlock) {
 }
 
 TEST(Cut, ACrossGivesFourEqualBlocks) {
-    CutInput input = square();
+    CutInput input = squareInput();
     input.traces = {{{-2, 0}, {2, 0}, 5}, {{0, -1}, {0, 1}, 7}};
     const Cut cut = cutIntoBlocks(input);
     expectAreas(cut, {1, 1, 1, 1});
@@ -122,7 +122,7 @@ TEST(Cut, AGridWithRandomOffsetsHasTheProductsAsAreas) {
 }
 
 TEST(Cut, ACircleWithoutJointsIsADiscInABlockWithAHole) {
-    CutInput input = square();
+    CutInput input = squareInput();
     const Outline outline = circle({0.1, 0.2}, 0.5, 40);
     addClosed(input, outline, 4);
     const Cut cut = cutIntoBlocks(input);
@@ -140,7 +140,7 @@ TEST(Cut, ACircleWithoutJointsIsADiscInABlockWithAHole) {
 }
 
 TEST(Cut, ACornerOfTracesLeavesAConcaveBlock) {
-    CutInput input = square();
+    CutInput input = squareInput();
     input.traces = {{{0, -1}, {0, 0}, 1}, {{0, 0}, {1, 0}, 1}};
     const Cut cut = cutIntoBlocks(input);
     expectAreas(cut, {1, 3});
@@ -148,7 +148,7 @@ TEST(Cut, ACornerOfTracesLeavesAConcaveBlock) {
 }
 
 TEST(Cut, WhereANeighboursEdgeEndsABlockHasNoVertexUnlessAskedFor) {
-    CutInput input = square();
+    CutInput input = squareInput();
     input.traces = {{{-1, 0}, {1, 0}, 1}, {{0.25, -1}, {0.25, 0}, 2}};
     EXPECT_EQ(blockAt(cutIntoBlocks(input), {0, 0.5})->outer.vertices.size(), 4u);
     input.settings.keepStraight = true;
@@ -157,7 +157,7 @@ TEST(Cut, WhereANeighboursEdgeEndsABlockHasNoVertexUnlessAskedFor) {
 
 TEST(Cut, AnEndIsPulledOverWhatItReachesWithinTheTolerance) {
     for (double gap : {-0.9e-3, -1e-9, 0.0, 1e-9, 0.9e-3, 1.1e-3}) {
-        CutInput input = square();
+        CutInput input = squareInput();
         input.settings.tolerance = 1e-3;
         input.traces = {{{-1, 0}, {1, 0}, 1}, {{0.25, -1}, {0.25, -gap}, 2}};
         const Cut cut = cutIntoBlocks(input);
@@ -175,7 +175,7 @@ TEST(Cut, AnEndIsPulledOverWhatItReachesWithinTheTolerance) {
 
 TEST(Cut, AnEndIsPulledOverTheBorder) {
     for (double gap : {0.9e-3, 1.1e-3}) {
-        CutInput input = square();
+        CutInput input = squareInput();
         input.settings.tolerance = 1e-3;
         input.traces = {{{-1 + gap, 0.5}, {1, 0.25}, 1}};
         const Cut cut = cutIntoBlocks(input);
@@ -185,7 +185,7 @@ TEST(Cut, AnEndIsPulledOverTheBorder) {
 }
 
 TEST(Cut, AShallowEndReachesItsTargetSideways) {
-    CutInput input = square();
+    CutInput input = squareInput();
     input.settings.tolerance = 1e-3;
     input.traces = {{{-1, 0}, {1, 0}, 1}, {{-1, -0.1}, {0, -0.9e-3}, 2}};
     const Cut cut = cutIntoBlocks(input);
@@ -195,7 +195,7 @@ TEST(Cut, AShallowEndReachesItsTargetSideways) {
 }
 
 TEST(Cut, CloseEndsBecomeOne) {
-    CutInput input = square();
+    CutInput input = squareInput();
     input.settings.tolerance = 1e-3;
     input.traces = {{{-1, 0}, {0, 0}, 1}, {{0.0005, 0.0005}, {0.5, 1}, 2}, {{0.0005, -0.0003}, {0.5, -1}, 3}};
     const Cut cut = cutIntoBlocks(input);
@@ -206,7 +206,7 @@ TEST(Cut, CloseEndsBecomeOne) {
 }
 
 TEST(Cut, ATraceAlongTheBorderIsTheBorder) {
-    CutInput input = square();
+    CutInput input = squareInput();
     input.traces = {{{-0.5, 1}, {1.5, 1}, 2}, {{-1, 1e-7 - 1}, {1, -1}, 2}};
     const Cut cut = cutIntoBlocks(input);
     ASSERT_EQ(cut.blocks.size(), 1u);
@@ -217,7 +217,7 @@ TEST(Cut, ATraceAlongTheBorderIsTheBorder) {
 }
 
 TEST(Cut, TheLowerSourceHasWhatTracesShare) {
-    CutInput input = square();
+    CutInput input = squareInput();
     input.traces = {{{-1, 0}, {0.5, 0}, 8}, {{1, 0}, {-0.5, 1e-9}, 3}};
     const Cut cut = cutIntoBlocks(input);
     ASSERT_EQ(cut.blocks.size(), 2u);
@@ -234,7 +234,7 @@ TEST(Cut, TheLowerSourceHasWhatTracesShare) {
 }
 
 TEST(Cut, TunnelsThatTouchInACornerLeaveSimpleRings) {
-    CutInput input = square();
+    CutInput input = squareInput();
     addClosed(input, circle({-0.4, 0}, 0.4, 16), 1);
     addClosed(input, circle({0.4, 0}, 0.4, 16), 2);
     const Cut cut = cutIntoBlocks(input);
@@ -245,7 +245,7 @@ TEST(Cut, TunnelsThatTouchInACornerLeaveSimpleRings) {
 }
 
 TEST(Cut, TunnelsThatTouchAlongAnEdgeShareIt) {
-    CutInput input = square();
+    CutInput input = squareInput();
     addClosed(input, rectangle(-0.5, -0.25, 0, 0.25), 2);
     addClosed(input, rectangle(1e-8, -0.5, 0.5, 0.5), 1);
     const Cut cut = cutIntoBlocks(input);
@@ -256,7 +256,7 @@ TEST(Cut, TunnelsThatTouchAlongAnEdgeShareIt) {
 }
 
 TEST(Cut, AnOpeningOverTheEdgeIsCutOffThere) {
-    CutInput input = square();
+    CutInput input = squareInput();
     addClosed(input, circle({0, 1}, 0.5, 24, 0.1), 6);
     const Cut cut = cutIntoBlocks(input);
     EXPECT_EQ(cut.blocks.size(), 2u);
@@ -269,7 +269,7 @@ TEST(Cut, AnOpeningOverTheEdgeIsCutOffThere) {
 }
 
 TEST(Cut, LooseEndsAndBridgesBoundNothing) {
-    CutInput input = square();
+    CutInput input = squareInput();
     addClosed(input, circle({0, 0}, 0.4, 12), 1);
     input.traces.push_back({{-1, 0}, {0, 0}, 2});  // from the border into the circle
     input.traces.push_back({{0.7, -0.5}, {0.7, 0.5}, 3});  // in the rock
@@ -283,7 +283,7 @@ TEST(Cut, LooseEndsAndBridgesBoundNothing) {
 }
 
 TEST(Cut, ATrimmedEndIsReportedWithItsLength) {
-    CutInput input = square();
+    CutInput input = squareInput();
     input.traces = {{{-1, 0}, {1, 0}, 1}, {{0.25, -1}, {0.25, 0.3}, 2}};
     const Cut cut = cutIntoBlocks(input);
     expectAreas(cut, {2, 1.25, 0.75});
@@ -295,7 +295,7 @@ TEST(Cut, ATrimmedEndIsReportedWithItsLength) {
 }
 
 TEST(Cut, WhatCannotCutIsReportedAndLeftOut) {
-    CutInput input = square();
+    CutInput input = squareInput();
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     input.traces = {{{0, 0}, {0, 0}, 1}, {{5, 5}, {6, 9}, 2}, {{nan, 0}, {0, 1}, 3}, {{0, 0}, {infinity, 0}, 4},
                     {{-3, 0.5}, {0.5, 3}, 5}};
@@ -324,7 +324,7 @@ TEST(Cut, DomainsThatTouchKeepTheirIdsAndShareCorners) {
 }
 
 TEST(Cut, ASliverJoinsTheNeighbourWithTheLongestEdge) {
-    CutInput input = square();
+    CutInput input = squareInput();
     input.traces = {{{-1, 0}, {1, 0}, 1}, {{-1, 1e-4}, {1, 2e-4}, 2}, {{0.5, -1}, {0.5, 0}, 3}};
     const Cut cut = cutIntoBlocks(input);
     // below the sliver of 3e-4 m² two blocks share 1.5 and 0.5 m with it, above it one shares 2 m
@@ -338,7 +338,7 @@ TEST(Cut, ASliverJoinsTheNeighbourWithTheLongestEdge) {
 }
 
 TEST(Cut, ALimitAboveTheDomainLeavesItWholeAndSaysSo) {
-    CutInput input = square();
+    CutInput input = squareInput();
     for (int i = -9; i < 10; ++i) input.traces.push_back({{0.1 * i, -2}, {0.1 * i + 0.05, 2}, 1});
     input.settings.minArea = 5.0;
     const Cut cut = cutIntoBlocks(input);
@@ -348,7 +348,7 @@ TEST(Cut, ALimitAboveTheDomainLeavesItWholeAndSaysSo) {
 }
 
 TEST(Cut, FarFromTheOriginTheBlocksAreTheSame) {
-    CutInput input = square();
+    CutInput input = squareInput();
     std::mt19937 random(8);
     std::uniform_int_distribution<int> lattice(-1024, 1024);  // places that shift without round-off
     const auto place = [&] { return Point(lattice(random) / 1024.0, lattice(random) / 1024.0); };
@@ -365,7 +365,7 @@ TEST(Cut, FarFromTheOriginTheBlocksAreTheSame) {
 }
 
 TEST(Cut, ManyTracesThroughOnePointAreEachABoundary) {
-    CutInput input = square();
+    CutInput input = squareInput();
     constexpr int count = 500;
     for (int i = 0; i < count; ++i) {
         const double angle = std::numbers::pi * i / count + 1e-3;

@@ -21,7 +21,7 @@ namespace {
 
 using Region = std::vector<Point>;
 
-constexpr double tolerance = 1e-9;
+constexpr double traceTolerance = 1e-9;
 
 Region box(double left, double bottom, double right, double top) {
     return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
@@ -54,7 +54,7 @@ TEST(JointSet, ThroughJointsStandOneSpacingApart) {
     JointSet set;
     set.spacing = {0.5, 0.0};
     set.origin = {3.0, 0.25};
-    const auto traces = jointTraces(set, box(-2, 0, 4, 2), tolerance);
+    const auto traces = jointTraces(set, box(-2, 0, 4, 2), traceTolerance);
     ASSERT_EQ(traces.size(), 4u);  // at y = 0.25, 0.75, 1.25, 1.75
     for (std::size_t i = 0; i < traces.size(); ++i) {
         EXPECT_EQ(traces[i].line, static_cast<std::int64_t>(i));
@@ -66,7 +66,7 @@ TEST(JointSet, ThroughJointsStandOneSpacingApart) {
 TEST(JointSet, OnBordersTheyCount) {
     JointSet set;
     set.dip = 90.0;
-    const auto traces = jointTraces(set, box(-2, 0, 3, 1), tolerance);
+    const auto traces = jointTraces(set, box(-2, 0, 3, 1), traceTolerance);
     ASSERT_EQ(traces.size(), 6u);
     EXPECT_EQ(traces.front().segment, (Segment{{3, 0}, {3, 1}}));  // left of a dip that points upward is line 1
     EXPECT_EQ(traces.back().segment, (Segment{{-2, 0}, {-2, 1}}));
@@ -82,7 +82,7 @@ TEST(JointSet, OneJointPassesThroughTheOrigin) {
         set.seed = 5;
         for (const bool through : {true, false}) {
             if (!through) set.length = Scatter{2.0, 0.5}, set.bridge = {1.0, 0.2};
-            const auto named = byNumber(jointTraces(set, box(-5, -5, 5, 5), tolerance));
+            const auto named = byNumber(jointTraces(set, box(-5, -5, 5, 5), traceTolerance));
             const Segment& own = named.at({0, 0});
             EXPECT_LT(distanceToSegment(own.from, own.to, set.origin), 1e-14);
         }
@@ -94,7 +94,7 @@ TEST(JointSet, TracesAndBridgesAlternate) {
     set.length = Scatter{2.0, 0.0};
     set.bridge = {1.0, 0.0};
     set.stagger = 0.5;
-    const auto named = byNumber(jointTraces(set, box(-7, -0.5, 7, 1.5), tolerance));
+    const auto named = byNumber(jointTraces(set, box(-7, -0.5, 7, 1.5), traceTolerance));
     EXPECT_EQ(named.at({0, 0}), (Segment{{-1, 0}, {1, 0}}));
     EXPECT_EQ(named.at({0, 1}), (Segment{{2, 0}, {4, 0}}));
     EXPECT_EQ(named.at({0, -2}), (Segment{{-7, 0}, {-5, 0}}));
@@ -114,9 +114,9 @@ TEST(JointSet, ALargerRegionAddsTracesAndChangesNone) {
     set.stagger = std::nullopt;
     set.seed = 42;
     const Region small = box(-5, -4, 6, 5);
-    const auto few = jointTraces(set, small, tolerance);
-    expectKept(few, jointTraces(set, box(-50, -30, 20, 70), tolerance), small);
-    expectKept(few, jointTraces(set, Region{{-9, -8}, {30, -9}, {40, 40}, {-8, 12}}, tolerance), small);
+    const auto few = jointTraces(set, small, traceTolerance);
+    expectKept(few, jointTraces(set, box(-50, -30, 20, 70), traceTolerance), small);
+    expectKept(few, jointTraces(set, Region{{-9, -8}, {30, -9}, {40, 40}, {-8, 12}}, traceTolerance), small);
 }
 
 TEST(JointSet, NoTraceNearTheRegionIsForgotten) {
@@ -126,8 +126,8 @@ TEST(JointSet, NoTraceNearTheRegionIsForgotten) {
     set.spacing = {0.5, 0.2};
     set.length = Scatter{4.0, 3.0};
     const Region small = box(10, 8, 12, 10);
-    const auto wide = jointTraces(set, box(-20, -20, 40, 40), tolerance);
-    const auto found = byNumber(jointTraces(set, small, tolerance));
+    const auto wide = jointTraces(set, box(-20, -20, 40, 40), traceTolerance);
+    const auto found = byNumber(jointTraces(set, small, traceTolerance));
     int meeting = 0;
     for (const JointTrace& trace : wide) {
         const double length = lengthOf(trace);
@@ -145,7 +145,7 @@ TEST(JointSet, GoesOnBehindANotchOnTheSameLine) {
     set.dip = 10.0;
     set.origin = {0.0, 1.5};
     set.spacing = {100.0, 0.0};
-    const auto traces = jointTraces(set, notched, tolerance);
+    const auto traces = jointTraces(set, notched, traceTolerance);
     ASSERT_EQ(traces.size(), 2u);
     EXPECT_NEAR(traces[0].segment.to.x(), 4.0, 1e-12);
     EXPECT_NEAR(traces[1].segment.from.x(), 6.0, 1e-12);
@@ -161,7 +161,7 @@ TEST(JointSet, ScatterHasItsMeansAndDeviations) {
     set.length = Scatter{1.0, 0.3};
     set.bridge = {0.5, 0.2};
     set.seed = 8;
-    const auto traces = jointTraces(set, box(-50, -50, 50, 50), tolerance);
+    const auto traces = jointTraces(set, box(-50, -50, 50, 50), traceTolerance);
     ASSERT_GT(traces.size(), 10000u);
     std::map<std::int64_t, double> across;
     double dips = 0.0, squares = 0.0, lengths = 0.0;
@@ -193,9 +193,9 @@ TEST(JointSet, ADeviationLeavesTheOtherDrawsAlone) {
     set.length = Scatter{1.0, 0.3};
     set.bridge = {0.5, 0.2};
     const Region region = box(-10, -10, 10, 10);
-    const auto straight = byNumber(jointTraces(set, region, tolerance));
+    const auto straight = byNumber(jointTraces(set, region, traceTolerance));
     set.dipDeviation = 3.0;
-    const auto turned = byNumber(jointTraces(set, region, tolerance));
+    const auto turned = byNumber(jointTraces(set, region, traceTolerance));
     int compared = 0;
     for (const auto& [number, a] : straight) {
         const auto found = turned.find(number);
@@ -217,7 +217,7 @@ TEST(JointSet, ASeedMeansTheSameTracesForEver) {
     set.bridge = {1.0, 0.3};
     set.stagger = std::nullopt;
     set.seed = 7;
-    const auto named = byNumber(jointTraces(set, box(-20, -20, 20, 20), tolerance));
+    const auto named = byNumber(jointTraces(set, box(-20, -20, 20, 20), traceTolerance));
     // From the same rules written in another language.
     const auto expectTrace = [&](std::int64_t line, std::int64_t number, const Segment& expected) {
         const Segment& found = named.at({line, number});
@@ -227,7 +227,7 @@ TEST(JointSet, ASeedMeansTheSameTracesForEver) {
     expectTrace(2, 1, {{1.345199535622303, 4.2617303710528445}, {2.8367852947124508, 5.4556611263719299}});
     expectTrace(-3, -2, {{-4.7841820365908188, -7.7621910098649662}, {-2.8808607145419081, -6.5305958018771131}});
     set.seed = 8;
-    const auto others = byNumber(jointTraces(set, box(-20, -20, 20, 20), tolerance));
+    const auto others = byNumber(jointTraces(set, box(-20, -20, 20, 20), traceTolerance));
     EXPECT_GT((others.at({2, 1}).from - named.at({2, 1}).from).norm(), 1e-3);
 }
 
@@ -238,9 +238,9 @@ TEST(JointSet, FarFromTheOriginRegularJointsAreFoundAtOnce) {
     set.bridge = {2.0, 0.0};
     const Region far = box(1e6, 1e6, 1e6 + 4, 1e6 + 4);
     EXPECT_LT(jointTraceEstimate(set, far), 30.0);
-    const auto traces = jointTraces(set, far, tolerance);
+    const auto traces = jointTraces(set, far, traceTolerance);
     ASSERT_EQ(traces.size(), 10u);  // two halves of traces on each of five lines
-    for (const JointTrace& trace : traces) EXPECT_NEAR(lengthOf(trace), 1.0, tolerance);
+    for (const JointTrace& trace : traces) EXPECT_NEAR(lengthOf(trace), 1.0, traceTolerance);
 }
 
 TEST(JointSet, MovedWithItsRegionItIsTheSame) {
@@ -249,12 +249,12 @@ TEST(JointSet, MovedWithItsRegionItIsTheSame) {
     set.dipDeviation = 5.0;
     set.spacing = {0.5, 0.2};
     set.length = Scatter{1.0, 0.3};
-    const auto here = jointTraces(set, box(-4, -4, 4, 4), tolerance);
+    const auto here = jointTraces(set, box(-4, -4, 4, 4), traceTolerance);
     const Point moved(1e6, -2e6);
     set.origin += moved;
     Region region = box(-4, -4, 4, 4);
     for (Point& p : region) p += moved;
-    const auto there = jointTraces(set, region, tolerance);
+    const auto there = jointTraces(set, region, traceTolerance);
     ASSERT_EQ(here.size(), there.size());
     for (std::size_t i = 0; i < here.size(); ++i) {
         EXPECT_LT((there[i].segment.from - moved - here[i].segment.from).norm(), 1e-8);
@@ -275,7 +275,7 @@ TEST(JointSet, TheEstimateForeseesTheWork) {
     set.bridge = {1.0, 0.0};
     set.origin = {500.0, 500.0};
     const double estimate = jointTraceEstimate(set, box(400, 400, 600, 600));
-    const auto made = static_cast<double>(jointTraces(set, box(400, 400, 600, 600), tolerance).size());
+    const auto made = static_cast<double>(jointTraces(set, box(400, 400, 600, 600), traceTolerance).size());
     EXPECT_NEAR(made / estimate, 1.0, 0.1);
     set.origin = {-1e6, 0.0};
     EXPECT_GT(jointTraceEstimate(set, kilometre), 1e8) << "every trace from the origin on has to be numbered";

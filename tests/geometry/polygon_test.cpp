@@ -14,7 +14,7 @@ namespace {
 
 using Polygon = std::vector<Point>;
 
-Polygon rectangle(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+Polygon rectangularPolygon(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
 Polygon shifted(Polygon polygon, const Point& by) {
     for (Point& p : polygon) p += by;
@@ -24,7 +24,7 @@ Polygon shifted(Polygon polygon, const Point& by) {
 const Polygon ell{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
 
 TEST(Moments, OfARectangleAreTheClosedForm) {
-    const Moments m = moments(rectangle(1.0, 2.0, 5.0, 4.0));
+    const Moments m = moments(rectangularPolygon(1.0, 2.0, 5.0, 4.0));
     EXPECT_DOUBLE_EQ(m.area, 8.0);
     EXPECT_DOUBLE_EQ(m.centroid.x(), 3.0);
     EXPECT_DOUBLE_EQ(m.centroid.y(), 3.0);
@@ -45,8 +45,8 @@ TEST(Moments, OfARightTriangleHaveTheProductTerm) {
 
 TEST(Moments, OfAConcaveShapeAddUpFromItsParts) {
     const Moments whole = moments(ell);
-    const Moments foot = moments(rectangle(0, 0, 3, 1));
-    const Moments leg = moments(rectangle(0, 1, 1, 3));
+    const Moments foot = moments(rectangularPolygon(0, 0, 3, 1));
+    const Moments leg = moments(rectangularPolygon(0, 1, 1, 3));
     const Point centroid = (foot.area * foot.centroid + leg.area * leg.centroid) / (foot.area + leg.area);
     const Point toFoot = foot.centroid - centroid;
     const Point toLeg = leg.centroid - centroid;
@@ -83,7 +83,7 @@ TEST(Moments, OfALineAreZero) {
 }
 
 TEST(CounterClockwise, TurnsOnlyWhatRunsTheOtherWayAndKeepsTheFirstCorner) {
-    const Polygon square = rectangle(0, 0, 1, 1);
+    const Polygon square = rectangularPolygon(0, 0, 1, 1);
     const Polygon turned{{0, 0}, {0, 1}, {1, 1}, {1, 0}};
     EXPECT_EQ(counterClockwise(square), square);
     EXPECT_EQ(counterClockwise(turned), square);
@@ -111,13 +111,13 @@ TEST(Locate, CountsCornersOnTheRayOnce) {
 }
 
 TEST(DistanceToBoundary, IsTheNearestEdgeFromEitherSide) {
-    const Polygon square = rectangle(0, 0, 2, 2);
+    const Polygon square = rectangularPolygon(0, 0, 2, 2);
     EXPECT_DOUBLE_EQ(distanceToBoundary(square, {0.5, 1.0}), 0.5);
     EXPECT_DOUBLE_EQ(distanceToBoundary(square, {5.0, 6.0}), 5.0);
 }
 
 TEST(CrossesItself, PassesSoundOutlines) {
-    EXPECT_FALSE(crossesItself(rectangle(0, 0, 1, 1), 1e-9));
+    EXPECT_FALSE(crossesItself(rectangularPolygon(0, 0, 1, 1), 1e-9));
     EXPECT_FALSE(crossesItself(ell, 1e-9));
     EXPECT_FALSE(crossesItself(Polygon{{0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}, 1e-9));  // repeated corners
     EXPECT_FALSE(crossesItself(Polygon{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}, 1e-9));  // corner on a straight side
@@ -149,36 +149,36 @@ TEST(CrossesItself, FindsSidesThatRunAlongEachOther) {
 }
 
 TEST(Overlap, IgnoresASharedSeam) {
-    const Polygon square = rectangle(0, 0, 1, 1);
-    EXPECT_FALSE(overlap(square, rectangle(1, 0, 2, 1), 1e-6));
-    EXPECT_FALSE(overlap(square, rectangle(1 - 0.5e-6, 0.2, 2, 0.8), 1e-6));
-    EXPECT_FALSE(overlap(square, rectangle(3, 3, 4, 4), 1e-6));
+    const Polygon square = rectangularPolygon(0, 0, 1, 1);
+    EXPECT_FALSE(overlap(square, rectangularPolygon(1, 0, 2, 1), 1e-6));
+    EXPECT_FALSE(overlap(square, rectangularPolygon(1 - 0.5e-6, 0.2, 2, 0.8), 1e-6));
+    EXPECT_FALSE(overlap(square, rectangularPolygon(3, 3, 4, 4), 1e-6));
 }
 
 TEST(Overlap, SeesEveryWayOfSharingInterior) {
-    const Polygon square = rectangle(0, 0, 1, 1);
-    EXPECT_TRUE(overlap(square, rectangle(1 - 3e-6, 0, 2, 1), 1e-6));  // a strip
+    const Polygon square = rectangularPolygon(0, 0, 1, 1);
+    EXPECT_TRUE(overlap(square, rectangularPolygon(1 - 3e-6, 0, 2, 1), 1e-6));  // a strip
     EXPECT_TRUE(overlap(square, square, 1e-6));  // the same twice
-    EXPECT_TRUE(overlap(square, rectangle(0.4, 0.4, 0.6, 0.6), 1e-6));  // one within the other
-    EXPECT_TRUE(overlap(rectangle(-1, 0.4, 2, 0.6), rectangle(0.4, -1, 0.6, 2), 1e-6));  // a cross, no corner inside
-    EXPECT_TRUE(overlap(square, rectangle(0, 0, 1, 0.5), 1e-6));  // three sides in common
+    EXPECT_TRUE(overlap(square, rectangularPolygon(0.4, 0.4, 0.6, 0.6), 1e-6));  // one within the other
+    EXPECT_TRUE(overlap(rectangularPolygon(-1, 0.4, 2, 0.6), rectangularPolygon(0.4, -1, 0.6, 2), 1e-6));  // a cross, no corner inside
+    EXPECT_TRUE(overlap(square, rectangularPolygon(0, 0, 1, 0.5), 1e-6));  // three sides in common
 }
 
 TEST(Overlap, KnowsThatAConcaveShapeLeavesRoom) {
-    EXPECT_FALSE(overlap(ell, rectangle(1, 1, 3, 3), 1e-6));
-    EXPECT_TRUE(overlap(ell, rectangle(0.9, 0.9, 3, 3), 1e-6));
+    EXPECT_FALSE(overlap(ell, rectangularPolygon(1, 1, 3, 3), 1e-6));
+    EXPECT_TRUE(overlap(ell, rectangularPolygon(0.9, 0.9, 3, 3), 1e-6));
 }
 
 TEST(Contains, AsksForAllOfIt) {
-    const Polygon square = rectangle(0, 0, 1, 1);
-    EXPECT_TRUE(contains(square, rectangle(0.4, 0.4, 0.6, 0.6), 1e-6));
-    EXPECT_TRUE(contains(square, rectangle(0.4, 0, 0.6, 0.2), 1e-6));  // on its floor
+    const Polygon square = rectangularPolygon(0, 0, 1, 1);
+    EXPECT_TRUE(contains(square, rectangularPolygon(0.4, 0.4, 0.6, 0.6), 1e-6));
+    EXPECT_TRUE(contains(square, rectangularPolygon(0.4, 0, 0.6, 0.2), 1e-6));  // on its floor
     EXPECT_TRUE(contains(square, square, 1e-6));
-    EXPECT_TRUE(contains(square, rectangle(0.5, 0.5, 1 + 0.5e-6, 0.8), 1e-6));
-    EXPECT_FALSE(contains(square, rectangle(0.5, 0.5, 1.1, 0.8), 1e-6));  // through a side
-    EXPECT_FALSE(contains(square, rectangle(3, 3, 4, 4), 1e-6));
-    EXPECT_FALSE(contains(rectangle(0.4, 0.4, 0.6, 0.6), square, 1e-6));  // the other way round
-    EXPECT_FALSE(contains(ell, rectangle(0.5, 0.5, 2, 2), 1e-6));  // all corners but one, across the notch
+    EXPECT_TRUE(contains(square, rectangularPolygon(0.5, 0.5, 1 + 0.5e-6, 0.8), 1e-6));
+    EXPECT_FALSE(contains(square, rectangularPolygon(0.5, 0.5, 1.1, 0.8), 1e-6));  // through a side
+    EXPECT_FALSE(contains(square, rectangularPolygon(3, 3, 4, 4), 1e-6));
+    EXPECT_FALSE(contains(rectangularPolygon(0.4, 0.4, 0.6, 0.6), square, 1e-6));  // the other way round
+    EXPECT_FALSE(contains(ell, rectangularPolygon(0.5, 0.5, 2, 2), 1e-6));  // all corners but one, across the notch
 }
 
 TEST(Box, HoldsGrowsAndMeets) {

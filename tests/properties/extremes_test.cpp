@@ -49,7 +49,7 @@ Scene polygonOnSlab(std::vector<Point> points) {
     return scene;
 }
 
-void expectFinite(const Results& results) {
+void expectFiniteResults(const Results& results) {
     for (const Frame& frame : results.frames) {
         for (const BlockState& block : frame.blocks) {
             EXPECT_TRUE(block.centroid.allFinite());
@@ -77,7 +77,7 @@ Results ran(const Scene& scene, Outcome outcome) {
     Results results = runInMemory(scene);
     EXPECT_EQ(results.stages.size(), scene.stages.size());
     for (const StageResult& stage : results.stages) EXPECT_EQ(stage.outcome, outcome) << stage.message;
-    expectFinite(results);
+    expectFiniteResults(results);
     expectNoNewEnergy(results);
     return results;
 }
@@ -133,7 +133,7 @@ TEST_P(Friction, SettlesOnTheLevel) {
     ASSERT_EQ(results.stages.size(), 2u);
     EXPECT_EQ(results.stages[0].outcome, Outcome::Equilibrium);
     EXPECT_EQ(results.stages[1].outcome, Outcome::Duration);
-    expectFinite(results);
+    expectFiniteResults(results);
     EXPECT_NEAR(supportForce(results), weight, 1e-3 * weight);
 }
 
@@ -232,7 +232,7 @@ TEST(Extremes, AStoneThatTumblesOntoTheFloorMakesNoEnergy) {
             scene.stages = {dynamic(0.05, 2e-3)};
             scene.stages[0].initialVelocities = {{{0.0, 0.1}, {1.0, -9.0}, spin}};
             const Results results = runInMemory(scene);
-            expectFinite(results);
+            expectFiniteResults(results);
             EXPECT_EQ(results.stages[0].outcome, Outcome::Duration) << results.stages[0].message;
             EXPECT_LT(std::abs(results.stages[0].health.balanceError), 1e-2) << spin;
         }
@@ -256,7 +256,7 @@ TEST(Extremes, AStoneThatRollsMakesNoEnergy) {
         scene.stages = {dynamic(1.0, 2e-3)};
         scene.stages[0].initialVelocities = {{{0.0, 0.2}, {1.5, 0.0}, -5.0}};
         const Results results = runInMemory(scene);
-        expectFinite(results);
+        expectFiniteResults(results);
         EXPECT_EQ(results.stages[0].outcome, Outcome::Duration) << results.stages[0].message;
         EXPECT_LT(std::abs(results.stages[0].health.balanceError), 1e-2);
     }

@@ -95,7 +95,7 @@ TEST(Rest, NeedsNoEnergyCuts) {
     EXPECT_EQ(results.stages.at(0).health.energyCuts, 0);
 }
 
-std::string nameOf(const testing::TestParamInfo<SchemeAndTilt>& info) {
+std::string nameOfImpact(const testing::TestParamInfo<SchemeAndTilt>& info) {
     const char* names[] = {"Shi", "BackwardEuler", "Newmark", "GeneralizedAlpha"};
     return std::string(names[static_cast<int>(std::get<0>(info.param))]) + "TurnedBy" +
            std::to_string(static_cast<int>(std::get<1>(info.param)));
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Impacts,
                          testing::Combine(testing::Values(Integration::Shi, Integration::BackwardEuler,
                                                           Integration::Newmark, Integration::GeneralizedAlpha),
                                           testing::Values(0.0, 20.0, 60.0)),
-                         nameOf);
+                         nameOfImpact);
 
 }  // namespace
 }  // namespace keyblock

@@ -68,7 +68,7 @@ Scene strictSample(const std::string& name) {
     return scene;
 }
 
-void expectSameEvents(const Results& own, const Results& seen) {
+void expectEqualEvents(const Results& own, const Results& seen) {
     ASSERT_EQ(own.events.size(), seen.events.size());
     for (std::size_t i = 0; i < own.events.size(); ++i) {
         EXPECT_EQ(own.events[i].kind, seen.events[i].kind) << i;
@@ -90,7 +90,7 @@ void expectSame(const std::string& sample, const std::vector<Isometry>& isometri
         if (isometry.angle != 0.0 && !canBeTurned(scene)) continue;
         SCOPED_TRACE(isometry.mirror ? "mirrored" : "turned");
         const Results seen = runInMemory(seenThrough(isometry, scene));
-        expectSameEvents(own, seen);
+        expectEqualEvents(own, seen);
         EXPECT_EQ(differenceThrough(isometry, own, seen, sameForces), "");
     }
 }

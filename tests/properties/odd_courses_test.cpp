@@ -32,7 +32,7 @@ void openingMonitorStands(const OddRun& run) {
     EXPECT_EQ(at(2), at(0));
 }
 
-const Odd odd[]{
+const Odd oddCourses[]{
     // supports, stress and gravity
     {"all_of_it_fixed", R"({"supports": [{"boundary": "all", "fix": "all"}], "joint_sets": [], "joints": [],
          "tunnels": [], "bolt_patterns": [], "stages": [{"name": "settle"}]})",
@@ -119,7 +119,7 @@ class OddCourse : public testing::TestWithParam<Odd> {};
 
 TEST_P(OddCourse, ToTheEndThatItMustHave) { expectRuns(GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Odd, OddCourse, testing::ValuesIn(odd),
+INSTANTIATE_TEST_SUITE_P(Odd, OddCourse, testing::ValuesIn(oddCourses),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
 TEST(OddScene, WithoutStagesIsCheckedAndNotRun) {

@@ -42,7 +42,7 @@ void noBoltIsLeft(const OddRun& run) {
     for (const BoltFrame& bolt : run.results.frames.back().bolts) EXPECT_TRUE(bolt.nodes.empty());
 }
 
-const Odd odd[]{
+const Odd oddSections[]{
     {"plain", "{}", "eee", domainArea, asPlain},
     // tunnels
     {"tunnel_from_side_to_side",
@@ -221,7 +221,7 @@ class OddSection : public testing::TestWithParam<Odd> {};
 
 TEST_P(OddSection, ToTheEndThatItMustHave) { expectRuns(GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Odd, OddSection, testing::ValuesIn(odd),
+INSTANTIATE_TEST_SUITE_P(Odd, OddSection, testing::ValuesIn(oddSections),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
 }  // namespace

@@ -20,7 +20,6 @@ namespace keyblock {
 namespace {
 
 constexpr reference::Arch arch{9, 1.0, 0.2};
-constexpr double degree = std::numbers::pi / 180.0;
 
 Point on(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 

@@ -6,6 +6,7 @@
 // integrating one equation; nothing of the engine is used for them.
 #include "solver/files/scene/scene_file.h"
 #include "solver/run/run.h"
+#include "tests/verify/sample.h"
 
 #include <gtest/gtest.h>
 
@@ -19,21 +20,11 @@
 namespace keyblock {
 namespace {
 
+using test::expectedOf;
+using test::sample;
+
 constexpr double g = 9.81;  // [m/s²]
 constexpr double weightOfCube = 2700.0 * g;  // [N] 1 m³ of the samples' rock
-
-Scene sample(const std::string& name) {
-    const SceneReading reading = readSceneFile(std::string(KEYBLOCK_SAMPLES_DIR) + "/" + name + ".json");
-    EXPECT_TRUE(reading.scene) << name;
-    return reading.scene.value_or(Scene{});
-}
-
-double expectedOf(const Scene& scene, const std::string& quantity) {
-    for (const Expected& expected : scene.about.expected)
-        if (expected.quantity == quantity) return expected.value;
-    ADD_FAILURE() << "no " << quantity;
-    return 0.0;
-}
 
 double circle(double diameter) { return 0.25 * std::numbers::pi * diameter * diameter; }
 

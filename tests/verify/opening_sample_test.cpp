@@ -23,10 +23,10 @@
 namespace keyblock {
 namespace {
 
-constexpr double barArea = std::numbers::pi * 0.01 * 0.01;  // [m²]
+constexpr double rebarArea = std::numbers::pi * 0.01 * 0.01;  // [m²]
 constexpr double youngsModulus = 490e6 / 0.0023;  // [Pa] first piece of the steel's curve
 constexpr double bondStiffness = 2543.4e6, bondPeak = 736.8e3, bondResidual = 67.2e3;  // per metre
-constexpr double firstYield = 490e6 * barArea, ultimate = 630e6 * barArea;  // [N]
+constexpr double firstYield = 490e6 * rebarArea, ultimate = 630e6 * rebarArea;  // [N]
 
 struct Rebar {
     std::string name;
@@ -53,7 +53,7 @@ Rebar rebarNamed(const Scene& scene, const std::string& name) {
 /// Force at the joint [N] at which a bar embedded over `length` reaches the peak of its bond: N(x) of shear lag, with
 /// the end of the bar free and the slip at the joint bondPeak/bondStiffness.
 double shearLagLoad(double length) {
-    const double decay = std::sqrt(bondStiffness / (youngsModulus * barArea));  // [1/m]
+    const double decay = std::sqrt(bondStiffness / (youngsModulus * rebarArea));  // [1/m]
     return bondPeak / decay * std::tanh(decay * length);
 }
 

@@ -15,7 +15,6 @@
 namespace keyblock {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double unitWeight = 26e3;  // [N/m³]
 constexpr double halfAngle = 25.0, prismFriction = 45.0, stiffnessRatio = 0.4;  // [°], ks/kn
 constexpr double prismStress = 76e3;  // [Pa]

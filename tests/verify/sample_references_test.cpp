@@ -8,6 +8,7 @@
 #include "solver/run/run.h"
 #include "tests/verify/reference/bolts.h"
 #include "tests/verify/reference/softening_bar.h"
+#include "tests/verify/sample.h"
 
 #include <gtest/gtest.h>
 
@@ -19,20 +20,10 @@
 namespace keyblock {
 namespace {
 
+using test::expectedOf;
+using test::sample;
+
 using namespace reference;  // the calculation's own bolts, not those of the verification
-
-Scene sample(const std::string& name) {
-    const SceneReading reading = readSceneFile(std::string(KEYBLOCK_SAMPLES_DIR) + "/" + name + ".json");
-    EXPECT_TRUE(reading.scene) << name;
-    return reading.scene.value_or(Scene{});
-}
-
-double expectedOf(const Scene& scene, const std::string& quantity) {
-    for (const Expected& expected : scene.about.expected)
-        if (expected.quantity == quantity) return expected.value;
-    ADD_FAILURE() << "no " << quantity;
-    return 0.0;
-}
 
 BarProblem inRock(BarProblem problem) {
     makeRockElastic(problem, rockStiffness);
@@ -112,7 +103,7 @@ BarSpring endSpring(const Curve& curve, std::optional<double> peak) {
     return spring;
 }
 
-double circle(double diameter) { return 3.14159265358979323846 * 0.25 * diameter * diameter; }
+double circleArea(double diameter) { return 3.14159265358979323846 * 0.25 * diameter * diameter; }
 
 TEST(SampleReference, GroutedRebarExpectsTheReference) {
     BarProblem problem = boltAcross(1.0, 2.0, 59, barArea, textSteel);
@@ -149,7 +140,7 @@ TEST(SampleReference, BoltsHeldAtTheirEndsExpectTheReference) {
     EXPECT_NEAR(expectedOf(sample("expansion-shell"), "first bolt-loss joint force"), lost.load, 0.1);
     EXPECT_NEAR(expectedOf(sample("expansion-shell"), "first bolt-loss dilation"), lost.opening, 1e-9);
 
-    BarProblem cone = boltAcross(1.5, 2.3, 46, circle(0.0172), {{0.00296, 592e6}, {0.12, 800e6}});
+    BarProblem cone = boltAcross(1.5, 2.3, 46, circleArea(0.0172), {{0.00296, 592e6}, {0.12, 800e6}});
     cone.springs = {endSpring({{0.00156, 78e3}, {0.6, 98e3}}, std::nullopt)};
     addPlate(cone, 1e9, 150e3);
     const BarResult ploughs = pullTo(cone, 0.2);
@@ -159,7 +150,7 @@ TEST(SampleReference, BoltsHeldAtTheirEndsExpectTheReference) {
 }
 
 TEST(SampleReference, BoltsThatSlipThroughTheirAnchorExpectTheReference) {
-    BarProblem roofex = boltAcross(1.5, 2.4, 48, circle(0.0125), {{0.004, 800e6}, {0.1, 815e6}});
+    BarProblem roofex = boltAcross(1.5, 2.4, 48, circleArea(0.0125), {{0.004, 800e6}, {0.1, 815e6}});
     anchorByLength(roofex, 1.5, 0.0, 0.35,
                    endSpring({{0.0008, 228571.429}, {0.6, 228571.429}, {0.62, 285714.286}}, std::nullopt));
     addPlate(roofex, 1e9, 100e3);

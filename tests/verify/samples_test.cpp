@@ -25,7 +25,7 @@ std::vector<std::filesystem::path> samples() {
     return found;
 }
 
-std::string testName(const testing::TestParamInfo<std::filesystem::path>& sample) {
+std::string sampleTestName(const testing::TestParamInfo<std::filesystem::path>& sample) {
     std::string name = sample.param.stem().string();
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
@@ -55,7 +55,7 @@ TEST_P(Sample, GivesTheNumbersItNames) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Sample, testing::ValuesIn(samples()), testName);
+INSTANTIATE_TEST_SUITE_P(All, Sample, testing::ValuesIn(samples()), sampleTestName);
 
 }  // namespace
 }  // namespace keyblock

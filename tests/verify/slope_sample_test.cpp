@@ -18,7 +18,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double g = 9.81;  // [m/s²]
+constexpr double slopeGravity = 9.81;  // [m/s²]
 constexpr double dip = 35.0 * std::numbers::pi / 180.0;
 constexpr double tolerance = 0.005;
 
@@ -50,8 +50,8 @@ public:
             // the ground goes to the right under a row above zero, so the block is pushed to the left, down the slope,
             // by one below zero
             const double push = -factor_ * recordAt(record_, time_ + 0.5 * step_);
-            const double along = g * std::sin(dip) + push * std::cos(dip);
-            const double across = g * std::cos(dip) - push * std::sin(dip);
+            const double along = slopeGravity * std::sin(dip) + push * std::cos(dip);
+            const double across = slopeGravity * std::cos(dip) - push * std::sin(dip);
             const double speed = std::max(speed_ + (along - friction_ * across) * step_, 0.0);
             way_ += 0.5 * (speed_ + speed) * step_;
             speed_ = speed;

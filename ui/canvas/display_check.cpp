@@ -13,7 +13,7 @@ namespace keyblock {
 
 namespace {
 
-struct Texts {
+struct DisplayTexts {
     Q_DECLARE_TR_FUNCTIONS(DisplayCheck)
 };
 
@@ -21,16 +21,16 @@ struct Texts {
 std::optional<QString> tryContext() {
     QOpenGLContext context;
     context.setFormat(sectionFormat());
-    if (!context.create()) return Texts::tr("OpenGL is not available on this display.");
+    if (!context.create()) return DisplayTexts::tr("OpenGL is not available on this display.");
     QOffscreenSurface surface;
     surface.setFormat(context.format());
     surface.create();
     if (!surface.isValid() || !context.makeCurrent(&surface))
-        return Texts::tr("OpenGL cannot be started on this display.");
+        return DisplayTexts::tr("OpenGL cannot be started on this display.");
     const QPair<int, int> version = context.format().version();
     context.doneCurrent();
     if (version >= qMakePair(3, 2)) return std::nullopt;
-    return Texts::tr("This display has OpenGL %1.%2; the section needs 3.2 or newer.")
+    return DisplayTexts::tr("This display has OpenGL %1.%2; the section needs 3.2 or newer.")
         .arg(version.first)
         .arg(version.second);
 }
@@ -38,8 +38,8 @@ std::optional<QString> tryContext() {
 std::optional<QString> check() {
     const QString platform = QGuiApplication::platformName();
     if (platform == "offscreen" || platform == "minimal")
-        return Texts::tr("The Qt platform '%1' does not support OpenGL.").arg(platform);
-    if (platform == "xcb" && !glxWorks()) return Texts::tr("This display does not support OpenGL (GLX).");
+        return DisplayTexts::tr("The Qt platform '%1' does not support OpenGL.").arg(platform);
+    if (platform == "xcb" && !glxWorks()) return DisplayTexts::tr("This display does not support OpenGL (GLX).");
     return tryContext();
 }
 

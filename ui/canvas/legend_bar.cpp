@@ -4,6 +4,7 @@
 
 #include "ui/canvas/call_out.h"
 #include "ui/canvas/view_theme.h"
+#include "ui/look/qt_text.h"
 #include "ui/look/theme.h"
 #include "ui/picture/tick_labels.h"
 
@@ -19,23 +20,22 @@ namespace keyblock {
 
 namespace {
 
-constexpr double titleRow = 22.0, limitRow = 15.0, barHeight = 11.0, tickRow = 19.0, noteRow = 15.0, tip = 8.0;  // [px]
-constexpr double openerRoom = 13.0;  // [px]
-constexpr int tickSize = 11, noteSize = 11;  // of the fonts [px]
+constexpr double barTitleRow = 22.0, limitRow = 15.0, barHeight = 11.0, tickRow = 19.0, barNoteRow = 15.0;  // [px]
+constexpr double openerRoom = 13.0, tip = 8.0;  // [px]
+constexpr int tickSize = 11, barNoteSize = 11;  // of the fonts [px]
 
-struct Texts {
+struct BarTexts {
     Q_DECLARE_TR_FUNCTIONS(Legend)
 };
-QString qt(const std::string& word) { return QString::fromStdString(word); }
 double widthOf(const QString& word, int size) { return QFontMetricsF(screenFont(size)).horizontalAdvance(word); }
 
 /// The range that the colours span.
 QString scaleText(const LegendBar& bar) {
-    const QString clipped = bar.clips() ? Texts::tr(" (extreme 2 % clipped)") : QString();
+    const QString clipped = bar.clips() ? BarTexts::tr(" (extreme 2 % clipped)") : QString();
     switch (bar.scale.of) {
-        case ScaleOf::AllFrames: return Texts::tr("Same scale in all frames") + clipped;
-        case ScaleOf::ThisFrame: return Texts::tr("Scale of this frame") + clipped;
-        case ScaleOf::Own: return Texts::tr("Range set by hand");
+        case ScaleOf::AllFrames: return BarTexts::tr("Same scale in all frames") + clipped;
+        case ScaleOf::ThisFrame: return BarTexts::tr("Scale of this frame") + clipped;
+        case ScaleOf::Own: return BarTexts::tr("Range set by hand");
     }
     return {};
 }
@@ -46,15 +46,15 @@ QStringList notesOf(const LegendBar& bar, double width) {
     const bool large = std::max(std::abs(bar.range.low), std::abs(bar.range.high)) >= 1e4;
     const int decimals = large ? 0 : bar.ticks.decimals + 1;
     if (bar.now)
-        notes << Texts::tr("This frame: %1 to %2")
+        notes << BarTexts::tr("This frame: %1 to %2")
                      .arg(qt(numberText(bar.now->low, decimals)), qt(numberText(bar.now->high, decimals)));
     if (const QString convention = qt(bar.convention); !convention.isEmpty()) {
         const QString joined = notes.isEmpty() ? convention : notes.last() + " · " + convention;
-        if (!notes.isEmpty() && widthOf(joined, noteSize) <= width) notes.last() = joined;
+        if (!notes.isEmpty() && widthOf(joined, barNoteSize) <= width) notes.last() = joined;
         else notes << convention;
     }
-    if (bar.dashed == "compression") notes << Texts::tr("Dashed: compression");
-    else if (!bar.dashed.empty()) notes << Texts::tr("Dashed: negative");
+    if (bar.dashed == "compression") notes << BarTexts::tr("Dashed: compression");
+    else if (!bar.dashed.empty()) notes << BarTexts::tr("Dashed: negative");
     return notes << scaleText(bar);
 }
 
@@ -147,8 +147,8 @@ void paintLimits(QPainter& painter, const Theme& theme, const LegendBar& bar, co
 }  // namespace
 
 double legendBarHeight(const LegendBar& bar, double width) {
-    return titleRow + (bar.limits.empty() ? 0.0 : limitRow) + barHeight + tickRow +
-           noteRow * static_cast<double>(notesOf(bar, width).size());
+    return barTitleRow + (bar.limits.empty() ? 0.0 : limitRow) + barHeight + tickRow +
+           barNoteRow * static_cast<double>(notesOf(bar, width).size());
 }
 
 void paintLegendBar(QPainter& painter, const Theme& theme, const LegendBar& bar, const QPointF& at, double width) {
@@ -163,7 +163,7 @@ void paintLegendBar(QPainter& painter, const Theme& theme, const LegendBar& bar,
     const double room = width - widthOf(unit, 11) - 8.0 - openerRoom;
     painter.drawText(QRectF(at, QSizeF(width, 16.0)), Qt::AlignVCenter,
                      QFontMetricsF(bold).elidedText(qt(bar.title), Qt::ElideRight, room));
-    const QPointF top(std::round(at.x()), std::round(at.y() + titleRow + (bar.limits.empty() ? 0.0 : limitRow)));
+    const QPointF top(std::round(at.x()), std::round(at.y() + barTitleRow + (bar.limits.empty() ? 0.0 : limitRow)));
     const double from = bar.goesBelow ? tip : 0.0, to = width - (bar.goesAbove ? tip : 0.0);
     fillBar(painter, theme, bar, top, from, to);
     paintLimits(painter, theme, bar, top, from, to, width);
@@ -175,12 +175,12 @@ void paintLegendBar(QPainter& painter, const Theme& theme, const LegendBar& bar,
         painter.drawText(QPointF(top.x() + tick.middle - 0.5 * labelWidth(tick.text), top.y() + barHeight + 14.0),
                          qt(tick.text));
     }
-    painter.setFont(screenFont(noteSize));
-    QRectF row(top + QPointF(0.0, barHeight + tickRow), QSizeF(width, noteRow));
+    painter.setFont(screenFont(barNoteSize));
+    QRectF row(top + QPointF(0.0, barHeight + tickRow), QSizeF(width, barNoteRow));
     for (const QString& note : notesOf(bar, width)) {
         painter.drawText(row, Qt::AlignVCenter,
                          QFontMetricsF(painter.font()).elidedText(note, Qt::ElideRight, width));
-        row.translate(0.0, noteRow);
+        row.translate(0.0, barNoteRow);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "ui/canvas/call_out.h"
 #include "ui/canvas/view_theme.h"
+#include "ui/look/qt_text.h"
 #include "ui/look/theme.h"
 #include "ui/picture/ticks.h"
 #include "ui/view/screen_sizes.h"
@@ -19,20 +20,19 @@ namespace keyblock {
 
 namespace {
 
-constexpr double titleRow = 22.0, row = 19.0, noteRow = 15.0;  // [px]
+constexpr double forceTitleRow = 22.0, forceRow = 19.0, noteRow = 15.0;  // [px]
 constexpr int noteSize = 11;  // of the font [px]
 
-struct Texts {
+struct ForceTexts {
     Q_DECLARE_TR_FUNCTIONS(Legend)
 };
-QString qt(const std::string& word) { return QString::fromStdString(word); }
 
 QString nameOf(ContactKind kind) {
     switch (kind) {
-        case ContactKind::Locked: return Texts::tr("Locked");
-        case ContactKind::Sliding: return Texts::tr("Sliding");
-        case ContactKind::Bonded: return Texts::tr("Bonded");
-        case ContactKind::Pulled: return Texts::tr("Bonded, pulled");
+        case ContactKind::Locked: return ForceTexts::tr("Locked");
+        case ContactKind::Sliding: return ForceTexts::tr("Sliding");
+        case ContactKind::Bonded: return ForceTexts::tr("Bonded");
+        case ContactKind::Pulled: return ForceTexts::tr("Bonded, pulled");
     }
     return {};
 }
@@ -58,18 +58,18 @@ QString beginning(QString note) {
 QStringList notesOf(const ArrowField& field, double width) {
     const bool isCross = !field.marks.empty() && field.marks.front().shape != ArrowShape::Arrow;
     QStringList notes;
-    if (isCross) notes += broken(Texts::tr("Compression; tension in red"), width);
+    if (isCross) notes += broken(ForceTexts::tr("Compression; tension in red"), width);
     else for (const std::string& note : field.notes) notes += broken(beginning(qt(note)), width);
     const QString largest =
-        Texts::tr("Largest in this frame: %1 %2").arg(qt(numberText(field.largest)), qt(field.unit));
+        ForceTexts::tr("Largest in this frame: %1 %2").arg(qt(numberText(field.largest)), qt(field.unit));
     return notes + broken(largest, width);
 }
 
 QStringList notesOf(const ContactField& field, double width) {
-    QStringList notes = broken(Texts::tr("This frame: up to %1 %2 over a thickness of %3 m")
+    QStringList notes = broken(ForceTexts::tr("This frame: up to %1 %2 over a thickness of %3 m")
                                    .arg(qt(numberText(field.largest)), qt(field.unit), qt(numberText(field.thickness))),
                                width);
-    if (field.scale.largest > field.scale.longest) notes += broken(Texts::tr("Longer lines are clipped"), width);
+    if (field.scale.largest > field.scale.longest) notes += broken(ForceTexts::tr("Longer lines are clipped"), width);
     for (const std::string& note : field.notes) notes += broken(beginning(qt(note)), width);
     return notes;
 }
@@ -122,7 +122,7 @@ double notesHeight(const QStringList& notes) { return noteRow * static_cast<doub
 }  // namespace
 
 double legendArrowsHeight(const ArrowField& field, double width) {
-    return titleRow + row + notesHeight(notesOf(field, width));
+    return forceTitleRow + forceRow + notesHeight(notesOf(field, width));
 }
 
 void paintLegendArrows(QPainter& painter, const Theme& theme, const ArrowField& field, const QPointF& at,
@@ -131,35 +131,35 @@ void paintLegendArrows(QPainter& painter, const Theme& theme, const ArrowField& 
     double shown = roundHalvable(0.45 * std::max(field.largest, 1e-300));
     if (shown > field.largest) shown *= 0.5;
     const double length = shown * arrowScale(field) * pixelsPerMm;
-    const QPointF from = at + QPointF(2.0, titleRow + 0.5 * row - 2.0), to = from + QPointF(length, 0.0);
+    const QPointF from = at + QPointF(2.0, forceTitleRow + 0.5 * forceRow - 2.0), to = from + QPointF(length, 0.0);
     paintLine(painter, theme.markInk, 1.3, from, to);
     if (!field.marks.empty() && field.marks.front().shape == ArrowShape::Arrow)
         for (const double side : {-1.0, 1.0}) paintLine(painter, theme.markInk, 1.3, to, to + QPointF(-5.0, 2.3 * side));
     painter.setFont(screenFont(noteSize));
     painter.setPen(theme.text);
-    painter.drawText(QRectF(to.x() + 10.0, at.y() + titleRow - 2.0, width, row), Qt::AlignVCenter,
+    painter.drawText(QRectF(to.x() + 10.0, at.y() + forceTitleRow - 2.0, width, forceRow), Qt::AlignVCenter,
                      qt(numberText(shown)) + ' ' + qt(field.unit));
-    paintNotes(painter, theme, notesOf(field, width), at + QPointF(0.0, titleRow + row), width);
+    paintNotes(painter, theme, notesOf(field, width), at + QPointF(0.0, forceTitleRow + forceRow), width);
 }
 
 double legendContactsHeight(const ContactField& field, double width) {
     const auto kinds = static_cast<double>((field.scale.kinds.size() + 1) / 2);
-    return titleRow + (field.scale.longest > 0.0 ? row * (1.0 + kinds) : 0.0) + notesHeight(notesOf(field, width));
+    return forceTitleRow + (field.scale.longest > 0.0 ? forceRow * (1.0 + kinds) : 0.0) + notesHeight(notesOf(field, width));
 }
 
 void paintLegendContacts(QPainter& painter, const Theme& theme, const ContactField& field, double scale,
                          const QPointF& at, double width) {
-    paintTitle(painter, theme, Texts::tr("Contact force"), qt(field.unit), at, width);
-    QPointF below = at + QPointF(0.0, titleRow - 2.0);
+    paintTitle(painter, theme, ForceTexts::tr("Contact force"), qt(field.unit), at, width);
+    QPointF below = at + QPointF(0.0, forceTitleRow - 2.0);
     if (field.scale.longest > 0.0) {
         const double longest = longestContactLine(field.scale.spacing * scale / pixelsPerMm);
         const auto sample = [&](ContactKind kind, double force, const QPointF& corner, const QString& label) {
             const double length = pixelsPerMm * contactLength(field.scale, force, longest);
-            paintContact(painter, theme, kind, corner + QPointF(4.0, 0.5 * row), length,
+            paintContact(painter, theme, kind, corner + QPointF(4.0, 0.5 * forceRow), length,
                          pixelsPerMm * contactWidth(field.scale, force, longest));
             painter.setFont(screenFont(noteSize));
             painter.setPen(theme.text);
-            painter.drawText(QRectF(corner.x() + length + 12.0, corner.y(), width, row), Qt::AlignVCenter, label);
+            painter.drawText(QRectF(corner.x() + length + 12.0, corner.y(), width, forceRow), Qt::AlignVCenter, label);
         };
         const double column = 0.5 * width;
         for (const double part : {1.0, 0.25})
@@ -167,9 +167,9 @@ void paintLegendContacts(QPainter& painter, const Theme& theme, const ContactFie
                    qt(numberText(part * field.scale.longest)) + ' ' + qt(field.unit));
         for (std::size_t i = 0; i < field.scale.kinds.size(); ++i)
             sample(field.scale.kinds[i], 0.5 * field.scale.longest,
-                   below + QPointF(i % 2 ? column : 0.0, row * static_cast<double>(1 + i / 2)),
+                   below + QPointF(i % 2 ? column : 0.0, forceRow * static_cast<double>(1 + i / 2)),
                    nameOf(field.scale.kinds[i]));
-        below.ry() += row * static_cast<double>(1 + (field.scale.kinds.size() + 1) / 2);
+        below.ry() += forceRow * static_cast<double>(1 + (field.scale.kinds.size() + 1) / 2);
     }
     paintNotes(painter, theme, notesOf(field, width), below + QPointF(0.0, 2.0), width);
 }

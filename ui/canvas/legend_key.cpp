@@ -17,7 +17,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double titleRow = 22.0, row = 20.0, column = 103.0;  // [px]
+constexpr double keyTitleRow = 22.0, keyRow = 20.0, column = 103.0;  // [px]
 constexpr double groupGap = 8.0;  // between points and steel [px]
 
 using Entry = std::optional<MarkKind>;  // none: the marked block
@@ -41,7 +41,7 @@ Groups groupsOf(const std::vector<MarkKind>& kinds, bool highlighted) {
 double rowsOf(const std::vector<Entry>& entries) { return static_cast<double>((entries.size() + 1) / 2); }
 
 void paintEntry(QPainter& painter, const Theme& theme, const Entry& entry, const QPointF& at) {
-    const QPointF middle = at + QPointF(8.0, 0.5 * row);
+    const QPointF middle = at + QPointF(8.0, 0.5 * keyRow);
     if (entry) {
         const bool lost = *entry == MarkKind::PlateLost;
         const QPointF along = *entry == MarkKind::Plate || lost ? QPointF(0.0, 1.0) : QPointF(1.0, 0.0);
@@ -57,14 +57,14 @@ void paintEntry(QPainter& painter, const Theme& theme, const Entry& entry, const
     }
     painter.setFont(screenFont(11));
     painter.setPen(theme.text);
-    painter.drawText(QRectF(at.x() + 22.0, at.y(), column - 22.0, row), Qt::AlignVCenter,
+    painter.drawText(QRectF(at.x() + 22.0, at.y(), column - 22.0, keyRow), Qt::AlignVCenter,
                      entry ? markName(*entry) : QCoreApplication::translate("Marks", "Marked block"));
 }
 
 double paintGroup(QPainter& painter, const Theme& theme, const std::vector<Entry>& entries, const QPointF& at) {
     for (std::size_t i = 0; i < entries.size(); ++i)
-        paintEntry(painter, theme, entries[i], at + QPointF(i % 2 ? column : 0.0, row * static_cast<double>(i / 2)));
-    return row * rowsOf(entries);
+        paintEntry(painter, theme, entries[i], at + QPointF(i % 2 ? column : 0.0, keyRow * static_cast<double>(i / 2)));
+    return keyRow * rowsOf(entries);
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ double legendKeyHeight(const std::vector<MarkKind>& kinds, bool highlighted) {
     const Groups groups = groupsOf(kinds, highlighted);
     if (groups.points.empty() && groups.steel.empty()) return 0.0;
     const double gap = groups.points.empty() || groups.steel.empty() ? 0.0 : groupGap;
-    return titleRow + row * (rowsOf(groups.points) + rowsOf(groups.steel)) + gap;
+    return keyTitleRow + keyRow * (rowsOf(groups.points) + rowsOf(groups.steel)) + gap;
 }
 
 void paintLegendKey(QPainter& painter, const Theme& theme, const std::vector<MarkKind>& kinds, bool highlighted,
@@ -84,7 +84,7 @@ void paintLegendKey(QPainter& painter, const Theme& theme, const std::vector<Mar
     painter.drawText(QRectF(at, QSizeF(2.0 * column, 16.0)), Qt::AlignVCenter,
                      groups.points.empty() ? QCoreApplication::translate("Marks", "Marks")
                                            : QCoreApplication::translate("Marks", "Bolt nodes"));
-    QPointF below = at + QPointF(0.0, titleRow);
+    QPointF below = at + QPointF(0.0, keyTitleRow);
     below.ry() += paintGroup(painter, theme, groups.points, below);
     if (!groups.points.empty() && !groups.steel.empty()) {
         painter.fillRect(QRectF(below.x(), std::round(below.y() + 0.5 * groupGap), 2.0 * column - 2.0, 1.0),

@@ -19,7 +19,7 @@ namespace keyblock {
 
 namespace {
 
-struct Texts {
+struct LegendTexts {
     Q_DECLARE_TR_FUNCTIONS(Legend)
 };
 
@@ -37,8 +37,8 @@ struct Item {
 };
 
 QString deformationText(double factor) {
-    if (factor == 1.0) return Texts::tr("Deformation drawn true to scale");
-    return Texts::tr("Deformation magnified ×%1").arg(QString::fromStdString(numberText(factor)));
+    if (factor == 1.0) return LegendTexts::tr("Deformation drawn true to scale");
+    return LegendTexts::tr("Deformation magnified ×%1").arg(QString::fromStdString(numberText(factor)));
 }
 
 /// Colour bars, and the entries of arrows and contact forces.

@@ -3,6 +3,7 @@
 #include "ui/canvas/probe_panel.h"
 
 #include "ui/canvas/call_out.h"
+#include "ui/look/qt_text.h"
 #include "ui/look/theme.h"
 #include "ui/picture/probe.h"
 
@@ -17,8 +18,6 @@ namespace keyblock {
 namespace {
 
 constexpr double padding = 9.0, headRow = 18.0, row = 16.0, gap = 14.0, off = 16.0, mostWidth = 280.0;  // [px]
-
-QString qt(const std::string& text) { return QString::fromStdString(text); }
 
 }  // namespace
 

@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-struct Texts {
+struct MarkTexts {
     Q_DECLARE_TR_FUNCTIONS(Marks)
 };
 
@@ -45,15 +45,15 @@ void paintMark(QPainter& painter, MarkKind kind, const QPointF& at, const QPoint
 
 QString markName(MarkKind kind) {
     switch (kind) {
-        case MarkKind::Bonded: return Texts::tr("Bonded");
-        case MarkKind::Artificial: return Texts::tr("Intermediate");
-        case MarkKind::InGap: return Texts::tr("In a gap");
-        case MarkKind::Slipping: return Texts::tr("Slipping");
-        case MarkKind::Gone: return Texts::tr("Failed");
-        case MarkKind::Yielded: return Texts::tr("Steel yielded");
-        case MarkKind::Ruptured: return Texts::tr("Ruptured");
-        case MarkKind::Plate: return Texts::tr("Face plate");
-        case MarkKind::PlateLost: return Texts::tr("Plate lost");
+        case MarkKind::Bonded: return MarkTexts::tr("Bonded");
+        case MarkKind::Artificial: return MarkTexts::tr("Intermediate");
+        case MarkKind::InGap: return MarkTexts::tr("In a gap");
+        case MarkKind::Slipping: return MarkTexts::tr("Slipping");
+        case MarkKind::Gone: return MarkTexts::tr("Failed");
+        case MarkKind::Yielded: return MarkTexts::tr("Steel yielded");
+        case MarkKind::Ruptured: return MarkTexts::tr("Ruptured");
+        case MarkKind::Plate: return MarkTexts::tr("Face plate");
+        case MarkKind::PlateLost: return MarkTexts::tr("Plate lost");
     }
     return {};
 }

@@ -5,6 +5,7 @@
 // the force diagram with its largest value and the limit next to it.
 #include "solver/scene/units.h"
 #include "ui/canvas/section_painter.h"
+#include "ui/look/qt_text.h"
 #include "ui/look/theme.h"
 #include "ui/picture/detail.h"
 #include "ui/picture/ticks.h"
@@ -25,10 +26,9 @@ constexpr double ribbonGap = 8.0, pixelsPerKn = 0.195, leastRoom = 9.0, usualRoo
 constexpr double hatchEach = 0.1;  // [m]
 constexpr double leastForce = 50.0;  // shown [N]
 
-struct Texts {
+struct CallOutTexts {
     Q_DECLARE_TR_FUNCTIONS(SectionPainter)
 };
-QString qt(const std::string& word) { return QString::fromStdString(word); }
 
 QPolygonF polygonOf(const std::vector<Point>& points) {
     QPolygonF polygon;
@@ -94,7 +94,7 @@ void SectionPainter::callOutRibbon(const RibbonShape& shape) {
     CallOut peak;
     peak.head = qt(picture_.bolts[ribbon.shape].name) + "  " + qt(numberText(value)) + unit;
     if (ribbon.limit)
-        peak.detail = Texts::tr("%1 % of %2")
+        peak.detail = CallOutTexts::tr("%1 % of %2")
                           .arg(std::lround(100.0 * std::abs(value) / *ribbon.limit))
                           .arg(qt(ribbon.limitName));
     peak.edge = theme_.accent;
@@ -125,9 +125,9 @@ void SectionPainter::callOutEvents() {
         CallOut callOut;
         callOut.head = qt(entry->subject) + ' ' + qt(entry->what);
         const bool bore = entry->bolt >= 0 && entry->force > leastForce;
-        callOut.detail = bore ? Texts::tr("%1 at %2").arg(qt(forceText(entry->force, picture_.numbers)),
+        callOut.detail = bore ? CallOutTexts::tr("%1 at %2").arg(qt(forceText(entry->force, picture_.numbers)),
                                                                qt(entry->when))
-                              : Texts::tr("at %1").arg(qt(entry->when));
+                              : CallOutTexts::tr("at %1").arg(qt(entry->when));
         callOut.edge = theme_.error;
         callOut.at = at;
         callOuts_.push_back(callOut);
@@ -149,7 +149,7 @@ void SectionPainter::callOutMoved() {
         });
         if (hasFailed || !isSeen(foot) || added == mostMoved) continue;
         const QString way = qt(lengthText(block->displaced / picture_.factor, picture_.numbers));
-        callOuts_.push_back({qt(block->name), Texts::tr("moved %1").arg(way), theme_.text2, foot, {0.0, 1.0}, true});
+        callOuts_.push_back({qt(block->name), CallOutTexts::tr("moved %1").arg(way), theme_.text2, foot, {0.0, 1.0}, true});
         ++added;
     }
 }

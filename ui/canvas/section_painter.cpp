@@ -21,7 +21,7 @@ namespace {
 constexpr double edge = 6.0, nearBolt = 9.0, leastSpacingForNames = 17.0;  // [px]
 constexpr std::size_t manyAnchors = 12;
 
-QRectF rectOf(const Box& box) { return {QPointF(box.min.x(), box.min.y()), QPointF(box.max.x(), box.max.y())}; }
+QRectF rectOfBox(const Box& box) { return {QPointF(box.min.x(), box.min.y()), QPointF(box.max.x(), box.max.y())}; }
 Box boxOf(const QRectF& rect) { return {{rect.left(), rect.top()}, {rect.right(), rect.bottom()}}; }
 Box sheetOf(const CanvasMap& map) { return {{edge, edge}, {map.size().width() - edge, map.size().height() - edge}}; }
 
@@ -203,7 +203,7 @@ void SectionPainter::paintNames(QPainter& painter) {
             beside(farEnd, away.normalized());
         beside(head, along);
         if (spacing_[i] < leastSpacingForNames) centres.resize(1);
-        if (const auto box = placement_.place(size, centres)) paintName(painter, bolt, name, rectOf(*box));
+        if (const auto box = placement_.place(size, centres)) paintName(painter, bolt, name, rectOfBox(*box));
     }
 }
 
@@ -233,7 +233,7 @@ void SectionPainter::paintCallOuts(QPainter& painter) {
     for (const CallOut& callOut : callOuts_) {
         const QSizeF size = sizeOf(callOut);
         const auto box = placement_.placeRound({size.width() + 8.0, size.height() + 8.0}, callOut.at, callOut.first);
-        if (box) paintCallOut(painter, theme_, callOut, rectOf(grown(*box, -4.0)));
+        if (box) paintCallOut(painter, theme_, callOut, rectOfBox(grown(*box, -4.0)));
     }
 }
 

@@ -11,12 +11,12 @@ namespace keyblock {
 
 namespace {
 
-struct Texts {
+struct WithoutGlTexts {
     Q_DECLARE_TR_FUNCTIONS(WithoutGl)
 };
 
 QString howToGoOn() {
-    return Texts::tr("<p>Panels, checks, runs and tables work without it. To see the section:</p>"
+    return WithoutGlTexts::tr("<p>Panels, checks, runs and tables work without it. To see the section:</p>"
                 "<ul>"
                 "<li>on this machine, install software OpenGL: <code>apt install libgl1-mesa-dri libglx-mesa0</code>, "
                 "and start with <code>LIBGL_ALWAYS_SOFTWARE=1 keyblock-studio</code>;</li>"
@@ -32,9 +32,9 @@ QString howToGoOn() {
 QWidget* makeWithoutGlPanel(const QString& missing, QWidget* parent) {
     auto* panel = new QWidget(parent);
     panel->setObjectName("withoutGl");
-    panel->setAccessibleName(Texts::tr("The section cannot be shown"));
+    panel->setAccessibleName(WithoutGlTexts::tr("The section cannot be shown"));
     auto* message = new QLabel(QStringLiteral("<h3>%1</h3><p>%2</p>%3")
-                                   .arg(Texts::tr("The section cannot be shown here"), missing.toHtmlEscaped(),
+                                   .arg(WithoutGlTexts::tr("The section cannot be shown here"), missing.toHtmlEscaped(),
                                         howToGoOn()),
                                panel);
     message->setObjectName("withoutGlMessage");

@@ -27,7 +27,7 @@ namespace keyblock {
 namespace {
 
 constexpr int bandRoom = 46;  // [px] above the curves
-constexpr double bandTop = 16.0, bandHeight = 26.0;  // within it
+constexpr double zoneTop = 16.0, zoneHeight = 26.0;  // within it
 constexpr int leastBetween = 150;  // [ms] between two redraws during a run
 constexpr std::size_t manyMarks = 24;
 constexpr std::size_t mostRead = 240;  // frames of a stored run, evenly spread
@@ -241,11 +241,11 @@ void BoltStrip::paintBlocks(QPainter& painter) const {
     const Theme& theme = themes_.current();
     const double left = view_->xOf(0.0), right = view_->xOf(shown_->chart.length);
     if (right <= left) return;
-    painter.fillRect(QRectF(left, bandTop, right - left, bandHeight), theme.rock);
+    painter.fillRect(QRectF(left, zoneTop, right - left, zoneHeight), theme.rock);
     for (const ChartZone& zone : shown_->chart.chart.zones) {
         QColor tint = theme.slipping;
         tint.setAlphaF(0.3);
-        painter.fillRect(QRectF(view_->xOf(zone.from), bandTop, view_->xOf(zone.to) - view_->xOf(zone.from), bandHeight),
+        painter.fillRect(QRectF(view_->xOf(zone.from), zoneTop, view_->xOf(zone.to) - view_->xOf(zone.from), zoneHeight),
                          tint);
     }
     QFont font = painter.font();
@@ -262,18 +262,18 @@ void BoltStrip::paintBlocks(QPainter& painter) const {
             if (name.empty() && s >= places[i] && s <= places[i + 1]) name = block;
         const double from = view_->xOf(places[i]), to = view_->xOf(places[i + 1]);
         if (name.empty() || to - from < 30.0) continue;
-        painter.drawText(QRectF(from + 3.0, 0.0, to - from - 6.0, bandTop), Qt::AlignCenter,
+        painter.drawText(QRectF(from + 3.0, 0.0, to - from - 6.0, zoneTop), Qt::AlignCenter,
                          metrics.elidedText(QString::fromStdString(name), Qt::ElideRight, to - from - 6.0));
     }
     painter.setPen(theme.text3);
-    painter.drawText(QRectF(0.0, bandTop, left - 8.0, bandHeight), Qt::AlignRight | Qt::AlignVCenter, tr("far end"));
-    painter.drawText(QRectF(right + 18.0, bandTop, 60.0, bandHeight), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(QRectF(0.0, zoneTop, left - 8.0, zoneHeight), Qt::AlignRight | Qt::AlignVCenter, tr("far end"));
+    painter.drawText(QRectF(right + 18.0, zoneTop, 60.0, zoneHeight), Qt::AlignLeft | Qt::AlignVCenter,
                      tr("head"));
 }
 
 /// The marks of the bolt, thinned where they would overlap; marks of failures stay.
 void BoltStrip::paintBand(QPainter& painter) const {
-    const double y = bandTop + 0.5 * bandHeight, left = view_->xOf(0.0), right = view_->xOf(shown_->chart.length);
+    const double y = zoneTop + 0.5 * zoneHeight, left = view_->xOf(0.0), right = view_->xOf(shown_->chart.length);
     painter.setPen(QPen(themes_.current().text3, 2.0));
     painter.drawLine(QPointF(left, y), QPointF(right, y));
     const MarkTheme theme = screenMarks(themes_.current());
@@ -289,12 +289,12 @@ void BoltStrip::paintFronts(QPainter& painter) const {
     painter.setPen(QPen(theme.text, 1.2));
     for (const ChartZone& zone : shown_->chart.chart.zones)
         for (const double s : {zone.from, zone.to})
-            painter.drawLine(QPointF(view_->xOf(s), bandTop - 1.0), QPointF(view_->xOf(s), bandRoom));
+            painter.drawLine(QPointF(view_->xOf(s), zoneTop - 1.0), QPointF(view_->xOf(s), bandRoom));
     QPen dotted(theme.text, 1.2);
     dotted.setDashPattern({1.5, 2.0});
     painter.setPen(dotted);
     for (const double s : shown_->chart.chart.dividers)
-        painter.drawLine(QPointF(view_->xOf(s), bandTop - 1.0), QPointF(view_->xOf(s), bandRoom));
+        painter.drawLine(QPointF(view_->xOf(s), zoneTop - 1.0), QPointF(view_->xOf(s), bandRoom));
 }
 
 }  // namespace keyblock

@@ -16,7 +16,7 @@ namespace keyblock {
 
 namespace {
 
-struct Texts {
+struct CurveTexts {
     Q_DECLARE_TR_FUNCTIONS(Curves)
 };
 
@@ -69,7 +69,7 @@ CurveEntries curveEntries(const RunSource& run, CurveKind kind) {
         for (const ChartPanel& panel : chart.panels) {
             if (panel.curves.empty() || (kind == CurveKind::Energies) != panel.title.starts_with("Energy")) continue;
             QString name = QString::fromStdString(panel.title);
-            if (!chart.overTime) name = Texts::tr("%1 over %2").arg(name, QString::fromStdString(chart.xTitle));
+            if (!chart.overTime) name = CurveTexts::tr("%1 over %2").arg(name, QString::fromStdString(chart.xTitle));
             found.entries.push_back(entryOf(chart, panel, name));
         }
     return found;
@@ -97,7 +97,7 @@ CurveEntries curveOver(const RunSource& run, const std::string& y, const std::st
     return found;
 }
 
-QString pinEntryName(const Pin& pin) { return Texts::tr("Pins: %1").arg(QString::fromStdString(titleOf(pin))); }
+QString pinEntryName(const Pin& pin) { return CurveTexts::tr("Pins: %1").arg(QString::fromStdString(titleOf(pin))); }
 
 std::vector<CurveEntry> pinEntries(const RunSource& run, const std::vector<std::shared_ptr<const PinTrack>>& tracks) {
     std::vector<CurveEntry> entries;
@@ -106,8 +106,8 @@ std::vector<CurveEntry> pinEntries(const RunSource& run, const std::vector<std::
         const auto same = std::count_if(entries.begin(), entries.end(), [&](const CurveEntry& entry) {
             return entry.chart.panels.front().title == chart.panels.front().title;
         });
-        const QString name = same > 0 ? Texts::tr("Pins %1: %2").arg(same + 1).arg(title)
-                                      : Texts::tr("Pins: %1").arg(title);
+        const QString name = same > 0 ? CurveTexts::tr("Pins %1: %2").arg(same + 1).arg(title)
+                                      : CurveTexts::tr("Pins: %1").arg(title);
         entries.push_back(entryOf(chart, chart.panels.front(), name));
     }
     return entries;
@@ -161,10 +161,10 @@ void addOther(CurveEntry& shown, const CurveEntry& other, const QString& name) {
     for (ChartCurve curve : other.chart.panels.front().curves) {
         if (overTime) curve = onAxis(std::move(curve), others, shown.chart.stages);
         curve.ofOther = true;
-        if (!curve.name.empty()) curve.name += Texts::tr(", 2nd run").toStdString();
+        if (!curve.name.empty()) curve.name += CurveTexts::tr(", 2nd run").toStdString();
         panel.curves.push_back(std::move(curve));
     }
-    const QString dashed = Texts::tr("dashed: %1").arg(name);
+    const QString dashed = CurveTexts::tr("dashed: %1").arg(name);
     panel.note += (panel.note.empty() ? "" : "; ") + dashed.toStdString();
     ValueRange& x = shown.chart.x;
     x = overTime ? ValueRange{x.low, shown.chart.stages.back().to}

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int mostOfChoice = 320;  // [px]
 constexpr int shortestWait = 300, longestWait = 5000;  // [ms] between two readings of a run in progress
-constexpr int share = 12;  // one part in so many of the time is spent on reading
+constexpr int readingShare = 12;  // one part in so many of the time is spent on reading
 
 /// Index of the point at `x`, or the last before it. \pre rising, not empty.
 std::size_t indexAt(const std::vector<double>& x, double at) {
@@ -171,7 +171,7 @@ void Curves::take(std::shared_ptr<const CurveReading> reading, int took) {
     read_ = std::move(reading);
     fillChoice();
     choose();
-    if (stale_ || cursor_.goesOn()) timer_.start(std::clamp(took * share, shortestWait, longestWait));
+    if (stale_ || cursor_.goesOn()) timer_.start(std::clamp(took * readingShare, shortestWait, longestWait));
 }
 
 void Curves::fillChoice() {

@@ -25,7 +25,7 @@ void setCourse(HealthRow& row, std::vector<double> course) {
     if (!row.course.empty()) row.value = row.course.back();
 }
 
-const StageRecord* recordOf(const LiveRun& run, int stage) {
+const StageRecord* endedRecord(const LiveRun& run, int stage) {
     for (const StageRecord& record : run.stageList())
         if (record.result.stage == stage && record.ended) return &record;
     return nullptr;
@@ -73,7 +73,7 @@ HealthRows healthAt(const LiveRun& run, int stage, double time) {
                                             return at < std::pair(sample.stage, sample.time);
                                         });
     const auto count = static_cast<std::size_t>(after - samples.begin());
-    const StageRecord* record = recordOf(run, stage);
+    const StageRecord* record = endedRecord(run, stage);
     if (count > 0) {
         fromSamples(run, count, rows);
     } else if (record) {

@@ -6,6 +6,7 @@
 #include "solver/results/run_source.h"
 #include "solver/results/result_names.h"
 #include "ui/look/display.h"
+#include "ui/look/qt_text.h"
 #include "ui/picture/event_list.h"
 
 #include <QCoreApplication>
@@ -18,13 +19,11 @@ namespace keyblock {
 namespace {
 
 constexpr std::size_t mostEvents = 8;
-constexpr double nothing = 1e-9, leastUse = 1e-6;  // of the axial force; of a strength: less is round-off
+constexpr double noForce = 1e-9, leastUse = 1e-6;  // of the axial force; of a strength: less is round-off
 
-struct Texts {
+struct ResultTexts {
     Q_DECLARE_TR_FUNCTIONS(ResultRows)
 };
-
-QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<int>(words.size())); }
 
 QString percent(double share) {
     const double shown = share < leastUse ? 0.0 : 100.0 * share;
@@ -34,7 +33,7 @@ QString percent(double share) {
 QString timeText(const Scene& scene, int stage, double time) {
     const QString name = QString::fromStdString(stageName(scene, stage));
     const bool moves = scene.stages[static_cast<std::size_t>(stage)].kind == StageKind::Dynamic;
-    return moves ? Texts::tr("%1, %2 s").arg(name, Display::number(time, 4)) : name + ' ' + Display::number(time, 4);
+    return moves ? ResultTexts::tr("%1, %2 s").arg(name, Display::number(time, 4)) : name + ' ' + Display::number(time, 4);
 }
 
 /// Creates rows in the units and signs shown.
@@ -52,10 +51,11 @@ struct RowMaker {
     void add(const QString& name, const QString& value) { rows.push_back({name, value}); }
 
     void peak(const BoltQuantityRow& quantity, const BoltPeak& peak, double axial) {
-        const QString name = Texts::tr("Largest %1").arg(text(quantity.brief));
-        if (peak.stage < 0 || std::abs(peak.value) < nothing * std::abs(axial)) return add(name, QStringLiteral("0"));
+        const QString name = ResultTexts::tr("Largest %1").arg(qt(quantity.brief));
+        if (peak.stage < 0 || std::abs(peak.value) < noForce * std::abs(axial)) return add(name, QStringLiteral("0"));
         rows.push_back({name, shown(peak.value, quantity.unit, quantity.factor),
-                        Texts::tr("at %1 m, %2").arg(Display::number(peak.at, 3), timeText(run.scene(), peak.stage, peak.time))});
+                        ResultTexts::tr("at %1 m, %2")
+                            .arg(Display::number(peak.at, 3), timeText(run.scene(), peak.stage, peak.time))});
     }
 
     void use(const QString& name, const BoltPeak& peak) {
@@ -69,7 +69,7 @@ struct RowMaker {
     void quantity(std::string_view name, const BlockState& block) {
         const auto* found = findQuantity(blockQuantities(), name);
         if (!found) return;
-        QString title = text(found->display.title);
+        QString title = qt(found->display.title);
         if (title.startsWith("Block stress ")) title = title.mid(13);
         add(title, shown(found->value(block), found->display.unit, found->display.factor, found->display.convention));
     }
@@ -86,8 +86,8 @@ struct RowMaker {
     void energy(const BoltFrame& bolt) {
         const double all = bolt.elasticEnergy + bolt.plasticEnergy + bolt.bondEnergy;
         const auto part = [&](double joules) { return shown(joules, "kJ", 1e-3); };
-        rows.push_back({Texts::tr("Energy absorbed so far"), part(all),
-                        Texts::tr("elastic %1, plastic %2, bond %3")
+        rows.push_back({ResultTexts::tr("Energy absorbed so far"), part(all),
+                        ResultTexts::tr("elastic %1, plastic %2, bond %3")
                             .arg(part(bolt.elasticEnergy), part(bolt.plasticEnergy), part(bolt.bondEnergy))});
     }
 };
@@ -114,15 +114,15 @@ std::vector<Event> some(const std::vector<Event>& events, Belongs belongs) {
 
 void addPlate(const BoltReport& report, RowMaker& make) {
     if (!report.hasPlate) return;
-    make.add(Texts::tr("Plate load now"),
-             report.plateHolds ? make.shown(report.plateForce, "kN", 1e-3) : Texts::tr("plate lost"));
+    make.add(ResultTexts::tr("Plate load now"),
+             report.plateHolds ? make.shown(report.plateForce, "kN", 1e-3) : ResultTexts::tr("plate lost"));
 }
 
 void addBond(const BoltReport& report, RowMaker& make) {
     const int nodes = report.bonded + report.slipping + report.failed;
     if (nodes == 0) return;
-    make.add(Texts::tr("Debonded length"), make.shown(report.debonded, "m", 1.0));
-    make.add(Texts::tr("Bond state of nodes"), Texts::tr("%1 bonded, %2 slipping, %3 failed")
+    make.add(ResultTexts::tr("Debonded length"), make.shown(report.debonded, "m", 1.0));
+    make.add(ResultTexts::tr("Bond state of nodes"), ResultTexts::tr("%1 bonded, %2 slipping, %3 failed")
                                                 .arg(report.bonded)
                                                 .arg(report.slipping)
                                                 .arg(report.failed));
@@ -135,14 +135,14 @@ ResultReport boltResults(const RunSource& run, const Frame& frame, int bolt, con
     const Scene& scene = run.scene();
     const Bolt& shown = scene.bolts[static_cast<std::size_t>(bolt)];
     const BoltReport report = boltReport(scene, frame, bolt, events);
-    ResultReport result{Texts::tr("%1 · bolt").arg(QString::fromStdString(shown.name)), QString::fromStdString(shown.type), {}, {}};
+    ResultReport result{ResultTexts::tr("%1 · bolt").arg(qt(shown.name)), qt(shown.type), {}, {}};
     RowMaker make{run, numbers, result.rows};
-    make.add(Texts::tr("State"), text(wordOf(report.condition)));
+    make.add(ResultTexts::tr("State"), qt(wordOf(report.condition)));
     const BoltExtremes& peaks = report.use.extremes;
     const double axial = peaks.axialForce.value;
     for (const BoltPeakRow& row : boltPeakRows) make.peak(rowOf(row.quantity), peaks.*row.peak, axial);
     for (const BoltStrengthRow& row : boltStrengths)
-        make.use(Texts::tr("%1 utilisation").arg(text(row.title)), peaks.*row.use);
+        make.use(ResultTexts::tr("%1 utilisation").arg(qt(row.title)), peaks.*row.use);
     if (report.isInstalled()) {
         addPlate(report, make);
         addBond(report, make);
@@ -157,20 +157,20 @@ ResultReport blockResults(const RunSource& run, const Frame& frame, int block, c
     static constexpr std::array quantities{"displacement", "ux", "uy",  "rotation", "velocity", "sigma1",
                                            "sigma3",       "sxx", "syy", "sxy",      "weight",   "area"};
     const BlockState& state = frame.blocks[static_cast<std::size_t>(block)];
-    ResultReport result{Texts::tr("Block %1").arg(QString::fromStdString(blockName(run.blockNames(), block))),
-                        Texts::tr("block of this run"), {}, {}};
+    ResultReport result{ResultTexts::tr("Block %1").arg(QString::fromStdString(blockName(run.blockNames(), block))),
+                        ResultTexts::tr("block of this run"), {}, {}};
     RowMaker make{run, numbers, result.rows};
     if (state.area <= 0.0) {
-        make.add(Texts::tr("State"), Texts::tr("excavated"));
+        make.add(ResultTexts::tr("State"), ResultTexts::tr("excavated"));
     } else {
         for (const char* name : quantities) make.quantity(name, state);
     }
     if (const auto row = static_cast<std::size_t>(block); row < frame.blockExtremes.size()) {
         const BlockExtremes& extremes = frame.blockExtremes[row];
-        make.blockPeak(Texts::tr("Largest displacement"), "displacement", extremes);
-        make.blockPeak(Texts::tr("Largest velocity"), "velocity", extremes);
-        make.blockPeak(Texts::tr("Largest σ₁"), "sigma1", extremes);
-        make.blockPeak(Texts::tr("Smallest σ₃"), "sigma3", extremes);
+        make.blockPeak(ResultTexts::tr("Largest displacement"), "displacement", extremes);
+        make.blockPeak(ResultTexts::tr("Largest velocity"), "velocity", extremes);
+        make.blockPeak(ResultTexts::tr("Largest σ₁"), "sigma1", extremes);
+        make.blockPeak(ResultTexts::tr("Smallest σ₃"), "sigma3", extremes);
     }
     result.events = eventsOf(run, some(events, [&](const Event& event) {
                                  return event.bolt < 0 && (event.block == block || event.otherBlock == block);

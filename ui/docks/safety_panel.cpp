@@ -4,6 +4,7 @@
 
 #include "solver/results/result_names.h"
 #include "ui/look/display.h"
+#include "ui/look/qt_text.h"
 #include "ui/runs/safety_search.h"
 
 #include <QHBoxLayout>
@@ -22,8 +23,6 @@ namespace keyblock {
 namespace {
 
 constexpr std::size_t mostNamed = 6;  // blocks
-
-QString text(std::string_view word) { return QString::fromUtf8(word.data(), static_cast<int>(word.size())); }
 
 }  // namespace
 
@@ -106,7 +105,7 @@ QString SafetyPanel::failure() const {
     for (const MovingBlock& block : found.mode->blocks) {
         if (static_cast<std::size_t>(blocks.size()) == mostNamed) break;
         blocks << tr("%1 (%2)").arg(QString::fromStdString(blockName(search_.blockNames(), block.block)),
-                                    text(wordOf(block.movement)));
+                                    qt(wordOf(block.movement)));
     }
     if (const std::size_t all = found.mode->blocks.size(); all > mostNamed) blocks << tr("%1 more").arg(all - mostNamed);
     lines << tr("Blocks that fail: %1").arg(blocks.join(", "));

@@ -4,6 +4,7 @@
 
 #include "ui/edit/typed_number.h"
 #include "ui/look/display.h"
+#include "ui/look/qt_text.h"
 #include "ui/runs/view_settings.h"
 
 #include <QCheckBox>
@@ -24,9 +25,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int steps[]{0, 4, 5, 8, 10, 20};
-
-QString qt(const std::string& text) { return QString::fromStdString(text); }
+constexpr int stepCounts[]{0, 4, 5, 8, 10, 20};
 
 /// Factor from numbers in units of pictures to numbers as shown.
 double factorOf(const LegendBar& bar, const ShownNumbers& numbers) {
@@ -66,7 +65,7 @@ ScalePanel::ScalePanel(const LegendBar& bar, const ShownNumbers& numbers, bool c
     clip_->setToolTip(tr("Ignores the extreme values of 2 % of the area at each end, e.g. those of slivers."));
     steps_->setObjectName("scaleSteps");
     steps_->setAccessibleName(tr("Colours"));
-    for (const int count : steps) steps_->addItem(count == 0 ? tr("Continuous") : tr("%1 steps").arg(count), count);
+    for (const int count : stepCounts) steps_->addItem(count == 0 ? tr("Continuous") : tr("%1 steps").arg(count), count);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(14, 12, 14, 12);

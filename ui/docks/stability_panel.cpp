@@ -5,6 +5,7 @@
 #include "solver/results/result_names.h"
 #include "ui/look/display.h"
 #include "ui/look/plain_text.h"
+#include "ui/look/qt_text.h"
 #include "ui/look/theme.h"
 #include "ui/runs/bolt_choice.h"
 #include "ui/runs/live_run.h"
@@ -27,9 +28,7 @@ enum BlockColumn { BlockName, How, Moved, Weight, StageOf };
 enum BoltColumn { BoltName, State, Governs, Holds, AxialPeak, ShearPeak, MomentPeak, SteelUse, ShearUse, BondUse, PlateUse, EnergyTaken };
 
 constexpr double nothing = 1e-9;  // of the axial force: less is round-off
-constexpr int mostNamed = 3;  // blocks in a cell
-
-QString text(std::string_view word) { return QString::fromUtf8(word.data(), static_cast<int>(word.size())); }
+constexpr int mostInACell = 3;  // blocks in a cell
 
 QTreeWidget* table(const char* name, const QString& says, const QStringList& heads, int firstNumber, int lastNumber,
                    QWidget* parent) {
@@ -192,7 +191,7 @@ void StabilityPanel::fillBlocks(const Verdict& verdict) {
     const ShownUnit force = display_.shown("N"), length = display_.shown("m");
     for (const StageUnstable& one : verdict.blocks)
         addRow(blocks_,
-               {QString::fromStdString(blockName(run_->blockNames(), one.block.block)), text(wordOf(one.block.mode)),
+               {QString::fromStdString(blockName(run_->blockNames(), one.block.block)), qt(wordOf(one.block.mode)),
                 Display::number(length.factor * one.block.moved, 3) + ' ' + length.symbol,
                 Display::number(force.factor * one.block.weight, 3) + ' ' + force.symbol,
                 QString::fromStdString(stageName(run_->scene(), one.stage))},
@@ -212,8 +211,8 @@ void StabilityPanel::fillBolts() {
         QTreeWidgetItem* row = addRow(
             bolts_,
             {QString::fromStdString(boltName(run_->scene(), use.bolt)),
-             text(wordOf(end.condition)),
-             use.governs ? tr("%1 %2 %").arg(text(rowOf(*use.governs).key),
+             qt(wordOf(end.condition)),
+             use.governs ? tr("%1 %2 %").arg(qt(rowOf(*use.governs).key),
                                              percent(use.highest()))
                          : QStringLiteral("–"),
              namesOf(use.holds), peakText(peaks.axialForce, "N", axial), peakText(peaks.shearForce, "N", axial),
@@ -252,7 +251,7 @@ QString StabilityPanel::whenText(const BoltPeak& peak) const {
 QString StabilityPanel::namesOf(const std::vector<int>& blocks) const {
     QStringList names;
     for (const int block : blocks) {
-        if (names.size() == mostNamed) return tr("%1 and %2 more").arg(names.join(", ")).arg(blocks.size() - mostNamed);
+        if (names.size() == mostInACell) return tr("%1 and %2 more").arg(names.join(", ")).arg(blocks.size() - mostInACell);
         names += QString::fromStdString(blockName(run_->blockNames(), block));
     }
     return names.isEmpty() ? tr("nothing") : names.join(", ");

@@ -5,6 +5,7 @@
 #include "ui/docks/overflow_menu.h"
 #include "ui/look/commands.h"
 #include "ui/look/display.h"
+#include "ui/look/qt_text.h"
 #include "ui/look/theme.h"
 #include "ui/runs/view_settings.h"
 
@@ -67,11 +68,9 @@ private:
     QString title_;
 };
 
-QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<int>(words.size())); }
-
 /// Shortens "Block stress σ₁" to "σ₁", as the title of the box says "Blocks".
 QString shortTitle(std::string_view title) {
-    QString all = text(title);
+    QString all = qt(title);
     if (all.startsWith("Block stress ")) all = all.mid(13);
     return all;
 }
@@ -129,7 +128,7 @@ void ViewBar::fill() {
     blocks_->addItem(tr("plain"));
     for (const auto& quantity : blockQuantities()) blocks_->addItem(shortTitle(quantity.display.title));
     bolts_->addItem(tr("plain"));
-    for (const auto& quantity : boltQuantities()) bolts_->addItem(text(quantity.display.title));
+    for (const auto& quantity : boltQuantities()) bolts_->addItem(qt(quantity.display.title));
     ribbon_->addItems({tr("none"), tr("selected bolt"), tr("most loaded bolt")});
     arrows_->addItems({tr("none"), tr("displacement"), tr("velocity"), tr("principal stresses")});
     for (const double factor : factors) factor_->addItem(QStringLiteral("×") + Display::number(factor, 4), factor);

@@ -48,7 +48,7 @@ private:
 };
 
 /// None if it cannot be read completely at the moment, which does not mean that it is damaged.
-std::optional<QByteArray> contentOf(const QString& path) {
+std::optional<QByteArray> savedContent(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
     const QByteArray content = file.readAll();
@@ -136,7 +136,7 @@ std::vector<Abandoned> abandonedJournals(const QString& folder, QStringList* unu
         const bool isAboutToBegin =
             file.size() == 0 && file.lastModified().secsTo(QDateTime::currentDateTime()) < secondsToBegin;
         if (!held.isFree() || isAboutToBegin) continue;
-        const std::optional<QByteArray> content = contentOf(file.filePath());
+        const std::optional<QByteArray> content = savedContent(file.filePath());
         if (!content) {
             if (unusable) *unusable << file.filePath();
             continue;
@@ -160,7 +160,7 @@ QString recover(const Abandoned& abandoned, Recover what, Document& document, Jo
         return Document::tr("%1 is being recovered in another window, or its journal no longer exists.")
             .arg(abandoned.title);
     const bool withoutLast = what == Recover::WithoutLastCommand && abandoned.changes > 0;
-    const std::optional<QByteArray> content = contentOf(abandoned.journal);
+    const std::optional<QByteArray> content = savedContent(abandoned.journal);
     if (!content) return Document::tr("The journal of %1 cannot be read.").arg(abandoned.title);
     const Journalled journalled = read(*content, withoutLast ? std::optional(abandoned.changes - 1) : std::nullopt);
     const std::vector<RestoredStep> steps = stepsOf(journalled);

@@ -12,7 +12,7 @@ namespace keyblock {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
-constexpr double step = 0.3;  // penalty from one kind to the next, over the radius
+constexpr double kindStep = 0.3;  // penalty from one kind to the next, over the radius
 constexpr double inside = 10.0;  // interiors come after all lines
 
 /// Penalty of a kind: small objects and those drawn above others come first.
@@ -23,14 +23,14 @@ double rankOf(ObjectKind kind) {
         case ObjectKind::Motion:
         case ObjectKind::Velocity: return 0.0;
         case ObjectKind::Bolt:
-        case ObjectKind::Pattern: return step;
-        case ObjectKind::Joint: return 2.0 * step;
+        case ObjectKind::Pattern: return kindStep;
+        case ObjectKind::Joint: return 2.0 * kindStep;
         case ObjectKind::Tunnel:
-        case ObjectKind::Block: return 2.5 * step;
-        case ObjectKind::Support: return 3.0 * step;
+        case ObjectKind::Block: return 2.5 * kindStep;
+        case ObjectKind::Support: return 3.0 * kindStep;
         case ObjectKind::Region:
-        case ObjectKind::Domain: return 3.5 * step;
-        default: return 4.0 * step;  // sets and cells are everywhere
+        case ObjectKind::Domain: return 3.5 * kindStep;
+        default: return 4.0 * kindStep;  // sets and cells are everywhere
     }
 }
 

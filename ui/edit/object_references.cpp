@@ -36,9 +36,9 @@ bool has(const std::vector<std::string>& names, std::string_view name) {
 }
 
 /// Collects references while the scene is traversed.
-class Collector {
+class ReferenceCollector {
 public:
-    explicit Collector(Scene& scene) : scene_(scene) {}
+    explicit ReferenceCollector(Scene& scene) : scene_(scene) {}
 
     std::vector<Reference> collect() {
         rock();
@@ -173,7 +173,7 @@ private:
 
 }  // namespace
 
-std::vector<Reference> referencesOf(Scene& scene) { return Collector(scene).collect(); }
+std::vector<Reference> referencesOf(Scene& scene) { return ReferenceCollector(scene).collect(); }
 
 std::string listOf(Named kind) {
     const auto found = std::find_if(std::begin(kindRows), std::end(kindRows),

@@ -18,10 +18,10 @@ namespace {
 constexpr double mostShownBolts = 10000.0;
 constexpr double signLength = 3.0;  // spacings of a set
 
-bool usable(const std::vector<Point>& points) { return std::all_of(points.begin(), points.end(), isUsable); }
+bool allUsable(const std::vector<Point>& points) { return std::all_of(points.begin(), points.end(), isUsable); }
 
 bool isOutline(const std::vector<Point>& points) {
-    if (points.size() < 3 || !usable(points)) return false;
+    if (points.size() < 3 || !allUsable(points)) return false;
     const Box box = boxOf(points);
     return !crossesItself(points, 1e-9 * (box.max - box.min).norm());
 }
@@ -39,9 +39,9 @@ double toleranceIn(const std::vector<Point>& region) {
 }
 
 /// Collects objects in order.
-class Collector {
+class ObjectCollector {
 public:
-    explicit Collector(const Scene& scene) : scene_(scene) {}
+    explicit ObjectCollector(const Scene& scene) : scene_(scene) {}
 
     std::vector<SceneObject> collect() {
         section();
@@ -78,7 +78,7 @@ private:
     }
 
     static void outlineOf(const std::vector<Point>& points, SceneObject& out) {
-        if (points.size() < 3 || !usable(points)) return;
+        if (points.size() < 3 || !allUsable(points)) return;
         out.lines.push_back({points, true});
         out.area = points;
     }
@@ -94,7 +94,7 @@ private:
             out.area.clear();
         });
         each(scene_.joints, "/joints", ObjectKind::Joint, [](const SceneJoint& joint, SceneObject& out) {
-            if (joint.points.size() >= 2 && usable(joint.points)) out.lines.push_back({joint.points});
+            if (joint.points.size() >= 2 && allUsable(joint.points)) out.lines.push_back({joint.points});
         });
         each(scene_.jointSets, "/joint_sets", ObjectKind::JointSet, [&](const SceneJointSet& set, SceneObject& out) {
             out.lines = tracesOfSet(scene_, set);
@@ -124,7 +124,7 @@ private:
     }
 
     static void draw(const SceneTunnel& tunnel, SceneObject& out) {
-        if (!isUsable(tunnel.center) || !usable(tunnel.points) || profileProblem(shapeOf(tunnel))) return;
+        if (!isUsable(tunnel.center) || !allUsable(tunnel.points) || profileProblem(shapeOf(tunnel))) return;
         const TunnelProfile profile = tunnelProfile(shapeOf(tunnel));
         for (const ProfilePiece& piece : profile.pieces) {
             ObjectLine line;
@@ -190,7 +190,7 @@ bool isInOpening(std::span<const SceneObject> objects, const Point& place) {
     });
 }
 
-std::vector<SceneObject> objectsOf(const Scene& scene) { return Collector(scene).collect(); }
+std::vector<SceneObject> objectsOf(const Scene& scene) { return ObjectCollector(scene).collect(); }
 
 std::vector<ObjectLine> tracesOfSet(const Scene& scene, const SceneJointSet& set) {
     const std::vector<Point>* region = regionOf(scene, set.region);
@@ -208,7 +208,7 @@ std::vector<ObjectLine> boltsOfPattern(const Scene& scene, const ScenePattern& p
     const BoltPattern laidOut = patternOf(pattern);
     if (index < 0 || boltPatternProblem(laidOut)) return {};
     const SceneTunnel& tunnel = scene.tunnels[static_cast<std::size_t>(index)];
-    if (!isUsable(tunnel.center) || !usable(tunnel.points) || profileProblem(shapeOf(tunnel))) return {};
+    if (!isUsable(tunnel.center) || !allUsable(tunnel.points) || profileProblem(shapeOf(tunnel))) return {};
     const TunnelProfile profile = tunnelProfile(shapeOf(tunnel));
     if (boltCount(profile, laidOut) > mostShownBolts) return {};
     std::vector<ObjectLine> lines;

@@ -15,7 +15,7 @@ namespace keyblock {
 namespace {
 
 constexpr double usualDensity = 2700.0;  // [kg/m³]
-constexpr double degree = std::numbers::pi / 180.0;
+constexpr double oneDegree = std::numbers::pi / 180.0;
 
 /// Bounding box of the outline, or of all blocks; none without rock.
 std::optional<Box> rockBox(const Scene& scene) {
@@ -55,7 +55,7 @@ Edit withPrincipalStresses(const Scene& scene, const PrincipalStresses& stress) 
     Edit edit{scene};
     InSituStress& made = edit.scene.inSituStress.emplace();
     const double mean = 0.5 * (stress.major + stress.minor), radius = 0.5 * (stress.major - stress.minor);
-    const double twice = 2.0 * stress.angle * degree;
+    const double twice = 2.0 * stress.angle * oneDegree;
     made.sxx = -(mean + radius * std::cos(twice));
     made.syy = -(mean - radius * std::cos(twice));
     const double shear = -radius * std::sin(twice);
@@ -83,7 +83,7 @@ PrincipalStresses principalStressesOf(const Scene& scene) {
     if (!scene.inSituStress) return {};
     const PrincipalStress found =
         principalStress({scene.inSituStress->sxx, scene.inSituStress->syy, scene.inSituStress->sxy});
-    double angle = std::atan2(found.direction.y(), found.direction.x()) / degree;
+    double angle = std::atan2(found.direction.y(), found.direction.x()) / oneDegree;
     if (angle > 90.0) angle -= 180.0;
     if (angle <= -90.0) angle += 180.0;
     return {found.major, found.minor, angle};

@@ -28,7 +28,7 @@ std::vector<std::string_view> partsBetween(std::string_view text, char separator
     return parts;
 }
 
-TypedPoint usable(const Point& place) {
+TypedPoint checkedPoint(const Point& place) {
     if (isUsable(place)) return {place, {}};
     return {{}, "The point is too far away: coordinates must be within 1e9 m of the origin."};
 }
@@ -67,9 +67,9 @@ private:
         if (!first) return {{}, "x: " + problem};
         const auto second = length(y, problem);
         if (!second) return {{}, "y: " + problem};
-        if (!relative) return usable({*first, *second});
+        if (!relative) return checkedPoint({*first, *second});
         if (!context_.previous) return {{}, noPrevious()};
-        return usable(*context_.previous + Point(*first, *second));
+        return checkedPoint(*context_.previous + Point(*first, *second));
     }
 
     TypedPoint polar(std::string_view text, bool relative) const {
@@ -82,7 +82,7 @@ private:
         if (!distance) return {{}, "length: " + problem};
         const TypedNumber angle = typedNumber(parts[1], "°");
         if (!angle.value) return {{}, "angle: " + angle.problem};
-        return usable(*context_.previous + *distance * directionOf(*angle.value));
+        return checkedPoint(*context_.previous + *distance * directionOf(*angle.value));
     }
 
     TypedPoint towardsMouse(std::string_view text) const {
@@ -92,7 +92,7 @@ private:
         if (!context_.previous) return {{}, "Enter x and y, as in 12.5,3: there is no previous point yet."};
         const Point way = context_.mouse - *context_.previous;
         if (!(way.norm() > 0.0)) return {{}, "Move the mouse in the direction of the next point, or enter x and y."};
-        return usable(*context_.previous + *distance * way.normalized());
+        return checkedPoint(*context_.previous + *distance * way.normalized());
     }
 
     static std::string noPrevious() { return "There is no previous point yet. Enter x and y, as in 12.5,3."; }

@@ -23,8 +23,8 @@ namespace {
 
 using namespace paper_theme;
 
-constexpr double bandHeight = 6.0, panelHeight = 26.0, axisRoom = 10.0;  // [mm]
-constexpr double markDistance = 1.45;  // [mm]
+constexpr double boltBandHeight = 6.0, boltPanelHeight = 26.0, boltAxisRoom = 10.0;  // [mm]
+constexpr double boltMarkDistance = 1.45;  // [mm]
 
 /// The frame and the bolt to show.
 std::pair<std::size_t, int> chosen(const RunSource& run, const FigureRequest& request) {
@@ -135,18 +135,18 @@ Figure paintBolt(const RunSource& run, const FigureRequest& request) {
     BoltChart bolt = boltChart(run, frame, index);
     if (!request.title.empty()) bolt.title = request.title;
     const Sheet sheet(request.width, bolt.title, bolt.subtitle, warningsOf(run, frame));
-    const double chartHeight = panelHeight * static_cast<double>(bolt.chart.panels.size()) + axisRoom;
+    const double chartHeight = boltPanelHeight * static_cast<double>(bolt.chart.panels.size()) + boltAxisRoom;
     // Which marks fit is known once the chart is drawn; until then space for all kinds is reserved.
     const BoltKey most(kindsOf(bolt.band), !bolt.envelopes.empty(), sheet.inner());
-    const double height = std::ceil(sheet.heightAround(bandHeight + chartHeight + most.height() + 0.6));
+    const double height = std::ceil(sheet.heightAround(boltBandHeight + chartHeight + most.height() + 0.6));
     Paper paper(request.format, request.width, height, request.dpi, bolt.title);
     Ink ink(paper.painter());
     sheet.draw(ink, height, footOf(run, request, frame, height));
-    const double top = sheet.top() + bandHeight;
+    const double top = sheet.top() + boltBandHeight;
     const ChartPlace place =
         drawChart(paper.painter(), bolt.chart, {{margin, top}, {request.width - margin, top + chartHeight}});
     const double perMetre = (place.right - place.left) / bolt.length;
-    const std::vector<Mark> marks = thinned(bolt.band, markDistance / perMetre);
+    const std::vector<Mark> marks = thinned(bolt.band, boltMarkDistance / perMetre);
     drawBand(ink, bolt, marks, place, sheet.top() + 1.5);
     BoltKey(kindsOf(marks), !bolt.envelopes.empty(), sheet.inner()).draw(ink, top + chartHeight + 0.5);
     return {paper.finish(), {tableData(run, frame, index), envelopeData(bolt)}};

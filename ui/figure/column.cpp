@@ -21,7 +21,7 @@ namespace {
 using namespace paper_theme;
 
 constexpr double shortestArrow = 0.25;  // [mm]
-constexpr double row = 3.3, noteRow = 2.9, barHeight = 2.3, tip = 1.5;  // [mm]
+constexpr double columnRow = 3.3, columnNoteRow = 2.9, barHeight = 2.3, tip = 1.5;  // [mm]
 
 QColor qt(const Colour& colour) { return {colour.red, colour.green, colour.blue}; }
 
@@ -79,7 +79,7 @@ void drawBar(Ink& ink, const LegendBar& bar, const Point& corner, double width,
         ink.text(at + Point(tick.middle, barHeight + 3.0), tick.text, text_style::tick, Align::Centre);
     }
     y += barHeight + 3.0;
-    for (const std::string& note : notes) ink.text({corner.x(), y += noteRow}, note, text_style::note);
+    for (const std::string& note : notes) ink.text({corner.x(), y += columnNoteRow}, note, text_style::note);
 }
 
 /// Row of the list: a heading of a stage, or an entry.
@@ -141,7 +141,7 @@ ColumnItem barItem(const LegendBar& bar, double width) {
         if (!note.empty())
             for (const std::string& line : wrapped(note, text_style::note, width, 2)) notes.push_back(line);
     const double height = 2.0 + (bar.limits.empty() ? 1.4 : 4.4) + barHeight + 3.0 +
-                          noteRow * static_cast<double>(notes.size());
+                          columnNoteRow * static_cast<double>(notes.size());
     return {height, [&bar, width, notes](Ink& ink, const Point& at) { drawBar(ink, bar, at, width, notes); }};
 }
 
@@ -164,7 +164,7 @@ ColumnItem arrowItem(const ArrowField& field, double scale, double width) {
     };
     for (const std::string& note : field.notes) add(note);
     add("largest in this frame " + numberText(field.largest) + " " + field.unit);
-    return {6.0 + noteRow * static_cast<double>(notes.size()), [&field, scale, notes](Ink& ink, const Point& at) {
+    return {6.0 + columnNoteRow * static_cast<double>(notes.size()), [&field, scale, notes](Ink& ink, const Point& at) {
                 ink.text(at + Point(0.0, 2.0), field.title, text_style::heading);
                 double shown = roundHalvable(0.45 * field.largest);
                 if (shown > field.largest) shown *= 0.5;
@@ -174,17 +174,17 @@ ColumnItem arrowItem(const ArrowField& field, double scale, double width) {
                           at + Point(arrow ? 0.0 : 0.5 * length.x(), 4.8), length);
                 ink.text(at + Point(length.x() + 1.5, 5.5), numberText(shown) + " " + field.unit, text_style::body);
                 double y = 6.0;
-                for (const std::string& note : notes) ink.text(at + Point(0.0, y += noteRow), note, text_style::note);
+                for (const std::string& note : notes) ink.text(at + Point(0.0, y += columnNoteRow), note, text_style::note);
             }};
 }
 
 ColumnItem keyItem(std::vector<MarkKind> kinds, double width) {
     const double rows = static_cast<double>((kinds.size() + 1) / 2);
-    return {2.0 + row * rows, [kinds, width](Ink& ink, const Point& at) {
+    return {2.0 + columnRow * rows, [kinds, width](Ink& ink, const Point& at) {
                 ink.text(at + Point(0.0, 2.0), "Bolt nodes", text_style::heading);
                 for (std::size_t i = 0; i < kinds.size(); ++i) {
                     const Point place = at + Point(i % 2 ? 0.52 * width : 0.0,
-                                                   2.0 + row * static_cast<double>(i / 2 + 1));
+                                                   2.0 + columnRow * static_cast<double>(i / 2 + 1));
                     const bool plate = kinds[i] == MarkKind::Plate || kinds[i] == MarkKind::PlateLost;
                     const Point along = plate ? Point(0.0, 1.0) : Point(1.0, 0.0);
                     const Point lift = kinds[i] == MarkKind::PlateLost ? Point(1.2, -1.6) : Point(1.2, -0.7);
@@ -197,21 +197,21 @@ ColumnItem keyItem(std::vector<MarkKind> kinds, double width) {
 ColumnItem eventsItem(const Scene& scene, const EventList& events, double width) {
     const std::vector<EventRow> rows = rowsOf(scene, events);
     const std::vector<std::string> notes = notesOf(events, width);
-    const double listed = rows.empty() ? 0.0 : 1.2 + row * static_cast<double>(rows.size()) + 1.2;
-    const double height = 2.0 + listed + noteRow * static_cast<double>(notes.size());
+    const double listed = rows.empty() ? 0.0 : 1.2 + columnRow * static_cast<double>(rows.size()) + 1.2;
+    const double height = 2.0 + listed + columnNoteRow * static_cast<double>(notes.size());
     const double room = timeRoom(scene, events);
     return {height, [&scene, rows, notes, width, listed, room](Ink& ink, const Point& at) {
                 ink.text(at + Point(0.0, 2.0), "Events", text_style::heading);
                 double y = 3.2;
                 if (!rows.empty()) ink.line(at + Point(0.0, y), at + Point(width, y), {0.13, black});
                 for (const EventRow& item : rows) {
-                    y += row;
+                    y += columnRow;
                     if (item.entry) drawEntry(ink, scene, *item.entry, at + Point(0.0, y - 0.4), width, room);
                     else ink.text(at + Point(0.0, y - 0.4), item.heading, text_style::note);
                 }
                 if (!rows.empty()) ink.line(at + Point(0.0, y + 0.6), at + Point(width, y + 0.6), {0.13, black});
                 y = 2.0 + listed;
-                for (const std::string& note : notes) ink.text(at + Point(0.0, y += noteRow), note, text_style::note);
+                for (const std::string& note : notes) ink.text(at + Point(0.0, y += columnNoteRow), note, text_style::note);
             }};
 }
 

@@ -12,8 +12,8 @@ namespace {
 using namespace paper_theme;
 
 constexpr Colour locked = rgb(0x264A6E);
-constexpr double rim = 0.2;  // [mm]
-constexpr double row = 3.3, noteRow = 2.9;  // [mm]
+constexpr double contactRim = 0.2;  // [mm]
+constexpr double contactRow = 3.3, contactNoteRow = 2.9;  // [mm]
 constexpr std::size_t mostNoteLines = 3, roomOfNote = 2;
 
 std::string nameOf(ContactKind kind) {
@@ -42,7 +42,7 @@ void ContactPainter::draw(Ink& ink, ContactKind kind, const Point& at, const Poi
     switch (kind) {
         case ContactKind::Locked: return drawPart(ink, at - half, at + half, {width, locked}, frame);
         case ContactKind::Sliding:  // a hollow bar
-            drawPart(ink, at - half, at + half, {width + rim, black}, frame);
+            drawPart(ink, at - half, at + half, {width + contactRim, black}, frame);
             return drawPart(ink, at - half, at + half, {width, slipping}, frame);
         case ContactKind::Bonded:  // with the disc of a bonded anchor
             drawPart(ink, at - half, at + half, {width, locked}, frame);
@@ -68,7 +68,7 @@ void drawSamples(Ink& ink, const ContactField& field, const ContactPainter& cont
     }
     const double sample = 0.6 * field.scale.longest;
     for (std::size_t i = 0; i < field.scale.kinds.size(); ++i) {
-        const Point place = at + Point(i % 2 ? 0.45 * width : 0.0, 5.5 + row * static_cast<double>(i / 2 + 1));
+        const Point place = at + Point(i % 2 ? 0.45 * width : 0.0, 5.5 + contactRow * static_cast<double>(i / 2 + 1));
         const double length = contacts.lengthOf(sample);
         contacts.draw(ink, field.scale.kinds[i], place + Point(0.5 * length + 0.4, -0.7), {sample, 0.0}, everywhere);
         ink.text(place + Point(length + 1.6, 0.0), nameOf(field.scale.kinds[i]), text_style::body);
@@ -94,18 +94,18 @@ std::vector<std::string> notesOf(const ContactField& field, double width) {
 
 ColumnItem contactItem(const ContactField& field, double length, double width) {
     if (field.scale.longest <= 0.0)
-        return {2.0 + noteRow, [](Ink& ink, const Point& at) {
+        return {2.0 + contactNoteRow, [](Ink& ink, const Point& at) {
                     ink.text(at + Point(0.0, 2.0), "Contact force", text_style::heading);
-                    ink.text(at + Point(0.0, 2.0 + noteRow), "no contact carries a force", text_style::note);
+                    ink.text(at + Point(0.0, 2.0 + contactNoteRow), "no contact carries a force", text_style::note);
                 }};
     const std::vector<std::string> notes = notesOf(field, width);
-    const double kinds = 6.1 + row * static_cast<double>((field.scale.kinds.size() + 1) / 2);
-    const double height = kinds + noteRow * static_cast<double>(notes.size());
+    const double kinds = 6.1 + contactRow * static_cast<double>((field.scale.kinds.size() + 1) / 2);
+    const double height = kinds + contactNoteRow * static_cast<double>(notes.size());
     return {height, [&field, length, width, notes, kinds](Ink& ink, const Point& at) {
                 ink.text(at + Point(0.0, 2.0), "Contact force (" + field.unit + ")", text_style::heading);
                 drawSamples(ink, field, ContactPainter(field.scale, length), at, width);
                 double y = kinds;
-                for (const std::string& note : notes) ink.text(at + Point(0.0, y += noteRow), note, text_style::note);
+                for (const std::string& note : notes) ink.text(at + Point(0.0, y += contactNoteRow), note, text_style::note);
             }};
 }
 

@@ -28,8 +28,8 @@ namespace {
 
 using namespace paper_theme;
 
-constexpr double kindRow = 4.6, listRow = 3.6, bandHeight = 4.4, axisRoom = 9.0;  // [mm]
-constexpr double names = 27.0, counts = 12.0;  // columns left and right of the timeline [mm]
+constexpr double kindRow = 4.6, listRow = 3.6, bandHeight = 4.4, timeAxisRoom = 9.0;  // [mm]
+constexpr double namesWidth = 27.0, counts = 12.0;  // columns left and right of the timeline [mm]
 constexpr double markDistance = 1.2;  // [mm]
 constexpr std::size_t mostListed = 40;
 
@@ -72,7 +72,7 @@ public:
     TimeLine(const RunTime& time, const Scene& scene, std::vector<KindRow> rows, double left, double right)
         : time_(time), scene_(scene), rows_(std::move(rows)), left_(left), right_(right) {}
 
-    double height() const { return bandHeight + kindRow * static_cast<double>(rows_.size()) + axisRoom; }
+    double height() const { return bandHeight + kindRow * static_cast<double>(rows_.size()) + timeAxisRoom; }
 
     void draw(Ink& ink, double top) const {
         drawStages(ink, top);
@@ -229,7 +229,8 @@ Figure paintEvents(const RunSource& run, const FigureRequest& request) {
     const std::string title = request.title.empty() ? own : request.title;
     const Sheet sheet(request.width, title, subtitleFor(request, run, list, events.size()),
                       warningsOf(run, std::nullopt));
-    const TimeLine line(time, run.scene(), kindRows(events, time), margin + names, request.width - margin - counts);
+    const TimeLine line(time, run.scene(), kindRows(events, time), margin + namesWidth,
+                        request.width - margin - counts);
     const EventTable table(run.scene(), list, margin, sheet.inner());
     const double height = std::ceil(sheet.heightAround(line.height() + table.height()));
     Paper paper(request.format, request.width, height, request.dpi, title);

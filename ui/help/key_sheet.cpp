@@ -24,7 +24,7 @@ namespace {
 
 constexpr int groupRole = Qt::UserRole + 1;
 
-QString nameOf(const QAction* action) { return action->text().remove(QStringLiteral("…")).remove('&'); }
+QString commandName(const QAction* action) { return action->text().remove(QStringLiteral("…")).remove('&'); }
 
 QString keysOf(const QAction* action) {
     QStringList all;
@@ -122,7 +122,7 @@ void KeySheet::list() {
     }
     for (const QAction* action : commands_.all()) {
         QTreeWidgetItem* group = groupOf(commands_.menuOf(action));
-        auto* item = new QTreeWidgetItem(group, {nameOf(action), keysOf(action), action->statusTip()});
+        auto* item = new QTreeWidgetItem(group, {commandName(action), keysOf(action), action->statusTip()});
         item->setData(0, Qt::UserRole, action->objectName());
         if (action->objectName() == kept) again = item;
     }
@@ -155,7 +155,7 @@ QAction* KeySheet::chosen() const {
 
 void KeySheet::showChosen() {
     const QAction* action = chosen();
-    name_->setText(action ? tr("Shortcut of “%1”").arg(nameOf(action)) : tr("Select a command to change its shortcut"));
+    name_->setText(action ? tr("Shortcut of “%1”").arg(commandName(action)) : tr("Select a command to change its shortcut"));
     keys_->setKeySequence(action ? action->shortcut() : QKeySequence());
     for (QWidget* widget : {static_cast<QWidget*>(keys_), static_cast<QWidget*>(set_), static_cast<QWidget*>(original_)})
         widget->setEnabled(action);
@@ -164,7 +164,7 @@ void KeySheet::showChosen() {
 
 void KeySheet::showConflict() {
     const QAction* other = chosen() ? commandWithKeys(commands_, keys_->keySequence(), chosen()) : nullptr;
-    conflict_->setText(other ? tr("“%1” uses this shortcut and would lose it.").arg(nameOf(other)) : QString());
+    conflict_->setText(other ? tr("“%1” uses this shortcut and would lose it.").arg(commandName(other)) : QString());
 }
 
 void KeySheet::change() {

@@ -25,9 +25,9 @@ namespace keyblock {
 
 namespace {
 
-constexpr int lineHeight = 56, inset = 14, headRoom = 10;
+constexpr int stripLine = 56, stripInset = 14, headRoom = 10;
 constexpr double realRadius = 3.3, artificialRadius = 2.4, lineAt = 26.0;
-constexpr std::size_t mostTicks = 6;
+constexpr std::size_t mostStripTicks = 6;
 
 QFont smallFont(const QFont& base) {
     QFont font = base;
@@ -42,7 +42,7 @@ QString metres(double s) { return Display::number(std::round(1000.0 * s) / 1000.
 AnchorLine::AnchorLine(const Themes& themes, QWidget* parent) : QWidget(parent), themes_(themes) {
     setObjectName("anchorLine");
     setAccessibleName(tr("Bonded nodes"));
-    setFixedHeight(lineHeight);
+    setFixedHeight(stripLine);
     setMouseTracking(true);
     connect(&themes, &Themes::changed, this, QOverload<>::of(&QWidget::update));
 }
@@ -58,8 +58,8 @@ void AnchorLine::present(std::vector<double> nodes, std::vector<bool> real, bool
 }
 
 QPointF AnchorLine::placeOf(std::size_t i) const {
-    const double room = width() - 2.0 * inset - headRoom;
-    return {inset + room * nodes_[i] / nodes_.back(), lineAt};
+    const double room = width() - 2.0 * stripInset - headRoom;
+    return {stripInset + room * nodes_[i] / nodes_.back(), lineAt};
 }
 
 std::size_t AnchorLine::nodeAt(const QPointF& pixel) const {
@@ -82,7 +82,7 @@ void AnchorLine::paintTicks(QPainter& painter) const {
         const bool stops = shownReal(i) && (i + 1 == nodes_.size() || !shownReal(i + 1));
         if (begins || stops) ends.push_back(i);
     }
-    if (ends.size() > mostTicks) ends = {ends.front(), ends.back()};
+    if (ends.size() > mostStripTicks) ends = {ends.front(), ends.back()};
     painter.setPen(themes_.current().text2);
     double free = 0.0;
     for (const std::size_t i : ends) {
@@ -102,9 +102,9 @@ void AnchorLine::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(smallFont(font()));
     painter.setPen(t.text2);
-    painter.drawText(QPointF(inset - 4.0, 12.0), tr("far end"));
+    painter.drawText(QPointF(stripInset - 4.0, 12.0), tr("far end"));
     const QString head = tr("head");
-    painter.drawText(QPointF(width() - inset - QFontMetricsF(painter.font()).horizontalAdvance(head), 12.0), head);
+    painter.drawText(QPointF(width() - stripInset - QFontMetricsF(painter.font()).horizontalAdvance(head), 12.0), head);
     painter.setPen(QPen(t.text2, 2.0));
     painter.drawLine(placeOf(0), placeOf(nodes_.size() - 1) + QPointF(headRoom - 2.0, 0.0));
     for (const bool real : {false, true})

@@ -15,7 +15,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int lineHeight = 22, headingHeight = 22, mostRowsInSight = 7;
+constexpr int cellLine = 22, headingHeight = 22, mostRowsInSight = 7;
 
 }  // namespace
 
@@ -27,8 +27,8 @@ CellTable::CellTable(const QStringList& headings, bool numbers, QWidget* parent)
     horizontalHeader()->setFixedHeight(headingHeight);
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setDefaultAlignment((numbers ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    verticalHeader()->setDefaultSectionSize(lineHeight);
-    verticalHeader()->setMinimumSectionSize(lineHeight);
+    verticalHeader()->setDefaultSectionSize(cellLine);
+    verticalHeader()->setMinimumSectionSize(cellLine);
     verticalHeader()->hide();
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setEditTriggers(QAbstractItemView::AllEditTriggers);
@@ -87,7 +87,7 @@ void CellTable::keepEmptyRow() {
 
 void CellTable::fitHeight() {
     const int shown = std::clamp(rowCount(), 1, mostRowsInSight);
-    setFixedHeight(headingHeight + shown * lineHeight + 2);
+    setFixedHeight(headingHeight + shown * cellLine + 2);
     setVerticalScrollBarPolicy(rowCount() > mostRowsInSight ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
 }
 

@@ -17,11 +17,11 @@ namespace keyblock {
 
 namespace {
 
-struct Texts {
+struct HelpTexts {
     Q_DECLARE_TR_FUNCTIONS(FieldHelp)
 };
 
-QString withUnit(const QString& number, const QString& symbol) {
+QString numberWithUnit(const QString& number, const QString& symbol) {
     return symbol.isEmpty() || symbol == QString::fromUtf8("°") ? number + symbol : number + ' ' + symbol;
 }
 
@@ -31,9 +31,9 @@ QString rangeWords(const Range& range, std::string_view unit, const Display& dis
     const auto number = [&](double x) { return numberText(x, unit, display); };
     const QString symbol = unit.empty() ? QString() : display.shown(unit).symbol;
     if (below && above)
-        return withUnit(QString::fromUtf8("%1 … %2").arg(number(range.least), number(range.most)), symbol);
-    if (below) return withUnit((range.leastExcluded ? "> " : QString::fromUtf8("≥ ")) + number(range.least), symbol);
-    if (above) return withUnit((range.mostExcluded ? "< " : QString::fromUtf8("≤ ")) + number(range.most), symbol);
+        return numberWithUnit(QString::fromUtf8("%1 … %2").arg(number(range.least), number(range.most)), symbol);
+    if (below) return numberWithUnit((range.leastExcluded ? "> " : QString::fromUtf8("≥ ")) + number(range.least), symbol);
+    if (above) return numberWithUnit((range.mostExcluded ? "< " : QString::fromUtf8("≤ ")) + number(range.most), symbol);
     return {};
 }
 
@@ -43,7 +43,7 @@ QString fallbackText(const FormRow& row, std::string_view unit, const FormContex
     if (!row.field->nullText.empty()) return shownText(row.field->nullText);
     const QString automatic = automaticText(row, context);
     return automatic.isEmpty() ? summaryOf(row.fallback, *row.field, unit, context.display)
-                               : Texts::tr("automatic (%1)").arg(automatic);
+                               : HelpTexts::tr("automatic (%1)").arg(automatic);
 }
 
 }  // namespace
@@ -51,8 +51,8 @@ QString fallbackText(const FormRow& row, std::string_view unit, const FormContex
 QString plainHelp(std::string_view help) {
     QString text = fromUtf8(help);
     text.remove('`');
-    text.replace(QRegularExpression("\\b[Nn]ull: "), Texts::tr("automatic: "));
-    text.replace("; automatic: ", Texts::tr("; automatic: "));
+    text.replace(QRegularExpression("\\b[Nn]ull: "), HelpTexts::tr("automatic: "));
+    text.replace("; automatic: ", HelpTexts::tr("; automatic: "));
     return text;
 }
 
@@ -64,7 +64,7 @@ QString outOfRange(const FormRow& row, const FieldValue& value, const FormContex
     if (!number && !place) return {};
     const double held = number ? *number : place->s;
     if (contains(row.field->range, held)) return {};
-    return Texts::tr("%1 is out of range. Enter a number %2")
+    return HelpTexts::tr("%1 is out of range. Enter a number %2")
         .arg(numberText(held, unit, context.display), rangeWords(row.field->range, unit, context.display));
 }
 
@@ -77,12 +77,12 @@ FieldHelp helpOf(const FormRow& row, const FormContext& context) {
     if (number || row.field->kind == FieldKind::Place) parts << rangeWords(row.field->range, unit, context.display);
     if (row.resettable) {
         const QString text = fallbackText(row, unit, context);
-        if (!text.isEmpty()) parts << Texts::tr("default %1").arg(text);
+        if (!text.isEmpty()) parts << HelpTexts::tr("default %1").arg(text);
     }
     parts.removeAll(QString());
     help.numbers = parts.join(QString::fromUtf8(" · "));
     help.text = plainHelp(row.field->help);
-    if (!row.field->source.empty()) help.text += ' ' + Texts::tr("Source: %1.").arg(fromUtf8(row.field->source));
+    if (!row.field->source.empty()) help.text += ' ' + HelpTexts::tr("Source: %1.").arg(fromUtf8(row.field->source));
     return help;
 }
 

@@ -10,7 +10,7 @@ namespace keyblock {
 
 namespace {
 
-struct Texts {
+struct WordTexts {
     Q_DECLARE_TR_FUNCTIONS(FieldWords)
 };
 
@@ -29,7 +29,7 @@ QString labelOf(const Field& field) {
 
 QString labelOf(const Field& field, const Display& display) {
     if (!field.isStress) return labelOf(field);
-    const QString sign = display.compressionPositive() ? Texts::tr("compression +") : Texts::tr("tension +");
+    const QString sign = display.compressionPositive() ? WordTexts::tr("compression +") : WordTexts::tr("tension +");
     return QString("%1 (%2)").arg(labelOf(field), sign);
 }
 

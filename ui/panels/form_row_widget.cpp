@@ -19,7 +19,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int inset = 12, rowHeight = 25, headingHeight = 26, indent = 10;
+constexpr int formInset = 12, formRowHeight = 25, headingHeight = 26, indent = 10;
 constexpr int valueWidth = 100, stressWidth = 76, flagWidth = 16, unitWidth = 38, metreWidth = 18, arrowSize = 16, gap = 6;
 
 QToolButton* smallButton(QWidget* parent, const QString& tip, const char* name) {
@@ -66,7 +66,7 @@ FormRowWidget::FormRowWidget(const FormRow& row, const FormContext& context, QWi
 
 void FormRowWidget::layOut() {
     auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(inset, 2, 4, 2);
+    grid->setContentsMargins(formInset, 2, 4, 2);
     grid->setHorizontalSpacing(0);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(0, 1);
@@ -98,7 +98,7 @@ void FormRowWidget::layOut() {
     label_->setContentsMargins(0, 0, 4, 0);
     grid->addWidget(reset_, 0, 3);
     grid->addWidget(problem_, 2, 0, 1, 4);
-    grid->setRowMinimumHeight(0, rowHeight - 4);
+    grid->setRowMinimumHeight(0, formRowHeight - 4);
     problem_->hide();
 }
 
@@ -156,7 +156,7 @@ FormHeading::FormHeading(const FormGroup& group, bool open, const FormContext& c
     setWeight(*title_, true);
     detail_->setProperty("role", "unit");
     auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(inset + group.depth * indent - 4, 0, 4, 0);
+    layout->setContentsMargins(formInset + group.depth * indent - 4, 0, 4, 0);
     layout->setSpacing(4);
     layout->addWidget(fold_);
     layout->addWidget(title_, 1);

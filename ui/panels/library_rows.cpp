@@ -20,16 +20,16 @@ namespace keyblock {
 
 namespace {
 
-struct Texts {
+struct LibraryTexts {
     Q_DECLARE_TR_FUNCTIONS(Library)
 };
 
 QString groupOf(const BoltType& type) {
     switch (type.boltClass) {
-        case BoltClass::CMC: return Texts::tr("Grouted bars");
-        case BoltClass::CFC: return Texts::tr("Friction bolts");
-        case BoltClass::DMC: return Texts::tr("Mechanically anchored bolts");
-        case BoltClass::DFC: return Texts::tr("Yielding bolts");
+        case BoltClass::CMC: return LibraryTexts::tr("Grouted bars");
+        case BoltClass::CFC: return LibraryTexts::tr("Friction bolts");
+        case BoltClass::DMC: return LibraryTexts::tr("Mechanically anchored bolts");
+        case BoltClass::DFC: return LibraryTexts::tr("Yielding bolts");
     }
     return {};
 }
@@ -52,7 +52,7 @@ int usersOf(const Scene& scene, const std::string& name) {
                             std::ranges::count(scene.boltPatterns, name, &ScenePattern::type));
 }
 
-bool holds(const LibraryEntry& entry, const QString& filter) {
+bool entryHolds(const LibraryEntry& entry, const QString& filter) {
     const QString all = QString::fromStdString(entry.type.name + ' ' + entry.type.source) + ' ' + entry.group + ' ' +
                         fromUtf8(boltClassWords[static_cast<std::size_t>(entry.type.boltClass)]);
     return all.contains(filter, Qt::CaseInsensitive);
@@ -73,8 +73,8 @@ public:
         add(boltTypeStructure(), &type_, "", {});
         const Field* anchors = findField(boltTypeStructure(), "anchors");
         for (std::size_t i = 0; i < type_.anchors.size(); ++i)
-            add(anchors->children.structure(), &type_.anchors[i], "anchors", Texts::tr("Bonded range %1").arg(i + 1));
-        add(findField(boltTypeStructure(), "plate")->children.structure(), &type_.plate, "plate.", Texts::tr("Plate"));
+            add(anchors->children.structure(), &type_.anchors[i], "anchors", LibraryTexts::tr("Bonded range %1").arg(i + 1));
+        add(findField(boltTypeStructure(), "plate")->children.structure(), &type_.plate, "plate.", LibraryTexts::tr("Plate"));
         return std::move(rows_);
     }
 
@@ -113,8 +113,8 @@ bool sameLaw(Anchor a, const Anchor& b) {
 
 QString lawTitle(const Anchor& anchor) {
     const QString law = fromUtf8(rowOf(anchor.law).title);
-    return anchor.at || anchor.per == Per::Node ? Texts::tr("Bond per node, %1").arg(law)
-        : Texts::tr("Bond per metre, %1").arg(law);
+    return anchor.at || anchor.per == Per::Node ? LibraryTexts::tr("Bond per node, %1").arg(law)
+        : LibraryTexts::tr("Bond per metre, %1").arg(law);
 }
 
 double farthestSlip(const Anchor& written) {
@@ -130,13 +130,13 @@ std::vector<LibraryEntry> libraryEntries(const Scene& scene, const Display& disp
     std::vector<LibraryEntry> entries;
     for (const BoltType& type : scene.boltTypes)
         if (!type.builtIn)
-            entries.push_back({type, Texts::tr("In this scene"), detailOf(type, display), usersOf(scene, type.name)});
+            entries.push_back({type, LibraryTexts::tr("In this scene"), detailOf(type, display), usersOf(scene, type.name)});
     const std::size_t own = entries.size();
     for (const BoltType& type : builtInBoltTypes())
         entries.push_back({type, groupOf(type), detailOf(type, display), usersOf(scene, type.name)});
     std::stable_sort(entries.begin() + static_cast<std::ptrdiff_t>(own), entries.end(),
                      [](const LibraryEntry& a, const LibraryEntry& b) { return a.type.boltClass < b.type.boltClass; });
-    if (!filter.isEmpty()) std::erase_if(entries, [&](const LibraryEntry& entry) { return !holds(entry, filter); });
+    if (!filter.isEmpty()) std::erase_if(entries, [&](const LibraryEntry& entry) { return !entryHolds(entry, filter); });
     return entries;
 }
 
@@ -145,8 +145,8 @@ std::vector<LibraryNumber> libraryNumbers(const BoltType& type, const Display& d
 }
 
 ShownCurve steelCurve(const BoltType& type, const Display& display) {
-    ShownCurve curve{Texts::tr("Steel"), {}, Texts::tr("Strain (%)"),
-                     Texts::tr("Stress (%1)").arg(display.shown("Pa").symbol)};
+    ShownCurve curve{LibraryTexts::tr("Steel"), {}, LibraryTexts::tr("Strain (%)"),
+                     LibraryTexts::tr("Stress (%1)").arg(display.shown("Pa").symbol)};
     for (const auto& [strain, stress] : type.steel)
         curve.points.emplace_back(fromSi(strain, namedUnit("%")), stress * display.shown("Pa").factor);
     return curve;
@@ -170,8 +170,8 @@ std::vector<ShownCurve> bondCurves(const BoltType& type, const Display& display)
         if (std::ranges::any_of(listed, [&](const Anchor& other) { return sameLaw(other, anchor); })) continue;
         listed.push_back(anchor);
         const char* unit = anchor.at || anchor.per == Per::Node ? "N" : "N/m";
-        ShownCurve curve{lawTitle(anchor), {}, Texts::tr("Slip (mm)"),
-                         Texts::tr("Force (%1)").arg(display.shown(unit).symbol)};
+        ShownCurve curve{lawTitle(anchor), {}, LibraryTexts::tr("Slip (mm)"),
+                         LibraryTexts::tr("Force (%1)").arg(display.shown(unit).symbol)};
         for (const auto& [slip, force] : bondCurve(anchor, farthestSlip(anchor)))
             curve.points.emplace_back(fromSi(slip, namedUnit("mm")), force * display.shown(unit).factor);
         curves.push_back(std::move(curve));

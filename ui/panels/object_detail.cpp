@@ -21,7 +21,7 @@ namespace keyblock {
 
 namespace {
 
-struct Texts {
+struct DetailTexts {
     Q_DECLARE_TR_FUNCTIONS(ObjectDetail)
 };
 
@@ -93,17 +93,17 @@ struct Teller {
         return quantity(l.force.norm(), "N");
     }
     QString of(const Stage& s) const {
-        return s.kind == StageKind::Static ? Texts::tr("static")
-            : Texts::tr("dynamic %1 s").arg(numberText(s.duration, "s", display, 3));
+        return s.kind == StageKind::Static ? DetailTexts::tr("static")
+            : DetailTexts::tr("dynamic %1 s").arg(numberText(s.duration, "s", display, 3));
     }
     QString of(const Monitor& m) const {
         if (m.bolt)
             return QString::fromStdString(*m.bolt) + QStringLiteral(": ") + fromUtf8(plainTitle(rowOf(m.quantity)));
-        if (m.between) return Texts::tr("opening");
+        if (m.between) return DetailTexts::tr("opening");
         return m.point ? place(*m.point) : QString();
     }
     QString of(const InSituStress& s) const {
-        if (s.sxx == 0.0 && s.syy == 0.0 && !(s.gradientY == StressGradient{})) return Texts::tr("varies with depth");
+        if (s.sxx == 0.0 && s.syy == 0.0 && !(s.gradientY == StressGradient{})) return DetailTexts::tr("varies with depth");
         const double sign = display.compressionPositive() ? -1.0 : 1.0;
         return QString("%1 / %2").arg(numberText(sign * s.sxx, "Pa", display, 3), stress(sign * s.syy));
     }
@@ -124,7 +124,7 @@ QString tell(const Teller& teller, const void* object) {
     return teller.of(*static_cast<const T*>(object));
 }
 
-constexpr KindRow kinds[] = {
+constexpr KindRow kindRows[] = {
     {"material", "material", tell<Material>}, {"joint material", "material", tell<JointMaterial>},
     {"domain", "outline", tell<SceneDomain>}, {"block", "block", tell<Block>},
     {"region", "region", tell<SceneRegion>}, {"voronoi", "voronoi", tell<SceneVoronoi>},
@@ -136,7 +136,7 @@ constexpr KindRow kinds[] = {
 };
 
 const KindRow* kindOf(const ObjectAt& at) {
-    for (const KindRow& row : kinds)
+    for (const KindRow& row : kindRows)
         if (row.structure == at.structure->name) return &row;
     return nullptr;
 }

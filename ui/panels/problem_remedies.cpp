@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-struct Texts {
+struct RemedyTexts {
     Q_DECLARE_TR_FUNCTIONS(Remedies)
 };
 
@@ -22,8 +22,8 @@ std::optional<Remedy> omit(const Scene& scene, const std::string& pointer) {
     const auto place = locate(scene, pointer);
     if (!place || !place->field) return std::nullopt;
     if (place->element)
-        return Remedy{Texts::tr("Omit it"), [pointer](const Scene& now) { return removeAt(now, pointer); }};
-    return Remedy{Texts::tr("Omit it"), [pointer](const Scene& now) { return resetAt(now, pointer); }};
+        return Remedy{RemedyTexts::tr("Omit it"), [pointer](const Scene& now) { return removeAt(now, pointer); }};
+    return Remedy{RemedyTexts::tr("Omit it"), [pointer](const Scene& now) { return resetAt(now, pointer); }};
 }
 
 double perimeterOf(const std::vector<Point>& points) {
@@ -40,21 +40,21 @@ std::optional<Remedy> remedyFor(const Scene& scene, const Problem& problem) {
         case RepairKind::None: break;
         case RepairKind::Omit: return omit(scene, pointer);
         case RepairKind::AddNamed:
-            return Remedy{Texts::tr("Add %1").arg(QString::fromStdString(problem.repair.name)),
+            return Remedy{RemedyTexts::tr("Add %1").arg(QString::fromStdString(problem.repair.name)),
                           [pointer, name = problem.repair.name](const Scene& now) {
                               return appendAt(now, pointer, name);
                           }};
         case RepairKind::AddStage:
-            return Remedy{Texts::tr("Add a stage"), [pointer](const Scene& now) { return appendAt(now, pointer); }};
+            return Remedy{RemedyTexts::tr("Add a stage"), [pointer](const Scene& now) { return appendAt(now, pointer); }};
         case RepairKind::Rename:
-            return Remedy{Texts::tr("Rename it"), [pointer](const Scene& now) {
+            return Remedy{RemedyTexts::tr("Rename it"), [pointer](const Scene& now) {
                               return renameAt(now, pointer, nameOfCopy(now, parentOf(pointer), nameAt(now, pointer)));
                           }};
         case RepairKind::SetAutomatic:
-            return Remedy{Texts::tr("Set automatically"),
+            return Remedy{RemedyTexts::tr("Set automatically"),
                           [pointer](const Scene& now) { return setNullAt(now, pointer); }};
         case RepairKind::RemovePlate:
-            return Remedy{Texts::tr("Remove the plate"),
+            return Remedy{RemedyTexts::tr("Remove the plate"),
                           [pointer](const Scene& now) { return setValueAt(now, pointer, std::string("none")); }};
     }
     return std::nullopt;
@@ -81,7 +81,7 @@ Slivers sliversOf(const Scene& scene, const SceneCut& cut) {
 
 Remedy mergeSlivers(const Slivers& slivers) {
     const QString text =
-        slivers.count == 1 ? Texts::tr("Merge the sliver") : Texts::tr("Merge %1 slivers").arg(slivers.count);
+        slivers.count == 1 ? RemedyTexts::tr("Merge the sliver") : RemedyTexts::tr("Merge %1 slivers").arg(slivers.count);
     return {text, [](const Scene& now) {
                 Edit edit = setNullAt(now, "/cutting/min_area");
                 return edit.done() ? setNullAt(edit.scene, "/cutting/min_width") : edit;

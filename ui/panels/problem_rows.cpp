@@ -22,11 +22,11 @@ namespace {
 
 constexpr std::size_t mostNotes = 200;  // listed for each kind
 
-struct Texts {
+struct RowTexts {
     Q_DECLARE_TR_FUNCTIONS(Problems)
 };
 
-QString capitalised(QString text) {
+QString withCapital(QString text) {
     if (!text.isEmpty()) text[0] = text[0].toUpper();
     return text;
 }
@@ -59,7 +59,7 @@ QString roomOf(const std::string& pointer) {
         {"voronoi", QT_TRANSLATE_NOOP("Problems", "geometry")},
     };
     const auto found = rooms.find(key);
-    return found == rooms.end() ? Texts::tr("whole scene") : Texts::tr(found->second);
+    return found == rooms.end() ? RowTexts::tr("whole scene") : RowTexts::tr(found->second);
 }
 
 class Rows {
@@ -106,13 +106,13 @@ private:
         const std::string object = objectPointer(scene_, problem.pointer);
         const QString title = object.empty() ? QString() : QString::fromStdString(titleAt(scene_, object));
         const QString message = QString::fromStdString(problem.message);
-        row.title = title.isEmpty() ? capitalised(message) : capitalised(title) + ": " + message;
+        row.title = title.isEmpty() ? withCapital(message) : withCapital(title) + ": " + message;
         row.detail = QString::fromStdString(problem.remedy);
         row.pointer = QString::fromStdString(problem.pointer);
         row.box = boxAt(problem.pointer);
         row.where = where(row.box, roomOf(problem.pointer));
         row.remedy = remedyFor(scene_, problem);
-        row.link = row.remedy ? row.remedy->text : problem.pointer.empty() ? QString() : Texts::tr("Show");
+        row.link = row.remedy ? row.remedy->text : problem.pointer.empty() ? QString() : RowTexts::tr("Show");
         return row;
     }
 
@@ -121,13 +121,13 @@ private:
         if (slivers.count == 0) return;
         ProblemRow row;
         row.sign = ProblemRow::Sign::Warning;
-        row.title = slivers.count == 1 ? Texts::tr("A sliver is kept")
-                                       : Texts::tr("%1 slivers are kept").arg(slivers.count);
-        row.detail = Texts::tr("Narrower than %1; total area %2. Slivers slow down every step. "
+        row.title = slivers.count == 1 ? RowTexts::tr("A sliver is kept")
+                                       : RowTexts::tr("%1 slivers are kept").arg(slivers.count);
+        row.detail = RowTexts::tr("Narrower than %1; total area %2. Slivers slow down every step. "
                                "The default limits merge them.")
                          .arg(measure(slivers.width, "m"), measure(slivers.area, "m²"));
         row.box = slivers.box;
-        row.where = where(row.box, Texts::tr("cut"));
+        row.where = where(row.box, RowTexts::tr("cut"));
         row.remedy = mergeSlivers(slivers);
         row.link = row.remedy->text;
         rows_.push_back(std::move(row));
@@ -144,7 +144,7 @@ private:
             const QString word = fromUtf8(wordOf(kind));
             parts << QString("%1 %2%3").arg(count).arg(word, count == 1 ? "" : "s");
         }
-        return parts.isEmpty() ? Texts::tr("Nothing merged, trimmed or dropped") : capitalised(parts.join(", "));
+        return parts.isEmpty() ? RowTexts::tr("Nothing merged, trimmed or dropped") : withCapital(parts.join(", "));
     }
 
     void addReport() {
@@ -153,12 +153,12 @@ private:
         for (const CutNote& note : cut.notes) ++kinds[note.kind];
         ProblemRow row;
         row.sign = ProblemRow::Sign::Report;
-        row.title = cut.blocks == 1 ? Texts::tr("Cut report: 1 block")
-                                   : Texts::tr("Cut report: %1 blocks").arg(Display::number(cut.blocks, 12));
-        if (cut.open > 0) row.title += Texts::tr(", %1 removed inside tunnels open from the start").arg(cut.open);
+        row.title = cut.blocks == 1 ? RowTexts::tr("Cut report: 1 block")
+                                   : RowTexts::tr("Cut report: %1 blocks").arg(Display::number(cut.blocks, 12));
+        if (cut.open > 0) row.title += RowTexts::tr(", %1 removed inside tunnels open from the start").arg(cut.open);
         row.detail = counts(kinds);
-        row.where = Texts::tr("whole section");
-        if (!kinds.empty()) row.link = reportIsOpen_ ? Texts::tr("Hide report") : Texts::tr("Show report");
+        row.where = RowTexts::tr("whole section");
+        if (!kinds.empty()) row.link = reportIsOpen_ ? RowTexts::tr("Hide report") : RowTexts::tr("Show report");
         row.opensReport = !kinds.empty();
         rows_.push_back(row);
         if (!reportIsOpen_) return;
@@ -170,12 +170,12 @@ private:
     ProblemRow rowOf(const CutNote& note) const {
         ProblemRow row;
         row.depth = 1;
-        row.title = capitalised(fromUtf8(wordOf(note.kind)));
-        row.detail = capitalised(QString::fromStdString(noteText(*checked_.cut, note)));
+        row.title = withCapital(fromUtf8(wordOf(note.kind)));
+        row.detail = withCapital(QString::fromStdString(noteText(*checked_.cut, note)));
         row.pointer = pointerOfSource(note.source);
         if (note.place.allFinite()) row.box = Box{note.place, note.place};
-        row.where = where(row.box, Texts::tr("cut"));
-        row.link = Texts::tr("Show");
+        row.where = where(row.box, RowTexts::tr("cut"));
+        row.link = RowTexts::tr("Show");
         return row;
     }
 

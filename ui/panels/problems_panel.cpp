@@ -22,16 +22,16 @@ namespace keyblock {
 
 namespace {
 
-constexpr int rowHeight = 42, noteHeight = 36, inset = 12, iconSize = 16, textLeft = 37, step = 20;
+constexpr int problemHeight = 42, noteHeight = 36, problemInset = 12, problemIcon = 16, textLeft = 37, problemStep = 20;
 
-QFont fontOf(const QFont& base, int pixels, QFont::Weight weight) {
+QFont problemFont(const QFont& base, int pixels, QFont::Weight weight) {
     QFont font = base;
     font.setPixelSize(pixels);
     font.setWeight(weight);
     return font;
 }
 
-const ProblemRow& rowOf(const QModelIndex& index) {
+const ProblemRow& problemAt(const QModelIndex& index) {
     return static_cast<const ProblemList*>(index.model())->rowAt(index.row());
 }
 
@@ -65,17 +65,17 @@ QVariant ProblemList::data(const QModelIndex& index, int role) const {
 }
 
 QSize ProblemRowPaint::sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const {
-    return {320, rowOf(index).depth > 0 ? noteHeight : rowHeight};
+    return {320, problemAt(index).depth > 0 ? noteHeight : problemHeight};
 }
 
 QRect ProblemRowPaint::linkOf(const QRect& row, const QString& link, const QFont& font) {
     // Slightly wider than necessary, because elision rounds.
-    const int width = QFontMetrics(fontOf(font, 12, QFont::DemiBold)).horizontalAdvance(link) + 4;
-    return {row.right() - inset - width, row.top(), width, row.height()};
+    const int width = QFontMetrics(problemFont(font, 12, QFont::DemiBold)).horizontalAdvance(link) + 4;
+    return {row.right() - problemInset - width, row.top(), width, row.height()};
 }
 
 void ProblemRowPaint::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
-    const ProblemRow& row = rowOf(index);
+    const ProblemRow& row = problemAt(index);
     const Theme& t = themes_.current();
     const QRect& box = option.rect;
     painter->save();
@@ -84,8 +84,9 @@ void ProblemRowPaint::paint(QPainter* painter, const QStyleOptionViewItem& optio
     if (chosen || option.state & QStyle::State_MouseOver) painter->fillRect(box, chosen ? t.accentRow : t.header);
     painter->setPen(t.separator);
     painter->drawLine(box.bottomLeft(), box.bottomRight());
-    const int left = box.left() + row.depth * step;
-    signOf(row, themes_).paint(painter, QRect(left + inset, box.center().y() - iconSize / 2, iconSize, iconSize));
+    const int left = box.left() + row.depth * problemStep;
+    const QRect sign(left + problemInset, box.center().y() - problemIcon / 2, problemIcon, problemIcon);
+    signOf(row, themes_).paint(painter, sign);
     const QRect link = linkOf(box, row.link, option.font);
     const bool narrow = box.width() < 560;
     const int whereLeft = box.left() + box.width() * 52 / 100;
@@ -93,12 +94,12 @@ void ProblemRowPaint::paint(QPainter* painter, const QStyleOptionViewItem& optio
     const QRect upper(left + textLeft, box.top() + 5, textEnd - left - textLeft, 16);
     const auto line =
         [&](const QRect& place, const QString& text, int pixels, QFont::Weight weight, const QColor& ink) {
-        painter->setFont(fontOf(option.font, pixels, weight));
+        painter->setFont(problemFont(option.font, pixels, weight));
         painter->setPen(ink);
         painter->drawText(place, Qt::AlignVCenter,
                           QFontMetrics(painter->font()).elidedText(text, Qt::ElideRight, place.width()));
     };
-    const int lower = box.height() == rowHeight ? 17 : 15;
+    const int lower = box.height() == problemHeight ? 17 : 15;
     line(upper, row.title, 12, row.depth > 0 ? QFont::Normal : QFont::DemiBold, t.text);
     line(upper.translated(0, lower), row.detail, 11, QFont::Normal, t.text2);
     if (!narrow)
@@ -129,7 +130,7 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, const Dis
     column->addWidget(view_);
     none_ = new QLabel(tr("No problems. The scene is checked after every edit."), this);
     none_->setProperty("role", "detail");
-    none_->setContentsMargins(inset, 12, inset, 0);
+    none_->setContentsMargins(problemInset, 12, problemInset, 0);
     none_->setAlignment(Qt::AlignTop);
     column->addWidget(none_, 1);
     later_->setSingleShot(true);

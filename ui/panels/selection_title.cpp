@@ -15,7 +15,7 @@ namespace keyblock {
 
 namespace {
 
-struct Texts {
+struct TitleTexts {
     Q_DECLARE_TR_FUNCTIONS(SelectionTitle)
 };
 
@@ -38,14 +38,14 @@ Counts countsOf(const Scene& scene, const std::vector<std::string>& pointers) {
 SelectionTitle selectionTitle(const Scene& scene, const std::vector<std::string>& pointers) {
     const Counts counts = countsOf(scene, pointers);
     if (counts.size() == 1)
-        return {countedOf(*counts.front().first, counts.front().second), Texts::tr("Edits apply to all of them")};
+        return {countedOf(*counts.front().first, counts.front().second), TitleTexts::tr("Edits apply to all of them")};
     int all = 0;
     QStringList kinds;
     for (const auto& [structure, count] : counts) {
         all += count;
         kinds << countedOf(*structure, count);
     }
-    return {Texts::tr("%1 objects").arg(all), kinds.join(", ")};
+    return {TitleTexts::tr("%1 objects").arg(all), kinds.join(", ")};
 }
 
 }  // namespace keyblock

@@ -15,7 +15,7 @@ namespace keyblock {
 
 namespace {
 
-struct Texts {
+struct PlanTexts {
     Q_DECLARE_TR_FUNCTIONS(Stages)
 };
 
@@ -82,16 +82,16 @@ Edit excavateIn(const Scene& scene, const std::string& name, std::size_t stage) 
 QString listed(const std::vector<std::string>& texts) {
     QStringList list;
     for (const std::string& text : texts) list << QString::fromStdString(text);
-    return list.size() > 3 ? Texts::tr("%1, %2 and %3 more").arg(list[0], list[1]).arg(list.size() - 2)
+    return list.size() > 3 ? PlanTexts::tr("%1, %2 and %3 more").arg(list[0], list[1]).arg(list.size() - 2)
                            : list.join(", ");
 }
 
 QString counted(std::size_t count, const char* one, const char* many) {
-    return QString("%1 %2").arg(count).arg(Texts::tr(count == 1 ? one : many));
+    return QString("%1 %2").arg(count).arg(PlanTexts::tr(count == 1 ? one : many));
 }
 
 QString changeText(const StrengthChange& change, const Display& display) {
-    QString text = Texts::tr("sets %1").arg(QString::fromStdString(change.jointMaterial));
+    QString text = PlanTexts::tr("sets %1").arg(QString::fromStdString(change.jointMaterial));
     if (change.frictionAngle)
         text += QString::fromUtf8(" φ %1°").arg(numberText(*change.frictionAngle, {}, display, 4));
     if (change.cohesion)
@@ -100,8 +100,8 @@ QString changeText(const StrengthChange& change, const Display& display) {
 }
 
 QString bodyAccelerationText(const Acceleration& acceleration, const Display& display) {
-    if (!acceleration.value) return Texts::tr("shakes all bodies");
-    return Texts::tr("body acceleration %1 %2")
+    if (!acceleration.value) return PlanTexts::tr("shakes all bodies");
+    return PlanTexts::tr("body acceleration %1 %2")
         .arg(numberText(acceleration.factor * *acceleration.value, "m/s²", display, 4), display.shown("m/s²").symbol);
 }
 
@@ -134,22 +134,22 @@ Edit toggled(const Scene& scene, const PlanRow& row, std::size_t stage) {
 
 QString toggledName(const Scene& scene, const PlanRow& row, std::size_t stage) {
     const QString name = QString::fromStdString(row.name), in = QString::fromStdString(scene.stages[stage].name);
-    if (row.cells[stage].event != PlanCell::Event::None) return Texts::tr("Keep %1 unchanged in %2").arg(name, in);
-    if (!row.isBolt) return Texts::tr("Excavate %1 in %2").arg(name, in);
+    if (row.cells[stage].event != PlanCell::Event::None) return PlanTexts::tr("Keep %1 unchanged in %2").arg(name, in);
+    if (!row.isBolt) return PlanTexts::tr("Excavate %1 in %2").arg(name, in);
     const bool everInstalled =
         std::ranges::any_of(scene.stages, [&](const Stage& s) { return names(s.install, row.name); });
-    const QString text = row.cells[stage].there && everInstalled ? Texts::tr("Remove %1 in %2")
-                                                                       : Texts::tr("Install %1 in %2");
+    const QString text = row.cells[stage].there && everInstalled ? PlanTexts::tr("Remove %1 in %2")
+                                                                       : PlanTexts::tr("Install %1 in %2");
     return text.arg(name, in);
 }
 
 QStringList stageDeeds(const Stage& stage, const Display& display) {
     QStringList deeds;
-    if (!stage.excavate.empty()) deeds << Texts::tr("excavates %1").arg(listed(stage.excavate));
+    if (!stage.excavate.empty()) deeds << PlanTexts::tr("excavates %1").arg(listed(stage.excavate));
     if (stage.relaxation)
-        deeds << Texts::tr("relaxes wall forces to %1 %").arg(numberText(100.0 * *stage.relaxation, {}, display, 4));
-    if (!stage.install.empty()) deeds << Texts::tr("installs %1").arg(listed(stage.install));
-    if (!stage.remove.empty()) deeds << Texts::tr("removes %1").arg(listed(stage.remove));
+        deeds << PlanTexts::tr("relaxes wall forces to %1 %").arg(numberText(100.0 * *stage.relaxation, {}, display, 4));
+    if (!stage.install.empty()) deeds << PlanTexts::tr("installs %1").arg(listed(stage.install));
+    if (!stage.remove.empty()) deeds << PlanTexts::tr("removes %1").arg(listed(stage.remove));
     for (const StrengthChange& change : stage.set) deeds << changeText(change, display);
     if (!stage.loads.empty())
         deeds << counted(stage.loads.size(), QT_TRANSLATE_NOOP("Stages", "load"), QT_TRANSLATE_NOOP("Stages", "loads"));
@@ -157,23 +157,23 @@ QStringList stageDeeds(const Stage& stage, const Display& display) {
         deeds << counted(stage.motions.size(), QT_TRANSLATE_NOOP("Stages", "motion"),
                          QT_TRANSLATE_NOOP("Stages", "motions"));
     for (const Dilation& dilation : stage.dilations)
-        deeds << Texts::tr("opens %1").arg(QString::fromStdString(dilation.joint));
+        deeds << PlanTexts::tr("opens %1").arg(QString::fromStdString(dilation.joint));
     if (!stage.initialVelocities.empty())
         deeds << counted(stage.initialVelocities.size(), QT_TRANSLATE_NOOP("Stages", "initial velocity"),
                          QT_TRANSLATE_NOOP("Stages", "initial velocities"));
-    if (stage.baseAcceleration) deeds << Texts::tr("shakes the ground");
+    if (stage.baseAcceleration) deeds << PlanTexts::tr("shakes the ground");
     if (stage.bodyAcceleration) deeds << bodyAccelerationText(*stage.bodyAcceleration, display);
-    if (stage.zeroDisplacements) deeds << Texts::tr("resets displacements");
+    if (stage.zeroDisplacements) deeds << PlanTexts::tr("resets displacements");
     return deeds;
 }
 
 QString stageEnd(const Stage& stage, const Display& display) {
     if (stage.kind == StageKind::Dynamic) return QString("%1 s").arg(numberText(stage.duration, "s", display, 4));
     if (stage.increments)
-        return *stage.increments == 1 ? Texts::tr("1 increment") : Texts::tr("%1 increments").arg(*stage.increments);
+        return *stage.increments == 1 ? PlanTexts::tr("1 increment") : PlanTexts::tr("%1 increments").arg(*stage.increments);
     if (stage.until.unbalanced)
-        return Texts::tr("unbalanced < %1").arg(numberText(*stage.until.unbalanced, {}, display, 2));
-    return Texts::tr("at equilibrium");
+        return PlanTexts::tr("unbalanced < %1").arg(numberText(*stage.until.unbalanced, {}, display, 2));
+    return PlanTexts::tr("at equilibrium");
 }
 
 }  // namespace keyblock

@@ -50,7 +50,7 @@ private:
     QString name_;
 };
 
-QString withUnit(const QString& title, const QString& symbol) {
+QString titleWithUnit(const QString& title, const QString& symbol) {
     return symbol.isEmpty() ? title : QString("%1 (%2)").arg(title, symbol);
 }
 
@@ -88,7 +88,7 @@ std::string_view TableEditor::unit(int column) const {
 
 QStringList TableEditor::headings() const {
     QStringList names = titles(row_);
-    for (int i = 0; i < names.size(); ++i) names[i] = withUnit(names[i], context_.display.shown(unit(i)).symbol);
+    for (int i = 0; i < names.size(); ++i) names[i] = titleWithUnit(names[i], context_.display.shown(unit(i)).symbol);
     return names;
 }
 

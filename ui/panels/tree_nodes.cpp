@@ -20,7 +20,7 @@ namespace {
 
 constexpr int longList = 60;  // entries; longer lists are filled when opened
 
-struct Texts {
+struct NodeTexts {
     Q_DECLARE_TR_FUNCTIONS(SceneTree)
 };
 
@@ -36,14 +36,14 @@ public:
         auto root = std::make_unique<TreeNode>();
         addGeometry(*root);
         addMaterials(*root);
-        addList(*root, "/joint_sets", Texts::tr("Joint sets"), "joint-set", true);
-        addList(*root, "/joints", Texts::tr("Joints"), "joint", true);
-        addList(*root, "/tunnels", Texts::tr("Tunnels"), "tunnel", false);
+        addList(*root, "/joint_sets", NodeTexts::tr("Joint sets"), "joint-set", true);
+        addList(*root, "/joints", NodeTexts::tr("Joints"), "joint", true);
+        addList(*root, "/tunnels", NodeTexts::tr("Tunnels"), "tunnel", false);
         addBolts(*root);
-        addList(*root, "/supports", Texts::tr("Supports"), "support", true);
+        addList(*root, "/supports", NodeTexts::tr("Supports"), "support", true);
         addLoads(*root);
-        addList(*root, "/stages", Texts::tr("Stages"), "stage", false);
-        addList(*root, "/monitors", Texts::tr("Monitors"), "monitor", true);
+        addList(*root, "/stages", NodeTexts::tr("Stages"), "stage", false);
+        addList(*root, "/monitors", NodeTexts::tr("Monitors"), "monitor", true);
         addResults(*root);
         return root;
     }
@@ -129,16 +129,16 @@ private:
         const std::size_t count = countOf(list);
         auto node = heading(list, name, icon, canHide && count > 0);
         node->takesDrops = rowOf(list).isOrdered;
-        node->detail = count > 0 ? Display::number(static_cast<double>(count), 12) : Texts::tr("none");
+        node->detail = count > 0 ? Display::number(static_cast<double>(count), 12) : NodeTexts::tr("none");
         fill(*node, list);
         addHeading(root, std::move(node));
     }
 
     void addGeometry(TreeNode& root) {
-        auto node = heading("#geometry", Texts::tr("Geometry"), "outline", false);
+        auto node = heading("#geometry", NodeTexts::tr("Geometry"), "outline", false);
         node->badge = worst({"/domain", "/regions", "/voronoi", "/blocks", "/cutting"});
-        if (scene_.domain) addOne(*node, "/domain", Texts::tr("Domain"), true);
-        if (scene_.voronoi) addOne(*node, "/voronoi", Texts::tr("Voronoi cells"));
+        if (scene_.domain) addOne(*node, "/domain", NodeTexts::tr("Domain"), true);
+        if (scene_.voronoi) addOne(*node, "/voronoi", NodeTexts::tr("Voronoi cells"));
         for (auto& row : entries("/regions")) addChild(*node, std::move(row));
         addBlocks(*node);
         addHeading(root, std::move(node));
@@ -146,12 +146,12 @@ private:
 
     /// Blocks given in the scene, and the number of blocks after cutting.
     void addBlocks(TreeNode& geometry) {
-        auto blocks = heading("/blocks", Texts::tr("Blocks"), "block", true);
+        auto blocks = heading("/blocks", NodeTexts::tr("Blocks"), "block", true);
         const auto& cut = source_.document.checked().cut;
         const std::size_t all = cut ? cut->scene.blocks.size() : scene_.blocks.size();
         blocks->detail = Display::number(static_cast<double>(all), 12);
         if (all > scene_.blocks.size() && !scene_.blocks.empty())
-            blocks->detail = Texts::tr("%1 (%2 drawn)").arg(blocks->detail).arg(scene_.blocks.size());
+            blocks->detail = NodeTexts::tr("%1 (%2 drawn)").arg(blocks->detail).arg(scene_.blocks.size());
         fill(*blocks, "/blocks");
         if (source_.filter.isEmpty() || matches(*blocks) || !blocks->children.empty())
             addChild(geometry, std::move(blocks));
@@ -173,23 +173,23 @@ private:
     }
 
     void addMaterials(TreeNode& root) {
-        auto node = heading("#materials", Texts::tr("Materials"), "material", false);
+        auto node = heading("#materials", NodeTexts::tr("Materials"), "material", false);
         node->badge = worst({"/materials", "/joint_materials"});
         for (auto& row : entries("/materials")) addChild(*node, std::move(row));
         for (auto& row : entries("/joint_materials")) addChild(*node, std::move(row));
-        node->detail = node->children.empty() ? Texts::tr("none") : QString::number(node->children.size());
+        node->detail = node->children.empty() ? NodeTexts::tr("none") : QString::number(node->children.size());
         addHeading(root, std::move(node));
     }
 
     void addBolts(TreeNode& root) {
-        auto node = heading("/bolts", Texts::tr("Bolts"), "bolt", !scene_.bolts.empty() || !scene_.boltPatterns.empty());
+        auto node = heading("/bolts", NodeTexts::tr("Bolts"), "bolt", !scene_.bolts.empty() || !scene_.boltPatterns.empty());
         node->badge = worst({"/bolts", "/bolt_patterns", "/bolt_types"});
         const auto& cut = source_.document.checked().cut;
         const std::size_t all = cut ? cut->scene.bolts.size() : scene_.bolts.size();
-        node->detail = all > 0 ? Display::number(static_cast<double>(all), 12) : Texts::tr("none");
+        node->detail = all > 0 ? Display::number(static_cast<double>(all), 12) : NodeTexts::tr("none");
         for (auto& row : entries("/bolt_patterns")) addChild(*node, std::move(row));
         if (scene_.bolts.size() > static_cast<std::size_t>(longList) && source_.filter.isEmpty()) {
-            auto single = heading("/bolts/", Texts::tr("Single bolts"), "bolt", false);
+            auto single = heading("/bolts/", NodeTexts::tr("Single bolts"), "bolt", false);
             single->detail = QString::number(scene_.bolts.size());
             single->waiting = static_cast<int>(scene_.bolts.size());
             addChild(*node, std::move(single));
@@ -209,19 +209,19 @@ private:
     }
 
     void addLoads(TreeNode& root) {
-        auto node = heading("#loads", Texts::tr("Loads"), "load", false);
-        addOne(*node, "/analysis", Texts::tr("Gravity"));
+        auto node = heading("#loads", NodeTexts::tr("Loads"), "load", false);
+        addOne(*node, "/analysis", NodeTexts::tr("Gravity"));
         if (!node->children.empty()) {
             node->children.back()->detail = gravityText();
             node->children.back()->icon = "arrow";
         }
-        if (scene_.inSituStress) addOne(*node, "/in_situ_stress", Texts::tr("In-situ stress"));
+        if (scene_.inSituStress) addOne(*node, "/in_situ_stress", NodeTexts::tr("In-situ stress"));
         for (std::size_t stage = 0; stage < scene_.stages.size(); ++stage) {
             const Stage& held = scene_.stages[stage];
-            addOfStage(*node, stage, "loads", held.loads.size(), Texts::tr("Load %1"), "load");
-            addOfStage(*node, stage, "motions", held.motions.size(), Texts::tr("Motion %1"), "motion");
+            addOfStage(*node, stage, "loads", held.loads.size(), NodeTexts::tr("Load %1"), "load");
+            addOfStage(*node, stage, "motions", held.motions.size(), NodeTexts::tr("Motion %1"), "motion");
         }
-        node->detail = scene_.analysis.gravity.isZero() ? Texts::tr("no gravity") : Texts::tr("gravity");
+        node->detail = scene_.analysis.gravity.isZero() ? NodeTexts::tr("no gravity") : NodeTexts::tr("gravity");
         if (scene_.inSituStress)
             node->detail += ", " + detailOf(source_.document, source_.display, "/in_situ_stress");
         addHeading(root, std::move(node));
@@ -233,7 +233,7 @@ private:
         for (std::size_t i = 0; i < count; ++i) {
             auto row = entry(under(under(under("/stages", stage), list), i), {});
             row->name = title.arg(i + 1);
-            row->detail = (row->detail + ' ' + Texts::tr("in %1").arg(stageName)).trimmed();
+            row->detail = (row->detail + ' ' + NodeTexts::tr("in %1").arg(stageName)).trimmed();
             row->icon = icon;
             row->canHide = true;
             if (source_.filter.isEmpty() || matches(*row)) addChild(node, std::move(row));
@@ -241,8 +241,8 @@ private:
     }
 
     void addResults(TreeNode& root) {
-        auto node = heading("#results", Texts::tr("Results"), "result", false);
-        node->detail = source_.runs.empty() ? Texts::tr("no run yet") : QString();
+        auto node = heading("#results", NodeTexts::tr("Results"), "result", false);
+        node->detail = source_.runs.empty() ? NodeTexts::tr("no run yet") : QString();
         for (const RunRow& run : source_.runs) {
             auto row = heading("#run/" + run.id, run.name, run.icon.isEmpty() ? "result" : run.icon, false);
             row->detail = run.detail;

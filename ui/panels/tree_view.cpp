@@ -19,7 +19,7 @@ const TreeNode& nodeOf(const QModelIndex& index) {
     return static_cast<const TreeModel*>(index.model())->nodeAt(index);
 }
 
-QFont fontOf(const QFont& base, int pixels, QFont::Weight weight) {
+QFont treeFont(const QFont& base, int pixels, QFont::Weight weight) {
     QFont font = base;
     font.setPixelSize(pixels);
     font.setWeight(weight);
@@ -76,14 +76,14 @@ void TreeRows::paint(QPainter* painter, const QStyleOptionViewItem& option, cons
     const QRect icon(row.left() + 2, row.center().y() - iconSize / 2 + 1, iconSize, iconSize);
     themes_.icon(node.icon, hidden ? t.text3 : selected ? t.accent : t.text2).paint(painter, icon);
     const bool bold = node.bold || selected;
-    painter->setFont(fontOf(option.font, 12, bold ? QFont::DemiBold : QFont::Normal));
+    painter->setFont(treeFont(option.font, 12, bold ? QFont::DemiBold : QFont::Normal));
     const int left = icon.right() + 7;
     const QFontMetrics metrics(painter->font());
     const QString name = metrics.elidedText(node.name, Qt::ElideRight, std::max(0, end - left));
     painter->setPen(hidden ? t.text3 : t.text);
     painter->drawText(QRect(left, row.top(), end - left, row.height()), Qt::AlignVCenter, name);
     const int after = left + metrics.horizontalAdvance(name) + 6;
-    painter->setFont(fontOf(option.font, 11, QFont::Normal));
+    painter->setFont(treeFont(option.font, 11, QFont::Normal));
     painter->setPen(hidden ? t.text3 : t.text2);
     if (end - after > 14)
         painter->drawText(QRect(after, row.top(), end - after, row.height()), Qt::AlignVCenter,

@@ -15,7 +15,7 @@ namespace keyblock {
 
 namespace {
 
-struct Texts {
+struct ValueTexts {
     Q_DECLARE_TR_FUNCTIONS(ValueText)
 };
 
@@ -36,7 +36,7 @@ double signOf(const Field& field, const Display& display) {
 bool isOneOf(const QString& text, const QStringList& list) { return list.contains(text, Qt::CaseInsensitive); }
 
 bool asksForNull(const QString& text) {
-    return text.isEmpty() || isOneOf(text, {"auto", "automatic", "null", "none", Texts::tr("automatic")});
+    return text.isEmpty() || isOneOf(text, {"auto", "automatic", "null", "none", ValueTexts::tr("automatic")});
 }
 
 QString pointText(const Point& point, std::string_view unit, const Display& display, bool exact) {
@@ -60,7 +60,7 @@ Typed<std::vector<double>> readNumbers(QString text, int count, std::string_view
     const QStringList parts = text.split(text.contains(';') ? ';' : ',');
     const QString example = count == 2 ? "2.5, 0.25" : "1, 2, 3";
     if (parts.size() != count)
-        return {{}, Texts::tr("Enter %1 numbers, as in %2; with decimal commas, separate them by semicolons")
+        return {{}, ValueTexts::tr("Enter %1 numbers, as in %2; with decimal commas, separate them by semicolons")
                         .arg(count).arg(example)};
     std::vector<double> numbers;
     for (const QString& part : parts) {
@@ -92,12 +92,12 @@ Typed<FieldValue> readAxis(const QString& text, const Display& display) {
     if (text.compare("x", Qt::CaseInsensitive) == 0) return {FieldValue(Point(1.0, 0.0)), {}};
     if (text.compare("y", Qt::CaseInsensitive) == 0) return {FieldValue(Point(0.0, 1.0)), {}};
     auto typed = readPoint(text, {}, display);
-    if (!typed.value) typed.problem = Texts::tr("Enter x, y, or a direction as two numbers: 1, 0.5");
+    if (!typed.value) typed.problem = ValueTexts::tr("Enter x, y, or a direction as two numbers: 1, 0.5");
     return typed;
 }
 
 Typed<FieldValue> readPlace(const QString& text, std::string_view unit, const Display& display) {
-    if (isOneOf(text, {"head", Texts::tr("head")})) return {FieldValue(BoltPlace{true, 0.0}), {}};
+    if (isOneOf(text, {"head", ValueTexts::tr("head")})) return {FieldValue(BoltPlace{true, 0.0}), {}};
     const Typed<double> number = readNumber(text, unit, display);
     if (!number.value) return {{}, number.problem};
     return {FieldValue(BoltPlace{false, *number.value}), {}};
@@ -107,7 +107,7 @@ Typed<FieldValue> readInteger(const QString& text, std::string_view unit, const 
     const Typed<double> number = readNumber(text, unit, display);
     if (!number.value) return {{}, number.problem};
     if (*number.value != std::floor(*number.value) || std::abs(*number.value) > 2147483647.0)
-        return {{}, Texts::tr("Enter a whole number")};
+        return {{}, ValueTexts::tr("Enter a whole number")};
     return {FieldValue(*number.value), {}};
 }
 
@@ -141,7 +141,7 @@ QString valueText(const FieldValue& value, const Field& field, std::string_view 
     };
     if (const auto* text = std::get_if<std::string>(&value)) return QString::fromStdString(*text);
     if (const auto* x = std::get_if<double>(&value)) return number(*x);
-    if (const auto* place = std::get_if<BoltPlace>(&value)) return place->head ? Texts::tr("head") : number(place->s);
+    if (const auto* place = std::get_if<BoltPlace>(&value)) return place->head ? ValueTexts::tr("head") : number(place->s);
     if (const auto* point = std::get_if<Point>(&value))
         return field.kind == FieldKind::Axis ? axisText(*point, display, exact)
                                              : pointText(*point, unit, display, exact);
@@ -170,17 +170,17 @@ Typed<FieldValue> readValue(const QString& typedText, const Field& field, std::s
 }
 
 QString summaryOf(const FieldValue& value, const Field& field, std::string_view unit, const Display& display) {
-    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? Texts::tr("yes") : Texts::tr("no");
+    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? ValueTexts::tr("yes") : ValueTexts::tr("no");
     if (const auto* points = std::get_if<std::vector<Point>>(&value))
-        return points->size() == 1 ? Texts::tr("1 point") : Texts::tr("%1 points").arg(points->size());
+        return points->size() == 1 ? ValueTexts::tr("1 point") : ValueTexts::tr("%1 points").arg(points->size());
     if (const auto* table = std::get_if<Table>(&value))
-        return table->size() == 1 ? Texts::tr("1 row") : Texts::tr("%1 rows").arg(table->size());
+        return table->size() == 1 ? ValueTexts::tr("1 row") : ValueTexts::tr("%1 rows").arg(table->size());
     if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
         QStringList list;
         for (const std::string& text : *texts) list << QString::fromStdString(text);
         return list.join(", ");
     }
-    if (std::holds_alternative<std::monostate>(value)) return Texts::tr("automatic");
+    if (std::holds_alternative<std::monostate>(value)) return ValueTexts::tr("automatic");
     if (const auto* word = std::get_if<std::string>(&value); word && field.kind == FieldKind::Word)
         return choiceText(field, *word);
     const QString text = valueText(value, field, unit, display);

@@ -13,7 +13,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> words{"stress-crosses", "displacement-arrows", "velocity-arrows"};
+constexpr std::array<std::string_view, 3> arrowKinds{"stress-crosses", "displacement-arrows", "velocity-arrows"};
 
 constexpr double longestArrow = 9.0;  // [mm]
 constexpr double megapascals = perSi(namedUnit("MPa")), millimetres = perSi(namedUnit("mm"));
@@ -32,12 +32,12 @@ void addCross(ArrowField& field, const BlockState& block, const Point& place) {
 }  // namespace
 
 std::optional<ArrowKind> arrowKindOf(std::string_view word) {
-    const auto found = std::find(words.begin(), words.end(), word);
-    if (found == words.end()) return std::nullopt;
-    return static_cast<ArrowKind>(found - words.begin());
+    const auto found = std::find(arrowKinds.begin(), arrowKinds.end(), word);
+    if (found == arrowKinds.end()) return std::nullopt;
+    return static_cast<ArrowKind>(found - arrowKinds.begin());
 }
 
-std::span<const std::string_view> arrowWords() { return words; }
+std::span<const std::string_view> arrowWords() { return arrowKinds; }
 
 double arrowScale(const ArrowField& field) { return field.largest > 0.0 ? longestArrow / field.largest : 0.0; }
 

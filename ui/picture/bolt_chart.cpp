@@ -20,7 +20,7 @@ namespace keyblock {
 namespace {
 
 constexpr int envelopePlaces = 400;
-constexpr double nothing = 1e-3;  // of the largest: smaller values are not shown
+constexpr double noBoltForce = 1e-3;  // of the largest: smaller values are not shown
 
 using NodeQuantity = FrameQuantity<BoltNodeFrame>;
 
@@ -202,7 +202,7 @@ private:
         const NodeQuantity& axial = *findQuantity(BoltQuantity::AxialForce);
         const double force = largest(now(), axial);
         return text + "; largest axial force in this frame " +
-               forceText(force > nothing * reach_.largestForce() ? force : 0.0, {}) + usedText() + ".";
+               forceText(force > noBoltForce * reach_.largestForce() ? force : 0.0, {}) + usedText() + ".";
     }
 
     /// Utilisation in the run so far.
@@ -232,7 +232,7 @@ private:
     bool isShown(const NodeQuantity& quantity) const {
         const BoltQuantity of = rowOf(quantity).quantity;
         const bool beside = of == BoltQuantity::ShearForce || of == BoltQuantity::Moment;
-        return !beside || reach_.largest(quantity.column) > std::max(1.0, nothing * reach_.largestForce());
+        return !beside || reach_.largest(quantity.column) > std::max(1.0, noBoltForce * reach_.largestForce());
     }
 
     void gatherEnvelopes() {
@@ -306,7 +306,7 @@ private:
                 for (const double value : values) most = std::max(most, std::abs(value));
                 return most;
             };
-            if (size(*side) <= nothing * std::max(size(envelope.low), size(envelope.high))) continue;
+            if (size(*side) <= noBoltForce * std::max(size(envelope.low), size(envelope.high))) continue;
             ChartCurve curve{"", CurveStyle::Envelope, envelope.s, *side};
             for (double& value : curve.y) value *= factor;
             panel.curves.push_back(std::move(curve));

@@ -9,8 +9,9 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> words{"not installed", "intact",   "partly debonded", "debonded", "yielded",
-                                                "face plate lost", "ruptured", "pulled out",      "lost"};
+constexpr std::array<std::string_view, 9> conditionWords{
+    "not installed", "intact",   "partly debonded", "debonded", "yielded",
+    "face plate lost", "ruptured", "pulled out",      "lost"};
 
 /// Tributary length of a node: half of the distance to either neighbour [m].
 double lengthOf(const std::vector<BoltNodeFrame>& nodes, std::size_t node) {
@@ -45,7 +46,7 @@ BoltCondition conditionOf(const BoltFrame& frame, const BoltReport& report, int 
 
 }  // namespace
 
-std::string_view wordOf(BoltCondition condition) { return words[static_cast<std::size_t>(condition)]; }
+std::string_view wordOf(BoltCondition condition) { return conditionWords[static_cast<std::size_t>(condition)]; }
 
 BoltReport boltReport(const Scene& scene, const Frame& frame, int bolt, std::span<const Event> events) {
     const auto row = static_cast<std::size_t>(bolt);

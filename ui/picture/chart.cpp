@@ -12,7 +12,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double negligible = 1e-3;  // of the larger side of zero: smaller values do not extend a range
+constexpr double negligibleSide = 1e-3;  // of the larger side of zero: smaller values do not extend a range
 
 /// Of the pieces of one limit on one side of zero, only the last is named.
 void nameOnce(std::vector<ChartLimit>& limits) {
@@ -79,8 +79,8 @@ void fitRange(ChartPanel& panel) {
     nameOnce(panel.limits);
     for (const ChartLimit& limit : panel.limits)
         range = {std::min(range.low, limit.value), std::max(range.high, limit.value)};
-    if (-range.low < negligible * range.high) range.low = 0.0;
-    if (range.high < -negligible * range.low) range.high = 0.0;
+    if (-range.low < negligibleSide * range.high) range.low = 0.0;
+    if (range.high < -negligibleSide * range.low) range.high = 0.0;
     panel.range = roundedRange(range, mostPanelTicks);
 }
 

@@ -16,9 +16,9 @@ namespace keyblock {
 
 namespace {
 
-constexpr double shown = perSi(namedUnit("kN"));
-constexpr double shareOutside = 0.02;  // of the sum of all forces, carried by forces larger than the longest line
-constexpr double least = 0.01;  // of the longest line: smaller forces are invisible
+constexpr double shownForce = perSi(namedUnit("kN"));
+constexpr double forcesOutside = 0.02;  // of the sum of all forces, carried by forces larger than the longest line
+constexpr double leastLine = 0.01;  // of the longest line: smaller forces are invisible
 constexpr std::size_t manyLines = 2000;  // in view: more than these are thinned out
 constexpr double squares = 1500.0;  // into which the window is then divided
 
@@ -27,7 +27,7 @@ constexpr double shortestScale = 2.6, longestScale = 8.0, thinnest = 0.12;  // [
 
 bool bears(const ContactFrame& contact) { return contact.state != ContactState::Open; }
 
-ContactKind kindOf(const ContactFrame& contact) {
+ContactKind contactKindOf(const ContactFrame& contact) {
     switch (contact.state) {
         case ContactState::Sliding: return ContactKind::Sliding;
         case ContactState::Bonded: return contact.normalForce < 0.0 ? ContactKind::Pulled : ContactKind::Bonded;
@@ -57,7 +57,7 @@ double twoDigits(double value) {
 /// Thins out the lines if there are many, and adds a note.
 void thinOut(ContactField& field, const Box& window) {
     const std::size_t all = field.lines.size();
-    const double smallest = least * field.scale.longest;
+    const double smallest = leastLine * field.scale.longest;
     std::erase_if(field.lines, [&](const ContactLine& line) { return line.force.norm() < smallest; });
     std::string which = "forces below " + numberText(smallest) + " " + field.unit + " omitted";
     if (field.lines.size() > manyLines) {
@@ -74,7 +74,7 @@ void thinOut(ContactField& field, const Box& window) {
 }  // namespace
 
 ContactLine contactLine(const ContactFrame& contact) {
-    return {kindOf(contact), contact.position, shown * forceOnA(contact)};
+    return {contactKindOf(contact), contact.position, shownForce * forceOnA(contact)};
 }
 
 void widen(ContactScale& scale, const Frame& frame, std::vector<double>& sizes) {
@@ -95,7 +95,7 @@ double longestOf(std::vector<double> sizes) {
     double sum = 0.0, until = 0.0;
     for (const double size : sizes) sum += size;
     for (const double size : sizes)
-        if ((until += size) >= (1.0 - shareOutside) * sum) return size > 0.0 ? roundHalvable(size) : 0.0;
+        if ((until += size) >= (1.0 - forcesOutside) * sum) return size > 0.0 ? roundHalvable(size) : 0.0;
     return 0.0;
 }
 

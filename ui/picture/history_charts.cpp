@@ -17,8 +17,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr double negligible = 1e-3;  // energies below this share of the largest are not shown
-constexpr double nothing = 1e-5;  // of the largest of its kind: too small to draw or measure
+constexpr double negligibleEnergy = 1e-3;  // energies below this share of the largest are not shown
+constexpr double noCurve = 1e-5;  // of the largest of its kind: too small to draw or measure
 
 class HistoryChartBuilder {
 public:
@@ -200,7 +200,7 @@ private:
             largest = std::max(largest, most);
             rows.emplace_back(most, &row);
         }
-        std::erase_if(rows, [&](const auto& row) { return row.first <= negligible * largest; });
+        std::erase_if(rows, [&](const auto& row) { return row.first <= negligibleEnergy * largest; });
         std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
         const bool small = largest < 1e3;
         ChartPanel panel;
@@ -234,7 +234,7 @@ private:
         }
         largest["kN m"] = std::max(largest["kN m"], largest["kN"]);
         const auto isNothing = [&](const ChartPanel& panel) {
-            return largestOf(panel) <= nothing * largest[unitOf(panel)];
+            return largestOf(panel) <= noCurve * largest[unitOf(panel)];
         };
         if (std::all_of(chart.panels.begin(), chart.panels.end(), isNothing)) return;
         for (const ChartPanel& panel : chart.panels)

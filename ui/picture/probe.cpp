@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> ofBlocks{"sigma1", "sigma3", "displacement", "velocity"};
 
-constexpr double beyond = 0.01;  // relative difference from which a peak is shown next to the current value
+constexpr double peakBeyond = 0.01;  // relative difference from which a peak is shown next to the current value
 
 /// Creates rows in the units and signs of a picture.
 struct RowMaker {
@@ -36,7 +36,7 @@ struct RowMaker {
         const double now = quantity.value(row);
         std::string text = shown(now, quantity.display, true);
         const BlockPeak* peak = extremes ? peakOf(*extremes, quantity.name) : nullptr;
-        if (peak && std::abs(peak->value - now) > beyond * std::abs(peak->value))
+        if (peak && std::abs(peak->value - now) > peakBeyond * std::abs(peak->value))
             text += ", peak " + shown(peak->value, quantity.display, false);
         reading.rows.emplace_back(title, text);
     }

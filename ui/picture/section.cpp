@@ -20,7 +20,7 @@ namespace {
 
 constexpr double margin = 0.3;  // around tunnels and bolts, of their extent
 constexpr double rim = 0.05;  // around a whole model, of its extent
-constexpr double nothing = 1e-4;  // of the legend's range: less is round-off
+constexpr double noValue = 1e-4;  // of the legend's range: less is round-off
 constexpr double nearlyAll = 0.6;  // of the model's area: then all of it is shown
 
 Box united(const Box& a, const Box& b) { return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)}; }
@@ -154,7 +154,7 @@ private:
     /// so far.
     void chooseRibbon() {
         if (!picture_.boltLegend) return;
-        double largest = nothing * picture_.boltLegend->range.high;
+        double largest = noValue * picture_.boltLegend->range.high;
         for (std::size_t i = 0; i < picture_.bolts.size(); ++i) {
             const BoltShape& shape = picture_.bolts[i];
             if (request_.ribbon && *request_.ribbon != shape.bolt) continue;
@@ -176,7 +176,7 @@ private:
         const auto bolt = static_cast<std::size_t>(shape.bolt);
         const auto take = [&](const std::string& name, const std::vector<double>& limits) {
             const double limit = *std::max_element(limits.begin(), limits.end());
-            if (ribbon.limit || limit < largest * (1.0 - nothing)) return;
+            if (ribbon.limit || limit < largest * (1.0 - noValue)) return;
             ribbon.limit = limit;
             ribbon.limits = limits;
             ribbon.limitName = name;

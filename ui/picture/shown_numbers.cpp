@@ -34,7 +34,7 @@ const std::vector<UnitRow>& units() {
 /// Smaller values are not measurable, and below double precision for a section of rock.
 constexpr double leastForce = 1e-6, leastOther = 1e-9;  // [MPa, kN, kN m], and of other units
 
-constexpr std::string_view compression = "compression +", per = " per ";
+constexpr std::string_view compressionPlus = "compression +", per = " per ";
 
 void scale(std::vector<double>& values, double factor) {
     for (double& value : values) value *= factor;
@@ -120,8 +120,8 @@ void turnAbscissas(Chart& chart, double factor) {
 
 ShownAs shownAs(std::string_view unit, std::string_view convention, const ShownNumbers& numbers) {
     ShownAs shown{std::string(unit), std::string(convention), 1.0};
-    if (numbers.tensionPositive && unit == "MPa" && convention.ends_with(compression)) {
-        shown.convention.replace(convention.size() - compression.size(), std::string::npos, "tension +");
+    if (numbers.tensionPositive && unit == "MPa" && convention.ends_with(compressionPlus)) {
+        shown.convention.replace(convention.size() - compressionPlus.size(), std::string::npos, "tension +");
         shown.factor = -1.0;
     }
     if (!numbers.si) return shown;

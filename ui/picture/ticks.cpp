@@ -12,7 +12,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double roundOff = 1e-9;
+constexpr double tickRoundOff = 1e-9;
 
 int decimalsOf(double step) {
     for (int decimals = 0; decimals < 12; ++decimals) {
@@ -25,12 +25,12 @@ int decimalsOf(double step) {
 double firstNotBelow(double least, std::initializer_list<double> factors) {
     const double power = std::pow(10.0, std::floor(std::log10(least)));
     for (const double factor : factors)
-        if (factor * power >= least * (1.0 - roundOff)) return factor * power;
+        if (factor * power >= least * (1.0 - tickRoundOff)) return factor * power;
     return 10.0 * power;
 }
 
 bool hasNoWidth(const ValueRange& range) {
-    return range.high - range.low <= roundOff * std::max(std::abs(range.low), std::abs(range.high));
+    return range.high - range.low <= tickRoundOff * std::max(std::abs(range.low), std::abs(range.high));
 }
 
 }  // namespace
@@ -43,12 +43,12 @@ Ticks roundTicks(const ValueRange& range, int most) {
     const double width = range.high - range.low;
     double step = roundStep(width / most);
     const auto count = [&](double s) {
-        return std::floor(range.high / s + roundOff) - std::ceil(range.low / s - roundOff) + 1.0;
+        return std::floor(range.high / s + tickRoundOff) - std::ceil(range.low / s - tickRoundOff) + 1.0;
     };
     while (count(step) > most) step = roundStep(step * 1.01);
     Ticks ticks;
     ticks.decimals = decimalsOf(step);
-    const double first = std::ceil(range.low / step - roundOff);
+    const double first = std::ceil(range.low / step - tickRoundOff);
     for (int i = 0; i < static_cast<int>(count(step)); ++i) ticks.values.push_back((first + i) * step);
     return ticks;
 }
@@ -58,7 +58,7 @@ ValueRange roundedRange(const ValueRange& range, int most) {
     if (hasNoWidth(wide)) wide = {std::min(wide.low, 0.0), std::max(wide.high, 0.0)};
     if (wide.low == wide.high) return {0.0, 1.0};
     for (double step = roundStep((wide.high - wide.low) / (most - 1));; step = roundStep(step * 1.01)) {
-        const double low = std::floor(wide.low / step + roundOff), high = std::ceil(wide.high / step - roundOff);
+        const double low = std::floor(wide.low / step + tickRoundOff), high = std::ceil(wide.high / step - tickRoundOff);
         if (high - low <= most - 1) return {low * step, high * step};
     }
 }

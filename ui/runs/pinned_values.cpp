@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int share = 250;  // [ms] of reading, before incomplete curves are shown
+constexpr int readingTime = 250;  // [ms] of reading, before incomplete curves are shown
 
 bool areAlike(const LiveRun& a, const LiveRun& b) {
     return a.blockNames() == b.blockNames() && a.scene().bolts == b.scene().bolts;
@@ -85,7 +85,7 @@ void Pins::read() {
             for (const auto& track : tracks) grown.push_back(std::make_shared<PinTrack>(*track));
             QElapsedTimer clock;
             clock.start();
-            for (std::size_t i = from; i < to && (i == from || clock.elapsed() < share); ++i) {
+            for (std::size_t i = from; i < to && (i == from || clock.elapsed() < readingTime); ++i) {
                 const std::shared_ptr<const Frame> frame = run->sharedFrame(i);
                 for (const auto& track : grown)
                     if (track->frames() == i) track->add(*frame);

@@ -17,7 +17,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr char folder[] = ":/samples";
+constexpr char samplesFolder[] = ":/samples";
 constexpr double closeTolerance = 0.05;  // relative
 
 QByteArray contentOf(const QString& path) {
@@ -87,7 +87,7 @@ std::pair<int, int> rankOf(const Sample& sample) {
 std::vector<Sample> gallerySamples() {
     const JsonNode measured = treeOf(":/gallery/samples.json").value_or(JsonNode{});
     std::vector<Sample> samples;
-    for (const QFileInfo& file : QDir(folder).entryInfoList({"*.json"}, QDir::Files, QDir::Name))
+    for (const QFileInfo& file : QDir(samplesFolder).entryInfoList({"*.json"}, QDir::Files, QDir::Name))
         if (const auto root = treeOf(file.filePath())) samples.push_back(sampleOf(file.filePath(), *root, measured));
     std::ranges::stable_sort(samples, {}, rankOf);
     return samples;
@@ -96,11 +96,11 @@ std::vector<Sample> gallerySamples() {
 QString sampleRecordFolder() {
     const QString records = QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + "/samples";
     QDir().mkpath(records);
-    for (const QString& name : QDir(folder).entryList({"*.csv"})) {
+    for (const QString& name : QDir(samplesFolder).entryList({"*.csv"})) {
         const QString copy = records + "/" + name;
-        if (contentOf(copy) == contentOf(folder + ("/" + name))) continue;
+        if (contentOf(copy) == contentOf(samplesFolder + ("/" + name))) continue;
         QFile::remove(copy);
-        QFile::copy(folder + ("/" + name), copy);
+        QFile::copy(samplesFolder + ("/" + name), copy);
     }
     return records;
 }

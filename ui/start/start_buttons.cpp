@@ -21,7 +21,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int side = 24, inset = 12, tipWidth = 360;  // [px]
+constexpr int arrowSide = 24, inset = 12, tipWidth = 360;  // [px]
 
 QFont sized(const QFont& base, int pixels, bool bold = false) {
     QFont font = base;
@@ -172,12 +172,12 @@ void RecentRow::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     if (hasFocus() || underMouse()) painter.fillRect(rect(), t.accentSoft);
     if (hasFocus()) painter.fillRect(0, 0, 2, height, t.accent);
-    const QRect thumb(side, (height - thumbHeight) / 2, thumbWidth, thumbHeight);
+    const QRect thumb(arrowSide, (height - thumbHeight) / 2, thumbWidth, thumbHeight);
     painter.fillRect(thumb, t.canvas);
     if (!image_.isNull()) painter.drawImage(thumb.topLeft(), image_);
     painter.setPen(t.border);
     painter.drawRect(thumb.adjusted(0, 0, -1, -1));
-    const int left = thumb.right() + 13, inner = width() - side - left;
+    const int left = thumb.right() + 13, inner = width() - arrowSide - left;
     const int right = line(painter, {left, 0, inner, height}, time_, sized(font(), 12), t.text2, Qt::AlignRight);
     const QRect name(left, 14, inner - right - 30, 18);
     const int used = line(painter, name, name_, sized(font(), 12, true), exists_ ? t.text : t.text3);

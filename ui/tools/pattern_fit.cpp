@@ -9,11 +9,11 @@ namespace keyblock {
 
 namespace {
 
-constexpr double step = 1e-6;  // [m] spacings and offsets are multiples of it, so that files have short numbers
+constexpr double roundedTo = 1e-6;  // [m] spacings and offsets are multiples of it, so that files have short numbers
 constexpr double together = 1e-9;  // of the run
 
 /// Rounded down: the last bolt must not be beyond the end.
-double roundedDown(double metres) { return std::floor(metres / step) * step; }
+double roundedDown(double metres) { return std::floor(metres / roundedTo) * roundedTo; }
 
 }  // namespace
 
@@ -26,7 +26,7 @@ PatternPlaces fitted(PatternFit fit, const PatternPlaces& given, int bolts, doub
     }
     const int intervals = isClosed ? bolts : bolts - 1;
     if (intervals < 1) return {run, roundedDown(0.5 * run)};  // one bolt, centred
-    return {std::max(step, roundedDown(run / intervals)), 0.0};
+    return {std::max(roundedTo, roundedDown(run / intervals)), 0.0};
 }
 
 }  // namespace keyblock

@@ -16,7 +16,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double spacing = 22.0, tick = 7.0, arrowLength = 34.0, mostName = 150.0;  // [px]
+constexpr double signSpacing = 22.0, tick = 7.0, arrowLength = 34.0, mostName = 150.0;  // [px]
 constexpr double leastForNames = 15.0;  // [px per m] below it they would overlap bolts
 
 template <typename Item>
@@ -84,7 +84,7 @@ void SignPainter::side(const Point& from, const Point& to, Fix fix, const QColor
     painter_.setBrush(Qt::NoBrush);
     const bool level = std::abs(along.x()) > std::abs(along.y());
     const bool rolls = (fix == Fix::X && !level) || (fix == Fix::Y && level);
-    const int count = std::clamp(static_cast<int>(line.length() / spacing), 1, 400);
+    const int count = std::clamp(static_cast<int>(line.length() / signSpacing), 1, 400);
     for (int i = 0; i < count; ++i) {
         const QPointF at = line.pointAt((i + 0.5) / count);
         if (rolls)
@@ -142,7 +142,7 @@ void SignPainter::pressure(const Point& from, const Point& to, bool pulls, const
     const QPointF along = (line.p2() - line.p1()) / line.length();
     QPointF into(-along.y(), along.x());
     if (into.y() < 0.0) into = -into;  // drawn from above; the edges decide which side is loaded
-    const int count = std::clamp(static_cast<int>(line.length() / spacing), 1, 400);
+    const int count = std::clamp(static_cast<int>(line.length() / signSpacing), 1, 400);
     painter_.setPen(QPen(colour, 1.2));
     painter_.drawLine(line.translated(-20.0 * into));
     for (int i = 0; i <= count; ++i) {

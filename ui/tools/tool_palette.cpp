@@ -12,7 +12,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int lineHeight = 7, rim = 4, between = 2;  // [px]
+constexpr int separatorHeight = 7, rim = 4, between = 2;  // [px]
 constexpr int paletteWidth = 44, buttonSize = 36, iconPixels = 18, letterPixels = 9;
 
 /// A button with the letter of its key in the corner.
@@ -64,7 +64,7 @@ void ToolPalette::add(QAction* action, const QString& name) {
 
 void ToolPalette::addLine() {
     auto* line = new QWidget(this);
-    line->setFixedSize(buttonSize, lineHeight);
+    line->setFixedSize(buttonSize, separatorHeight);
     lines_.push_back(line);
     items_.push_back(line);
     layOut();
@@ -74,7 +74,7 @@ void ToolPalette::addLine() {
 void ToolPalette::layOut() {
     int x = 3, y = rim;
     for (QWidget* item : items_) {
-        const bool isLine = item->height() == lineHeight;
+        const bool isLine = item->height() == separatorHeight;
         if (y + item->height() + rim > height() && y > rim) {
             x += paletteWidth;
             y = rim;

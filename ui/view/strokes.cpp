@@ -41,7 +41,7 @@ in float strokeRim;
 in float strokeFaint;
 )";
 
-constexpr const char* rim = R"(//VTK::Light::Impl
+constexpr const char* rimShader = R"(//VTK::Light::Impl
   float beyond = max(max(-strokePlace.x, strokePlace.x - strokeLength), 0.0);
   float covered = clamp(strokeRim - length(vec2(beyond, strokePlace.y)), 0.0, 1.0);
   if (covered <= 0.0) discard;
@@ -55,7 +55,7 @@ void paintStrokes(vtkActor& actor, float depth) {
     programs.AddVertexShaderReplacement("//VTK::PositionVC::Dec", true, cornerValues, false);
     programs.AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, cornerPlace, false);
     programs.AddFragmentShaderReplacement("//VTK::PositionVC::Dec", true, rimValues, false);
-    programs.AddFragmentShaderReplacement("//VTK::Light::Impl", true, rim, false);
+    programs.AddFragmentShaderReplacement("//VTK::Light::Impl", true, rimShader, false);
     programs.GetVertexCustomUniforms()->SetUniformf("strokeDepth", depth);
     setStrokes(actor, 1.0, 1.0, 1.0, 1.0);
 }

@@ -21,7 +21,7 @@ constexpr std::array menuNames{
     QT_TRANSLATE_NOOP("Menus", "Results"), QT_TRANSLATE_NOOP("Menus", "Tools"), QT_TRANSLATE_NOOP("Menus", "Help")};
 
 /// Groups in the order in which their first command was added.
-QStringList groupsOf(const Commands& commands, const QString& menu) {
+QStringList groupsOfMenu(const Commands& commands, const QString& menu) {
     QStringList groups;
     for (const QAction* action : commands.all())
         if (commands.menuOf(action) == menu) groups << commands.groupOf(action);
@@ -30,7 +30,7 @@ QStringList groupsOf(const Commands& commands, const QString& menu) {
 }
 
 void fillMenu(QMenu& menu, const Commands& commands, const QString& name) {
-    for (const QString& group : groupsOf(commands, name)) {
+    for (const QString& group : groupsOfMenu(commands, name)) {
         if (!menu.isEmpty()) menu.addSeparator();
         for (QAction* action : commands.all())
             if (commands.menuOf(action) == name && commands.groupOf(action) == group) menu.addAction(action);
@@ -41,7 +41,7 @@ void fillMenu(QMenu& menu, const Commands& commands, const QString& name) {
 
 void fillMenus(QMenuBar& bar, const Commands& commands) {
     for (const char* name : menuNames) {
-        if (groupsOf(commands, name).isEmpty()) continue;
+        if (groupsOfMenu(commands, name).isEmpty()) continue;
         QMenu* menu = bar.addMenu("&" + QCoreApplication::translate("Menus", name));
         menu->setObjectName(QString("menu.%1").arg(name));
         fillMenu(*menu, commands, name);

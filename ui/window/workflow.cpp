@@ -14,7 +14,7 @@ struct Row {
 };
 
 // Pointers not listed here belong to the geometry.
-constexpr std::array rows{
+constexpr std::array stepRows{
     Row{"materials", WorkStep::Materials},     Row{"joint_materials", WorkStep::Materials},
     Row{"in_situ_stress", WorkStep::Materials}, Row{"bolts", WorkStep::Support},
     Row{"bolt_types", WorkStep::Support},      Row{"bolt_patterns", WorkStep::Support},
@@ -33,7 +33,7 @@ WorkState doneIf(bool there) { return there ? WorkState::Done : WorkState::NotYe
 WorkStep stepOf(const std::string& pointer) {
     const std::size_t end = pointer.find('/', 1);
     const std::string_view key = pointer.empty() ? std::string_view{} : std::string_view(pointer).substr(1, end - 1);
-    for (const Row& row : rows)
+    for (const Row& row : stepRows)
         if (row.key == key) return row.step;
     return WorkStep::Geometry;
 }

@@ -10,8 +10,8 @@
 namespace keyblock {
 namespace {
 
-constexpr double flatTangent = 1e-9;  // of the spring: given to Newton's method where rock crushes
-constexpr double leastShare = 1e-12;  // [m] embedded: less holds nothing
+constexpr double flatRockTangent = 1e-9;  // of the spring: given to Newton's method where rock crushes
+constexpr double leastEmbedded = 1e-12;  // [m] embedded: less holds nothing
 constexpr double slidingShare = 1e-6;  // of its limit: a point that carries less than all but this sticks
 
 double tributaryLength(const BoltModel& bolt, int n) {
@@ -27,7 +27,7 @@ void addCrushing(const BoltStep& step, Law& law, int n, int block) {
     const double length = step.bolt.normalPer == Per::Length ? 1.0 : tributaryLength(step.bolt, n);
     law.kind = LawKind::Capped;
     law.limit = *strength * step.bolt.diameter * length;
-    law.leastTangent = flatTangent;
+    law.leastTangent = flatRockTangent;
 }
 
 void setSlipLaw(const AnchorModel& anchor, const BoltNode& node, const BoltMotion& motion, Law& law) {
@@ -187,7 +187,7 @@ bool ofAnchor(LimitKind kind) { return kind == LimitKind::Bond || kind == LimitK
 void addAnchorLimits(const BoltModel& bolt, const BoltMotion& motion, int owner, int n, std::vector<Limit>& limits) {
     const BoltNode& node = motion.nodes[n];
     const AnchorModel& anchor = bolt.anchors[n];
-    if (!anchor.real || node.slot < 0 || node.bond.gone || node.bond.share <= leastShare) return;
+    if (!anchor.real || node.slot < 0 || node.bond.gone || node.bond.share <= leastEmbedded) return;
     const auto add = [&](LimitKind kind, double ratio) { limits.push_back({kind, owner, n, ratio}); };
     if (const Backbone* curve = curveNow(anchor, motion)) {
         if (anchor.curveEnds) add(LimitKind::CurveEnd, std::abs(node.bond.slip) / curve->lastStrain);

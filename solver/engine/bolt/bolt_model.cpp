@@ -24,7 +24,7 @@ constexpr double groutNormalStiffness = 27.08e9;
 constexpr double bondedDivisions = 60.0;  // least of an automatic mesh; what holds for each node counts on it
 constexpr double freeDivisions = 20.0;  // the same of a bolt that is held at single places only
 constexpr double transferShare = 0.25;  // of the transfer length, for an element: a pull opens its joint 0.8 % too far
-constexpr double elementsBetween = 12.0;  // joints, where they are closer than the transfer length
+constexpr double elementsBetweenJoints = 12.0;  // joints, where they are closer than the transfer length
 constexpr double softeningShare = 0.15;  // the same of a bond that falls from its peak: it is reached 8 % too late
 
 BeamSection sectionOf(const BoltType& type) {
@@ -246,7 +246,7 @@ void addTransferPlaces(const Anchor& anchor, const std::vector<Interval>& interv
             if (request.joints[i] < from || request.joints[i] > to) continue;
             add(request.joints[i]);
             const double spacing = spacingAt(request, i);
-            const double between = std::max(spacing / elementsBetween, share * transfer / 20.0);
+            const double between = std::max(spacing / elementsBetweenJoints, share * transfer / 20.0);
             request.fine.push_back({request.joints[i], between, spacing});
         }
         if (from > 0.0) add(from);

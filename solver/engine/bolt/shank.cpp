@@ -9,7 +9,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double flatTangent = 1e-9;  // of the spring: given to Newton's method where a hinge turns
+constexpr double flatHingeTangent = 1e-9;  // of the spring: given to Newton's method where a hinge turns
 constexpr double leastMoment = 1e-3;  // of the hinge's moment without axial force: a straight pull makes no hinge
 
 double squared(double x) { return x * x; }
@@ -18,7 +18,7 @@ double squared(double x) { return x * x; }
 void addHinge(const BoltStep& step, Law& law, double turned, int e) {
     law.kind = LawKind::Capped;
     law.offset = turned;
-    law.leastTangent = flatTangent;
+    law.leastTangent = flatHingeTangent;
     law.limit = hingeLimit(step.bolt, step.motion, e);
 }
 

@@ -8,7 +8,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double samePlace = 10.0;  // times the geometric tolerance
+constexpr double sameCorner = 10.0;  // times the geometric tolerance
 
 /// Where the contact's corner was in the scene as it was given [m].
 Point startOf(const Model& model, const Contact& c) {
@@ -49,7 +49,7 @@ bool heldRound(const Model& model, const std::vector<Bond>& bonds, const Contact
         const auto before = [](const Bond& bond, int block) { return bond.block < block; };
         auto bond = std::lower_bound(bonds.begin(), bonds.end(), reached[i], before);
         for (; bond != bonds.end() && bond->block == reached[i]; ++bond) {
-            if ((bond->place - place).norm() > samePlace * model.tolerance) continue;
+            if ((bond->place - place).norm() > sameCorner * model.tolerance) continue;
             if (bond->other == c.blockB) return true;
             if (std::find(reached.begin(), reached.end(), bond->other) == reached.end()) reached.push_back(bond->other);
         }

@@ -24,16 +24,16 @@
 namespace keyblock {
 namespace {
 
-constexpr double shortestStep = 1e-6;  // over the given step: shorter is a failure
+constexpr double shortestTimeStep = 1e-6;  // over the given step: shorter is a failure
 constexpr double eventStep = 1e-3;  // over the given step: shorter steps take the event as it comes
-constexpr double locateShare = 1e-4;
+constexpr double locatedWithin = 1e-4;
 constexpr double nearShare = 1e-3;  // of the smallest block: contacts are always sought this far
-constexpr double pathShare = 1e-5;  // of the smallest block: a longer move may come in by another edge than it seemed
-constexpr int mostPaths = 2;  // times that a step is done again because it does
+constexpr double pathOfSmallest = 1e-5;  // of the smallest block: a longer move may come in by another edge than it seemed
+constexpr int mostPathsOfAStep = 2;  // times that a step is done again because it does
 constexpr double arcShare = 1e-2;  // of the forces at play: what the turning of blocks may add to one
 constexpr int mostArcs = 2;  // times that a step is done again because it adds more, before it is cut
 constexpr double arcStep = 1e-3;  // over the given step: shorter ones are taken as they are
-constexpr double mostTurn = 0.2;  // of a cell in a step [rad]: generalized-alpha gains energy where it is much more
+constexpr double mostCellTurn = 0.2;  // of a cell in a step [rad]: generalized-alpha gains energy where it is much more
 constexpr int mostTurns = 10;  // times that a step is done again because cells turn otherwise than the glue took it
 constexpr double closeEnergy = 1e-3;  // of what a step loses: what its balance may leave over at the first solution
 constexpr double mostEnergy = 1e-2;  // the same, before the step is cut
@@ -89,13 +89,13 @@ double longestStep(const Model& model, const State& state, double given) {
     double spin = 0.0;
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
         if (model.blocks[i].cell && !state.blocks[i].absent) spin = std::max(spin, std::abs(state.blocks[i].velocity[2]));
-    return given / std::max(1.0, std::ceil(spin * given / mostTurn));
+    return given / std::max(1.0, std::ceil(spin * given / mostCellTurn));
 }
 
 /// Spins that a step itself brings about may pass the limit twice over.
 bool turnsTooFar(const Model& model, const Eigen::VectorXd& d) {
     for (std::size_t i = 0; i < model.blocks.size(); ++i)
-        if (model.blocks[i].cell && std::abs(d[6 * static_cast<Eigen::Index>(i) + 2]) > 2.0 * mostTurn) return true;
+        if (model.blocks[i].cell && std::abs(d[6 * static_cast<Eigen::Index>(i) + 2]) > 2.0 * mostCellTurn) return true;
     return false;
 }
 
@@ -213,7 +213,7 @@ DynamicStage::Attempt DynamicStage::attempt(const State& state, double time, dou
             start = d;
             continue;
         }
-        if (paths < mostPaths && move > pathShare * smallestSize(model) &&
+        if (paths < mostPathsOfAStep && move > pathOfSmallest * smallestSize(model) &&
             !entrancesHold(model, state.blocks, trial.state.contacts, corners, d)) {
             path = start = d;
             ++paths;
@@ -275,7 +275,7 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
             ++engine_.health.stepCuts;
             dt *= 0.3;
             pace.dt = dt;
-            if (dt >= shortestStep * settings_.timeStep) continue;
+            if (dt >= shortestTimeStep * settings_.timeStep) continue;
             StepEnding failed{Ending::Failed, "no time step settles near " + nameOfBody(model, worst_), {}};
             if (blockOfBody(model, worst_) >= 0) failed.blocks.push_back(worst_);
             return failed;
@@ -288,10 +288,10 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
         }
         const auto worst = worstLimit(heldLimits(model, trial.state), 0.0);
         const double ratio = worst ? worst->ratio : 0.0;
-        if (ratio > 1.0 + locateShare) high = dt;
+        if (ratio > 1.0 + locatedWithin) high = dt;
         else low = dt;
-        const bool located = high == 0.0 || ratio >= 1.0 - locateShare;
-        if (ratio <= 1.0 + locateShare && located) break;
+        const bool located = high == 0.0 || ratio >= 1.0 - locatedWithin;
+        if (ratio <= 1.0 + locatedWithin && located) break;
         if (high - low <= eventStep * settings_.timeStep || tries > 40) break;
         const double share = tries % 2 == 0 && high == dt ? (1.0 - startRatio) / (ratio - startRatio) : 0.5;
         dt = share == 0.5 ? 0.5 * (low + high) : std::clamp(share * dt, low, high);
@@ -305,7 +305,7 @@ StepEnding DynamicStage::step(State& state, double& time, double end, DynamicPac
     engine_.taken.step = ++state.step;
     countAccepted(engine_, state, trial.residual);
     const Eigen::VectorXd held = heldAccelerations(state);
-    double least = high > 0.0 ? 1.0 - locateShare : 1.0 + reachedShare;
+    double least = high > 0.0 ? 1.0 - locatedWithin : 1.0 + reachedShare;
     while (const auto limit = worstLimit(heldLimits(model, state), least)) {
         releaseAndReport(model, state, *limit, time, -1, observer);
         observer.afterEvent(state, time);

@@ -35,7 +35,7 @@ constexpr double bookedShare = 0.02;  // of a block's size: a longer path is acc
 constexpr double longestPiece = 0.1;  // the same where the forces are not those of blocks that fall or slide
 constexpr double quietForce = 10.0;  // times the weight of the heaviest block that is not at rest: no larger unbalanced ones
 constexpr double jumpShare = 1e-3;  // the same of one pseudo-step in which a joint slides, opens or closes
-constexpr double shortestStep = 1e-7;  // over the longest pseudo-step
+constexpr double shortestPseudoStep = 1e-7;  // over the longest pseudo-step
 constexpr double solvedShare = 1e-3;  // of what may be left on a body at rest: so much a pseudo-step leaves of its balance
 constexpr double solvedUnrest = 0.01;  // of what is off balance where it begins, if that is more
 constexpr double solvedNode = 1e-6;  // of the forces at a node of a bolt: steel that flows shares its stretch by them
@@ -46,7 +46,7 @@ constexpr int easyPasses = 2;  // iterations for which that is worth a longer ps
 constexpr double pathShare = 1e-4;  // of the longest move: a longer one may come in by another edge than it seemed
 constexpr int mostPaths = 2;  // times that a pseudo-step is done again because it does
 constexpr int mostPasses = 20;  // iterations of a pseudo-step
-constexpr int patience = 15;  // iterations before such a step tries sweeps: with so little inertia they seldom help
+constexpr int sweepPatience = 15;  // iterations before such a step tries sweeps: with so little inertia they seldom help
 constexpr double roughly = 0.1;  // residual at which one that has taken them is good enough to go on from
 constexpr double unsettledEase = 0.5;  // of such a pseudo-step, for the next
 constexpr double unsettledCut = 0.1;  // of one that is not
@@ -156,7 +156,9 @@ private:
 
     StepNeeds needs() const {
         if (!mayBeRough()) return {.tolerance = tolerance_, .sweepsFrom = std::numeric_limits<int>::max()};
-        return {.tolerance = tolerance_, .maxPasses = std::min(mostPasses, model_.analysis.maxPasses), .sweepsFrom = patience};
+        return {.tolerance = tolerance_,
+                .maxPasses = std::min(mostPasses, model_.analysis.maxPasses),
+                .sweepsFrom = sweepPatience};
     }
 
     /// How far the search for contacts reaches [m].
@@ -229,7 +231,7 @@ private:
     Outcome shorten(double share) {
         ++engine_.health.stepCuts;
         dt_ *= share;
-        return dt_ >= shortestStep * longest_ ? Outcome::Repeat : Outcome::Unsettled;
+        return dt_ >= shortestPseudoStep * longest_ ? Outcome::Repeat : Outcome::Unsettled;
     }
 
     /// True where a corner comes in by another edge than it was looked for.

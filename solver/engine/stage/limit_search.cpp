@@ -8,7 +8,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int patience = 3;  // tries in which the two ends come to half their distance, or it is halved
+constexpr int halvingPatience = 3;  // tries in which the two ends come to half their distance, or it is halved
 
 constexpr double nearHigh = 0.999;  // of the way: so near to the high end that this line has led there before
 
@@ -24,7 +24,7 @@ LimitSearch::LimitSearch(double low, std::vector<Limit> atLow, double high, std:
     : low_{low, std::move(atLow)}, high_{high, std::move(atHigh)}, width_(high - low) {}
 
 double LimitSearch::next() {
-    if (++tries_ % patience == 0) {
+    if (++tries_ % halvingPatience == 0) {
         const bool halve = width() > 0.5 * width_;
         width_ = width();
         if (halve) return low_.share + 0.5 * width();

@@ -16,7 +16,7 @@ namespace {
 constexpr double mostTurn = 0.02;  // of a block [rad]: its corners' arcs are 0.25 % longer than straight lines
 constexpr double mostUncertain = 0.05;  // shear forces that depend on the path, over all contact forces
 constexpr double mostLengthChange = 0.25;  // of the largest tributary length of the bolt's nodes
-constexpr double noise = 1e-4;  // of the largest contact force: contacts that carry less do not count
+constexpr double faintForce = 1e-4;  // of the largest contact force: contacts that carry less do not count
 
 /// How a contact behaved in its last increment.
 struct Behaviour {
@@ -54,7 +54,7 @@ void reviewContacts(const Model& model, const State& before, const State& after,
     for (const Contact& c : before.contacts) first.emplace(featuresOf(c), behaviourOf(c));
     const auto compare = [&](const Behaviour& b, const Behaviour& a) {
         const double force = std::max(forceOf(b), forceOf(a));
-        if (force <= noise * largest) return;
+        if (force <= faintForce * largest) return;
         const bool stops = ratio > 0.0 && b.slides != 0 && a.slides != b.slides;
         if (b.carries != a.carries || (a.slides != 0 && a.slides != b.slides) || stops) review.straight = false;
         if (stops) uncertain += uncertainShear(model, *b.contact, ratio);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double ofAllForces = 1e-3;  // what a block's strains, a single cell and a plate may leave of all forces on them
 constexpr double ofNode = 1e-4;  // what a node of a bolt may leave of the forces there
-constexpr double smallestStrain = 1e-12;  // forces under that of such a strain count as none
+constexpr double leastRestStrain = 1e-12;  // forces under that of such a strain count as none
 constexpr double digits = 4.0 * std::numeric_limits<double>::epsilon();
 
 /// Largest coordinate of a block from the model's origin [m].
@@ -24,7 +24,7 @@ double largestCoordinate(const State& state) {
 }
 
 double leastForce(const Model& model, const BlockModel& block) {
-    return smallestStrain * block.youngsModulus * block.size * model.thickness;
+    return leastRestStrain * block.youngsModulus * block.size * model.thickness;
 }
 
 /// Links on each body.

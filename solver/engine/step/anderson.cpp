@@ -9,7 +9,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double astray = 2.0;  // over the change before: what was remembered says nothing about here
+constexpr double changedAstray = 2.0;  // over the change before: what was remembered says nothing about here
 constexpr double regular = 1e-10;  // added to the diagonal of the normal equations, relative
 
 }  // namespace
@@ -44,7 +44,7 @@ void AndersonMixing::multiply(const Eigen::VectorXd& change) {
 bool AndersonMixing::mix(const Eigen::VectorXd& change, std::vector<double>& after, Eigen::VectorXd& linear) {
     Eigen::Map<Eigen::VectorXd> now(after.data(), static_cast<Eigen::Index>(after.size()));
     const double size = change.norm();
-    const bool restart = size > astray * lastSize_ || lastAfter_.size() != now.size();
+    const bool restart = size > changedAstray * lastSize_ || lastAfter_.size() != now.size();
     lastSize_ = size;
     if (restart) kept_ = 0, newest_ = -1;
     else remember(change, now, linear);

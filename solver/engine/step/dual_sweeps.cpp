@@ -10,12 +10,12 @@
 namespace keyblock {
 namespace {
 
-constexpr int mostSweeps = 36;
-constexpr double settled = 1e-5;  // change of the forces in a sweep over the forces
-constexpr int remembered = 6;  // sweeps that are mixed
-constexpr double slides = 1.0 - 1e-9;  // of its limit
+constexpr int mostDualSweeps = 36;
+constexpr double settledChange = 1e-5;  // change of the forces in a sweep over the forces
+constexpr int mixedSweeps = 6;  // sweeps that are mixed
+constexpr double slidingFrom = 1.0 - 1e-9;  // of its limit
 constexpr int limitCorrections = 2;  // of sliding forces, by the normal forces of the solution before
-constexpr double leastHold = 1e-4;  // of a law's stiffness, where nothing else holds a body
+constexpr double leastSweepHold = 1e-4;  // of a law's stiffness, where nothing else holds a body
 
 }  // namespace
 
@@ -38,12 +38,12 @@ std::vector<double> DualSweeps::carriedForces(const StepProblem& problem, const 
 
 void DualSweeps::sweepUntilSettled(StepWork& work) {
     swept_.clipAndPlace(forces_);
-    AndersonMixing mixing(remembered);
+    AndersonMixing mixing(mixedSweeps);
     Eigen::VectorXd changes;
     for (int made = 1;; ++made) {
         const SweptLinks::Change sum = swept_.sweep(forces_, changes);
         ++work.sweeps;
-        if (!(sum.changed > settled * settled * sum.forces) || made == mostSweeps) return;
+        if (!(sum.changed > settledChange * settledChange * sum.forces) || made == mostDualSweeps) return;
         if (!mixing.mix(changes, forces_, swept_.placed())) continue;
         swept_.clipPlaced(forces_);
         ++work.products;
@@ -53,7 +53,7 @@ void DualSweeps::sweepUntilSettled(StepWork& work) {
 DualSweeps::Straight DualSweeps::straight(std::size_t n) const {
     const Link& link = problem_.links[swept_.linkOf(n)];
     const double force = forces_[n], strain = swept_.strain(n, force);
-    if (link.law.kind == LawKind::Capped && std::abs(force) >= slides * swept_.limit(n, forces_))
+    if (link.law.kind == LawKind::Capped && std::abs(force) >= slidingFrom * swept_.limit(n, forces_))
         return {force, 0.0, strain, force > 0.0 ? 1.0 : -1.0};
     if (link.law.kind == LawKind::Gap && force == 0.0) return {0.0, 0.0, strain, 0.0};
     return {force, swept_.tangent(n), strain, 0.0};
@@ -89,7 +89,7 @@ bool DualSweeps::straighten(StepMatrix& matrix, StepWork& work) {
         }
         return matrix.factor(problem_, rows_, weights, work) < 0;
     };
-    return factored(0.0) || factored(leastHold);
+    return factored(0.0) || factored(leastSweepHold);
 }
 
 /// Forces of the straight laws at `strains`, kept within what the laws can give; what slides follows its limit.

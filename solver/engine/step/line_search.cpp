@@ -11,7 +11,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int mostSweeps = 30;
+constexpr int mostRootSweeps = 30;
 constexpr double flatEnough = 1e-3;  // of the slope at the start
 
 /// What the net force does along a direction, times −1: the slope of the energy for given friction limits.
@@ -109,7 +109,7 @@ double rootOf(LineSlope& slope) {
     double atLow = slope.at(low), atHigh = slope.at(high);
     const double enough = flatEnough * std::abs(atLow);
     if (atLow >= 0.0 || atHigh <= enough) return 1.0;
-    for (int sweep = 0; sweep < mostSweeps; ++sweep) {  // regula falsi, Illinois
+    for (int sweep = 0; sweep < mostRootSweeps; ++sweep) {  // regula falsi, Illinois
         const double middle = high - atHigh * (high - low) / (atHigh - atLow);
         const double atMiddle = slope.at(middle);
         if (std::abs(atMiddle) <= enough) return middle;

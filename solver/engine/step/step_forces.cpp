@@ -14,7 +14,7 @@
 namespace keyblock {
 namespace {
 
-constexpr std::size_t linksATask = 4096;
+constexpr std::size_t strainsATask = 4096;
 
 Eigen::VectorXd linkForces(const StepProblem& problem, const Eigen::VectorXd& d, std::vector<double>& forces) {
     std::vector<double> strains;
@@ -72,11 +72,11 @@ void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vect
         }
         strains[i] = e;
     };
-    if (strains.size() < 2 * linksATask) {
+    if (strains.size() < 2 * strainsATask) {
         for (std::size_t i = 0; i < strains.size(); ++i) one(i);
         return;
     }
-    inParallel(strains.size(), linksATask, one);
+    inParallel(strains.size(), strainsATask, one);
 }
 
 Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d) {

@@ -13,7 +13,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int panel = 12;  // columns at a time: two blocks
+constexpr int panelColumns = 12;  // columns at a time: two blocks
 
 /// Solves with a triangle of `count` columns, the first entry of which is at `corner`, from its first row to its last.
 /// What is solved for lies in a copy that the compiler keeps in registers.
@@ -49,28 +49,28 @@ using Solve = void (*)(const double* corner, int stride, double* t);
 
 /// By number of columns. Loops of known length are unrolled: a processor foretells badly where loops of a few rounds end.
 template <std::size_t... counts>
-constexpr std::array<Solve, panel + 1> downBy(std::index_sequence<counts...>) {
+constexpr std::array<Solve, panelColumns + 1> downBy(std::index_sequence<counts...>) {
     return {solveDown<static_cast<int>(counts)>...};
 }
 
 template <std::size_t... counts>
-constexpr std::array<Solve, panel + 1> upBy(std::index_sequence<counts...>) {
+constexpr std::array<Solve, panelColumns + 1> upBy(std::index_sequence<counts...>) {
     return {solveUp<static_cast<int>(counts)>...};
 }
 
-constexpr auto down = downBy(std::make_index_sequence<panel + 1>());
-constexpr auto up = upBy(std::make_index_sequence<panel + 1>());
+constexpr auto down = downBy(std::make_index_sequence<panelColumns + 1>());
+constexpr auto up = upBy(std::make_index_sequence<panelColumns + 1>());
 
 /// Has the processor fetch a triangle that comes next: its columns lie too far apart to be fetched in time otherwise.
 void fetch(const Supernode& node, int begin) {
-    const int end = std::min(begin + panel, node.width);
+    const int end = std::min(begin + panelColumns, node.width);
     for (int j = begin; j < end; ++j) __builtin_prefetch(node.at(j, j));
 }
 
 /// \param t the rows of the supernode; those below the diagonal collect what its columns take from them.
 void forward(const Supernode& node, double* t) {
-    for (int begin = 0; begin < node.width; begin += panel) {
-        const int end = std::min(begin + panel, node.width);
+    for (int begin = 0; begin < node.width; begin += panelColumns) {
+        const int end = std::min(begin + panelColumns, node.width);
         down[end - begin](node.at(begin, begin), node.height, t + begin);
         if (end < node.width) fetch(node, end);
         if (end < node.height)
@@ -80,8 +80,8 @@ void forward(const Supernode& node, double* t) {
 }
 
 void backward(const Supernode& node, double* t) {
-    for (int begin = (node.width - 1) / panel * panel; begin >= 0; begin -= panel) {
-        const int end = std::min(begin + panel, node.width);
+    for (int begin = (node.width - 1) / panelColumns * panelColumns; begin >= 0; begin -= panelColumns) {
+        const int end = std::min(begin + panelColumns, node.width);
         fetch(node, begin);
         if (end < node.height)
             cblas_dgemv(CblasColMajor, CblasTrans, node.height - end, end - begin, -1.0, node.at(end, begin), node.height,

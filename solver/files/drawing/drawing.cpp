@@ -9,19 +9,19 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> words{"m", "mm", "cm", "dm", "km", "um", "in", "ft", "yd", "mi", "us-ft"};
+constexpr std::array<std::string_view, 11> unitWords{"m", "mm", "cm", "dm", "km", "um", "in", "ft", "yd", "mi", "us-ft"};
 
 }  // namespace
 
-std::span<const std::string_view> lengthUnits() { return words; }
+std::span<const std::string_view> lengthUnits() { return unitWords; }
 
 const UnitSymbol* lengthUnitOf(std::string_view word) {
-    return std::find(words.begin(), words.end(), word) == words.end() ? nullptr : findUnit(word);
+    return std::find(unitWords.begin(), unitWords.end(), word) == unitWords.end() ? nullptr : findUnit(word);
 }
 
 std::string lengthUnitWords() {
     std::string text;
-    for (const std::string_view word : words) text += (text.empty() ? "" : ", ") + std::string(word);
+    for (const std::string_view word : unitWords) text += (text.empty() ? "" : ", ") + std::string(word);
     return text;
 }
 

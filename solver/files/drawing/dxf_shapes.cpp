@@ -28,13 +28,13 @@ constexpr double fullTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t mostGroups = 4'000'000;  // of one entity
 
 /// Codes of a kind: those that it needs, and those that may be there too.
-struct Kind {
+struct ShapeKind {
     std::vector<int> needed, optional;
     bool turned = true;  // drawn on a plane of its own, which may be seen from behind
 };
 
-const std::map<std::string, Kind, std::less<>>& kinds() {
-    static const std::map<std::string, Kind, std::less<>> all{
+const std::map<std::string, ShapeKind, std::less<>>& kinds() {
+    static const std::map<std::string, ShapeKind, std::less<>> all{
         {"LINE", {{10, 20, 11, 21}, {30, 31}, false}},
         {"LWPOLYLINE", {{10, 20}, {38, 42, 70}}},
         {"POLYLINE", {{}, {30, 70}}},
@@ -114,7 +114,7 @@ private:
     DxfSpline* spline() { return shape ? std::get_if<DxfSpline>(&*shape) : nullptr; }
 };
 
-bool isOf(const Kind& kind, int code) {
+bool isOf(const ShapeKind& kind, int code) {
     return std::count(kind.needed.begin(), kind.needed.end(), code) > 0 ||
            std::count(kind.optional.begin(), kind.optional.end(), code) > 0;
 }
@@ -125,7 +125,7 @@ int countOf(const DxfEntity& entity, int code) {
 }
 
 /// What keeps an entity from being handed over; empty when nothing does.
-std::string faultOf(const DxfEntity& entity, const Kind& kind) {
+std::string faultOf(const DxfEntity& entity, const ShapeKind& kind) {
     if (entity.groups.size() > mostGroups) return "it has more than " + std::to_string(mostGroups) + " values";
     for (const DxfGroup& group : entity.groups) {
         double real = 0.0;
@@ -153,7 +153,7 @@ void put(std::string& text, int code, std::string_view value) {
 }
 
 /// Counts first, as many as there are; then the groups of the shape in their order.
-void writeEntity(const DxfEntity& entity, const Kind& kind, std::string& text) {
+void writeEntity(const DxfEntity& entity, const ShapeKind& kind, std::string& text) {
     put(text, 0, entity.kind);
     if (entity.kind == "LWPOLYLINE") put(text, 90, std::to_string(countOf(entity, 10)));
     if (entity.kind == "SPLINE") {

@@ -14,7 +14,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> words{"joint", "boundary", "tunnel", "bolt", "ignore"};
+constexpr std::array<std::string_view, 5> roleWords{"joint", "boundary", "tunnel", "bolt", "ignore"};
 
 /// Parts of names; the first that is found decides.
 struct Sign {
@@ -66,12 +66,12 @@ void tellUnknown(const std::vector<std::string_view>& unknown, std::vector<Probl
 
 }  // namespace
 
-std::string_view wordOf(LayerRole role) { return words[static_cast<std::size_t>(role)]; }
+std::string_view wordOf(LayerRole role) { return roleWords[static_cast<std::size_t>(role)]; }
 
 std::optional<LayerRole> layerRoleOf(std::string_view word) {
-    const auto found = std::find(words.begin(), words.end(), word);
-    if (found == words.end()) return std::nullopt;
-    return static_cast<LayerRole>(found - words.begin());
+    const auto found = std::find(roleWords.begin(), roleWords.end(), word);
+    if (found == roleWords.end()) return std::nullopt;
+    return static_cast<LayerRole>(found - roleWords.begin());
 }
 
 std::optional<LayerRole> guessedRole(std::string_view layer) {

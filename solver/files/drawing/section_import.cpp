@@ -29,7 +29,7 @@ constexpr const char* assumedJoint = "assumed-joint";
 constexpr const char* assumedBolt = "assumed-bolt";
 constexpr const char* assumedBoltLike = "rebar-20";
 constexpr double flatBox = 0.01;  // side over side
-constexpr double meets = 1e-6;  // of the drawing's size: ends this close are one
+constexpr double meetingEnds = 1e-6;  // of the drawing's size: ends this close are one
 
 class Importer {
 public:
@@ -150,7 +150,7 @@ private:
 
     std::vector<ClosedOutline> outlines(LayerRole role, const std::string& what) {
         const std::vector<DrawnLine>& lines = lines_[role];
-        const ClosedOutlines closed = closeOutlines(lines, meets * size_);
+        const ClosedOutlines closed = closeOutlines(lines, meetingEnds * size_);
         for (const std::size_t i : closed.open) {
             const DrawnLine& line = lines[i];
             error(line.place.line,
@@ -279,7 +279,7 @@ private:
         const Point along = points.back() - points.front();
         const double length = along.norm();
         return length > 0.0 && std::all_of(points.begin(), points.end(), [&](const Point& p) {
-                   return std::abs(cross(along, p - points.front())) <= meets * length * length;
+                   return std::abs(cross(along, p - points.front())) <= meetingEnds * length * length;
                });
     }
 

@@ -59,7 +59,7 @@ sqlite::Database openedAsPossible(const fs::path& path) {
 }
 
 // In the order in which they are unpacked.
-constexpr std::array unpacked{Payload::Blocks,     Payload::Corners,       Payload::Contacts,
+constexpr std::array unpackedPayloads{Payload::Blocks,     Payload::Corners,       Payload::Contacts,
                               Payload::Bolts,      Payload::Nodes,         Payload::Weights,
                               Payload::Inertia,    Payload::ContactForces, Payload::NodeForces, Payload::OtherForces,
                               Payload::BoltExtremes, Payload::BlockExtremes};
@@ -137,7 +137,7 @@ Frame frameAt(const sqlite::Database& database, std::int64_t key, const Scene& s
     statement.bind(key);
     if (!statement.next())
         outOfRange();
-    for (const Payload payload : unpacked)
+    for (const Payload payload : unpackedPayloads)
         if (!unpack(payload, known(statement.doubles(static_cast<int>(payload))), scene, blocks, frame))
             outOfRange();
     return frame;

@@ -14,6 +14,7 @@
 #include "solver/engine/stage/dynamics.h"
 #include "solver/engine/step/step_forces.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/engine/silent_observer.h"
 
 #include <gtest/gtest.h>
 
@@ -60,12 +61,6 @@ void turnWhole(State& state, double angle) {
         motion.angle = angle;
     }
 }
-
-struct Silent : StepObserver {
-    void beforeEvent(const State&, double) override {}
-    long event(Event, const State&, double) override { return 0; }
-    void afterEvent(const State&, double) override {}
-};
 
 TEST(Glue, JoinsEveryPairOfCellsThatShareAnEdge) {
     const Model model = makeModel(square(10e9));
@@ -133,7 +128,7 @@ TEST(Glue, KeepsTheAngularMomentumOfASpinningBlock) {
     DynamicStage stage(engine, loads, [](double) { return LoadPoint{}; }, {Inertia::Shi, 0.01});
     const double start = angularMomentum(model, state);
     double time = 0.0, worst = 0.0;
-    Silent silent;
+    test::SilentObserver silent;
     DynamicPace pace;
     for (int step = 0; step < 1000; ++step) {
         ASSERT_EQ(stage.step(state, time, 10.0, pace, silent).ending, Ending::Done);

@@ -10,6 +10,7 @@
 #include "solver/engine/step/step_forces.h"
 #include "solver/engine/time/mass.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/engine/silent_observer.h"
 
 #include <gtest/gtest.h>
 
@@ -25,12 +26,6 @@ Scene slab() {
     scene.blocks[0].subBlocks = CellSettings{0.5};
     return scene;
 }
-
-struct Silent : StepObserver {
-    void beforeEvent(const State&, double) override {}
-    long event(Event, const State&, double) override { return 0; }
-    void afterEvent(const State&, double) override {}
-};
 
 struct Spin {
     double rate, timeStep, duration;  // [rad/s, s, s]
@@ -51,7 +46,7 @@ public:
                            {scheme, spin.timeStep, 0.8, damping});
         if (stage.begin(state).ending != Ending::Done) return testing::AssertionFailure() << "did not begin";
         DynamicPace pace;
-        Silent silent;
+        test::SilentObserver silent;
         for (double time = 0.0; time < spin.duration;)
             if (stage.step(state, time, spin.duration, pace, silent).ending != Ending::Done)
                 return testing::AssertionFailure() << "failed at " << time << " s";

@@ -8,6 +8,7 @@
 #include "solver/engine/stage/energy.h"
 #include "solver/engine/support.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/engine/silent_observer.h"
 
 #include <gtest/gtest.h>
 
@@ -43,12 +44,6 @@ Scene pendulum(double angle) {
     return scene;
 }
 
-struct Silent : StepObserver {
-    void beforeEvent(const State&, double) override {}
-    long event(Event, const State&, double) override { return 0; }
-    void afterEvent(const State&, double) override {}
-};
-
 /// A model that is stepped under constant loads.
 class Motion {
 public:
@@ -77,7 +72,7 @@ private:
     LoadPoint at_;
     DynamicStage stage_;
     DynamicPace pace_;
-    Silent silent_;
+    test::SilentObserver silent_;
 };
 
 struct Swing {

@@ -19,11 +19,12 @@ namespace keyblock {
 namespace {
 
 using test::boxOnBase;
-using test::degree;
+using test::last;
+using test::lastOf;
 using test::settle;
 
 /// Of the blocks of these scenes [kg/m³].
-constexpr double density = 2700.0;
+constexpr double cubeDensity = 2700.0;
 
 struct Sum {
     Point force{0.0, 0.0};
@@ -60,17 +61,10 @@ void expectMomentsOfForces(const Frame& frame, int block) {
     }
 }
 
-Support heldBlock(const Point& place) {
+Support fixedBlock(const Point& place) {
     Support support;
     support.blockAt = place;
     return support;
-}
-
-const Frame& last(const Solved& solved) { return solved.results.frames.back(); }
-
-const Frame& lastOf(const Solved& solved, int stage) {
-    const auto& frames = solved.results.frames;
-    return *std::find_if(frames.rbegin(), frames.rend(), [&](const Frame& f) { return f.stage == stage; });
 }
 
 TEST(BlockForces, ABlockOnASlopeHasItsNormalAndShearForce) {
@@ -95,7 +89,7 @@ TEST(BlockForces, ABlockOnASlopeHasItsNormalAndShearForce) {
 Scene hungBlock(PlateKind plate) {
     Scene scene = gapBlocks(0.01);
     scene.analysis.gravity = {gravity, 0.0};
-    scene.materials[0].second.density = density;
+    scene.materials[0].second.density = cubeDensity;
     BoltType type = linearType(barArea(), 212e9);
     type.anchors = {anchorRange(Per::Node, AnchorLaw::Elastic, 1e8, std::nullopt, 0.0)};
     addBolt(scene, type, 0.1, 2.01, 20, plate);
@@ -160,7 +154,7 @@ TEST(BlockForces, WallsHoldWhatIsNotReleased) {
     scene.blocks = {boxBlock("base", {0, -1}, {5, 0}), boxBlock("left", {0, 0}, {1, 1}),
                     boxBlock("middle", {2, 0}, {3, 1}), boxBlock("right", {4, 0}, {5, 1}),
                     boxBlock("lid", {0, 1}, {5, 2})};
-    scene.supports = {heldBlock({2.5, -0.5})};
+    scene.supports = {fixedBlock({2.5, -0.5})};
     scene.analysis.gravity = {0.0, -gravity};
     Stage excavation = settle();
     excavation.name = "excavate";

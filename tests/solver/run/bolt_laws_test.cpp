@@ -194,7 +194,7 @@ TEST(BoltLaws, PretensionOverThePlatesStrengthLosesIt) {
 }
 
 /// The block there starts at 1 m/s along the bolt.
-Stage thrown(const Point& blockAt) {
+Stage burst(const Point& blockAt) {
     Stage stage;
     stage.name = "burst";
     stage.kind = StageKind::Dynamic;
@@ -217,7 +217,7 @@ TEST(BoltLaws, TheDynamicFactorScalesWhatAnAnchorHolds) {
         type.anchors = {slipping, anchorAt(0.5, AnchorLaw::Elastic, 1e9)};
         type.dynamicFactor = factor;
         addBolt(scene, type, 0.75, 1.25, 10, PlateKind::None);
-        scene.stages = {thrown(Point(1.6, 0.6))};
+        scene.stages = {burst(Point(1.6, 0.6))};
         const double way = 0.5 * 2700.0 * 1.0 / (factor * friction);
         EXPECT_NEAR(reading(solve(scene), "max opening"), way, 0.02 * way) << factor;
     }
@@ -235,7 +235,7 @@ Scene caughtSlab(double bondFactor) {
     tube.dynamicFactor = bondFactor;
     tube.plate.normalStrength = 60e3;
     addBolt(scene, tube, 0.5, 3.0, 100, PlateKind::Spring);
-    scene.stages = {thrown(Point(2.6, 0.6))};
+    scene.stages = {burst(Point(2.6, 0.6))};
     return scene;
 }
 

@@ -67,7 +67,7 @@ Scene staged() {
     return scene;
 }
 
-KeepingSink ran(const Scene& scene) {
+KeepingSink runKept(const Scene& scene) {
     KeepingSink sink;
     Control control;
     run(scene, sink, control);
@@ -75,7 +75,7 @@ KeepingSink ran(const Scene& scene) {
 }
 
 void expectTheSameFromEveryCheckpoint(const Scene& scene, std::size_t atLeast) {
-    const KeepingSink whole = ran(scene);
+    const KeepingSink whole = runKept(scene);
     EXPECT_GE(whole.kept.size(), atLeast);
     for (std::size_t i = 0; i < whole.kept.size(); ++i) {
         const std::optional<Checkpoint> from = checkpointOf(whole.kept[i]);
@@ -140,7 +140,7 @@ TEST(Checkpoints, ARunWhoseJointsAndSchemesChangeGoesOn) {
 TEST(Checkpoints, OneIncrementOfManyReleasesHasSome) {
     Scene scene = tearing(79);
     scene.stages[0].increments = 1;
-    const KeepingSink whole = ran(scene);
+    const KeepingSink whole = runKept(scene);
     std::size_t inside = 0;
     for (const std::string& bytes : whole.kept) {
         const Checkpoint checkpoint = checkpointOf(bytes).value();
@@ -164,7 +164,7 @@ public:
 
 TEST(Checkpoints, AStoppedRunGoesOnAndEndsTheSame) {
     for (const Scene& scene : {tearing(), sliding(0.4), staged()}) {
-        const KeepingSink whole = ran(scene);
+        const KeepingSink whole = runKept(scene);
         for (int frames = 1; frames < static_cast<int>(whole.results.frames.size()); frames += 3) {
             StoppingSink sink;
             Control control;

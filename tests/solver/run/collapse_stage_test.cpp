@@ -20,7 +20,6 @@
 namespace keyblock {
 namespace {
 
-using test::degree;
 using test::settle;
 
 constexpr double duration = 0.5;  // [s]

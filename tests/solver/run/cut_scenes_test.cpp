@@ -25,12 +25,7 @@
 namespace keyblock {
 namespace {
 
-SceneJoint line(const std::string& name, const Point& from, const Point& to) {
-    SceneJoint joint;
-    joint.name = name;
-    joint.points = {from, to};
-    return joint;
-}
+using test::line;
 
 Support side(BoundarySide which, Fix fix) {
     Support support;

@@ -19,7 +19,7 @@ namespace {
 constexpr double opened = 0.5e-3;  // [m]
 
 /// Two blocks of rigid rock and an elastic bolt across their joint.
-Scene bolted() {
+Scene boltedBlocks() {
     Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
     BoltType type = linearType(barArea(), 200e9);
     type.anchors = {anchorRange(Per::Node, AnchorLaw::Elastic, 84.78e6, std::nullopt, 0.0)};
@@ -28,20 +28,20 @@ Scene bolted() {
     return scene;
 }
 
-double forceInJoint(const Frame& frame) { return frame.bolts[0].nodes[9].axialForce; }
+double boltForceAtJoint(const Frame& frame) { return frame.bolts[0].nodes[9].axialForce; }
 
 /// What the bolt carries when the right block is drawn off by the same way.
 double drawn() {
-    Scene scene = bolted();
+    Scene scene = boltedBlocks();
     scene.stages = {pullStage(scene, opened, 1)};
-    return forceInJoint(solve(scene).results.frames.back());
+    return boltForceAtJoint(solve(scene).results.frames.back());
 }
 
 Dilation dilation(const Scene& scene, double rate) { return {scene.jointMaterials[0].first, rate}; }
 
 TEST(Dilation, AStaticStageOpensTheJointAgainstTheBolt) {
     for (ContactMethod method : {ContactMethod::Penalty, ContactMethod::AugmentedLagrangian}) {
-        Scene scene = bolted();
+        Scene scene = boltedBlocks();
         scene.analysis.contact = method;
         Stage stage = test::settle(), rest = test::settle();
         stage.dilations = {dilation(scene, opened)};
@@ -52,7 +52,7 @@ TEST(Dilation, AStaticStageOpensTheJointAgainstTheBolt) {
         ASSERT_EQ(solved.results.stages[0].outcome, Outcome::Equilibrium) << solved.results.stages[0].message;
         const double expected = drawn();
         ASSERT_GT(expected, 1e4);
-        EXPECT_NEAR(forceInJoint(solved.results.frames.back()), expected, 1e-4 * expected);
+        EXPECT_NEAR(boltForceAtJoint(solved.results.frames.back()), expected, 1e-4 * expected);
         EXPECT_NEAR(reading(solved, "last opening"), opened, 1e-4 * opened);
         const Energy& energy = solved.results.frames.back().energy;
         EXPECT_LT(std::abs(energy.balanceError), 1e-6);
@@ -61,7 +61,7 @@ TEST(Dilation, AStaticStageOpensTheJointAgainstTheBolt) {
 }
 
 TEST(Dilation, ADynamicStageOpensTheJointAtItsRate) {
-    Scene scene = bolted();
+    Scene scene = boltedBlocks();
     scene.materials[0].second.youngsModulus = 60e9;
     const double duration = 0.5;
     Stage stage = test::dynamic(duration, 1e-3);
@@ -69,13 +69,13 @@ TEST(Dilation, ADynamicStageOpensTheJointAtItsRate) {
     scene.stages = {stage};
     const Solved solved = solve(scene);
     const double expected = drawn();
-    EXPECT_NEAR(forceInJoint(solved.results.frames.back()), expected, 2e-2 * expected);
+    EXPECT_NEAR(boltForceAtJoint(solved.results.frames.back()), expected, 2e-2 * expected);
     EXPECT_LT(std::abs(solved.results.stages[0].health.balanceError), 1e-3);
 }
 
 /// Two stages open further than one; rates of different stages add up.
 TEST(Dilation, WhatOneStageOpenedStaysForTheNext) {
-    Scene scene = bolted();
+    Scene scene = boltedBlocks();
     Stage first = test::settle(), second = test::settle();
     first.dilations = {dilation(scene, 0.4 * opened)};
     first.increments = 2;
@@ -84,7 +84,7 @@ TEST(Dilation, WhatOneStageOpenedStaysForTheNext) {
     second.dilations[0].rate = 0.6 * opened;
     scene.stages = {first, second};
     const Solved solved = solve(scene);
-    EXPECT_NEAR(forceInJoint(solved.results.frames.back()), drawn(), 1e-4 * drawn());
+    EXPECT_NEAR(boltForceAtJoint(solved.results.frames.back()), drawn(), 1e-4 * drawn());
 }
 
 SceneJoint upright(const std::string& name, double x) {
@@ -94,12 +94,12 @@ SceneJoint upright(const std::string& name, double x) {
     return joint;
 }
 
-constexpr double modulus = 10e9, length = 2.0, wedge = 1e-5;  // [Pa, m, m]
+constexpr double blockModulus = 10e9, blockLength = 2.0, wedge = 1e-5;  // [Pa, m, m]
 
 /// A bar 2 m × 1 m of the domain, held at both ends, with joints across it; nothing goes aside.
 Scene heldBar(const std::vector<SceneJoint>& joints) {
-    Scene scene = emptyScene(modulus, 0.0, 30.0);
-    scene.domain = SceneDomain{{{0, 0}, {length, 0}, {length, 1}, {0, 1}}, scene.materials.front().first, {}};
+    Scene scene = emptyScene(blockModulus, 0.0, 30.0);
+    scene.domain = SceneDomain{{{0, 0}, {blockLength, 0}, {blockLength, 1}, {0, 1}}, scene.materials.front().first, {}};
     scene.joints = joints;
     for (BoundarySide side : {BoundarySide::Left, BoundarySide::Right}) {
         Support support;
@@ -114,8 +114,8 @@ Scene heldBar(const std::vector<SceneJoint>& joints) {
 /// Force in the bar once a joint of it is driven apart by δ: δ over the give of rock, of two held ends and of joints,
 /// each of two springs.
 double forceOf(double delta, const Scene& scene, int joints) {
-    const double spring = scene.analysis.penaltyRatio * modulus * scene.analysis.thickness;
-    return delta / (length / (modulus * scene.analysis.thickness) + (2.0 + joints) / (2.0 * spring));
+    const double spring = scene.analysis.penaltyRatio * blockModulus * scene.analysis.thickness;
+    return delta / (blockLength / (blockModulus * scene.analysis.thickness) + (2.0 + joints) / (2.0 * spring));
 }
 
 /// What the contacts across x carry.
@@ -136,7 +136,7 @@ TEST(Dilation, AJointOfADomainOpensByItsName) {
     EXPECT_NEAR(solved.results.frames.back().blocks[0].stress[0], -expected / scene.analysis.thickness,
                 1e-4 * expected / scene.analysis.thickness);
     // strain is taken as small, so energies are as good as it is
-    EXPECT_LT(std::abs(solved.results.frames.back().energy.balanceError), wedge / length);
+    EXPECT_LT(std::abs(solved.results.frames.back().energy.balanceError), wedge / blockLength);
 }
 
 TEST(Dilation, AJointSetOpensByItsName) {

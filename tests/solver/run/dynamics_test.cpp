@@ -18,16 +18,13 @@
 namespace keyblock {
 namespace {
 
+using test::box;
 using test::boxOnBase;
-using test::degree;
 using test::dynamic;
 using test::settle;
+using test::weight;
 
-constexpr double weight = 2700.0 * gravity;  // [N] of a cube
-
-const BlockState& box(const Results& results) { return results.frames.back().blocks[1]; }
-
-void expectBalance(const Results& results, double error = 1e-3) {
+void expectEnergyBalance(const Results& results, double error = 1e-3) {
     for (const StageResult& stage : results.stages) {
         EXPECT_NE(stage.outcome, Outcome::Failed) << stage.message;
         EXPECT_LT(std::abs(stage.health.balanceError), error) << "stage " << stage.stage;
@@ -67,7 +64,7 @@ TEST(Dynamics, ASettledPairOfStacksDoesNotBounce) {
     scene.stages = {settle(), motion};
     const Results results = runInMemory(scene);
     for (const BlockState& block : results.frames.back().blocks) EXPECT_LT(block.displacement.norm(), 1e-10);
-    expectBalance(results);
+    expectEnergyBalance(results);
 }
 
 TEST(Dynamics, BackwardEulerRestsToo) {
@@ -76,7 +73,7 @@ TEST(Dynamics, BackwardEulerRestsToo) {
     scene.stages[0].integration = Integration::BackwardEuler;
     const Results results = runInMemory(scene);
     EXPECT_LT(box(results).displacement.norm(), 1e-9);
-    expectBalance(results);
+    expectEnergyBalance(results);
 }
 
 TEST(Dynamics, ASettledBlockDoesNotBounce) {
@@ -88,7 +85,7 @@ TEST(Dynamics, ASettledBlockDoesNotBounce) {
     ASSERT_EQ(results.stages.size(), 2u);
     EXPECT_LT(box(results).displacement.norm(), 1e-12);
     EXPECT_LT(box(results).velocity.norm(), 1e-9);
-    expectBalance(results);
+    expectEnergyBalance(results);
 }
 
 TEST(Dynamics, ZeroGravityIsPeace) {
@@ -110,7 +107,7 @@ TEST(Dynamics, FreeFallTurnsWorkIntoMotion) {
         const Results results = runInMemory(scene);
         const Energy& energy = results.frames.back().energy;
         EXPECT_NEAR(energy.kinetic, 0.5 * 2700.0 * std::pow(0.5 * gravity, 2), 1e-6 * energy.kinetic);
-        expectBalance(results, 1e-9);
+        expectEnergyBalance(results, 1e-9);
     }
 }
 
@@ -125,7 +122,7 @@ TEST(Dynamics, SlidingTurnsWorkIntoFriction) {
         EXPECT_NEAR(slid, 0.5 * a * 0.25, 5e-3 * slid);
         const double friction = weight * std::cos(40 * degree) * std::tan(20 * degree) * slid;
         EXPECT_NEAR(results.frames.back().energy.friction, friction, 5e-3 * friction);
-        expectBalance(results);
+        expectEnergyBalance(results);
     }
 }
 
@@ -141,7 +138,7 @@ TEST(Dynamics, AKnockLosesEnergyButNeverGains) {
             EXPECT_LE(e.kinetic + e.strain + e.contact, e.external + 1e-6 * weight * 0.01);
             EXPECT_GE(e.damped, -1e-9 * weight);
         }
-        expectBalance(results, 1e-2);
+        expectEnergyBalance(results, 1e-2);
     }
 }
 
@@ -160,7 +157,7 @@ TEST(Dynamics, AStaticStageBooksTheMotionItEnds) {
     ASSERT_EQ(results.stages.size(), 2u);
     EXPECT_EQ(results.stages[1].outcome, Outcome::Equilibrium) << results.stages[1].message;
     EXPECT_EQ(results.frames.back().energy.kinetic, 0.0);
-    expectBalance(results);
+    expectEnergyBalance(results);
 }
 
 /// A block hung on one bar from rest swings to twice its weight; a bond of less strength lets go on the way.
@@ -190,13 +187,13 @@ TEST(Dynamics, ABondLetsGoAtItsStrength) {
     ASSERT_NE(event, results.events.end());
     EXPECT_EQ(event->node, 0);
     EXPECT_NEAR(std::abs(event->anchorForce), 40e3, 1e-4 * 40e3);
-    expectBalance(results);
+    expectEnergyBalance(results);
 }
 
 TEST(Dynamics, ABondStrongerThanTheSwingHolds) {
     const Results results = runInMemory(hung(2.1 * weight));
     EXPECT_TRUE(results.events.empty());
-    expectBalance(results);
+    expectEnergyBalance(results);
 }
 
 TEST(Dynamics, ALostBoltLeavesNothingBehind) {
@@ -206,7 +203,7 @@ TEST(Dynamics, ALostBoltLeavesNothingBehind) {
     EXPECT_TRUE(results.frames.back().bolts[0].lost);
     const double speed = box(results).velocity.x();
     EXPECT_NEAR(results.frames.back().energy.kinetic, 0.5 * 2700.0 * speed * speed, 1e-6 * 2700.0 * speed * speed);
-    expectBalance(results);
+    expectEnergyBalance(results);
 }
 
 /// Cohesion that lets go in motion: the books know what it held.
@@ -217,7 +214,7 @@ TEST(Dynamics, AJointThatLetsGoKeepsTheBooks) {
     const Results results = runInMemory(scene);
     EXPECT_FALSE(results.events.empty());
     EXPECT_GT(results.frames.back().energy.released, 0.0);
-    expectBalance(results);
+    expectEnergyBalance(results);
 }
 
 }  // namespace

@@ -13,19 +13,18 @@
 #include "solver/engine/stage/step_build.h"
 #include "solver/run/run.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/run/small_stages.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace keyblock {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double weight = 2700.0 * gravity;  // [N] of a cube
+using test::weight;
 
-Scene boxOnBase(double frictionAngle, double modulus) {
+Scene settlingBox(double frictionAngle, double modulus) {
     Scene scene = emptyScene(modulus, 0.2, frictionAngle);
     scene.blocks = {boxBlock("base", {-1, -1}, {9, 0}), boxBlock("box", {0, 0}, {1, 1})};
     Support support;
@@ -50,7 +49,7 @@ Results ran(const Scene& scene, double error = 1e-3) {
 /// The weight at once squeezes a soft block, whose foot slides outwards on the way.
 TEST(Energies, GravityAtOnceWithSlidingCorners) {
     for (const double frictionAngle : {0.0, 2.0, 5.0, 30.0}) {
-        const Results results = ran(boxOnBase(frictionAngle, 1e7));
+        const Results results = ran(settlingBox(frictionAngle, 1e7));
         const Energy& energy = results.frames.back().energy;
         EXPECT_GT(energy.external, 0.0);
         if (frictionAngle == 2.0) {
@@ -62,7 +61,7 @@ TEST(Energies, GravityAtOnceWithSlidingCorners) {
 
 /// A block that drops in a static stage has lost its way's work to what is damped.
 TEST(Energies, AStaticDropIsDamped) {
-    Scene scene = boxOnBase(30.0, 10e9);
+    Scene scene = settlingBox(30.0, 10e9);
     for (Point& p : scene.blocks[1].points) p.y() += 0.02;
     const Energy energy = ran(scene).frames.back().energy;
     EXPECT_NEAR(energy.damped, 0.5 * weight * 0.02, 1e-3 * weight * 0.02);
@@ -72,7 +71,7 @@ TEST(Energies, AStaticDropIsDamped) {
 /// Dragged over its base: friction is the weight's share times the way, and the drive pays it.
 TEST(Energies, DraggedFrictionIsItsForceTimesTheWay) {
     for (const int increments : {1, 5, 50}) {
-        Scene scene = boxOnBase(20.0, 10e9);
+        Scene scene = settlingBox(20.0, 10e9);
         Stage drag;
         drag.name = "drag";
         drag.increments = increments;
@@ -146,7 +145,7 @@ TEST(Energies, ALengthThatLeavesTheRockIsReleased) {
 
 /// What slides away in a static stage has turned its weight's work into friction and into what is damped.
 TEST(Energies, ACollapseKeepsTheBooks) {
-    Scene scene = boxOnBase(20.0, 10e9);
+    Scene scene = settlingBox(20.0, 10e9);
     scene.analysis.gravity = {gravity * std::sin(40.0 * degree), -gravity * std::cos(40.0 * degree)};
     const Results results = runInMemory(scene);
     ASSERT_EQ(results.stages[0].outcome, Outcome::Collapse);
@@ -159,7 +158,7 @@ TEST(Energies, ACollapseKeepsTheBooks) {
 /// A block pushed off the end of a smooth floor falls past its side: the corners that meet the side stood behind its line
 /// all the way, and those that stood on the top are there no more. All that is left is what the loads did, damped.
 TEST(Energies, AFallOffAnEdgeKeepsTheBooks) {
-    Scene scene = boxOnBase(0.0, 10e9);
+    Scene scene = settlingBox(0.0, 10e9);
     scene.blocks[1] = boxBlock("box", {-1.65, 0}, {-0.15, 0.4});
     scene.analysis.tolerance = 1e-4;
     Stage push;

@@ -21,7 +21,7 @@ namespace {
 /// A wedge 1 m wide in the roof of a section `size` m wide, all held but the wedge, under 5 MPa across.
 Scene roofWedge(double halfAngle, double frictionAngle, double size) {
     Scene scene = emptyScene(10e9, 0.2, frictionAngle);
-    const Point apex(0.0, 0.5 / std::tan(halfAngle * test::degree));
+    const Point apex(0.0, 0.5 / std::tan(halfAngle * degree));
     const double left = -0.5 * size, right = 0.5 * size, top = size;
     scene.blocks = {boxBlock("left", {}, {}), boxBlock("right", {}, {}), boxBlock("wedge", {}, {})};
     scene.blocks[0].points = {{left, 0.0}, {-0.5, 0.0}, apex, {0.0, top}, {left, top}};
@@ -53,10 +53,10 @@ TEST(Equilibrium, AWedgeUnderStressHoldsWhereFrictionIsSteeper) {
     EXPECT_EQ(solved.results.stages.at(0).outcome, Outcome::Equilibrium);
     double up = 0.0;
     for (const ContactFrame& c : solved.results.frames.back().contacts) {
-        const Point along(std::sin(5.0 * test::degree), std::cos(5.0 * test::degree));
+        const Point along(std::sin(5.0 * degree), std::cos(5.0 * degree));
         up += std::abs(c.shearForce) * along.y() - std::abs(c.normalForce) * along.x();
     }
-    const double weight = 2700.0 * gravity * 0.25 / std::tan(5.0 * test::degree);
+    const double weight = 2700.0 * gravity * 0.25 / std::tan(5.0 * degree);
     EXPECT_NEAR(up, weight, 2e-3 * weight);
 }
 
@@ -147,7 +147,7 @@ TEST(Equilibrium, ABlockOfCellsMayFallFurtherThanACell) {
 /// A box that is pushed slides at W·tan φ; that is found to 0.02 of the load.
 TEST(Equilibrium, ALimitLoadIsFoundWithoutIncrements) {
     Scene scene = test::boxOnBase(0.0, 30.0);
-    const double limit = 2700.0 * gravity * std::tan(30.0 * test::degree);
+    const double limit = 2700.0 * gravity * std::tan(30.0 * degree);
     Load load;
     load.blockAt = Point(0.5, 0.5);
     load.at = Point(0.0, 0.1);

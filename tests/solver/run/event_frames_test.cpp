@@ -18,7 +18,7 @@
 namespace keyblock {
 namespace {
 
-Scene sample(const std::string& name) {
+Scene cutSample(const std::string& name) {
     SceneReading reading = readSceneFile(std::filesystem::path(KEYBLOCK_SAMPLES_DIR) / (name + ".json"));
     return reading.cut ? reading.cut->scene : *reading.scene;
 }
@@ -26,7 +26,7 @@ Scene sample(const std::string& name) {
 const Results& resultsOf(const std::string& name) {
     static std::map<std::string, Results> known;
     const auto [found, isNew] = known.try_emplace(name);
-    if (isNew) found->second = runInMemory(sample(name));
+    if (isNew) found->second = runInMemory(cutSample(name));
     return found->second;
 }
 
@@ -51,7 +51,7 @@ TEST_P(EventFramesOf, ShowThePeakOfEveryBolt) {
 
 TEST_P(EventFramesOf, EncloseEveryFailure) {
     const Results& results = resultsOf(GetParam());
-    const Scene scene = sample(GetParam());
+    const Scene scene = cutSample(GetParam());
     for (std::size_t i = 0; i < results.events.size(); ++i) {
         const Event& event = results.events[i];
         if (!callsForFrames(event) || isSeenAfterwards(event)) continue;
@@ -93,7 +93,7 @@ TEST(EventFrames, AreNoMoreThanFramesAtEqualIntervals) {
 }
 
 TEST(EventFrames, LeaveFramesAtEqualIntervalsWhereTheyWere) {
-    Scene scene = sample("burst-dbolt");
+    Scene scene = cutSample("burst-dbolt");
     const double every = frameInterval(scene, scene.stages[0]);
     long atIntervals = 0;
     for (const Frame& frame : resultsOf("burst-dbolt").frames) {

@@ -19,7 +19,7 @@ namespace {
 
 using test::settle;
 
-constexpr double weight = 5.0 * 2700.0 * gravity;  // of the lid [N]
+constexpr double lidWeight = 5.0 * 2700.0 * gravity;  // of the lid [N]
 
 Stage excavating(const std::vector<std::string>& names, std::optional<double> relaxation) {
     Stage stage;
@@ -61,19 +61,19 @@ const Frame& frameAt(const Solved& solved, int stage, double time) {
     return found == frames.rend() ? frames.front() : *found;
 }
 
-/// The lid's weight rests on the two that stay and on what is still held of the middle one.
+/// The lid's lidWeight rests on the two that stay and on what is still held of the middle one.
 TEST(Excavation, WhatAColumnCarriedGoesOverToItsNeighboursEvenly) {
     Scene scene = columns();
     scene.stages = {settle(), excavating({"middle"}, std::nullopt)};
     const Solved solved = solve(scene);
     ASSERT_EQ(solved.results.stages[1].outcome, Outcome::Equilibrium);
     const double before = forceBetween(frameAt(solved, 0, 1.0), 2, 4);
-    ASSERT_GT(before, 0.2 * weight);
+    ASSERT_GT(before, 0.2 * lidWeight);
     for (double time : {0.25, 0.5, 0.75, 1.0}) {
         const Frame& frame = frameAt(solved, 1, time);
-        const double expected = 0.5 * (weight - (1.0 - time) * before);
-        EXPECT_NEAR(forceBetween(frame, 1, 4), expected, 1e-6 * weight) << time;
-        EXPECT_NEAR(forceBetween(frame, 3, 4), expected, 1e-6 * weight) << time;
+        const double expected = 0.5 * (lidWeight - (1.0 - time) * before);
+        EXPECT_NEAR(forceBetween(frame, 1, 4), expected, 1e-6 * lidWeight) << time;
+        EXPECT_NEAR(forceBetween(frame, 3, 4), expected, 1e-6 * lidWeight) << time;
         EXPECT_EQ(frame.blocks[2].area, 0.0);
         EXPECT_TRUE(frame.blocks[2].points.empty());
         EXPECT_GT(frame.blocks[1].area, 0.0);
@@ -90,14 +90,14 @@ TEST(Excavation, WhatIsNotReleasedIsHeldUntilALaterStageReleasesIt) {
     scene.stages = {settle(), excavating({"middle"}, 0.6), held, dynamic, rest};
     const Solved solved = solve(scene);
     const double before = forceBetween(frameAt(solved, 0, 1.0), 2, 4);
-    const double partly = 0.5 * (weight - 0.4 * before);
-    EXPECT_NEAR(forceBetween(frameAt(solved, 1, 1.0), 1, 4), partly, 1e-6 * weight);
-    EXPECT_NEAR(forceBetween(frameAt(solved, 2, 1.0), 1, 4), partly, 1e-6 * weight);
+    const double partly = 0.5 * (lidWeight - 0.4 * before);
+    EXPECT_NEAR(forceBetween(frameAt(solved, 1, 1.0), 1, 4), partly, 1e-6 * lidWeight);
+    EXPECT_NEAR(forceBetween(frameAt(solved, 2, 1.0), 1, 4), partly, 1e-6 * lidWeight);
     const double moved =
         (frameAt(solved, 2, 1.0).blocks[4].centroid - frameAt(solved, 1, 1.0).blocks[4].centroid).norm();
     EXPECT_LT(moved, 1e-12);
-    EXPECT_NEAR(forceBetween(frameAt(solved, 3, 0.1), 1, 4), partly, 1e-3 * weight);
-    EXPECT_NEAR(forceBetween(frameAt(solved, 4, 1.0), 1, 4), 0.5 * weight, 1e-6 * weight);
+    EXPECT_NEAR(forceBetween(frameAt(solved, 3, 0.1), 1, 4), partly, 1e-3 * lidWeight);
+    EXPECT_NEAR(forceBetween(frameAt(solved, 4, 1.0), 1, 4), 0.5 * lidWeight, 1e-6 * lidWeight);
 }
 
 /// In motion, over a second: slow beside the lid on its columns, which swings by the force's rate over ω > 1000/s.
@@ -110,8 +110,8 @@ TEST(Excavation, ADynamicStageWithARelaxationReleasesEvenly) {
     const Solved solved = solve(scene);
     const double before = forceBetween(frameAt(solved, 0, 1.0), 2, 4);
     for (double time : {0.25, 0.5, 0.75, 1.0})
-        EXPECT_NEAR(forceBetween(frameAt(solved, 1, time), 1, 4), 0.5 * (weight - (1.0 - time) * before),
-                    1e-3 * weight)
+        EXPECT_NEAR(forceBetween(frameAt(solved, 1, time), 1, 4), 0.5 * (lidWeight - (1.0 - time) * before),
+                    1e-3 * lidWeight)
             << time;
 }
 

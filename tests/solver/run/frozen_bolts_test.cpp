@@ -22,17 +22,17 @@
 namespace keyblock {
 namespace {
 
-using test::degree;
+using test::safetyOf;
 using test::settle;
+using test::weight;
 
-constexpr double slope = 30.0, friction = 25.0;  // [°]
-constexpr double weight = 2700.0 * gravity;  // [N] of 1 m²
+constexpr double slopeDip = 30.0, jointFriction = 25.0;  // [°]
 constexpr double pretension = 8e3;  // [N]
 
-/// A box on a slope that would slide, held by a pretensioned bar from a fixed wall up the slope; the bar is elastic and
+/// A box on a slopeDip that would slide, held by a pretensioned bar from a fixed wall up the slopeDip; the bar is elastic and
 /// unbreakable, anchored at its far end and by its plate on the lower face of the box.
 Scene boltedSlope(PlateKind plate) {
-    Scene scene = test::boxOnBase(slope, friction);
+    Scene scene = test::boxOnBase(slopeDip, jointFriction);
     scene.blocks.push_back(boxBlock("wall", {-4, 0}, {-3, 1}));
     scene.blocks[0].points = {{-5, -1}, {9, -1}, {9, 0}, {-5, 0}};
     Support wall;
@@ -52,12 +52,6 @@ Scene boltedSlope(PlateKind plate) {
     return scene;
 }
 
-SafetyFactor safetyOf(const Scene& scene) {
-    Control control;
-    const auto trial = [&](const Scene& reduced, double, Sink& sink) { run(reduced, sink, control); };
-    return findSafetyFactor(scene, trial);
-}
-
 std::vector<StageFrames> framesOf(const Results& results) {
     std::vector<StageFrames> stages;
     for (const Frame& frame : results.frames) {
@@ -75,14 +69,14 @@ Point boltForceOnBox(const Frame& frame) {
     return sum;
 }
 
-/// Friction over what drives the box down the slope, with the bolt's forces as they are at the end of a run.
+/// Friction over what drives the box down the slopeDip, with the bolt's forces as they are at the end of a run.
 double factorOf(const Frame& frame, double load) {
     const Point bolt = boltForceOnBox(frame);
-    const double pressed = weight * std::cos(slope * degree) - bolt.y();
-    return pressed * std::tan(friction * degree) / (weight * std::sin(slope * degree) + load + bolt.x());
+    const double pressed = weight * std::cos(slopeDip * degree) - bolt.y();
+    return pressed * std::tan(jointFriction * degree) / (weight * std::sin(slopeDip * degree) + load + bolt.x());
 }
 
-/// After the pretension is locked in, a force pushes the box down the slope.
+/// After the pretension is locked in, a force pushes the box down the slopeDip.
 Scene loadedSlope(PlateKind plate, double force) {
     Scene scene = boltedSlope(plate);
     scene.stages.push_back(settle());
@@ -95,7 +89,7 @@ Scene loadedSlope(PlateKind plate, double force) {
     return scene;
 }
 
-/// F = (W cos α + T_n) tan φ / (W sin α + P − T), the bolt's force along the slope T and across it T_n (a little of its own
+/// F = (W cos α + T_n) tan φ / (W sin α + P − T), the bolt's force along the slopeDip T and across it T_n (a little of its own
 /// weight) as at a factor of 1.
 TEST(FrozenBolts, HoldTheSlopeByTheForceThatTheyHad) {
     for (const PlateKind plate : {PlateKind::Spring, PlateKind::Block})
@@ -122,8 +116,8 @@ TEST(FrozenBolts, MobilisedOnesHoldMore) {
     const SafetyFactor mobilised = safetyOf(scene);
     ASSERT_TRUE(frozen.upper && mobilised.lower && mobilised.upper);
     EXPECT_LT(*frozen.upper, 1.3);
-    const double alone = weight * std::cos(slope * degree) * std::tan(friction * degree) /
-                         (weight * std::sin(slope * degree) - pretension);
+    const double alone = weight * std::cos(slopeDip * degree) * std::tan(jointFriction * degree) /
+                         (weight * std::sin(slopeDip * degree) - pretension);
     EXPECT_NEAR(*mobilised.lower, alone, 0.01 * alone);
 }
 

@@ -14,12 +14,12 @@
 namespace keyblock {
 namespace {
 
-constexpr double yieldStress = 500e6, modulus = 200e9;  // [Pa]
+constexpr double yieldStress = 500e6, steelModulus = 200e9;  // [Pa]
 constexpr double gap = 0.2;  // [m]
 const double plasticMoment = yieldStress * 0.02 * 0.02 * 0.02 / 6.0;  // of a full bar of 20 mm
 
 BoltType plasticBar() {
-    BoltType type = steelType(barArea(), {{0.0, 0.0}, {yieldStress / modulus, yieldStress}, {0.5, yieldStress}});
+    BoltType type = steelType(barArea(), {{0.0, 0.0}, {yieldStress / steelModulus, yieldStress}, {0.5, yieldStress}});
     type.normalStiffness = 1e10;
     return type;
 }

@@ -16,7 +16,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double weight = 2500.0 * gravity;  // of the box [N]
+constexpr double boxWeight = 2500.0 * gravity;  // of the box [N]
 
 /// A box on a base settles; then a force along the base rises to `force` [N].
 Scene pushedBox(double force, double frictionAngle) {
@@ -60,7 +60,7 @@ double frictionOf(const Frame& frame) {
 }
 
 TEST(Increments, BoxThatSticksTakesOne) {
-    Scene scene = pushedBox(0.2 * weight, 45.0);
+    Scene scene = pushedBox(0.2 * boxWeight, 45.0);
     const Results chosen = runInMemory(scene);
     EXPECT_EQ(chosen.stages[1].steps, 2) << "one at once, one for the load that rises";
     scene.stages[1].increments = 50;
@@ -75,14 +75,14 @@ TEST(Increments, SlidingBoxHasItsFriction) {
     const std::vector<double> times = frameTimes(results, 1);
     EXPECT_GE(times.size(), 4u);
     EXPECT_LE(times.at(1), 0.1) << "while it begins to slide";
-    EXPECT_NEAR(frictionOf(results.frames.back()), weight * std::tan(30.0 * test::degree), 1e-3 * weight);
+    EXPECT_NEAR(frictionOf(results.frames.back()), boxWeight * std::tan(30.0 * degree), 1e-3 * boxWeight);
     EXPECT_NEAR(results.frames.back().blocks[1].displacement.x(), 0.01, 1e-12);
 }
 
 /// One increment is never dearer than ten; where it is given up for shorter ones, it was tried for eight iterations.
 TEST(Increments, CostNoMoreThanTenEqualOnes) {
     const double trial = 8 * 1.2;  // factorizations, with what belongs to an iteration
-    for (Scene scene : {pushedBox(0.2 * weight, 45.0), pushedBox(0.5 * weight, 30.0), draggedBox(0.01)}) {
+    for (Scene scene : {pushedBox(0.2 * boxWeight, 45.0), pushedBox(0.5 * boxWeight, 30.0), draggedBox(0.01)}) {
         const double chosen = workOfPush(scene);
         scene.stages[1].increments = 1;
         const double one = workOfPush(scene);
@@ -94,14 +94,14 @@ TEST(Increments, CostNoMoreThanTenEqualOnes) {
 }
 
 TEST(Increments, FramesAtTimesAskedFor) {
-    for (Scene scene : {pushedBox(0.2 * weight, 45.0), draggedBox(0.01)}) {
+    for (Scene scene : {pushedBox(0.2 * boxWeight, 45.0), draggedBox(0.01)}) {
         scene.output.every = 0.3;
         EXPECT_EQ(frameTimes(runInMemory(scene), 1), (std::vector<double>{0.0, 0.3, 2 * 0.3, 3 * 0.3, 1.0}));
     }
 }
 
 TEST(Increments, FramesAsManyAsAskedFor) {
-    Scene scene = pushedBox(0.2 * weight, 45.0);
+    Scene scene = pushedBox(0.2 * boxWeight, 45.0);
     scene.output.frames = 8;  // four in each of the two stages
     EXPECT_EQ(frameTimes(runInMemory(scene), 1), (std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0}));
 }

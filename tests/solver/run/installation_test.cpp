@@ -16,6 +16,7 @@
 namespace keyblock {
 namespace {
 
+using test::lastOf;
 using test::settle;
 
 constexpr double boltForce = 100e3;  // [N]
@@ -37,12 +38,6 @@ Stage pulledTo(const Scene& scene, const std::string& name, double displacement)
 }
 
 double forceInJoint(const Frame& frame) { return frame.bolts[0].nodes.empty() ? 0.0 : frame.bolts[0].nodes[9].axialForce; }
-
-const Frame& lastOf(const Solved& solved, int stage) {
-    const auto found = std::find_if(solved.results.frames.rbegin(), solved.results.frames.rend(),
-                                    [&](const Frame& frame) { return frame.stage == stage; });
-    return found == solved.results.frames.rend() ? solved.results.frames.front() : *found;
-}
 
 /// A bolt installed across a joint that has opened feels what it opens from then on.
 TEST(Installation, ABoltFeelsOnlyWhatComesAfterIt) {

@@ -14,20 +14,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace keyblock {
 namespace {
 
+using test::box;
 using test::dynamic;
+using test::expectDone;
 using test::settle;
-
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double weight = 2700.0 * gravity;  // [N] of a cube of 1 m
+using test::weight;
 
 /// A box `breadth` wide and 1 m high on a fixed base whose top runs from −1 to `end`; no gravity.
-Scene boxOnBase(double breadth, double end, double modulus) {
+Scene boxOnLongBase(double breadth, double end, double modulus) {
     Scene scene = emptyScene(modulus, 0.2, 60.0);
     scene.blocks = {boxBlock("base", {-1, -1}, {end, 0}), boxBlock("box", {0, 0}, {breadth, 1})};
     Support support;
@@ -45,19 +44,10 @@ void press(Scene& scene, const Point& force, const Point& at) {
     scene.stages.back().loads.push_back(load);
 }
 
-const BlockState& box(const Results& results) { return results.frames.back().blocks[1]; }
-
-double sumOf(const Frame& frame, double ContactFrame::*member) {
+double contactSum(const Frame& frame, double ContactFrame::*member) {
     double sum = 0.0;
     for (const ContactFrame& c : frame.contacts) sum += c.*member;
     return sum;
-}
-
-void expectDone(const Results& results, double balance = 1e-3) {
-    for (const StageResult& stage : results.stages) {
-        EXPECT_TRUE(stage.outcome == Outcome::Equilibrium || stage.outcome == Outcome::Duration) << stage.message;
-        EXPECT_LT(std::abs(stage.health.balanceError), balance);
-    }
 }
 
 /// A wedge that sinks into a notch by u = W/(2L·(kn·sin²α + ks·cos²α)). Its upper corners leave those of the rock on
@@ -102,7 +92,7 @@ TEST(JointStiffness, LetsAWedgeSinkIntoItsNotch) {
 TEST(JointStiffness, ClosesBySigmaOverKnAndShearsByTauOverKs) {
     for (const double breadth : {1.0, 0.4})
         for (const double penalty : {1.0, 40.0}) {
-            Scene scene = boxOnBase(breadth, 3.0, rigidRock);
+            Scene scene = boxOnLongBase(breadth, 3.0, rigidRock);
             scene.analysis.penaltyRatio = penalty;
             scene.jointMaterials[0].second.normalStiffness = 2e9;
             scene.jointMaterials[0].second.shearStiffness = 5e8;
@@ -119,7 +109,7 @@ TEST(JointStiffness, ClosesBySigmaOverKnAndShearsByTauOverKs) {
 /// joint, not two.
 TEST(JointStiffness, OfEqualFacesIsThatOfOneJoint) {
     const double closure = 1e-3;
-    Scene scene = boxOnBase(1.0, 1.0, rigidRock);
+    Scene scene = boxOnLongBase(1.0, 1.0, rigidRock);
     scene.blocks[0] = boxBlock("base", {0, -1}, {1, 0});
     scene.supports[0].blockAt = Point(0.5, -0.5);
     scene.jointMaterials[0].second.normalStiffness = 1e6 / closure;
@@ -138,7 +128,7 @@ TEST(JointStiffness, OfEqualFacesIsThatOfOneJoint) {
 }
 
 TEST(JointStiffness, ShearFollowsFromTheRatioWhereOnlyTheNormalOneIsGiven) {
-    Scene scene = boxOnBase(1.0, 3.0, rigidRock);
+    Scene scene = boxOnLongBase(1.0, 3.0, rigidRock);
     scene.jointMaterials[0].second.normalStiffness = 2e9;
     scene.analysis.shearRatio = 0.25;
     scene.stages = {settle()};
@@ -148,7 +138,7 @@ TEST(JointStiffness, ShearFollowsFromTheRatioWhereOnlyTheNormalOneIsGiven) {
 
 /// Pushed 0.4 m out over the end of the base the box stands on 0.8 m, and closes the joint by so much more.
 TEST(JointStiffness, FollowsTheLengthOnWhichFacesMeet) {
-    Scene scene = boxOnBase(1.0, 1.2, rigidRock);
+    Scene scene = boxOnLongBase(1.0, 1.2, rigidRock);
     scene.jointMaterials[0].second = JointMaterial{0.0, 0.0, 0.0, {}, 2e9, {}};
     Stage push = settle();
     push.increments = 40;
@@ -162,12 +152,12 @@ TEST(JointStiffness, FollowsTheLengthOnWhichFacesMeet) {
     const Results results = runInMemory(scene);
     for (const StageResult& stage : results.stages) EXPECT_EQ(stage.outcome, Outcome::Equilibrium) << stage.message;
     EXPECT_NEAR(box(results).displacement.y(), -1e6 / (2e9 * 0.8), 1e-3 * 1e6 / 2e9);
-    EXPECT_NEAR(sumOf(results.frames.back(), &ContactFrame::normalForce), 1e6, 1.0);
+    EXPECT_NEAR(contactSum(results.frames.back(), &ContactFrame::normalForce), 1e6, 1.0);
 }
 
 /// A corner without a face has no joint to give way: the penalty carries it.
 TEST(JointStiffness, PointsKeepThePenalty) {
-    Scene scene = boxOnBase(1.0, 3.0, rigidRock);
+    Scene scene = boxOnLongBase(1.0, 3.0, rigidRock);
     scene.blocks[1].points = {{0, 0.5}, {0.5, 0}, {1, 0.5}, {0.5, 1}};
     scene.jointMaterials[0].second.normalStiffness = 1e6;
     scene.stages = {settle()};
@@ -180,7 +170,7 @@ TEST(JointStiffness, PointsKeepThePenalty) {
 
 /// Pushed along its joint, a box first carries tan 40° of its weight and, once it slips, tan 25°.
 TEST(ResidualFriction, IsReachedAtTheFirstSlip) {
-    Scene scene = boxOnBase(1.0, 3.0, 10e9);
+    Scene scene = boxOnLongBase(1.0, 3.0, 10e9);
     scene.analysis.gravity = {0.0, -gravity};
     scene.jointMaterials[0].second = JointMaterial{40.0, 0.0, 0.0, 25.0, {}, {}};
     Stage push = settle();
@@ -194,9 +184,9 @@ TEST(ResidualFriction, IsReachedAtTheFirstSlip) {
     const Results results = runInMemory(scene);
     expectDone(results, 1e-2);
     double most = 0.0;
-    for (const Frame& frame : results.frames) most = std::max(most, std::abs(sumOf(frame, &ContactFrame::shearForce)));
+    for (const Frame& frame : results.frames) most = std::max(most, std::abs(contactSum(frame, &ContactFrame::shearForce)));
     EXPECT_LE(most, weight * std::tan(40 * degree) * (1 + 1e-6));
-    EXPECT_NEAR(std::abs(sumOf(results.frames.back(), &ContactFrame::shearForce)), weight * std::tan(25 * degree),
+    EXPECT_NEAR(std::abs(contactSum(results.frames.back(), &ContactFrame::shearForce)), weight * std::tan(25 * degree),
                 1e-4 * weight);
     const auto slip = std::find_if(results.events.begin(), results.events.end(),
                                    [](const Event& e) { return e.kind == EventKind::JointSlip; });
@@ -207,7 +197,7 @@ TEST(ResidualFriction, IsReachedAtTheFirstSlip) {
 
 /// On 30° a peak of 35° holds; a nudge takes it to 20°, and the box is gone.
 TEST(ResidualFriction, LetsANudgedBoxGo) {
-    Scene scene = boxOnBase(1.0, 9.0, 10e9);
+    Scene scene = boxOnLongBase(1.0, 9.0, 10e9);
     scene.analysis.gravity = {gravity * std::sin(30 * degree), -gravity * std::cos(30 * degree)};
     scene.jointMaterials[0].second = JointMaterial{35.0, 0.0, 0.0, 20.0, {}, {}};
     scene.stages = {dynamic(0.5, 1e-3)};
@@ -224,7 +214,7 @@ TEST(ResidualFriction, LetsANudgedBoxGo) {
 
 /// Base with its top from −1 to 9, in pieces that end at `cuts`.
 Scene boxOnPieces(const std::vector<double>& cuts, bool ofOneBlock) {
-    Scene scene = boxOnBase(1.0, 9.0, 10e9);
+    Scene scene = boxOnLongBase(1.0, 9.0, 10e9);
     scene.analysis.gravity = {gravity * std::sin(40 * degree), -gravity * std::cos(40 * degree)};
     scene.jointMaterials[0].second.frictionAngle = 20.0;
     if (ofOneBlock) {
@@ -298,7 +288,7 @@ TEST(FlatImpact, ReboundsWithoutSpin) {
 
 /// A box thrown clear of its base in one step: the joint is reported as open.
 TEST(JointEvents, AContactThatLeavesAtOnceOpens) {
-    Scene scene = boxOnBase(1.0, 3.0, 10e9);
+    Scene scene = boxOnLongBase(1.0, 3.0, 10e9);
     scene.stages = {dynamic(0.05, 0.01)};
     InitialVelocity up;
     up.blockAt = {0.5, 0.5};
@@ -311,7 +301,7 @@ TEST(JointEvents, AContactThatLeavesAtOnceOpens) {
 
 /// Corners that meet in a point, and faces side by side that press on each other with round-off only.
 TEST(JointEvents, ContactsWithoutForceNeitherDriftNorTell) {
-    Scene scene = boxOnBase(1.0, 3.0, 10e9);
+    Scene scene = boxOnLongBase(1.0, 3.0, 10e9);
     scene.analysis.gravity = {0.0, -gravity};
     for (const auto& [x, y] : {std::pair{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}})
         scene.blocks.push_back(boxBlock("", {x, y}, {x + 1.0, y + 1.0}));

@@ -17,6 +17,8 @@
 namespace keyblock {
 namespace {
 
+using test::line;
+
 ModelSummary modelSummaryOf(const Scene& scene) {
     const SceneCut cut = cutScene(scene);
     return *makeModelSummary(cut.scene, &cut);
@@ -71,13 +73,6 @@ TEST(ModelSummary, CountsAPlateThatIsABlock) {
     EXPECT_EQ(counts.plateUnknowns, 6);
     EXPECT_EQ(counts.contacts, 4);  // two under the plate, two between the blocks
     EXPECT_EQ(counts.boltUnknowns, 3 * 61);
-}
-
-SceneJoint line(const std::string& name, const Point& from, const Point& to) {
-    SceneJoint joint;
-    joint.name = name;
-    joint.points = {from, to};
-    return joint;
 }
 
 /// A strip of 4 m × 1 m cut by uprights into five, the second of which is a tunnel that is open from the start.

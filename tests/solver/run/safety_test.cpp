@@ -14,16 +14,9 @@
 namespace keyblock {
 namespace {
 
-using test::degree;
+using test::safetyOf;
 using test::settle;
-
-constexpr double weight = 2700.0 * gravity;  // [N] of 1 m²
-
-SafetyFactor safetyOf(const Scene& scene) {
-    Control control;
-    const auto trial = [&](const Scene& reduced, double, Sink& sink) { run(reduced, sink, control); };
-    return findSafetyFactor(scene, trial);
-}
+using test::weight;
 
 void expectBracket(const Scene& scene, const SafetyFactor& found, double factor) {
     ASSERT_TRUE(found.lower && found.upper);

@@ -17,24 +17,23 @@
 namespace keyblock {
 namespace {
 
-using test::degree;
 using test::settle;
 
-constexpr double slope = 10.0, friction = 25.0;  // [°]
+constexpr double slopeAngle = 10.0, slopeFriction = 25.0;  // [°]
 constexpr double mass = 2700.0;  // [kg] of 1 m²
 
-/// Horizontal towards the down-slope side, in axes whose x runs down the slope.
+/// Horizontal towards the down-slopeAngle side, in axes whose x runs down the slopeAngle.
 Acceleration horizontal(double coefficient) {
     Acceleration acceleration;
     acceleration.value = coefficient;
-    acceleration.axis = {std::cos(slope * degree), std::sin(slope * degree)};
+    acceleration.axis = {std::cos(slopeAngle * degree), std::sin(slopeAngle * degree)};
     acceleration.factor = gravity;
     return acceleration;
 }
 
-/// A box on a slope: first its weight alone, then a horizontal coefficient.
+/// A box on a slopeAngle: first its weight alone, then a horizontal coefficient.
 Scene seismicScene(double coefficient) {
-    Scene scene = test::boxOnBase(slope, friction);
+    Scene scene = test::boxOnBase(slopeAngle, slopeFriction);
     scene.stages = {settle(), settle()};
     scene.stages[1].name = "seismic";
     scene.stages[1].bodyAcceleration = horizontal(coefficient);
@@ -58,7 +57,7 @@ Point accelerationIn(const Solved& solved, int stage, double time) {
 
 /// W (sin α + k cos α) = W (cos α − k sin α) tan φ, so k = tan(φ − α). Read from the other side: 1 where it slides.
 TEST(SeismicCoefficient, ABlockOnASlopeSlidesAtTheCriticalOne) {
-    const double critical = std::tan((friction - slope) * degree);
+    const double critical = std::tan((slopeFriction - slopeAngle) * degree);
     const double found = boundaryOf(0.2, 0.35, 5e-4, [](double k) { return 1.0 - stands(k); });
     EXPECT_NEAR(found, critical, 0.002 * critical);
 }
@@ -112,7 +111,7 @@ TEST(SeismicCoefficient, EndsWhereMotionBegins) {
 
 /// Without gravity it is all that presses the box on its base.
 TEST(SeismicCoefficient, NeedsNoGravity) {
-    Scene scene = test::boxOnBase(0.0, friction);
+    Scene scene = test::boxOnBase(0.0, slopeFriction);
     scene.analysis.gravity = {0.0, 0.0};
     scene.stages = {settle()};
     Acceleration down;

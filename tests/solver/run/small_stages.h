@@ -1,17 +1,22 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Stages and the box on a base that several tests of whole runs begin with.
+// What several tests of whole runs share: stages, a box on a base, and what is read from results.
 #pragma once
 
+#include "solver/run/run.h"
+#include "solver/run/safety.h"
+#include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace keyblock::test {
 
-inline constexpr double degree = std::numbers::pi / 180.0;
+inline constexpr double weight = 2700.0 * gravity;  // [N] of a cube of 1 m
 
 inline Stage settle() {
     Stage stage;
@@ -39,6 +44,39 @@ inline Scene boxOnBase(double angle, double frictionAngle) {
     scene.analysis.gravity = {gravity * std::sin(angle * degree), -gravity * std::cos(angle * degree)};
     scene.output.frames = 10;
     return scene;
+}
+
+inline SceneJoint line(const std::string& name, const Point& from, const Point& to) {
+    SceneJoint joint;
+    joint.name = name;
+    joint.points = {from, to};
+    return joint;
+}
+
+/// The second block in the last frame: the box on the base.
+inline const BlockState& box(const Results& results) { return results.frames.back().blocks[1]; }
+
+inline const Frame& last(const Solved& solved) { return solved.results.frames.back(); }
+
+/// The last frame of a stage; the first frame of the run if the stage has none.
+inline const Frame& lastOf(const Solved& solved, int stage) {
+    const auto found = std::find_if(solved.results.frames.rbegin(), solved.results.frames.rend(),
+                                    [&](const Frame& frame) { return frame.stage == stage; });
+    return found == solved.results.frames.rend() ? solved.results.frames.front() : *found;
+}
+
+/// Expects that every stage ended in equilibrium or after its duration, with an energy balance error below `balance`.
+inline void expectDone(const Results& results, double balance = 1e-3) {
+    for (const StageResult& stage : results.stages) {
+        EXPECT_TRUE(stage.outcome == Outcome::Equilibrium || stage.outcome == Outcome::Duration) << stage.message;
+        EXPECT_LT(std::abs(stage.health.balanceError), balance);
+    }
+}
+
+inline SafetyFactor safetyOf(const Scene& scene) {
+    Control control;
+    const auto trial = [&](const Scene& reduced, double, Sink& sink) { run(reduced, sink, control); };
+    return findSafetyFactor(scene, trial);
 }
 
 }  // namespace keyblock::test

@@ -8,18 +8,18 @@
 #include "solver/run/stage_loads.h"
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/run/small_stages.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 namespace keyblock {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
+using test::lastOf;
 
 Stage stageNamed(const std::string& name, StageKind kind, double duration = 0.0) {
     Stage stage;
@@ -47,12 +47,6 @@ Solved onSlope(double slope, const JointMaterial& joint, std::vector<Stage> stag
 double slideOf(double slope, double friction, double time) {
     const double a = slope * degree;
     return 0.5 * gravity * (std::sin(a) - std::cos(a) * std::tan(friction * degree)) * time * time;
-}
-
-const Frame& lastOf(const Solved& solved, int stage) {
-    const auto found = std::find_if(solved.results.frames.rbegin(), solved.results.frames.rend(),
-                                    [&](const Frame& frame) { return frame.stage == stage; });
-    return found == solved.results.frames.rend() ? solved.results.frames.front() : *found;
 }
 
 long slipsOfStage(const Solved& solved, int stage) {
@@ -310,7 +304,7 @@ TEST(ZeroDisplacements, CountBlocksMonitorsAndMotionsAnew) {
     EXPECT_GE(least, -1e-12);  // nothing is pulled back to where it came from
 }
 
-Scene slidingScene() {
+Scene slidingBlock() {
     Scene scene = inclineScene(30.0, 20.0, 0.2);
     scene.output.every = 0.01;
     return scene;
@@ -318,8 +312,8 @@ Scene slidingScene() {
 
 /// A limit ends a run; it changes nothing of what came before.
 TEST(Limits, StepsEndARunAtOnce) {
-    const Results whole = runInMemory(slidingScene());
-    Scene scene = slidingScene();
+    const Results whole = runInMemory(slidingBlock());
+    Scene scene = slidingBlock();
     scene.limits.steps = 73;
     const Results cut = runInMemory(scene);
     ASSERT_EQ(cut.stages.size(), 1u);
@@ -332,7 +326,7 @@ TEST(Limits, StepsEndARunAtOnce) {
 }
 
 TEST(Limits, CountStepsOverAllStages) {
-    Scene scene = slidingScene();
+    Scene scene = slidingBlock();
     scene.stages.push_back(scene.stages[0]);
     scene.stages[1].name = "on";
     scene.limits.steps = 250;
@@ -360,8 +354,8 @@ TEST(Limits, HoldInStaticStages) {
 }
 
 TEST(Limits, TheClockEndsARunThatIsTooLong) {
-    const Results whole = runInMemory(slidingScene());
-    Scene scene = slidingScene();
+    const Results whole = runInMemory(slidingBlock());
+    Scene scene = slidingBlock();
     scene.stages[0].duration = 1e4;
     scene.limits.wallTime = 0.3;
     const Results cut = runInMemory(scene);

@@ -7,24 +7,25 @@
 
 #include "solver/verify/readings.h"
 #include "solver/verify/scenes.h"
+#include "tests/solver/run/small_stages.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace keyblock {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double peak = 24.56e3, residual = 2.24e3, bond = 84.78e6;  // per node
+using test::last;
 
-/// Twenty nodes of brittle bond across a joint in the middle of an element.
+constexpr double peak = 24.56e3, residual = 2.24e3, nodeBond = 84.78e6;  // per node
+
+/// Twenty nodes of brittle nodeBond across a joint in the middle of an element.
 Scene shortRebar(bool restick, double displacement, int increments) {
     Scene scene = twoBlocks(rigidRock, 1.0, 2.0);
     BoltType type = linearType(barArea(), 200e9);
-    Anchor anchor = anchorRange(Per::Node, AnchorLaw::PeakResidual, bond, peak, residual);
+    Anchor anchor = anchorRange(Per::Node, AnchorLaw::PeakResidual, nodeBond, peak, residual);
     anchor.restick = restick;
     type.anchors = {anchor};
     addBolt(scene, type, 0.05, 1.95, 19, PlateKind::None);
@@ -40,7 +41,7 @@ Scene endAnchored(const BoltType& bar, double displacement) {
     return scene;
 }
 
-Solved ran(const Scene& scene) {
+Solved solvedStages(const Scene& scene) {
     Solved solved = solve(scene);
     EXPECT_FALSE(solved.results.stages.empty());
     for (const StageResult& stage : solved.results.stages) {
@@ -62,11 +63,9 @@ std::vector<int> order(const Solved& solved) {
     return nodes;
 }
 
-const Frame& last(const Solved& solved) { return solved.results.frames.back(); }
-
 TEST(Statics, HalvedIncrementsReleaseTheSame) {
-    const Solved whole = ran(shortRebar(false, 2e-3, 7));
-    const Solved half = ran(shortRebar(false, 2e-3, 14));
+    const Solved whole = solvedStages(shortRebar(false, 2e-3, 7));
+    const Solved half = solvedStages(shortRebar(false, 2e-3, 14));
     ASSERT_GT(order(whole).size(), 5u);
     EXPECT_EQ(order(half), order(whole));
     const std::vector<Release> a = releases(whole), b = releases(half);
@@ -76,16 +75,16 @@ TEST(Statics, HalvedIncrementsReleaseTheSame) {
 
 /// The whole displacement at once gives the same releases, for the way there is still followed.
 TEST(Statics, AJumpAtTheStartReleasesTheSame) {
-    const Solved steps = ran(shortRebar(false, 2e-3, 10));
+    const Solved steps = solvedStages(shortRebar(false, 2e-3, 10));
     Scene scene = shortRebar(false, 2e-3, 10);
     scene.stages[0].motions[0].table = {{0.0, 2e-3}};
-    const Solved jump = ran(scene);
+    const Solved jump = solvedStages(scene);
     EXPECT_EQ(order(jump), order(steps));
     EXPECT_NEAR(reading(jump, "last joint force"), reading(steps, "last joint force"), 1e-6 * peak);
 }
 
 TEST(Statics, DebondingTellsTheForceJustBefore) {
-    const Solved solved = ran(shortRebar(false, 2e-3, 10));
+    const Solved solved = solvedStages(shortRebar(false, 2e-3, 10));
     const Event* event = firstOf(solved, EventKind::Debonding);
     ASSERT_NE(event, nullptr);
     EXPECT_EQ(event->node, 9);  // a tie of both sides of the joint: the lower
@@ -93,7 +92,7 @@ TEST(Statics, DebondingTellsTheForceJustBefore) {
     EXPECT_EQ(event->element, -1);
     EXPECT_EQ(event->block, 0);
     EXPECT_NEAR(event->anchorForce, -peak, 1e-4 * peak);  // the fixed block pulls towards the far end
-    EXPECT_NEAR(event->slip, -peak / bond, 1e-4 * peak / bond);
+    EXPECT_NEAR(event->slip, -peak / nodeBond, 1e-4 * peak / nodeBond);
     EXPECT_NEAR(event->axialForce, releases(solved)[0].load, 1e-6 * peak);
     EXPECT_NEAR(event->position.x(), 0.95, 1e-3);
 }
@@ -103,7 +102,7 @@ TEST(Statics, FrictionTurnsWithTheSlip) {
     Scene scene = shortRebar(true, 6e-3, 20);
     scene.stages[0].motions[0].table = {{0.0, 0.0}, {0.5, 6e-3}, {1.0, 0.0}};
     scene.stages[0].increments = 80;
-    const Solved solved = ran(scene);
+    const Solved solved = solvedStages(scene);
     const BoltFrame& bolt = last(solved).bolts[0];
     int turned = 0;
     for (const BoltNodeFrame& node : bolt.nodes) {
@@ -119,7 +118,7 @@ TEST(Statics, FrictionTurnsWithTheSlip) {
 TEST(Statics, KeptForceStaysWhenTheSlipTurns) {
     Scene scene = shortRebar(false, 3e-3, 20);
     scene.stages[0].motions[0].table = {{0.0, 0.0}, {0.5, 3e-3}, {1.0, 2e-3}};
-    const Solved solved = ran(scene);
+    const Solved solved = solvedStages(scene);
     int kept = 0;
     for (const BoltNodeFrame& node : last(solved).bolts[0].nodes) {
         if (node.state != NodeState::Slipping) continue;
@@ -132,7 +131,7 @@ TEST(Statics, KeptForceStaysWhenTheSlipTurns) {
 TEST(Statics, TensileRuptureTellsItsElement) {
     BoltType bar = steelType(barArea(), {{0.0, 0.0}, {0.002, 400e6}, {0.02, 500e6}});
     bar.anchors = {anchorAt(0.0, AnchorLaw::Elastic, 1e12), anchorAt(2.0, AnchorLaw::Elastic, 1e12)};
-    const Solved solved = ran(endAnchored(bar, 0.06));
+    const Solved solved = solvedStages(endAnchored(bar, 0.06));
     ASSERT_EQ(countOf(solved, EventKind::TensileRupture), 1);
     const Event* event = firstOf(solved, EventKind::TensileRupture);
     EXPECT_EQ(event->element, 0);
@@ -162,7 +161,7 @@ TEST(Statics, PlateLossTellsThePlatesForce) {
     BoltType bar = linearType(barArea(), 200e9);
     bar.anchors = {anchorAt(0.0, AnchorLaw::Elastic, 1e12)};
     bar.plate.normalStrength = 50e3;
-    const Solved solved = ran(endAnchored(bar, 4e-3));
+    const Solved solved = solvedStages(endAnchored(bar, 4e-3));
     ASSERT_EQ(countOf(solved, EventKind::PlateLoss), 1);
     const Event* event = firstOf(solved, EventKind::PlateLoss);
     EXPECT_EQ(event->node, 20);
@@ -178,7 +177,7 @@ TEST(Statics, AFailedShellLosesTheWholeBolt) {
     shell.at = BoltPlace{false, 0.0};
     shell.onFailure = OnFailure::BoltLost;
     bar.anchors = {shell};
-    const Solved solved = ran(endAnchored(bar, 4e-3));
+    const Solved solved = solvedStages(endAnchored(bar, 4e-3));
     ASSERT_EQ(countOf(solved, EventKind::BoltLoss), 1);
     EXPECT_EQ(countOf(solved, EventKind::Debonding), 1);
     EXPECT_NEAR(std::abs(firstOf(solved, EventKind::BoltLoss)->anchorForce), 60e3, 6.0);
@@ -198,7 +197,7 @@ TEST(Statics, ShearRuptureTellsTheShear) {
     addBolt(scene, bar, 0.94875, 1.05125, 41, PlateKind::None);
     scene.stages = {pullStage(scene, -2e-4, 4)};
     scene.stages[0].motions[0].axis = {0.0, 1.0};
-    const Solved solved = ran(scene);
+    const Solved solved = solvedStages(scene);
     const Event* event = firstOf(solved, EventKind::ShearRupture);
     ASSERT_NE(event, nullptr);
     const double strength = 0.6 * 630.1e6 * barArea();
@@ -222,7 +221,7 @@ TEST(Statics, MotionAlongASlantedAxisLeavesTheOtherFree) {
     motion.table = {{0.0, 0.0}, {1.0, 0.5}};
     stage.motions = {motion};
     scene.stages = {stage};
-    const Solved solved = ran(scene);
+    const Solved solved = solvedStages(scene);
     EXPECT_NEAR(reading(solved, "last centre.ux"), 0.3, 1e-12);
     EXPECT_NEAR(reading(solved, "last centre.uy"), 0.4, 1e-12);
 }
@@ -248,7 +247,7 @@ TEST(Statics, PressureOnPointSupports) {
     load.pressure = 1e6;
     stage.loads = {load};
     scene.stages = {stage};
-    const Solved solved = ran(scene);
+    const Solved solved = solvedStages(scene);
     EXPECT_NEAR(last(solved).blocks[0].stress[1], -1e6, 1e-3);
     EXPECT_NEAR(last(solved).blocks[0].stress[0], 0.0, 1e-3);
     EXPECT_NEAR(last(solved).blocks[0].rotation, 0.0, 1e-12);
@@ -256,7 +255,7 @@ TEST(Statics, PressureOnPointSupports) {
     EXPECT_NEAR(reading(solved, "last top.uy"), -1e6 / 10e9 - supports, 1e-3 * 1e-4);
 }
 
-Scene slope(double angle, double frictionAngle) {
+Scene slidingSlope(double angle, double frictionAngle) {
     Scene scene = emptyScene(10e9, 0.2, frictionAngle);
     scene.blocks = {boxBlock("base", {-1, -1}, {9, 0}), boxBlock("slider", {0, 0}, {1, 1})};
     Support support;
@@ -270,7 +269,7 @@ Scene slope(double angle, double frictionAngle) {
 }
 
 TEST(Statics, CollapseNamesTheMovingBlocks) {
-    const Results results = runInMemory(slope(30.0, 25.0));
+    const Results results = runInMemory(slidingSlope(30.0, 25.0));
     ASSERT_EQ(results.stages.size(), 1u);
     EXPECT_EQ(results.stages[0].outcome, Outcome::Collapse);
     EXPECT_EQ(results.stages[0].blocks, std::vector<int>{1});
@@ -281,16 +280,16 @@ TEST(Statics, CollapseNamesTheMovingBlocks) {
 }
 
 TEST(Statics, ASlopeUnderItsFrictionAngleHolds) {
-    const Solved solved = solve(slope(30.0, 31.0));
+    const Solved solved = solve(slidingSlope(30.0, 31.0));
     EXPECT_EQ(solved.results.stages[0].outcome, Outcome::Equilibrium);
     double shear = 0.0;
     for (const ContactFrame& c : last(solved).contacts) shear += std::abs(c.shearForce);
     EXPECT_NEAR(shear, 2700.0 * gravity * std::sin(30.0 * degree), 1e-4 * 2700.0 * gravity);
 }
 
-/// Cohesion holds a slope that is too steep; loaded further it lets go once, at its strength.
+/// Cohesion holds a slidingSlope that is too steep; loaded further it lets go once, at its strength.
 TEST(Statics, CohesionLetsGoAtItsStrength) {
-    Scene scene = slope(0.0, 30.0);
+    Scene scene = slidingSlope(0.0, 30.0);
     scene.jointMaterials[0].second.cohesion = 20e3;
     scene.materials[0].second.poissonsRatio = 0.0;  // else the corners hold each other before they are pushed
     Stage& stage = scene.stages[0];
@@ -312,7 +311,7 @@ TEST(Statics, CohesionLetsGoAtItsStrength) {
 }
 
 TEST(Statics, LooseBlockIsNamed) {
-    Scene scene = slope(0.0, 30.0);
+    Scene scene = slidingSlope(0.0, 30.0);
     scene.materials[0].second.density = 0.0;
     scene.blocks[1] = boxBlock("floating", {3, 5}, {4, 6});
     Load load;
@@ -328,13 +327,13 @@ TEST(Statics, LooseBlockIsNamed) {
 
 /// A block without mass that only touches its base is held by it as soon as it is pressed.
 TEST(Statics, AMasslessBlockRestsWherePressed) {
-    Scene scene = slope(0.0, 30.0);
+    Scene scene = slidingSlope(0.0, 30.0);
     scene.materials[0].second.density = 0.0;
     Load load;
     load.along = {Point(0.0, 1.0), Point(1.0, 1.0)};
     load.pressure = 1e5;
     scene.stages[0].loads = {load};
-    const Solved solved = ran(scene);
+    const Solved solved = solvedStages(scene);
     EXPECT_NEAR(last(solved).blocks[1].stress[1], -1e5, 10.0);
 }
 

@@ -14,7 +14,7 @@
 namespace keyblock {
 namespace {
 
-const double friction = std::tan(30.0 * std::numbers::pi / 180.0);
+const double frictionCoefficient = std::tan(30.0 * std::numbers::pi / 180.0);
 
 InitialVelocity thrown(const Point& at, const Point& velocity) {
     InitialVelocity initial;
@@ -53,7 +53,7 @@ double slid(const Results& results) { return results.frames.back().blocks[1].dis
 /// v²/2μg, whatever falls beside it.
 TEST(Tolerance, ALightBlockIsRightBesideAHeavyOne) {
     const double alone = slid(runInMemory(pebble(0.0)));
-    const double expected = 1.0 / (2.0 * friction * gravity);
+    const double expected = 1.0 / (2.0 * frictionCoefficient * gravity);
     EXPECT_NEAR(alone, expected, 2e-3 * expected);
     for (const double heavy : {0.01, 1.0, 10.0, 100.0})
         EXPECT_NEAR(slid(runInMemory(pebble(heavy))), alone, 1e-6 * alone) << heavy;

@@ -21,17 +21,17 @@
 namespace keyblock {
 namespace {
 
-constexpr double length = 20.0, cell = 0.25, speed = 1000.0, density = 2700.0;
+constexpr double barLength = 20.0, cell = 0.25, speed = 1000.0, barDensity = 2700.0;
 
 /// A bar of cells in which pressure waves run at 1000 m/s; with ν = 0 nothing goes aside.
 Scene bar() {
-    Scene scene = emptyScene(density * speed * speed, 0.0, 30.0);
-    scene.materials[0].second.density = density;
-    scene.blocks = {boxBlock("bar", {0, 0}, {length, cell})};
+    Scene scene = emptyScene(barDensity * speed * speed, 0.0, 30.0);
+    scene.materials[0].second.density = barDensity;
+    scene.blocks = {boxBlock("bar", {0, 0}, {barLength, cell})};
     scene.blocks[0].subBlocks = CellSettings{cell};
     Monitor middle;
     middle.name = "middle";
-    middle.point = Point(0.5 * length + 0.1, 0.1);
+    middle.point = Point(0.5 * barLength + 0.1, 0.1);
     scene.monitors = {middle};
     return scene;
 }
@@ -70,7 +70,7 @@ double reflected(const std::vector<std::string>& sides, Integration integration)
     EXPECT_EQ(solved.results.stages[0].outcome, Outcome::Duration);
     EXPECT_LT(std::abs(solved.results.stages[0].health.balanceError), 1e-3);
     const auto [there, back] = speedsBeforeAndAfter(solved, 0.022);
-    EXPECT_NEAR(there, 1e5 / (density * speed * cell), 0.03 * there);  // force over impedance
+    EXPECT_NEAR(there, 1e5 / (barDensity * speed * cell), 0.03 * there);  // force over impedance
     return back / there;
 }
 
@@ -85,7 +85,7 @@ TEST(ViscousBoundaries, TheReactionOfTheStaticStateStays) {
     Scene scene = bar();
     for (double y : {0.0, cell}) {
         Support support;
-        support.point = Point(length, y);
+        support.point = Point(barLength, y);
         support.fix = Fix::XY;
         scene.supports.push_back(support);
     }
@@ -102,7 +102,7 @@ TEST(ViscousBoundaries, TheReactionOfTheStaticStateStays) {
         return *std::find_if(solved.results.frames.rbegin(), solved.results.frames.rend(),
                              [&](const Frame& frame) { return frame.stage == stage; });
     };
-    const double shortened = 1e6 * length / (density * speed * speed);
+    const double shortened = 1e6 * barLength / (barDensity * speed * speed);
     for (int stage : {1, 2}) {
         EXPECT_LT((lastOf(stage).blocks[0].centroid - lastOf(0).blocks[0].centroid).norm(), 1e-6 * shortened) << stage;
         EXPECT_LT(std::abs(solved.results.stages[static_cast<std::size_t>(stage)].health.balanceError), 1e-6);
@@ -137,7 +137,7 @@ TEST(ViscousBoundaries, StandOnTheSideOfTheDomain) {
         pressure += dashpot.pressure, shear += dashpot.shear;
         EXPECT_LT((dashpot.across - Point(2.0, 1.0).normalized()).norm(), 1e-12);
     }
-    const double all = density * speed * std::sqrt(5.0) * scene.analysis.thickness;
+    const double all = barDensity * speed * std::sqrt(5.0) * scene.analysis.thickness;
     EXPECT_NEAR(pressure, all, 1e-9 * all);
     EXPECT_NEAR(shear, all / std::sqrt(2.0), 1e-9 * all);  // ν = 0: c_p/c_s = √2
     EXPECT_EQ(releaseSupports(model, state, {BoundarySide::Right}).size(), 4u);

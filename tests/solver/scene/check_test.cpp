@@ -6,6 +6,7 @@
 #include "solver/scene/check.h"
 
 #include "solver/scene/lookup.h"
+#include "tests/problem_list.h"
 
 #include <gtest/gtest.h>
 
@@ -48,13 +49,6 @@ Scene soundScene() {
     return scene;
 }
 
-std::string listing(const std::vector<Problem>& problems) {
-    std::string text;
-    for (const Problem& problem : problems)
-        text += oneLine(problem) + "\n";
-    return text;
-}
-
 /// Shaken by a period of a cosine, which leaves the ground where it was.
 Scene shakenScene() {
     Scene scene = soundScene();
@@ -73,7 +67,7 @@ void expectProblem(const std::function<void(Scene&)>& breakIt, const std::string
     const std::vector<Problem> problems = checkScene(scene);
     EXPECT_TRUE(std::any_of(problems.begin(), problems.end(),
                             [&](const Problem& p) { return p.pointer == pointer && p.severity == severity; }))
-        << pointer << "\n" << listing(problems);
+        << pointer << "\n" << test::problemList(problems);
 }
 
 /// The repair of the problem at the pointer; of kind None if there is no such problem.
@@ -112,7 +106,7 @@ TEST(CheckScene, OffersToRemoveAPlateThatIsNotOnRock) {
 }
 
 TEST(CheckScene, FindsNothingInASoundScene) {
-    EXPECT_TRUE(checkScene(soundScene()).empty()) << listing(checkScene(soundScene()));
+    EXPECT_TRUE(checkScene(soundScene()).empty()) << test::problemList(checkScene(soundScene()));
 }
 
 TEST(CheckScene, BearsNumbersThatAreNotFinite) {
@@ -163,7 +157,7 @@ TEST(CheckScene, RefusesASofteningBondThatIsSomethingElseToo) {
     };
     Scene sound = soundScene();
     soft(sound);
-    EXPECT_TRUE(checkScene(sound).empty()) << listing(checkScene(sound));
+    EXPECT_TRUE(checkScene(sound).empty()) << test::problemList(checkScene(sound));
     const std::string place = "/bolt_types/bar/anchors/0/softening_slip";
     expectProblem([&](Scene& s) { soft(s).frictionAngle = 20.0; }, place, Severity::Error);
     expectProblem([&](Scene& s) { soft(s).restick = false; }, place, Severity::Error);
@@ -264,7 +258,7 @@ TEST(CheckScene, AcceptsASceneFarFromTheOrigin) {
     scene.bolts[0].farEnd += shift;
     scene.bolts[0].head += shift;
     scene.stages[0].motions[0].blockAt += shift;
-    EXPECT_TRUE(checkScene(scene).empty()) << listing(checkScene(scene));
+    EXPECT_TRUE(checkScene(scene).empty()) << test::problemList(checkScene(scene));
 }
 
 TEST(CheckScene, BearsAnEmptyScene) { EXPECT_FALSE(hasErrors(checkScene(Scene{}))); }

@@ -31,7 +31,7 @@ void expectQuantity(const std::string& text, const Quantity& expected) {
     EXPECT_EQ(*reading.quantity, expected) << text;
 }
 
-void expectProblem(const std::string& text, const std::string& part) {
+void expectUnreadable(const std::string& text, const std::string& part) {
     const QuantityReading reading = readQuantity(text, monitoredScene());
     EXPECT_FALSE(reading.quantity) << text;
     EXPECT_NE(reading.problem.find(part), std::string::npos) << text << ": " << reading.problem;
@@ -52,15 +52,15 @@ TEST(QuantityText, TellsMonitorAndBoltOfOneNameApart) {
 }
 
 TEST(QuantityText, SaysWhatToWriteInstead) {
-    expectProblem("", "starts with max");
-    expectProblem("mean crown.ux", "starts with max");
-    expectProblem("first break joint force", "tensile-rupture");
-    expectProblem("first debonding B1.slip", "add a monitor");
-    expectProblem("max crown", "crown.ux");
-    expectProblem("max crown.uz", ".uy");
-    expectProblem("max joint force.ux", "omit");
-    expectProblem("max B.2.force", "axial_force");
-    expectProblem("max nothing", "crown, joint force");
+    expectUnreadable("", "starts with max");
+    expectUnreadable("mean crown.ux", "starts with max");
+    expectUnreadable("first break joint force", "tensile-rupture");
+    expectUnreadable("first debonding B1.slip", "add a monitor");
+    expectUnreadable("max crown", "crown.ux");
+    expectUnreadable("max crown.uz", ".uy");
+    expectUnreadable("max joint force.ux", "omit");
+    expectUnreadable("max B.2.force", "axial_force");
+    expectUnreadable("max nothing", "crown, joint force");
 }
 
 }  // namespace

@@ -24,7 +24,7 @@
 namespace keyblock {
 namespace {
 
-Scene titled(const std::string& title) {
+Scene journalled(const std::string& title) {
     Scene scene;
     scene.title = title;
     return scene;
@@ -88,9 +88,9 @@ TEST_F(Journals, EditsAreRecoveredWithTheirUndoSteps) {
 TEST_F(Journals, RecoveryCanLeaveOutTheLastCommand) {
     {
         Window window(folder());
-        window.document.startNew(titled("first"));
-        window.document.apply("Good", titled("good"));
-        window.document.apply("Bad", titled("bad"));
+        window.document.startNew(journalled("first"));
+        window.document.apply("Good", journalled("good"));
+        window.document.apply("Bad", journalled("bad"));
     }
     const std::vector<Abandoned> found = abandonedJournals(folder());
     ASSERT_EQ(found.size(), 1u);
@@ -104,15 +104,15 @@ TEST_F(Journals, RecoveryCanLeaveOutTheLastCommand) {
 TEST_F(Journals, RecoveredDocumentIsJournalledAgain) {
     {
         Window window(folder());
-        window.document.startNew(titled("first"));
-        window.document.apply("Name", titled("second"));
+        window.document.startNew(journalled("first"));
+        window.document.apply("Name", journalled("second"));
     }
     {
         Window again(folder());
         const std::vector<Abandoned> found = abandonedJournals(folder());
         ASSERT_EQ(found.size(), 1u);
         EXPECT_EQ(recover(found[0], Recover::Everything, again.document, again.journal), "");
-        again.document.apply("Name again", titled("third"));
+        again.document.apply("Name again", journalled("third"));
     }
     const std::vector<Abandoned> found = abandonedJournals(folder());
     ASSERT_EQ(found.size(), 1u);
@@ -125,13 +125,13 @@ TEST_F(Journals, RecoveredDocumentIsJournalledAgain) {
 TEST_F(Journals, ClosedOrSavedDocumentLeavesNoJournal) {
     {
         Window closed(folder());
-        closed.document.apply("Name", titled("second"));
+        closed.document.apply("Name", journalled("second"));
         closed.journal.close();
         Window saved(folder());
-        saved.document.apply("Name", titled("second"));
+        saved.document.apply("Name", journalled("second"));
         saved.document.save(file("scene.json"));
         Window replaced(folder());
-        replaced.document.apply("Name", titled("second"));
+        replaced.document.apply("Name", journalled("second"));
         replaced.document.startNew({});
     }
     EXPECT_TRUE(abandonedJournals(folder()).empty());
@@ -141,9 +141,9 @@ TEST_F(Journals, ClosedOrSavedDocumentLeavesNoJournal) {
 TEST_F(Journals, EditsAfterSavingBelongToTheFile) {
     {
         Window window(folder());
-        window.document.apply("Name", titled("second"));
+        window.document.apply("Name", journalled("second"));
         window.document.save(file("scene.json"));
-        window.document.apply("Name", titled("third"));
+        window.document.apply("Name", journalled("third"));
     }
     const std::vector<Abandoned> found = abandonedJournals(folder());
     ASSERT_EQ(found.size(), 1u);
@@ -157,7 +157,7 @@ TEST_F(Journals, EditsAfterSavingBelongToTheFile) {
 
 TEST_F(Journals, JournalOfAnOpenWindowIsSkipped) {
     Window window(folder());
-    window.document.apply("Name", titled("second"));
+    window.document.apply("Name", journalled("second"));
     window.journal.flush();
     EXPECT_TRUE(abandonedJournals(folder()).empty());
     EXPECT_TRUE(QFile::exists(window.journal.path()));
@@ -166,7 +166,7 @@ TEST_F(Journals, JournalOfAnOpenWindowIsSkipped) {
 TEST_F(Journals, DamageIsReportedAndEarlierLinesAreRecovered) {
     {
         Window window(folder());
-        for (const char* title : {"a", "b", "c"}) window.document.apply("Name", titled(title));
+        for (const char* title : {"a", "b", "c"}) window.document.apply("Name", journalled(title));
     }
     const QString journal = abandonedJournals(folder()).at(0).journal;
     std::string content = test::contentOf(journal.toStdString());
@@ -184,7 +184,7 @@ TEST_F(Journals, DamageIsReportedAndEarlierLinesAreRecovered) {
 TEST_F(Journals, AnyBytesAreReadSafely) {
     {
         Window window(folder());
-        for (const char* title : {"a", "b", "c"}) window.document.apply("Name", titled(title));
+        for (const char* title : {"a", "b", "c"}) window.document.apply("Name", journalled(title));
     }
     const std::string whole = test::contentOf(abandonedJournals(folder()).at(0).journal.toStdString());
     for (std::size_t end = 0; end <= whole.size(); ++end) {
@@ -208,13 +208,13 @@ TEST_F(Journals, UnwritableFolderIsReported) {
     Window window(file("blocked"));
     QString why;
     QObject::connect(&window.journal, &Journal::failed, [&](const QString& text) { why = text; });
-    window.document.apply("Name", titled("second"));
+    window.document.apply("Name", journalled("second"));
     EXPECT_TRUE(why.contains("Not a directory") || why.contains("File exists")) << why.toStdString();
     EXPECT_EQ(window.document.scene()->title, "second");
     bool mended = false;
     QObject::connect(&window.journal, &Journal::mended, [&] { mended = true; });
     QFile::remove(file("blocked"));
-    window.document.apply("Name", titled("third"));
+    window.document.apply("Name", journalled("third"));
     EXPECT_TRUE(mended);
     window.journal.flush();
     const Journalled read = readJournal(test::contentOf(window.journal.path().toStdString()));
@@ -332,7 +332,7 @@ TEST_F(Journals, OldJournalIsKeptWhileTheDiskIsFull) {
     {
         Window window(folder());
         window.document.startNew(manyBlocks());
-        window.document.apply("Name", titled("second"));
+        window.document.apply("Name", journalled("second"));
     }
     const std::vector<Abandoned> found = abandonedJournals(folder());
     ASSERT_EQ(found.size(), 1u);
@@ -352,7 +352,7 @@ TEST_F(Journals, OldJournalIsKeptWhileTheDiskIsFull) {
 
 TEST_F(Journals, UnreadableSceneIsNotShownAsEmpty) {
     QDir().mkpath(folder());
-    const std::string good = wholeSceneText(titled("good")), none = "no scene at all";
+    const std::string good = wholeSceneText(journalled("good")), none = "no scene at all";
     const std::string lines = journalBegin("", "", none, false) + journalStep(1, "Mend", none, good);
     test::putContent((folder() + "/odd.journal").toStdString(), lines);
     const std::vector<Abandoned> found = abandonedJournals(folder());
@@ -365,7 +365,7 @@ TEST_F(Journals, UnreadableSceneIsNotShownAsEmpty) {
     EXPECT_EQ(next.document.scene()->title, "good");
     EXPECT_TRUE(next.document.isModified());
     EXPECT_TRUE(message.contains("cannot be read")) << message.toStdString();
-    next.document.apply("Name", titled("further"));
+    next.document.apply("Name", journalled("further"));
     next.journal.flush();
     EXPECT_EQ(readJournal(test::contentOf(next.journal.path().toStdString())).damage, "");
 }
@@ -379,11 +379,11 @@ TEST_F(Journals, EditsAreWrittenOnceAFullDiskHasRoom) {
     int failures = 0, mended = 0;
     QObject::connect(&window.journal, &Journal::failed, [&] { ++failures; });
     QObject::connect(&window.journal, &Journal::mended, [&] { ++mended; });
-    window.document.apply("Name", titled("before"));
+    window.document.apply("Name", journalled("before"));
     window.journal.flush();
     const rlimit full{static_cast<rlim_t>(QFile(window.journal.path()).size() + 20), usual.rlim_max};
     setrlimit(RLIMIT_FSIZE, &full);
-    for (const char* title : {"a", "b", "c"}) window.document.apply("Name", titled(title));
+    for (const char* title : {"a", "b", "c"}) window.document.apply("Name", journalled(title));
     EXPECT_TRUE(waitFor([&] { return failures > 0; }));
     const Journalled meanwhile = readJournal(test::contentOf(window.journal.path().toStdString()));
     setrlimit(RLIMIT_FSIZE, &usual);

@@ -14,14 +14,14 @@ namespace {
 using namespace keyblock;
 
 /// Pointers of all fields below an object that have a value of their own.
-void collect(const Structure& structure, const void* object, const std::string& pointer, std::vector<std::string>& out) {
+void collectPointers(const Structure& structure, const void* object, const std::string& pointer, std::vector<std::string>& out) {
     for (const Field& field : structure.fields) {
         const std::string place = under(pointer, field.key);
         if (field.get) out.push_back(place);
         if (!hasChildren(field)) continue;
         const Children& children = field.children;
         for (std::size_t i = 0; i < children.count(object); ++i)
-            collect(children.structure(), children.item(object, i),
+            collectPointers(children.structure(), children.item(object, i),
                     field.kind == FieldKind::Object ? place
                     : field.kind == FieldKind::List ? under(place, i)
                                                     : under(place, children.name(object, i)),
@@ -31,7 +31,7 @@ void collect(const Structure& structure, const void* object, const std::string& 
 
 std::vector<std::string> pointersOf(const Scene& scene) {
     std::vector<std::string> pointers;
-    collect(sceneStructure(), &scene, "", pointers);
+    collectPointers(sceneStructure(), &scene, "", pointers);
     return pointers;
 }
 

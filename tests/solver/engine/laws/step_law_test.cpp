@@ -14,7 +14,7 @@
 namespace keyblock {
 namespace {
 
-const Backbone steel = Backbone::of({{0.0, 0.0}, {1.0, 10.0}, {3.0, 12.0}, {10.0, 15.0}});
+const Backbone steelLaw = Backbone::of({{0.0, 0.0}, {1.0, 10.0}, {3.0, 12.0}, {10.0, 15.0}});
 
 Law law(LawKind kind) {
     Law l;
@@ -22,7 +22,7 @@ Law law(LawKind kind) {
     l.stiffness = 10.0;
     l.offset = 0.25;
     l.limit = 4.0;
-    l.curve = &steel;
+    l.curve = &steelLaw;
     l.state = {0.4, 0.6};
     l.share = 3.0;
     return l;

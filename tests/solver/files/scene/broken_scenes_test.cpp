@@ -4,6 +4,7 @@
 // Every broken scene of tests/data/broken is refused, at the right place, in
 // words that name the mistake, and with nothing reported twice.
 #include "solver/files/scene/scene_file.h"
+#include "tests/problem_list.h"
 
 #include <gtest/gtest.h>
 
@@ -25,13 +26,6 @@ struct BrokenScene {
 };
 
 void PrintTo(const BrokenScene& scene, std::ostream* out) { *out << scene.file; }
-
-std::string listing(const std::vector<Problem>& problems) {
-    std::string text;
-    for (const Problem& problem : problems)
-        text += oneLine(problem) + "\n";
-    return text;
-}
 
 const std::vector<BrokenScene>& brokenScenes() {
     static const std::vector<BrokenScene> scenes{
@@ -284,11 +278,11 @@ TEST_P(BrokenSceneTest, IsRefusedOnceAtItsPlace) {
     EXPECT_FALSE(reading.scene);
     const auto errors = std::count_if(reading.problems.begin(), reading.problems.end(),
                                       [](const Problem& problem) { return problem.severity == Severity::Error; });
-    ASSERT_EQ(errors, 1) << listing(reading.problems);
+    ASSERT_EQ(errors, 1) << test::problemList(reading.problems);
     const auto error = std::find_if(reading.problems.begin(), reading.problems.end(),
                                     [](const Problem& problem) { return problem.severity == Severity::Error; });
-    EXPECT_EQ(error->pointer, expected.pointer) << listing(reading.problems);
-    EXPECT_NE((error->message + error->remedy).find(expected.word), std::string::npos) << listing(reading.problems);
+    EXPECT_EQ(error->pointer, expected.pointer) << test::problemList(reading.problems);
+    EXPECT_NE((error->message + error->remedy).find(expected.word), std::string::npos) << test::problemList(reading.problems);
     EXPECT_GE(error->line, 1);
     EXPECT_FALSE(error->remedy.empty());
 }

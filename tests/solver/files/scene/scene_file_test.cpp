@@ -5,6 +5,7 @@
 #include "solver/files/scene/scene_file.h"
 
 #include "solver/scene/lookup.h"
+#include "tests/problem_list.h"
 #include "tests/scratch_folder.h"
 
 #include <gtest/gtest.h>
@@ -20,16 +21,9 @@ namespace fs = std::filesystem;
 
 const fs::path goodFolder = fs::path(KEYBLOCK_TEST_DATA_DIR) / "good";
 
-std::string listing(const std::vector<Problem>& problems) {
-    std::string text;
-    for (const Problem& problem : problems)
-        text += oneLine(problem) + "\n";
-    return text;
-}
-
 Scene readGood(const fs::path& file, const std::vector<std::string>& overrides = {}) {
     SceneReading reading = readSceneFile(file, overrides);
-    EXPECT_TRUE(reading.scene) << listing(reading.problems);
+    EXPECT_TRUE(reading.scene) << test::problemList(reading.problems);
     return reading.scene.value_or(Scene{});
 }
 
@@ -57,7 +51,7 @@ TEST(SceneFile, EverySceneIsReadBackAsItWasWritten) {
         const Scene scene = readGood(file);
         const std::string text = sceneText(scene);
         const SceneReading again = readSceneText(text, "again", {}, file.parent_path());
-        ASSERT_TRUE(again.scene) << file << "\n" << listing(again.problems);
+        ASSERT_TRUE(again.scene) << file << "\n" << test::problemList(again.problems);
         EXPECT_TRUE(*again.scene == scene) << file << "\n" << text;
         EXPECT_EQ(sceneText(*again.scene), text) << file;
     }
@@ -68,7 +62,7 @@ TEST(SceneFile, AWholeTextHoldsItsRecords) {
     const Scene scene = readGood(goodFolder / "every-field.json");
     EXPECT_EQ(sceneText(scene).find("[0.25, 0.5]"), std::string::npos);
     const SceneReading again = readSceneText(wholeSceneText(scene), "again", {}, "no/such/folder");
-    ASSERT_TRUE(again.scene) << listing(again.problems);
+    ASSERT_TRUE(again.scene) << test::problemList(again.problems);
     EXPECT_TRUE(*again.scene == scene);
     EXPECT_EQ(sceneHash(*again.scene), sceneHash(scene));
     Scene other = scene;
@@ -88,7 +82,7 @@ TEST(SceneFile, RecordsLieBesideTheScene) {
         "stages": [{"name": "a", "kind": "dynamic", "duration": 1,
                     "base_acceleration": {"file": "motion.csv", "axis": "x", "factor": 2}}]})");
     const SceneReading reading = readSceneFile(folder.path() / "sub/scene.json");
-    ASSERT_TRUE(reading.scene) << listing(reading.problems);
+    ASSERT_TRUE(reading.scene) << test::problemList(reading.problems);
     EXPECT_EQ(reading.scene->stages[0].baseAcceleration->record.size(), 3u);
     const Problem* baseline = problemAt(reading.problems, "/stages/0/base_acceleration/file");
     ASSERT_NE(baseline, nullptr);
@@ -190,10 +184,10 @@ TEST(SceneFile, TellsEverythingAtOnceWithLines) {
                                                             {"/stages/0/loads/0", 8},
                                                             {"/blocks/0/material", 9},
                                                             {"/colour", 10}};
-    EXPECT_EQ(reading.problems.size(), expected.size()) << listing(reading.problems);
+    EXPECT_EQ(reading.problems.size(), expected.size()) << test::problemList(reading.problems);
     for (const auto& [pointer, line] : expected) {
         const Problem* problem = problemAt(reading.problems, pointer);
-        ASSERT_NE(problem, nullptr) << pointer << "\n" << listing(reading.problems);
+        ASSERT_NE(problem, nullptr) << pointer << "\n" << test::problemList(reading.problems);
         EXPECT_EQ(problem->line, line) << pointer;
         EXPECT_EQ(problem->file, "scene.json");
     }
@@ -229,7 +223,7 @@ TEST(SceneFile, MistakesInOverridesNameTheOption) {
         const bool isNamed = std::any_of(reading.problems.begin(), reading.problems.end(), [&](const Problem& problem) {
             return problem.file == "--set " + option && problem.severity == Severity::Error;
         });
-        EXPECT_TRUE(isNamed) << option << "\n" << listing(reading.problems);
+        EXPECT_TRUE(isNamed) << option << "\n" << test::problemList(reading.problems);
     }
 }
 
