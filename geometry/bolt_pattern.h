@@ -24,11 +24,11 @@ struct BoltPattern {
     double angleFromWall = 90.0;  // [°], between the bolt and the wall's tangent in the direction of `way`
 };
 
-/// Range of the angle between bolt and wall [°]. Within it, a bolt cannot re-enter the opening through the polygon that
-/// represents an arc, whose edges deviate from the arc's tangent by up to 5.7°.
+/// Permitted range of the angle between bolt and wall [°]. A bolt at a smaller angle to the wall could re-enter the
+/// opening where an arc is represented by a polygon, whose edges deviate from the tangent of the arc by up to 5.7°.
 inline constexpr double leastAngleFromWall = 10.0, greatestAngleFromWall = 170.0;
 
-/// The first problem that prevents `layOut`; none if the pattern is valid. Accepts NaN and infinity.
+/// The first problem that prevents `layOut`; none if the pattern is valid. NaN and infinity are reported as problems.
 std::optional<ShapeProblem> boltPatternProblem(const BoltPattern& pattern);
 
 struct PatternBolt {
@@ -41,9 +41,9 @@ struct PatternBolt {
 /// \pre boltPatternProblem(pattern) is none.
 double boltCount(const TunnelProfile& profile, const BoltPattern& pattern);
 
-/// The bolts in the order of `way`. A head at the end of the pattern is included, within 1e-9 of the length of the
-/// whole wall. In a pattern all round the tunnel no head coincides with the first. Empty if the offset is longer than
-/// the pattern.
+/// The bolts, in order along the wall in the direction `way`. A head at the end of the pattern is included, within 1e-9
+/// of the length of the whole wall. In a pattern all round the tunnel no head coincides with the first. Empty if the
+/// offset is longer than the pattern.
 /// \pre boltPatternProblem(pattern) is none, and boltCount(profile, pattern) is reasonable.
 std::vector<PatternBolt> layOut(const TunnelProfile& profile, const BoltPattern& pattern);
 

@@ -48,8 +48,8 @@ public:
     };
     std::vector<Neighbour> neighbours(int group) const;
 
-    /// The neighbour with the greatest total length of common edges. Of several, the one with the larger area, then the
-    /// first; none if the group has no neighbours.
+    /// The neighbour with the greatest total length of common edges. Ties are decided by the larger area, then by the
+    /// order of the groups; none if the group has no neighbours.
     std::optional<Neighbour> longestNeighbour(int group) const;
 
     /// Merges a group with its neighbour. \return the merged group

@@ -43,7 +43,7 @@ struct JointSet {
 inline constexpr double largestDipDeviation = 25.0;  // [°]; three standard deviations are less than a right angle
 inline constexpr double largestDeviationRatio = 2.0;  // standard deviation / mean
 
-/// The first problem that prevents `jointTraces`; none if the set is valid. Accepts NaN and infinity.
+/// The first problem that prevents `jointTraces`; none if the set is valid. NaN and infinity are reported as problems.
 std::optional<ShapeProblem> jointSetProblem(const JointSet& set);
 
 /// Approximate number of lines and traces that must be generated to fill the bounding box of `region`: those in it, and

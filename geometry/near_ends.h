@@ -21,13 +21,14 @@ struct Gathered {
 };
 
 /// Assigns each point, in the order given, to the nearest place within the radius, or makes it a new place.
-/// \param fixed number of points at the start of the list that become places even if close to others, unless identical
+/// \param fixed number of points at the start of the list that become places even if they are close to other places;
+/// among these points only identical ones share a place
 /// \param radius [m]
 Gathered gather(std::span<const Point> points, std::size_t fixed, double radius);
 
-/// Faster alternative to `gather` for a radius of the order of round-off. Points no farther apart than the radius, also
-/// through a chain of points, are assigned to the lowest fixed point among them, or if there is none, to the lowest
-/// point. Places are in increasing order of x, then y.
+/// Faster alternative to `gather` for a radius of the order of round-off. Points that are no farther apart than the
+/// radius, directly or through a chain of points, share one place: the fixed point among them with the lowest x, then
+/// y, or, if none is fixed, the point with the lowest x, then y. Places are in the same order.
 /// \param fixed number of fixed points at the start of the list
 /// \param radius [m]
 Gathered gatherSorted(std::span<const Point> points, std::size_t fixed, double radius);

@@ -25,11 +25,12 @@ public:
     /// Uniformly distributed in [0, 1), a multiple of 2⁻⁵³.
     double uniform();
 
-    /// Normally distributed with mean 0 and standard deviation 1, by the polar method. Results can differ between
-    /// machines only in the last digits, because of one logarithm.
+    /// Normally distributed with mean 0 and standard deviation 1, by the polar method. Because it uses a logarithm,
+    /// results can differ in the last digits between machines.
     double normal();
 
-    /// Like `normal`, truncated: repeated until the absolute value is at most `cut`. \pre cut is not much below 1.
+    /// Like `normal`, but truncated: values are drawn until the absolute value of one is at most `cut`. \pre cut is not
+    /// much below 1.
     double normalWithin(double cut);
 
 private:

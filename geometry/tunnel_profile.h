@@ -49,11 +49,12 @@ struct PolygonShape {
 };
 using ProfileShape = std::variant<CircleShape, DShape, HorseshoeShape, ArchedShape, PolygonShape>;
 
-/// Smallest ratio of rise to width of an arch. The centre of a flatter arch is so far away that its wall loses
-/// accuracy.
+/// Smallest ratio of rise to width of an arch. The centre of a flatter arch would be so far away that points on its
+/// wall would lose accuracy.
 inline constexpr double flattestArch = 1e-3;
 
-/// The first problem that prevents a shape from being a tunnel; none if it is valid. Accepts NaN and infinity.
+/// The first problem that prevents a shape from being a tunnel; none if it is valid. NaN and infinity are reported as
+/// problems.
 std::optional<ShapeProblem> profileProblem(const ProfileShape& shape);
 
 /// Circular arc in counter-clockwise direction.
@@ -85,7 +86,7 @@ inline constexpr int mostEdgesOfCircle = 4096;
 /// Profile of a tunnel shape. Arcs are represented by an even number of equal edges, so that the middle of a crown is a
 /// corner.
 /// \param sagitta [m] largest distance between an edge and its arc; none: `leastEdgesOfCircle` edges per circle, which
-/// gives 0.5 % of the radius
+/// gives a sagitta of 0.5 % of the radius
 /// \pre profileProblem(shape) is none; sagitta > 0.
 TunnelProfile tunnelProfile(const ProfileShape& shape, std::optional<double> sagitta = std::nullopt);
 

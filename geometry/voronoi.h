@@ -30,7 +30,7 @@ inline constexpr int voronoiMoves = 4;
 /// \pre the region has at least one corner; size > 0.
 double voronoiEstimate(std::span<const Point> region, double size);
 
-/// Voronoi cells with a mean area of about size² [m²]. The same seed gives the same cells wherever the region is moved.
+/// Voronoi cells with a mean area of about size² [m²]. The same seed gives the same cells if the region is translated.
 /// Cells are convex except at corners of a concave region; a cell interrupted by a concave part of the outline becomes
 /// several cells with the same site. A region in which no random site lies gets one site, at its centroid. Parts of
 /// cells and edges no larger than the tolerance are omitted.

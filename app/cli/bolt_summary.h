@@ -15,16 +15,17 @@ namespace keyblock::cli {
 /// Kind and location of an event, as in `debonding of B at node 12`.
 std::string eventPhrase(const RunSource& run, const Event& event);
 
-/// One line for each chain of events caused by one another; long chains are shortened. Empty if there are none.
+/// One line for each chain of events in which each event caused the next; long chains are shortened. Empty if there are
+/// none.
 std::string chainLines(const RunSource& run, const std::vector<Event>& events);
 
 /// Table of the largest forces of each bolt over the run, the utilisation of its strengths, the strength that governs
-/// and the blocks that it supports. If there are many bolts, those with the highest utilisation are listed. Empty
-/// without bolts or frames.
+/// and the blocks that it supports. If there are many bolts, only those with the highest utilisation are listed. Empty
+/// if the run has no bolts or no frames.
 std::string boltUseTable(const RunSource& run);
 
-/// Table of the energies of the bolts in the last frame. If there are many bolts, those with the highest energies are
-/// listed. Empty without bolts or frames.
+/// Table of the energies of the bolts in the last frame. If there are many bolts, only those with the highest energies
+/// are listed. Empty if the run has no bolts or no frames.
 std::string boltEnergyTable(const RunSource& run);
 
 }  // namespace keyblock::cli

@@ -11,7 +11,7 @@
 namespace keyblock::cli {
 
 /// Writes a video, or a folder of PNG images with a table of their times. \pre `options.animation` is set.
-/// \throws UsageError if the animation cannot be drawn, or in a build without figures.
+/// \throws UsageError if the animation cannot be drawn, or if the program was built without figures.
 ExitCode exportAnimation(const ExportOptions& options, const RunSource& run, const TableFilter& filter);
 
 /// Checks the options as far as possible without the run. \throws UsageError

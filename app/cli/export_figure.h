@@ -10,8 +10,9 @@
 
 namespace keyblock::cli {
 
-/// Writes the figure and, next to it, its data, and reports problems in reference files. \pre `options.figure` is set.
-/// \throws UsageError if the figure cannot be drawn, or in a build without figures.
+/// Writes the figure, with its data in a file next to it, and reports problems in reference files.
+/// \pre `options.figure` is set.
+/// \throws UsageError if the figure cannot be drawn, or if the program was built without figures.
 ExitCode exportFigure(const ExportOptions& options, const RunSource& run, const TableFilter& filter);
 
 /// Checks the options as far as possible without the run. \throws UsageError

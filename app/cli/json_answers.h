@@ -47,7 +47,7 @@ std::string paperJson(std::span<const PaperTable> tables);
 /// rotation_rad}, joints[] {blocks, joint_material, x_m, y_m, slip_m, opening_m}}`. `outcome` is `bracketed`,
 /// `stands-at-1000`, `falls-at-0.001`, `fails-at-1` (no bolt forces to freeze), `stopped`, `limit` or `undecided`.
 /// `lower` or `upper` is null if it was not found, `mode` if no run was unstable, and `joint_material` if the joint has
-/// none. \param solved the scene as solved, i.e. cut.
+/// none. \param solved the scene as solved, i.e. cut into blocks.
 std::string safetyJson(const Scene& solved, const SafetyFactor& found);
 
 /// State of a run in progress, for display.
@@ -61,7 +61,7 @@ struct ProgressLine {
     std::string search{};  // description of a long search for equilibrium; empty if none is in progress
 };
 
-/// Progress as `{stage, time_s, fraction, eta_s, passes, events, search}` on one line; `search` is a text or null.
+/// Progress as `{stage, time_s, fraction, eta_s, passes, events, search}` on one line; `search` is a string or null.
 std::string progressJson(const ProgressLine& line);
 
 }  // namespace keyblock::cli

@@ -19,10 +19,10 @@ struct UsageError : std::runtime_error {
 /// the program.
 void takeFailedWritesAsErrors();
 
-/// Writes to standard output without delay.
+/// Writes to standard output and flushes it.
 void print(std::string_view text);
 
-/// Writes to standard error without delay.
+/// Writes to standard error and flushes it.
 void printToError(std::string_view text);
 
 /// Writes `error: …` to standard error on one line; line breaks in the message are replaced by spaces.

@@ -26,7 +26,8 @@ using Clock = std::chrono::steady_clock;
 /// Forwards everything to another sink and also shows progress.
 class ProgressSink : public Sink {
 public:
-    /// \param scene the scene as solved, i.e. cut. \param label text before the name of the stage; may be empty.
+    /// \param scene the scene as solved, i.e. cut into blocks. \param label text before the name of the stage; may be
+    /// empty.
     /// \pre `kind` is not `Automatic`; `next` outlives this object.
     ProgressSink(const Scene& scene, Sink& next, ProgressKind kind, std::string label = {});
     /// Shows the last state, or clears the bar.

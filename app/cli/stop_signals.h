@@ -9,8 +9,8 @@
 
 namespace keyblock::cli {
 
-/// Makes the signals set `stop` for the lifetime of this object. \pre there is only one such object at a time, and
-/// `stop` outlives it.
+/// For the lifetime of this object, the first Ctrl+C or SIGTERM sets `stop`. \pre there is only one such object at a
+/// time, and `stop` outlives it.
 class StopSignals {
 public:
     explicit StopSignals(std::atomic<bool>& stop);

@@ -15,7 +15,7 @@
 
 namespace keyblock::cli {
 
-/// Solver diagnostics over all stages that ended.
+/// Solver diagnostics of all stages that have ended.
 struct RunHealth {
     double passesMean = 0.0;  // iterations per step
     double workMean = 0.0, factorizationsMean = 0.0, fullFactorizationsMean = 0.0;  // per solved step

@@ -11,7 +11,7 @@
 
 namespace keyblock::cli {
 
-/// `value` with six significant digits and a decimal point in every locale.
+/// `value` with six significant digits; the decimal separator is a point in every locale.
 std::string shown(double value);
 
 /// The fraction `share` as a percentage with two decimals and a sign, as in `+0.12 %`; zero has no sign.
@@ -20,7 +20,7 @@ std::string shownPercent(double share);
 /// Seconds with three decimals.
 std::string shownSeconds(double seconds);
 
-/// Number of characters in a UTF-8 text.
+/// Number of characters in a UTF-8 string.
 std::size_t shownWidth(std::string_view text);
 
 enum class Align { Left, Right };
