@@ -8,11 +8,11 @@
 
 namespace keyblock {
 
-/// Reads a number with a magnitude below 1e15, which must be the whole text; a leading `+` is allowed.
+/// Reads a text that consists of one number with a magnitude below 1e15; a leading `+` is allowed.
 /// \return false if the text is not such a number.
 bool readReal(std::string_view text, double& number);
 
-/// Reads an integer, which must be the whole text; a leading `+` is allowed.
+/// Reads a text that consists of one integer; a leading `+` is allowed.
 /// \return false if the text is not an integer.
 bool readInteger(std::string_view text, int& number);
 

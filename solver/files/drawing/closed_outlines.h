@@ -23,7 +23,7 @@ struct ClosedOutlines {
     std::vector<std::size_t> open;  // indices of the lines that belong to no outline
 };
 
-/// Joins lines whose ends lie within `tolerance` of each other to closed outlines; each closed line is an outline of
+/// Joins lines whose ends lie within `tolerance` of each other into closed outlines; each closed line is an outline of
 /// its own. If several lines meet at an end, the first unused one in the order of `lines` is taken.
 ClosedOutlines closeOutlines(std::span<const DrawnLine> lines, double tolerance);
 

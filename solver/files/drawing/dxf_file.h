@@ -9,8 +9,8 @@
 
 namespace keyblock {
 
-/// Reads the lines of a DXF text, with inserted blocks at their positions. Every entity in model space, and in the
-/// blocks inserted there, is either in `lines` or in `notTaken`.
+/// Reads the lines of a DXF file from its text, with inserted blocks at their positions. Every entity in model space,
+/// and in the blocks inserted there, is either in `lines` or in `notTaken`.
 /// \param sagitta largest distance between a curve and the polyline that replaces it, in drawing units; null: 5e-4 of
 /// the drawing's longer side.
 Drawing readDxf(std::string_view text, std::optional<double> sagitta = std::nullopt);

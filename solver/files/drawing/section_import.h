@@ -59,7 +59,8 @@ struct Import {
 /// Makes a scene from a drawing. \param name file name.
 Import importSection(Drawing drawing, const ImportSettings& settings, const std::string& name);
 
-/// Makes a scene from a file: a list if its name ends in `.csv`, otherwise a DXF drawing.
+/// Makes a scene from a file, which is read as a list of joints or bolts if its name ends in `.csv`, otherwise as a DXF
+/// drawing.
 /// \throws CannotRead if the file cannot be opened.
 Import importFile(const std::filesystem::path& path, const ImportSettings& settings);
 

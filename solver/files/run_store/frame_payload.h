@@ -38,8 +38,8 @@ std::span<const PayloadColumn> payloadColumns(Payload payload);
 /// All rows of a payload of a frame, one after another.
 std::vector<double> pack(Payload payload, const Frame& frame);
 
-/// Sets the data of a frame from the rows of a payload. Blocks must be unpacked before corners, bolts before nodes, and
-/// forces after these. \param blocks number of solved blocks.
+/// Sets the data of a frame from the rows of a payload. Blocks must be unpacked first, bolts before nodes, contacts
+/// before contact forces, and weights before inertia. \param blocks number of solved blocks.
 /// \return false if the values do not fit the scene, the number of blocks or the columns.
 bool unpack(Payload payload, std::span<const double> values, const Scene& scene, std::size_t blocks, Frame& frame);
 

@@ -36,8 +36,8 @@ inline constexpr std::size_t memberCount = members_detail::count<std::remove_cv_
 #define KEYBLOCK_MEMBERS(n, ...) \
     if constexpr (memberCount<T> == n) { auto& [__VA_ARGS__] = value; return std::tie(__VA_ARGS__); } else
 
-/// References to all members of `value`, in order. More than 28 members do not compile; group them in structs, or add a
-/// line below.
+/// References to all members of `value`, in order. A type with more than 28 members does not compile; group them in
+/// structs, or add a line below.
 template <typename T>
     requires std::is_aggregate_v<T>
 auto membersOf(T& value) {

@@ -27,7 +27,7 @@ struct StoredCheckpoint {
 class RunStore : public RunSource {
 public:
     /// Opens a store and reads its scene and the list of its frames.
-    /// \throws CannotRead if the file is missing, is not a run store, is of another version or is damaged.
+    /// \throws CannotRead if the file is missing, is not a run store, has another version or is damaged.
     explicit RunStore(const std::filesystem::path& path);
 
     // Each function throws CannotRead if the store turns out to be damaged.
