@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// Stiffness of the springs at an edge's midpoint, over the stiffness of the rock between the cells' centroids.
+/// Ratio of the stiffness of the springs at an edge's midpoint to that of the rock between the cells' centroids.
 inline constexpr double glueMultiple = 1000.0;
 
 /// Glue along one edge.

@@ -29,10 +29,10 @@ struct StepInput {
 struct SolvedLink {
     const Link& link;
     double strain = 0.0;  // at the end of the step
-    double force = 0.0;  // at the end of the step, before the law's share
-    double slipForce = 0.0;  // mean force while sliding, or the force at the end; before the law's share
+    double force = 0.0;  // at the end of the step, not multiplied by `Law::share`
+    double slipForce = 0.0;  // mean force while sliding, or the force at the end; not multiplied by `Law::share`
     BackboneState curve{};  // new state of a law with a curve
-    double plasticWork = 0.0;  // plastic work of a law with a curve over the step, before its share
+    double plasticWork = 0.0;  // plastic work of a law with a curve over the step, not multiplied by `Law::share`
 };
 
 /// Elastic energy by kind [J].
@@ -42,7 +42,8 @@ struct StoredEnergy {
     double bolt = 0.0;
 };
 
-/// A force carrier: its functions for links, limits and energy. A null function means that it has nothing to do there.
+/// A force carrier: its functions for links, limits and energy. A null function means that the carrier does nothing at
+/// that point.
 struct Carrier {
     const char* name = "";
 
@@ -62,7 +63,7 @@ struct Carrier {
     /// Called once at the end of an accepted step, after all links.
     void (*finish)(State& state) = nullptr;
 
-    /// Adds its limits that have not failed yet, in the order in which ties are broken.
+    /// Adds those of its limits that have not been released yet, in the order in which ties are broken.
     void (*addLimits)(const Model& model, const State& state, std::vector<Limit>& limits) = nullptr;
 
     /// True if the carrier releases limits of this kind.
@@ -83,7 +84,8 @@ struct Carrier {
     void (*addStoredEnergy)(const Model& model, const State& state, StoredEnergy& energy) = nullptr;
 };
 
-/// True if a capped law is at its limit, apart from round-off. Friction below its limit has not slipped.
+/// True if the force of a capped law has reached its limit, apart from round-off. A friction link below its limit has
+/// not slipped.
 bool reachesLimit(const Law& law, double force);
 
 /// Step without the matrices of the bodies, to which links can be added for evaluation.

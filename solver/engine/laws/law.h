@@ -34,11 +34,11 @@ struct Law {
 };
 
 struct LawResponse {
-    double force = 0.0;  // before `share`
+    double force = 0.0;  // not multiplied by `share`
     double tangent = 0.0;
 };
 
-/// Force and tangent at strain `e`, before `share`.
+/// Force and tangent at strain `e`, not multiplied by `share`.
 inline LawResponse respond(const Law& law, double e) {
     const double trial = law.stiffness * (e - law.offset);
     switch (law.kind) {
@@ -58,7 +58,7 @@ inline LawResponse respond(const Law& law, double e) {
     return {};
 }
 
-/// Elastic energy stored at a force f, f²/2k, before `share`; 0 for laws that store no energy.
+/// Elastic energy f²/2k stored at a force f, not multiplied by `share`; 0 for laws that store no energy.
 inline double storedEnergy(const Law& law, double force) {
     if (law.kind == LawKind::Constant || law.kind == LawKind::Viscous || law.rigid) return 0.0;
     const double k = law.kind == LawKind::Curve ? law.curve->modulus : law.stiffness;

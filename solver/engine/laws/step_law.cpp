@@ -29,7 +29,7 @@ LawResponse clippedAverage(double a, double b, double low, double high, double s
     return {mean, std::clamp((std::clamp(b, low, high) - mean) / (b - a), 0.0, 1.0) * stiffness};
 }
 
-/// Work that friction or plastic flow uses on the way, before `share`.
+/// Work dissipated by friction or plastic flow along the path, not multiplied by `share`.
 double usedWork(const Law& law, double carried, double force, double before, double after) {
     switch (law.kind) {
         case LawKind::Capped:

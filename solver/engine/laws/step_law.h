@@ -19,7 +19,7 @@ struct StepRule {
 };
 
 /// Force of the law at the start of the step. For friction it follows from the offset alone, because the limit may have
-/// fallen since.
+/// decreased since.
 inline double carriedForce(const Law& law, double before) {
     return law.kind == LawKind::Capped ? law.stiffness * (before - law.offset) : respond(law, before).force;
 }
@@ -27,7 +27,7 @@ inline double carriedForce(const Law& law, double before) {
 /// Mean force along the strain path from `before` to `after`, and its derivative with respect to `after`.
 LawResponse averageResponse(const Law& law, double before, double after);
 
-/// Force and tangent over a step from strain `before` to `after`, before `share`.
+/// Force and tangent over a step from strain `before` to `after`, not multiplied by `share`.
 inline LawResponse respondOverStep(const Law& law, double before, double after, const StepRule& rule) {
     if (rule.rule == ForceRule::End || law.kind == LawKind::Viscous) return respond(law, after);
     if (rule.rule == ForceRule::Average) return averageResponse(law, before, after);
@@ -43,7 +43,7 @@ double lawLoss(const Law& law, double before, double after, const StepRule& rule
 /// Start of a strain path. The force is given because that of a rigid law does not follow from the strain.
 struct PathStart {
     double strain = 0.0;
-    double force = 0.0;  // before `share`
+    double force = 0.0;  // not multiplied by `Law::share`
     double limit = 0.0;  // friction limit
 };
 

@@ -18,7 +18,7 @@ public:
     explicit AndersonMixing(int remembered);
 
     /// Records an iteration and sets `after` to the mixed iterate from which the next one should start.
-    /// \param change the change of the values in this iteration; \param after the values after it.
+    /// \param change the change of the values in this iteration; \param after the values at its end.
     /// \param linear any quantities that depend linearly on the values; they are combined with the same weights.
     /// \return false, with nothing set, in the first iteration and when mixing restarts because the iteration diverged.
     bool mix(const Eigen::VectorXd& change, std::vector<double>& after, Eigen::VectorXd& linear);

@@ -12,17 +12,17 @@
 
 namespace keyblock {
 
-/// Unbalanced forces at a trial and the forces they are compared with. Keeps pointers to problem, rows and trial, which
-/// must outlive it unchanged.
+/// Unbalanced forces of a trial and the forces with which they are compared. Keeps pointers to problem, rows and trial,
+/// which must outlive it and must not change.
 class Balance {
 public:
-    /// \param passes the number of iterations made so far. Before the first, only round-off of inertia and loads is
-    /// allowed for; from the second on, also that of the links.
+    /// \param passes the number of iterations made so far. Before the first, round-off of inertia and loads is allowed
+    /// for; after the first, no round-off; from the second on, round-off of inertia, loads and links.
     /// \param tolerance the relative tolerance. From the second iteration on, round-off is estimated only if the trial
     /// exceeds it.
     Balance(const StepProblem& problem, const LinkRows& rows, const Trial& trial, int passes, double tolerance);
 
-    /// Unbalanced force over the acting forces, for the bodies whose unbalanced force exceeds round-off.
+    /// Unbalanced force relative to the acting forces, for the bodies whose unbalanced force exceeds round-off.
     double residual() const { return residual_; }
 
     /// Body with the largest relative unbalanced force.

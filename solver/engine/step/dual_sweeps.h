@@ -30,7 +30,8 @@ public:
     /// \param carried the initial forces, from `carriedForces`.
     DualSweeps(StepProblem& problem, const LinkRows& rows, const std::vector<double>& carried);
 
-    /// Forces of the links at the start of the step under their current friction limits, before shares [N].
+    /// Forces of the links at the start of the step under their current friction limits, not multiplied by `Law::share`
+    /// [N].
     static std::vector<double> carriedForces(const StepProblem& problem, const LinkRows& rows);
 
     /// True if the problem has contacts and the stiffness of every block alone is positive definite, as the sweeps
@@ -40,7 +41,7 @@ public:
     /// Sweeps from the forces of the previous call (in the first call, from the given ones), then solves for the
     /// displacement under the contact states that follow from the forces. The friction limits are not updated to the
     /// new displacement.
-    /// \param from the trial evaluated last; bolt links keep their forces at it.
+    /// \param from the trial evaluated last, from which the forces of bolt links are kept.
     /// \return the displacement (padded), or nothing if the matrix is singular.
     std::optional<Eigen::VectorXd> solve(const Trial& from, StepMatrix& matrix, StepWork& work);
 
@@ -63,7 +64,7 @@ private:
     const LinkRows& rows_;
     SweptLinks swept_;
     bool possible_ = true;
-    std::vector<double> forces_;  // per swept link, before shares [N]
+    std::vector<double> forces_;  // per swept link, not multiplied by `Law::share` [N]
     std::vector<char> isSwept_;  // per link
     std::vector<Straight> laws_;  // per link, after the last sweep
 };

@@ -15,12 +15,12 @@ namespace keyblock {
 
 struct FlatLaw {
     double stiffness = 0.0, offset = 0.0;
-    double low = 0.0, high = 0.0;  // bounds of the force before its share [N]; `high` is the constant part if `follows`
+    double low = 0.0, high = 0.0;  // bounds of the force, without `Law::share` [N]; `high`: constant part if `follows`
     double factor = 0.0;  // if `follows`: increase of the limit per unit of compression of the normal link
     bool follows = false;  // the limit depends on the force of another link
     bool bent = false;  // not a straight line between two limits: evaluate the law itself
 
-    /// Friction limit [N] for the force `from` of the normal link that it follows [N], compression negative.
+    /// Friction limit [N] under the force `from` of the corresponding normal link [N], compression negative.
     double limit(double from) const { return high + std::max(0.0, -factor * from); }
 };
 

@@ -10,7 +10,7 @@
 namespace keyblock {
 
 /// Sets the limit of a pair.
-/// \param force the force of the pair's normal link in the step's equilibrium, before its share [N].
+/// \param force the force of the pair's normal link in the step's equilibrium, not multiplied by `Law::share` [N].
 void setLimit(StepProblem& problem, const LimitPair& pair, double force);
 
 /// Updates every limit that follows another force to the forces at displacement `d`.

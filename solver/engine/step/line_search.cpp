@@ -100,7 +100,7 @@ private:
     StepProblem& problem_;
     std::vector<Row> rows_;  // one per link
     std::vector<int> followers_;  // rows in the order of limitPairs
-    std::vector<double> forces_;  // before shares
+    std::vector<double> forces_;  // not multiplied by `Law::share`
     double constant_ = 0.0, rate_ = 0.0;
 };
 

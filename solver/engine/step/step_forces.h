@@ -17,7 +17,8 @@ void linkStrains(const StepProblem& problem, const Eigen::VectorXd& d, std::vect
 /// Net force (external minus internal) on every unknown at `d`. For a prescribed unknown it is minus the reaction.
 Eigen::VectorXd netForce(const StepProblem& problem, const Eigen::VectorXd& d);
 
-/// Generalised contact forces on every unknown over the step, without the scheme's weight of contacts.
+/// Generalised contact forces on every unknown over the step, not multiplied by the time scheme's weight of contact
+/// forces.
 Eigen::VectorXd contactForce(const StepProblem& problem, const Eigen::VectorXd& d);
 
 /// Reference force for residuals [N]: the largest of the sums of force magnitudes of each kind.
@@ -29,7 +30,7 @@ double residualNorm(const StepProblem& problem, const Eigen::VectorXd& net);
 /// Norm of the residual over the free unknowns of one body [N].
 double bodyResidual(const StepProblem& problem, const Eigen::VectorXd& net, int body);
 
-/// Force that arises if all positions are in error by `length` [m] [N].
+/// Force [N] that arises if all positions are in error by `length` [m].
 double placeNoise(const StepProblem& problem, double length);
 
 }  // namespace keyblock

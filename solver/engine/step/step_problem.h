@@ -32,7 +32,8 @@ struct Link {
     Vector6 ga = Vector6::Zero(), gb = Vector6::Zero();  // a node uses the first three
 };
 
-/// Limit of a capped link that depends on the force F of another link, before shares.
+/// Limit of a capped link that depends on the force F of another link. Neither the limit nor F is multiplied by
+/// `Law::share`.
 struct LimitPair {
     enum class Rule {
         Push,  // base + factor·⟨−F⟩: joint, with the tangent of its friction angle as factor
@@ -71,14 +72,15 @@ struct StepProblem {
 
 inline bool ofContact(LinkKind kind) { return kind == LinkKind::Normal || kind == LinkKind::Friction; }
 
-/// Rule for a link. With generalized-α, contacts use the energy-conserving rule (theory, "Time").
+/// Rule by which the force of a link over the step is calculated. With generalized-α, contacts use the
+/// energy-conserving rule (theory, "Time").
 inline StepRule ruleOf(const StepProblem& problem, const Link& link) {
     if (link.law.rigid) return {};  // the force at the end of the step, whatever it was at the start
     if (problem.rule.rule == ForceRule::Blend && ofContact(link.kind)) return {ForceRule::Average, 0.5};
     return problem.rule;
 }
 
-/// Force and tangent of a link at strain `e` in the step's equilibrium equations, before its law's share.
+/// Force and tangent of a link at strain `e` in the step's equilibrium equations, not multiplied by `Law::share`.
 inline LawResponse respond(const StepProblem& problem, const Link& link, double e) {
     LawResponse r = respondOverStep(link.law, link.strain, e, ruleOf(problem, link));
     if (problem.contactShare == 1.0 || !ofContact(link.kind)) return r;

@@ -34,10 +34,11 @@ public:
     /// Index in the problem of the link in row n.
     std::size_t linkOf(std::size_t n) const { return rows_[n].link; }
 
-    /// Sets the outer force (padded), which is constant during the sweeps.
+    /// Sets the force on the blocks from everything except the swept links (padded): loads, prescribed displacements
+    /// and bolt links. It is constant during the sweeps.
     void hold(const Eigen::VectorXd& outer);
 
-    /// Limits the forces, one per row and before shares, to the range of their laws [N].
+    /// Limits the forces [N], one per row and not multiplied by `Law::share`, to the range of their laws.
     void clip(std::vector<double>& forces);
 
     /// Like `clip`, and also moves the blocks to equilibrium under the forces.
@@ -61,7 +62,7 @@ public:
     /// Strain at which the law of row n gives `force`; if the law is flat there, any such strain.
     double strain(std::size_t n, double force) const;
 
-    /// Tangent of the law of row n while it neither slides nor is open.
+    /// Tangent of the law of row n while the contact is neither sliding nor open.
     double tangent(std::size_t n) const;
 
 private:
@@ -94,7 +95,8 @@ private:
     std::vector<Row> rows_;  // each normal force before its friction
     std::vector<double> bentStrains_;  // per row
     Eigen::VectorXd driven_;  // prescribed displacements (padded)
-    Eigen::VectorXd held_, moved_;  // scaled displacements under the outer force alone and under all forces (padded)
+    // scaled displacements (padded): under the force set by `hold` alone, and under all forces
+    Eigen::VectorXd held_, moved_;
 };
 
 }  // namespace keyblock

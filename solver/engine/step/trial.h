@@ -15,7 +15,7 @@ namespace keyblock {
 struct Trial {
     Eigen::VectorXd d;  // displacement
     std::vector<double> strains;  // per link, at `d`
-    std::vector<LawResponse> laws;  // force and tangent per link at `d`, before its share
+    std::vector<LawResponse> laws;  // force and tangent per link at `d`, not multiplied by `Law::share`
     Eigen::VectorXd net;  // external minus internal force on every unknown
 };
 

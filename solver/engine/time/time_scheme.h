@@ -34,8 +34,8 @@ struct StepOptions {
     const Eigen::VectorXd* cellPath = nullptr;  // displacement for the glue of cells; null: predicted from velocities
 };
 
-/// Linear combination d·D + v·(velocity) + a·(acceleration), with D the displacement over the step and the motion at
-/// its start.
+/// Linear combination d·D + v·(velocity) + a·(acceleration), where D is the displacement over the step, and velocity
+/// and acceleration are those at its start.
 struct Combination {
     double d = 0.0, v = 0.0, a = 0.0;
 };
