@@ -35,7 +35,7 @@ void relockAnchor(const State& state, BoltMotion& motion, EnergyLedger& energy, 
 /// True if limits of this kind belong to anchored points.
 bool ofAnchor(LimitKind kind);
 
-/// Adds the limits of an anchored point that have not failed yet.
+/// Adds the limits of an anchored point that have not been released yet.
 void addAnchorLimits(const BoltModel& bolt, const BoltMotion& motion, int owner, int node, std::vector<Limit>& limits);
 
 /// False if releasing the limit does not change the force, because friction or the curve continues from it.

@@ -46,7 +46,7 @@ void relockShank(const BoltModel& bolt, BoltMotion& motion, EnergyLedger& energy
 /// True if limits of this kind belong to the shank.
 bool ofShank(LimitKind kind);
 
-/// Adds the limits of an element that have not been reached yet.
+/// Adds the limits of an element that have not been released yet.
 void addShankLimits(const BoltModel& bolt, const BoltMotion& motion, int owner, int element,
                     std::vector<Limit>& limits);
 

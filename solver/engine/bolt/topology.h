@@ -17,8 +17,8 @@ void placeBolts(const Model& model, State& state);
 void placeBoltNow(const Model& model, State& state, int bolt);
 
 /// Updates blocks and tributary lengths of all bolt nodes after the bodies have moved.
-/// \return the largest change of a node's tributary length [m]; for laws per node, entering or leaving rock counts
-/// as 1.
+/// \return the largest change of a node's tributary length [m]; for an anchor law given per node, the change is 1 if
+/// the node enters or leaves the rock.
 double followBolts(const Model& model, State& state);
 
 }  // namespace keyblock

@@ -23,7 +23,7 @@ int openingBetween(const Model& model, const Contact& contact);
 /// Prescribed opening of the contact's joint [m]: that of its material plus that of its named joint or joint set.
 double openingOf(const std::vector<double>& openings, const Contact& contact);
 
-/// Largest opening that contacts have taken up [m]; the search for contacts must reach this much further.
+/// Largest joint opening applied to any contact so far [m]; the search for contacts must reach further by this amount.
 double widestOpening(const State& state);
 
 /// Gives newly found contacts in a dilated joint the joint's current opening, without creating contact forces.

@@ -15,7 +15,8 @@ namespace keyblock {
 /// True if the scene uses the augmented Lagrangian method.
 bool usesMultipliers(const Model& model);
 
-/// Largest penetration or elastic slip at displacement `d`, over the allowed value: 1e-9 of the smaller block's size.
+/// Largest penetration or elastic slip at displacement `d`, divided by the allowed value, which is 1e-9 of the smaller
+/// block's size.
 double multiplierError(const Model& model, const State& state, const StepProblem& problem, const Eigen::VectorXd& d);
 
 /// Sets the contacts' multipliers to the forces at displacement `d`, in the state and in the step's laws.

@@ -12,7 +12,8 @@
 
 namespace keyblock {
 
-/// Result of a search before history is applied. It gives the contacts for another path without a new search.
+/// Result of a search before history is applied. The contacts for another path can be derived from it without a new
+/// search.
 struct FoundCorners {
     /// A corner near an edge of another block, with its contacts.
     struct Corner {
@@ -45,9 +46,10 @@ std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMot
 std::vector<Contact> findContacts(const Model& model, const std::vector<BlockMotion>& blocks,
                                   const std::vector<Contact>& before, double margin, bool first);
 
-/// False if, along the now known `path`, a corner enters through an edge other than the one in `contacts`. The blocks
-/// are still where `contacts` were found. The first version uses the result `found` of that search; the second searches
+/// Checks `contacts` against the `path` that is now known: false if a corner enters a block through an edge other than
+/// the one in `contacts`. The first overload uses `found`, the result of the search for `contacts`; the second searches
 /// again with the same margin.
+/// \pre the blocks have not moved since that search.
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,
                    const FoundCorners& found, const Eigen::VectorXd& path);
 bool entrancesHold(const Model& model, const std::vector<BlockMotion>& blocks, const std::vector<Contact>& contacts,

@@ -87,7 +87,7 @@ struct SingleLoad {
     Vector6 onUnknowns = Vector6::Zero();  // generalised force on the block's unknowns
 };
 
-/// Individual forces of point forces, pressures and wall forces.
+/// The point forces, pressures and wall forces as individual forces.
 /// \param move the expected displacement of the blocks over the step, which determines directions and lever arms.
 std::vector<SingleLoad> singleLoads(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                                     const StepMove& move);

@@ -14,10 +14,11 @@ namespace keyblock {
 
 /// Warnings about bolt meshes (theory, "Divisions"). There is a warning for
 /// - an anchor at a given position whose node lies on a joint, in a gap or outside the rock, where it carries no force;
-/// - elements at a joint longer than 0.3 of the transfer length of the bond, with the resulting errors in a pull test;
+/// - elements at a joint that are longer than 0.3 times the transfer length of the bond, with the resulting errors in a
+///   pull test;
 /// - a bond given per node on a bolt with automatic divisions, because its strength depends on the number of nodes;
-/// - given divisions, unless the scene is a pull test, with a node on a joint or with elements at a joint longer than
-///   an eighth of the bending length of a dowel.
+/// - given divisions, unless the scene is a pull test, with a node on a joint or with elements at a joint that are
+///   longer than an eighth of the bending length of a dowel.
 /// \pre the scene has no errors.
 std::vector<Problem> checkMeshes(const Scene& scene);
 

@@ -16,7 +16,7 @@
 
 namespace keyblock {
 
-/// Deactivates a bolt, and its plate, that is installed in a later stage.
+/// Deactivates a bolt that is installed in a later stage, together with its plate.
 /// \pre nothing has moved yet in `state`.
 void leaveOut(const Model& model, State& state, int bolt);
 

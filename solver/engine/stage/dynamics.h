@@ -27,7 +27,7 @@ struct DynamicPace {
     bool sweepsFirst = false;  // the previous step needed sweeps over contact forces; the next may start with them
 };
 
-/// Integrates a dynamic stage step by step. Apart from its settings it keeps nothing from step to step.
+/// Integrates a dynamic stage step by step. Apart from its settings, it stores nothing between steps.
 class DynamicStage {
 public:
     DynamicStage(Engine& engine, const Loads& loads, std::function<LoadPoint(double)> loadsAt, DynamicSettings settings);

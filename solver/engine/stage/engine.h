@@ -52,7 +52,7 @@ public:
     /// Called with the event and the state just before it.
     /// \return the number of the event in the run, from 0.
     virtual long event(Event event, const State& state, double time) = 0;
-    /// Called with the state just after an event, in a static stage normally back in equilibrium.
+    /// Called with the state just after an event; in a static stage it is normally in equilibrium again.
     virtual void afterEvent(const State& state, double time) = 0;
 };
 

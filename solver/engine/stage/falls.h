@@ -31,8 +31,8 @@ public:
     /// True if the last two pseudo-steps, which had different lengths, gave a block nearly the same acceleration.
     bool sameWhateverTheStep(int block) const;
 
-    /// Displacement of a block's centroid since the start, over the block's size; for a cell, over the size of the
-    /// whole block.
+    /// Displacement of a block's centroid since the start, as a fraction of the size of the block or, for a cell, of
+    /// the whole block.
     double moved(const std::vector<BlockMotion>& blocks, int block) const;
 
     /// True if a block is large enough to decide whether there is an equilibrium.
@@ -44,7 +44,7 @@ public:
     /// True if a block has moved noticeably and is still accelerating, as when other blocks have set it in motion.
     bool follows(const std::vector<BlockMotion>& blocks, int block) const;
 
-    /// Rows of the blocks that do not decide and either fall or have moved by more than their size.
+    /// Rows of the blocks that are too small to decide and that are falling or have moved by more than their size.
     std::vector<int> loosePieces(const std::vector<BlockMotion>& blocks) const;
 
 private:

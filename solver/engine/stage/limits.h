@@ -14,8 +14,8 @@
 
 namespace keyblock {
 
-/// All limits that have not failed yet, in the order in which ties are broken: bolts with their nodes and elements,
-/// then joints.
+/// All limits that have not been released yet, in the order in which ties are broken: bolts with their nodes and
+/// elements, then joints.
 std::vector<Limit> heldLimits(const Model& model, const State& state);
 
 /// Limit to release next: the one with the largest ratio, or the first of several equal ones; none if all ratios are

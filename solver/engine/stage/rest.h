@@ -25,10 +25,11 @@ struct RestForces {
 
 /// Reference forces of all bodies at rest in `state`.
 /// \param problem a step at rest from `state`, with friction limits that match the forces there.
-/// \param weightPerMass the weight per mass, from the function of that name [m/s²]; 0: no gravity or body acceleration.
+/// \param weightPerMass the result of the function `weightPerMass` [m/s²]; 0: no gravity or body acceleration.
 RestForces restForces(const Model& model, const State& state, const StepProblem& problem, double weightPerMass);
 
-/// Largest round-off error, as a fraction of a block's weight, with which equilibrium can still be decided.
+/// Largest round-off error, as a fraction of a block's weight, at which it can still be decided whether the block is in
+/// equilibrium.
 inline constexpr double mostNoise = 0.02;
 
 /// The body that is farthest from rest.
@@ -36,7 +37,7 @@ struct Unrest {
     int body = -1;  // −1: nothing is free to move
     double share = 0.0;  // unbalanced force over the reference force, scaled to the tolerance of blocks
     double force = 0.0;  // unbalanced force [N]
-    double beyond = 0.0;  // unbalanced force over the allowed one, which is at least round-off; at rest up to 1
+    double beyond = 0.0;  // unbalanced force over the allowed one, which is at least round-off; at most 1 at rest
     std::vector<int> restless;  // all bodies with a ratio above 1
     std::vector<int> undecidable;  // first rows of blocks whose round-off error exceeds `mostNoise` times their weight
     double noise = 0.0;  // largest round-off error of these over the weight

@@ -15,7 +15,7 @@ namespace keyblock {
 StepProblem buildStep(const Model& model, const State& state, const Loads& loads, const LoadPoint& at,
                       const StepOptions& options);
 
-/// Displacement of the block of a prescribed motion along the motion's axis since the start of the run [m].
+/// Displacement since the start of the run of a block with a prescribed motion, along the axis of the motion [m].
 double displacementAlong(const Model& model, const State& state, const PrescribedMotion& motion);
 
 }  // namespace keyblock
