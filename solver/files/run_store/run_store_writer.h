@@ -47,7 +47,8 @@ public:
     /// when the run is complete.
     void checkpoint(const Checkpoint& checkpoint) override;
 
-    /// Commits all results since the last frame and leaves a single file. \throws CannotWrite
+    /// Commits all results received since the last frame and closes the store, which leaves a single file.
+    /// \throws CannotWrite
     void close();
 
 private:

@@ -31,7 +31,7 @@ struct Error : std::runtime_error {
 
 enum class Access { Create, Write, Read, ReadUnchanging };
 
-/// A connection to a database, closed by the destructor. `Access::ReadUnchanging` opens a file that no process is
+/// A connection to a database, closed by the destructor. `Access::ReadUnchanging` is for a file that no process is
 /// writing, in a folder without write permission. \throws Error
 class Database {
 public:
@@ -61,7 +61,7 @@ public:
     Statement& bindBytes(std::string_view bytes);  // a BLOB
     /// Runs a statement that returns no rows, and resets it so that parameters can be bound again.
     void run();
-    /// Steps to the next row; false after the last.
+    /// Steps to the next row; returns false after the last row.
     bool next();
 
     std::int64_t integer(int column) const;

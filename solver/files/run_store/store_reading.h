@@ -31,7 +31,7 @@ sqlite::Database openedAgain(const std::filesystem::path& path);
 /// Checks that the database is a run store of the current version. \throws CannotRead if it is not.
 void requireRunStore(const sqlite::Database& database, const std::filesystem::path& path);
 
-/// A value from the table `about`; empty if there is none.
+/// A value from the table `about`; empty if the table has no such key.
 std::string aboutValue(const sqlite::Database& database, std::string_view key);
 
 // Each of the following throws `sqlite::Error` if the store is damaged.

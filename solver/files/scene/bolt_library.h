@@ -19,7 +19,7 @@ const std::vector<BoltType>& builtInBoltTypes();
 /// The built-in type with this name; null if there is none.
 const BoltType* findBuiltInBoltType(std::string_view name);
 
-/// Adds to a scene built in code the built-in types that its bolts use and that it does not define itself.
+/// For a scene built in code: adds the built-in types that its bolts use but the scene does not define.
 void addUsedBuiltInBoltTypes(Scene& scene);
 
 }  // namespace keyblock

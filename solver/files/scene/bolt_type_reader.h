@@ -15,7 +15,7 @@
 namespace keyblock {
 
 /// Reads an object whose members are bolt types, and resolves `like`, looking first among these types and then in
-/// `library`. A circular `like` or a missing type is a problem; the type then starts from the defaults.
+/// `library`. A circular `like` or a missing type is reported as a problem; the type then starts from the defaults.
 std::vector<BoltType> readBoltTypes(const JsonNode& node, const std::vector<BoltType>& library,
                                     const std::string& pointer, std::vector<Problem>& problems);
 

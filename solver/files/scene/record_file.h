@@ -24,11 +24,12 @@ struct RecordReading {
     std::vector<Fault> faults;  // at most about ten; reading stops at a fault that affects the whole file
 };
 
-/// Reads the header `time_s,a` and rows of two numbers with decimal points; times must not be negative and must
-/// increase. Allowed are spaces around numbers, LF or CRLF line ends, a byte order mark and empty rows at the end.
+/// Reads the header `time_s,a` and rows of two numbers with decimal points, not commas. Times must not be negative and
+/// must increase. Spaces around numbers, LF or CRLF line endings, a byte order mark and empty rows at the end are
+/// allowed.
 RecordReading readRecordText(std::string_view text);
 
-/// Reads a record from a file, like `readRecordText`; a file that cannot be opened is a fault.
+/// Reads a record from a file, like `readRecordText`. A file that cannot be opened is reported as a fault.
 RecordReading readRecordFile(const std::filesystem::path& path);
 
 }  // namespace keyblock

@@ -25,8 +25,8 @@ struct SceneReading {
 };
 
 /// Reads and checks a scene file. A file that cannot be opened is reported as a problem.
-/// \param overrides texts `path=value`: the path is `stages[0].increments`, `stages/0/increments` or a JSON pointer,
-/// the value is JSON or plain text. They are applied before the scene is read and checked.
+/// \param overrides strings of the form `path=value`, applied before the scene is read and checked. The path is written
+/// as `stages[0].increments`, as `stages/0/increments` or as a JSON pointer; the value is JSON or plain text.
 SceneReading readSceneFile(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
 /// Reads and checks a scene text. \param name file name for messages. \param overrides as in `readSceneFile`.
@@ -34,9 +34,9 @@ SceneReading readSceneFile(const std::filesystem::path& path, std::span<const st
 SceneReading readSceneText(std::string_view text, const std::string& name,
                            std::span<const std::string> overrides = {}, const std::filesystem::path& folder = {});
 
-/// The scene as a JSON text with all required keys and all keys whose values differ from the default, in the order of
-/// the format. Numbers have as few digits as are needed to read them back exactly. Built-in bolt types and records
-/// stored in files are left out.
+/// The scene as a JSON text with all required keys and all keys whose values differ from the default, in the order in
+/// which the format lists them. Numbers have as few digits as are needed to read them back exactly. Built-in bolt types
+/// and records stored in files are left out.
 std::string sceneText(const Scene& scene);
 
 /// The scene as a JSON text like `sceneText`, but with all records included, so that the same scene is read back from

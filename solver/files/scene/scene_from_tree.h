@@ -17,12 +17,12 @@ namespace keyblock {
 
 /// Makes a scene from a tree of the newest version.
 /// \param folder folder to which paths of record files are relative.
-/// \param unread gets the errors of values that cannot be read; these values keep their defaults.
-/// \param lost gets the errors of references to missing bolt types or record files; the scene keeps the references.
+/// \param unread receives the errors of values that cannot be read; these values keep their defaults.
+/// \param lost receives the errors of references to missing bolt types or record files; the scene keeps the references.
 Scene sceneOfTree(const JsonNode& root, const std::filesystem::path& folder, std::vector<Problem>& unread,
                   std::vector<Problem>& lost);
 
-/// The field at a JSON pointer; null if the pointer leads to an item of a list or map, or to nothing known.
+/// The field at a JSON pointer; null if the pointer leads to an item of a list or map, or to no known field.
 const Field* sceneFieldAt(const std::string& pointer);
 
 }  // namespace keyblock

@@ -38,8 +38,7 @@ private:
     int stage_ = 0;  // stage of the last frame
 };
 
-/// Bolts: nodes as points, elements as lines with their forces, and face plates as vertices at the last nodes with
-/// theirs.
+/// Bolts with their forces: nodes as points, elements as lines, and face plates as vertices at the last nodes.
 VtkPolyData vtkBolts(const RunSource& run, const Frame& frame);
 
 /// Contacts as vertices with their values.

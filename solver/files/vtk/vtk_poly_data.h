@@ -41,7 +41,7 @@ struct VtkPolyData {
 };
 
 /// Writes a `.vtp` file: XML with the values appended as raw bytes.
-/// \pre arrays have `components` values for each point or cell.
+/// \pre each array has `components` values for each point or cell.
 void writeVtkPolyData(const VtkPolyData& data, std::ostream& out);
 
 /// A file of a time series.
