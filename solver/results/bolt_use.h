@@ -40,11 +40,12 @@ constexpr const BoltStrengthRow& rowOf(BoltStrength strength) {
 struct BoltUse {
     int bolt = -1;
     BoltExtremes extremes;
-    /// Highest utilisation over the run, in the order of `BoltStrength`; none if the bolt has no such strength.
+    /// Highest utilisation of each strength over the run, in the order of `BoltStrength`; none if the bolt has no such
+    /// strength.
     std::array<std::optional<double>, boltStrengths.size()> use;
     std::optional<BoltStrength> governs;  // highest utilisation; none if the bolt has no strength or carried no force
-    /// First rows of the blocks that the bolt crossed when it was installed, starting at its head, without the block
-    /// that contains its far end.
+    /// Blocks that the bolt crossed when it was installed, in order from its head, except the block that contains its
+    /// far end. Each is given by its first row.
     std::vector<int> holds;
 
     double highest() const { return governs ? *use[static_cast<std::size_t>(*governs)] : 0.0; }
@@ -53,7 +54,7 @@ struct BoltUse {
 /// Utilisation of a bolt; `holds` is left empty.
 BoltUse boltUse(int bolt, const BoltExtremes& extremes);
 
-/// The governing strength and its utilisation, as in "bond used to 87 %"; empty if none governs.
+/// The governing strength and its utilisation, as in "bond used to 87 %"; empty if no strength governs.
 std::string useText(const BoltUse& use);
 
 /// Nodes of every bolt in the first frame after its installation; empty for a bolt that has not been installed yet.

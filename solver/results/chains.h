@@ -13,8 +13,8 @@
 
 namespace keyblock {
 
-/// Chains of event indices. Each begins with an event caused by no other and continues with the events that it caused,
-/// directly or indirectly, in their order. Isolated events are left out.
+/// Chains of event indices. Each begins with an event that no other event caused, and continues, in order of time, with
+/// the events that it caused directly or indirectly. Isolated events are left out.
 std::vector<std::vector<std::size_t>> causeChains(std::span<const Event> events);
 
 }  // namespace keyblock

@@ -25,13 +25,15 @@ public:
     long of(EventKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
     long of(EventGroup group) const;
 
-    /// "984 joint slips"; empty if there were none.
+    /// Number of events of a kind, as in "984 joint slips"; empty if there were none.
     std::string kindText(EventKind kind) const;
 
-    /// The kinds of a group that occurred, as in "984 joint slips, 208 joint openings"; empty if there were none.
+    /// Numbers of events of the kinds in a group, as in "984 joint slips, 208 joint openings"; empty if there were
+    /// none.
     std::string kindsText(EventGroup group) const;
 
-    /// "1192 slip (984 joint slips, 208 joint openings), 56 debondings"; empty if there were no events.
+    /// Numbers of all events, as in "1192 slip (984 joint slips, 208 joint openings), 56 debondings"; empty if there
+    /// were no events.
     std::string text() const;
 
     bool operator==(const EventCounts&) const = default;

@@ -14,7 +14,7 @@ namespace keyblock {
 /// each quantity of every bolt.
 HistoryColumns historyColumns(const Scene& scene);
 
-/// Column of a history row from which a quantity of this subject is read.
+/// Index of the history column that records the values of this subject.
 int historyColumn(const Scene& scene, const Subject& subject);
 
 }  // namespace keyblock

@@ -32,7 +32,7 @@ Measurement measure(std::string_view text, const Scene& scene, std::span<const H
 /// Reads a quantity given as text, as in `quantities`, from a run kept in memory.
 Measurement measure(std::string_view text, const Scene& scene, const Results& results);
 
-/// Comparison of a measured value with the value expected by the scene.
+/// Comparison of a value computed by the run with the value that the scene expects.
 struct MeasuredComparison {
     Expected expected;
     Measurement measured;

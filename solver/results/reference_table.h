@@ -23,14 +23,13 @@ struct MeasureUnit {
     Unit unit{};
 };
 
-/// The unit with this name, e.g. `kN`, `N m` or `mm/m`, in upper or lower case; none if reference tables do not support
-/// such a unit.
+/// The unit with this name, e.g. `kN`, `N m` or `mm/m`, in upper or lower case; none if it is not a supported unit.
 std::optional<MeasureUnit> measureUnitOf(std::string_view word);
 
 /// Comma-separated names of the supported units, for messages.
 std::string measureUnitWords();
 
-/// `force`, `length`, …, for messages.
+/// The word for a measure in messages, e.g. `force` or `length`.
 std::string_view wordOf(Measure measure);
 
 /// Normalises a name for comparison: lower case, with each run of `_`, `-`, `.` and blanks replaced by one blank.

@@ -112,7 +112,8 @@ struct BoltPeak {
 };
 
 /// Largest forces in a bolt over the run so far, from every accepted step and the state before every failure. They are
-/// per bolt, not per metre of section. A utilisation is 1 if the strength is reached; below zero: no such strength.
+/// per bolt, not per metre of section. A utilisation is 1 if the strength is reached, and negative if the bolt has no
+/// such strength.
 struct BoltExtremes {
     BoltPeak axialForce, shearForce;  // [N] located at the middle of the element
     BoltPeak moment;  // [N m] located at the node
@@ -180,8 +181,8 @@ struct ContactStepForce {
     bool operator==(const ContactStepForce&) const = default;
 };
 
-/// Single forces on the blocks that do not follow from the frame's contacts; `blockForces` (block_forces.h) lists all
-/// forces.
+/// The forces on the blocks that cannot be derived from the contacts of a frame; `blockForces` (block_forces.h) lists
+/// all forces.
 struct FrameForces {
     std::vector<BodyForce> bodies;  // one row per block; empty if no forces were stored
     std::vector<ContactStepForce> contacts;  // dynamic stage: one row per contact; static: empty, see `Frame::contacts`

@@ -53,8 +53,9 @@ public:
 /// collapse is skipped if there was no collapse. \param scene the scene as run.
 std::optional<int> stageAfter(const Scene& scene, const StageResult& result);
 
-/// Whether a stage with this result completes the run: it is the last stage, or unstable and no stage is to follow. A
-/// run that was stopped, failed numerically or reached a limit is not complete. \param scene the scene as run.
+/// Whether the run is complete after a stage with this result: the stage was the last one, or it became unstable and no
+/// further stage is to be run. A run that was stopped, failed numerically or reached a limit is not complete.
+/// \param scene the scene as run.
 bool endsRun(const Scene& scene, const StageResult& result);
 
 /// Whether the run is complete.

@@ -7,7 +7,7 @@
 
 namespace keyblock {
 
-/// Number of operations spent on solving; `workOf` combines them into one measure.
+/// Numbers of operations spent on solving; `workOf` combines them into one measure.
 struct StepWork {
     long factorizations = 0;  // factorisations made for a solve, in full or by rank updates
     long fullFactorizations = 0;
@@ -28,7 +28,8 @@ struct StepWork {
     bool operator==(const StepWork&) const = default;
 };
 
-/// Total work in units of one full factorisation, with each operation weighted by its cost for a thousand blocks.
+/// Total work in units of one full factorisation. Each operation is weighted by its cost in a model of a thousand
+/// blocks.
 inline double workOf(const StepWork& w) {
     return static_cast<double>(w.fullFactorizations) + 0.006 * static_cast<double>(w.ranks) +
            0.07 * static_cast<double>(w.solves) + 0.01 * static_cast<double>(w.products) +

@@ -19,17 +19,17 @@ struct TableFilter {
     std::optional<int> bolt;  // index; null: every bolt
     std::optional<When> when;  // null: the default of the table
     double time = 0.0;  // within `stage`; used if `when` is `At`
-    std::optional<long> events{};  // selects, of several frames at one time, that after so many events; null: the last
+    std::optional<long> events{};  // of frames at one time, selects the one after this many events; null: the last
 };
 
-/// The filter read from its texts, or a message about the error in them.
+/// A filter read from texts, or an error message if they are not valid.
 struct TableFilterReading {
     std::optional<TableFilter> filter;
     std::string problem;
 };
 
 /// Reads a filter from texts, each of which may be null.
-/// \param stage, bolt names. \param at `STAGE:TIME`, `last` or `all`.
+/// \param stage name of the stage. \param bolt name of the bolt. \param at `STAGE:TIME`, `last` or `all`.
 TableFilterReading readTableFilter(const Scene& scene, const std::optional<std::string>& stage,
                                    const std::optional<std::string>& bolt, const std::optional<std::string>& at);
 

@@ -30,8 +30,8 @@ bool hasBolts(TableKind kind);
 /// frames have the same time, the one with `filter.events` events is chosen, else the last. None if no frame matches.
 std::optional<std::size_t> frameAt(const RunSource& run, const TableFilter& filter);
 
-/// Writes header and rows. By default, tables made from frames (bolts, blocks, contacts, forces) show the last frame;
-/// the other tables show every row.
+/// Writes a table: a header, then the rows. By default, tables made from frames (bolts, blocks, contacts, forces) show
+/// the last frame; the other tables show every row.
 void writeTable(TableKind kind, const RunSource& run, const TableFilter& filter, std::ostream& out);
 
 }  // namespace keyblock
