@@ -19,11 +19,11 @@ double boltValueAt(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity
 /// Signed value of largest magnitude along the bolt.
 double boltExtreme(const BoltModel& bolt, const BoltMotion& motion, BoltQuantity quantity);
 
-/// Axial force [N] at which the bond of a node fails at its current embedment and confinement: the peak of its law. 0
-/// for an artificial anchor, outside rock, after loss of the bond, or without a limit.
+/// Axial force [N] at which the bond of a node fails at its current embedment and confinement: the peak of its law. It
+/// is 0 for an artificial anchor, outside rock, after loss of the bond, or if the bond has no limit.
 double bondStrengthNow(const AnchorModel& anchor, const BoltMotion& motion, const BoltNode& node);
 
-/// A bolt as stored in a frame, except its elastic energy. \param origin added to all positions.
+/// A bolt in the form stored in a frame, without its elastic energy. \param origin added to all positions.
 BoltFrame boltFrame(const BoltModel& bolt, const BoltMotion& motion, const Point& origin);
 
 }  // namespace keyblock

@@ -52,8 +52,8 @@ void noteShown(const Model& model, const State& state, EventFrames& frames);
 /// \param planned number of frames at equal intervals from the start of the run to the end of the current stage.
 bool mayKeep(const EventFrames& frames, long planned);
 
-/// True if `now` is so shortly after the frame `kept` that another frame would show nothing new.
-/// \param interval time between frames at equal intervals, in the time of the stage.
+/// True if `now` is so soon after the frame `kept` that another frame would show nothing new.
+/// \param interval interval between the regular frames of the stage: [s], or pseudo-time in a static stage.
 bool isShortlyAfter(const KeptAt& kept, const KeptAt& now, double interval);
 
 }  // namespace keyblock

@@ -10,8 +10,8 @@
 
 namespace keyblock {
 
-/// A joint between an unstable block of the verdict and a block that is not unstable in the same stage. A block divided
-/// into cells counts as one block.
+/// A joint between a block that the verdict lists as unstable and a block that is not unstable in the same stage. A
+/// block divided into cells counts as one block.
 struct FailedJoint {
     int stage = 0;
     int blockA = -1, blockB = -1;  // first rows; block a is the unstable one
@@ -20,8 +20,9 @@ struct FailedJoint {
     Point position{0.0, 0.0};  // point of largest movement, in its position at the start of the stage [m]
 };
 
-/// A failed bolt between unstable blocks of the verdict and other blocks. `Debonding` means that all its bonds on one
-/// side of the joint failed, with the time of the last failure, and that no face plate holds that side.
+/// A failed bolt between blocks that the verdict lists as unstable and other blocks. `Debonding` means that all its
+/// bonds on one side of the joint have failed and that no face plate supports that side; `time` is then that of the
+/// last bond failure.
 struct FailedBolt {
     int bolt = -1;
     EventKind event = EventKind::BoltLoss;

@@ -11,8 +11,8 @@ namespace keyblock {
 
 /// Sorts the forces listed by the engine into the form stored in a frame.
 /// \param frame the frame made from `state`.
-/// \param moves the forces act over a dynamic step, so contact forces are stored as well: they differ from those in
-/// `frame.contacts`, which are for the end of the step.
+/// \param moves true if the forces act over a dynamic step. Contact forces are then stored as well, because they differ
+/// from those in `frame.contacts`, which are for the end of the step.
 FrameForces frameForces(const std::vector<SingleForce>& forces, const State& state, const Frame& frame, bool moves);
 
 }  // namespace keyblock

@@ -19,9 +19,9 @@ struct StageFrames {
 };
 
 /// The scene without bolts and bolt patterns, and without all references to them (installation, removal, monitors,
-/// quantities and expected values). The force of every anchored point and face plate on a block becomes a load at
-/// that point of the block. Each stage changes the loads of the previous stage into its own in proportion to
-/// pseudo-time; the first stage, and any stage that changes strengths, applies its loads in full from its start.
+/// quantities and expected values). The force of every anchored point and face plate on a block becomes a load at that
+/// point of the block. In each stage, the loads change in proportion to pseudo-time from those of the previous stage to
+/// its own; in the first stage, and in any stage that changes strengths, its own loads act in full from the start.
 /// Blocks that are fixed as a whole get no loads.
 /// \param run first and last frame of every stage of `scene`.
 /// \pre the scene was checked without errors and all its stages are static and ended in equilibrium.

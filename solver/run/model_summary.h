@@ -34,7 +34,7 @@ struct ModelCounts {
     int unknowns() const { return blockUnknowns + plateUnknowns + boltUnknowns; }
 };
 
-/// A feature that the program can model but leaves out.
+/// A feature of the program that the model leaves out because the scene does not need it.
 struct LeftOut {
     std::string what;
     std::string why;  // reason why the scene does not need it
@@ -64,10 +64,10 @@ struct ModelSummary {
     CostEstimate estimate;
 };
 
-/// Makes the whole summary. It solves the scene's own system a few times to measure the time per iteration, so the
+/// Makes the whole summary. It solves the scene's own equations a few times to measure the time per iteration, so the
 /// estimate varies from call to call.
 /// \param scene the scene as solved: the result of `cutScene`.
-/// \param cut the cut that produced it, for a list of what cutting left out; null if the scene was not cut.
+/// \param cut the cut that produced it, used to list what the cut left out; null if the scene was not cut.
 /// \param stop if it becomes true, the function soon returns without a summary; null: cannot be stopped.
 /// \pre the scene was checked without errors and has blocks.
 std::optional<ModelSummary> makeModelSummary(const Scene& scene, const SceneCut* cut,

@@ -27,7 +27,7 @@ public:
     /// it.
     Observation(const Scene& scene, const Model& model, const State& start, Reference& reference);
 
-    /// Measures displacements from the positions in `state` from now on.
+    /// From now on, measures displacements from the positions in `state`.
     void zero(const State& state);
 
     Frame frame(const State& state, int stage, double time) const;

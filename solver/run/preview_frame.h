@@ -11,7 +11,8 @@
 
 namespace keyblock {
 
-/// A frame that belongs to no stage or time, without the rock in tunnels and without contacts.
+/// A frame that shows the scene before a run: it belongs to no stage or time, and has no contacts and no rock in
+/// tunnels.
 /// \param scene the scene as solved: the result of `cutScene`.
 /// \pre the scene was checked without errors and has blocks.
 Frame previewFrame(const Scene& scene);

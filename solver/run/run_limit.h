@@ -21,7 +21,7 @@ public:
         return stepsReached(steps) || (limits_.wallTime && seconds() >= *limits_.wallTime);
     }
 
-    /// Excludes time for which the user paused the run from the wall-clock time.
+    /// Excludes a pause by the user from the wall-clock time.
     void addPause(std::chrono::steady_clock::duration paused) { begun_ += paused; }
 
     /// Message that names the limit reached. \pre `reached(steps)`

@@ -15,7 +15,7 @@
 
 namespace keyblock {
 
-/// Smallest and largest factor that are tried.
+/// Smallest and largest factors that are tried.
 inline constexpr double leastSafety = 1e-3, mostSafety = 1e3;
 
 /// One run with strengths divided by `factor`.
@@ -38,14 +38,14 @@ struct SafetyFactor {
 using SafetyTrial = std::function<void(const Scene& reduced, double factor, Sink& sink)>;
 
 /// The factor to try next: 1, then doubled or halved until a bracket is found, then the middle of the bracket. None
-/// once the bracket is no wider than `tolerance`, the smallest or largest factor has been tried, or three runs in a
-/// row gave no verdict.
-/// \param undecided number of runs without a verdict since the last verdict. The next factor is then at a quarter,
-/// then at three quarters, of the bracket; without a bracket, it is the first choice times 0.9, then times 1.1.
+/// once the bracket is no wider than `tolerance`, the smallest or largest factor has been tried, or three runs in a row
+/// gave no verdict.
+/// \param undecided number of runs without a verdict since the last verdict. After one such run, the next factor is at
+/// a quarter of the bracket; after two, at three quarters. Without a bracket, it is the first choice times 0.9 or 1.1.
 std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optional<double> upper, double tolerance,
                                        std::size_t undecided = 0);
 
-/// Finds the factor of safety to within `scene.safety.tolerance`. With frozen bolt forces, all runs but the one at
+/// Finds the factor of safety to within `scene.safety.tolerance`. With frozen bolt forces, all runs except the one at
 /// factor 1 use the scene without bolts (frozen_bolts.h); if the scene is not stable at factor 1, the search ends,
 /// because there are no bolt forces in equilibrium to freeze.
 /// \pre `checkScene(scene)` and `checkSafety(scene)` found no error.

@@ -12,8 +12,8 @@ namespace keyblock {
 
 struct Checkpoint;
 
-/// Called from the thread of the run, in order of time. A sink that cannot write
-/// throws `CannotWrite`, which ends the run.
+/// Receives the results of a run. Its functions are called from the thread of the run, in order of time. A sink that
+/// cannot write throws `CannotWrite`, which ends the run.
 class Sink {
 public:
     virtual ~Sink() = default;

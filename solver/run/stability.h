@@ -37,20 +37,21 @@ void mark(StageStart& start, const State& state, double time, double duration);
 /// Finds the unstable blocks at the end of a stage. Lists are in the order of the rows, except for `collapsed`.
 class Stability {
 public:
-    /// \param loads loads of the stage; blocks moved by its prescribed motions or dilations, and all blocks joined to
-    /// them, are exempt.
+    /// \param loads loads of the stage. Blocks moved by prescribed motions or dilations of the stage, and all blocks
+    /// joined to them, are exempt.
     Stability(const Model& model, const StageStart& start, const State& state, const Stage& stage, const Loads& loads);
 
-    /// Unstable blocks of a collapse: `blocks` in the given order, then, as `Movement::Follows`, `followers` and every
-    /// other block that the collapse has moved by more than a twentieth of its size, even if it is at rest again.
+    /// Unstable blocks of a collapse: first `blocks`, in the given order, then `followers` and every other block that
+    /// the collapse has moved by more than a twentieth of its size, even if it is at rest again. These have
+    /// `Movement::Follows`.
     std::vector<UnstableBlock> collapsed(const std::vector<int>& blocks, const std::vector<int>& followers) const;
 
     /// Blocks that came to rest after a displacement of more than `share` times their size (centroid to farthest
     /// corner), and the blocks joined to them that moved at least 0.9 times as far.
     std::vector<UnstableBlock> displaced(double share) const;
 
-    /// Blocks that fell, moved by more than their own size, or still move without slowing down at the end of a dynamic
-    /// stage.
+    /// Blocks that fell, moved by more than their own size, or are still moving without slowing down at the end of a
+    /// dynamic stage.
     std::vector<UnstableBlock> moving() const;
 
     /// Of the blocks that count for stability, the one that moved most relative to its size; row −1 if there is none.

@@ -11,7 +11,7 @@
 
 namespace keyblock {
 
-/// Load or motion in the scene from which an applied force, pressure or motion stems.
+/// The load or motion in the scene from which an applied force, pressure or motion originates.
 struct LoadSource {
     int stage = -1, row = -1;  // row in the stage's list of loads or motions
     bool replaced = false;  // replaced by a later stage, so it no longer acts

@@ -16,16 +16,18 @@ namespace keyblock {
 StaticSettings staticSettings(const Scene& scene, const Stage& stage);
 DynamicSettings dynamicSettings(const Scene& scene, const Stage& stage);
 
-/// Pseudo-times at which the increments of a static stage end: 0 for loads applied at once, then the ends of the
-/// increments, including every entry of a load table. If the stage gives no number of increments, their lengths are
-/// chosen during the run, but increments always end at these times: at entries of load tables and where `output`
-/// requests a frame. \param loads loads for which this stage has begun.
+/// Pseudo-times at which the increments of a static stage end. The first is 0, for loads that are applied at once;
+/// every entry of a load table is included. If the stage gives no number of increments, their lengths are chosen during
+/// the run, but an increment always ends at each of these times: at the entries of load tables and where `output`
+/// requests a frame.
+/// \param loads loads for which this stage has begun.
 std::vector<double> incrementTimes(const Scene& scene, const Stage& stage, const StageLoads& loads);
 
-/// Time between the frames of a stage, in the time of the stage; null if `output` does not set it.
+/// Interval between the frames of a stage: [s], or pseudo-time in a static stage; null if `output` does not set it.
 std::optional<double> framesEvery(const Scene& scene, const Stage& stage);
 
-/// Time between the frames of a stage, in the time of the stage; the default if `output` does not set it.
+/// Interval between the frames of a stage: [s], or pseudo-time in a static stage; the default if `output` does not set
+/// it.
 double frameInterval(const Scene& scene, const Stage& stage);
 
 /// Largest number of frames at equal intervals from the start of the run to the end of a stage.
