@@ -22,8 +22,8 @@ Point accelerationAt(const Acceleration& acceleration, double time);
 /// acceleration minus the acceleration of the ground (theory, "Shaking"); zero if the stage has neither.
 Point bodyForceAt(const Stage& stage, double time);
 
-/// Ground velocity and displacement from integrating a record from rest: the final values, and the peak absolute values
-/// at any row.
+/// Ground velocity and displacement obtained by integrating a record from rest: the final values, and the peak absolute
+/// values at any row.
 struct Baseline {
     double velocity = 0.0, peakVelocity = 0.0;  // [m/s]
     double displacement = 0.0, peakDisplacement = 0.0;  // [m]

@@ -28,7 +28,7 @@ struct AnchorLawRow {
     bool keepsStrength;  // after failure it slides at its full strength
 };
 
-/// In the order of `AnchorLaw`.
+/// All laws, in the order of `AnchorLaw`.
 inline constexpr std::array anchorLaws{
     AnchorLawRow{AnchorLaw::Elastic, "elastic", translatable("Fields", "elastic"), false, false, false, false},
     AnchorLawRow{AnchorLaw::PeakResidual, "peak-residual", translatable("Fields", "peak and residual"), false, true, true,
@@ -36,7 +36,7 @@ inline constexpr std::array anchorLaws{
     AnchorLawRow{AnchorLaw::Frictional, "frictional", translatable("Fields", "frictional"), false, true, false, true},
     AnchorLawRow{AnchorLaw::Curve, "curve", translatable("Fields", "force–slip curve"), true, false, false, false}};
 
-/// The row of a law. A law without a row throws, since the table is then incomplete.
+/// The row of a law. Throws if the law has no row, i.e. if the table is incomplete.
 constexpr const AnchorLawRow& rowOf(AnchorLaw law) { return anchorLaws.at(static_cast<std::size_t>(law)); }
 
 constexpr bool canFail(const AnchorLawRow& row) { return row.hasStrength || row.hasPoints; }

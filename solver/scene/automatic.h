@@ -15,10 +15,11 @@ inline constexpr double automaticBody = 1e-3;  // for `until.body`, relative to 
 inline constexpr double automaticSmallest = 0.01;  // for `until.smallest` [m²]
 inline constexpr int automaticIterations = 20000;  // for `limits.iterations`
 
-/// Value for `until.unbalanced`, relative to the reference force: 1e-4, or the tolerance of the analysis if smaller.
+/// Value for `until.unbalanced`, relative to the reference force: 1e-4, or the tolerance of the analysis if that is
+/// smaller.
 double automaticUnbalanced(const Scene& scene);
 
-/// Longest time step [s] of a dynamic stage that does not give one.
+/// Longest time step [s] of a dynamic stage that does not set one.
 double automaticTimeStep(const Stage& stage);
 
 /// Second moment of area [m⁴] of a tube with diameter d and area A, π/64·(d⁴ − d_i⁴) with d_i² = d² − 4A/π, or of a
@@ -31,11 +32,12 @@ double automaticPlasticModulus(const BoltType& type);
 /// Young's modulus [Pa]: slope of the first segment of `steel`, or 200 GPa if there is no `steel`.
 double automaticYoungsModulus(const BoltType& type);
 
-/// Name of the default joint material of blocks and of the domain: the first of the scene; empty: the built-in one.
+/// Name of the default joint material of blocks and of the domain: the first in the scene; empty if the scene has none,
+/// so that the built-in one applies.
 std::string automaticJointMaterial(const Scene& scene);
 
-/// Name of the default joint material of joints, joint sets and Voronoi cells: that of the domain, or if it has none,
-/// `automaticJointMaterial`.
+/// Name of the default joint material of joints, joint sets and Voronoi cells: that of the domain or, if the domain has
+/// none, `automaticJointMaterial`.
 std::string automaticTraceMaterial(const Scene& scene);
 
 }  // namespace keyblock

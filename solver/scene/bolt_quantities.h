@@ -39,7 +39,7 @@ struct BoltQuantityRow {
     BoltPart part;
 };
 
-/// In the order of `BoltQuantity`.
+/// All quantities, in the order of `BoltQuantity`.
 inline constexpr std::array boltQuantityRows{
     BoltQuantityRow{BoltQuantity::AxialForce, "axial_force", "axial_force_N", "Axial force N", "N", "kN",
                     perSi(namedUnit("kN")), "tension +", true, BoltPart::Element},
@@ -62,7 +62,7 @@ inline constexpr std::array boltQuantityRows{
     BoltQuantityRow{BoltQuantity::UtilisationWithMoment, "utilisation_with_moment", "utilisation_with_moment",
                     "Utilisation with moment", "Use with M", "", 1.0, "", false, BoltPart::Element}};
 
-/// The row of a quantity. A quantity without a row throws, since the table is then incomplete.
+/// The row of a quantity. Throws if the quantity has no row, i.e. if the table is incomplete.
 constexpr const BoltQuantityRow& rowOf(BoltQuantity quantity) {
     return boltQuantityRows.at(static_cast<std::size_t>(quantity));
 }

@@ -17,8 +17,8 @@ struct BoltSteel {
     std::optional<double> tensile;  // axial force [N] at the tensile strength; none: without rupture
 };
 
-/// Area and strength of the steel of a type. A type without `steel` is linear without rupture, even if it gives a
-/// tensile strength. The type need not have been checked.
+/// Area and strength of the steel of a type. The steel of a type without `steel` is linear and does not rupture, even
+/// if the type gives a tensile strength. The type need not have been checked.
 BoltSteel boltSteel(const BoltType& type);
 
 /// Cross-sectional area [m²] of a solid bar of this diameter [m].

@@ -42,7 +42,7 @@ struct CheckContext {
 };
 
 /// Checks all fields of `object` and of the objects in it against the field table: numbers must be finite and in range,
-/// required texts not empty, and the conditions of fields met.
+/// required texts must not be empty, and the conditions of fields must be met.
 void checkFields(const Structure& structure, const void* object, const std::string& pointer, CheckReport& report);
 
 /// Checks that the numbers in a value are finite and in the range of its field.
@@ -110,7 +110,7 @@ int checkPointOnBlock(CheckContext& context, const Point& point, const std::stri
 /// Reports an axis of zero length.
 void checkAxis(const Point& axis, const std::string& pointer, CheckReport& report);
 
-/// Reports every name that is used by an earlier item; empty names are ignored.
+/// Reports every name that is already used by an earlier item; empty names are ignored.
 void checkNamesDiffer(std::size_t count, const std::function<std::string(std::size_t)>& nameOf,
                       const std::function<std::string(std::size_t)>& pointerOf, std::string_view what,
                       CheckReport& report);

@@ -9,11 +9,11 @@
 
 namespace keyblock {
 
-/// Name in tables of the dynamic stage that follows a collapse of `stage`.
+/// Name of the dynamic stage that follows a collapse of `stage`, as shown in tables.
 std::string nameOfCollapse(const Stage& stage);
 
-/// The scene as it is run: each static stage that requests it is followed by a dynamic stage, which runs only after a
-/// collapse. A scene that already has these stages is returned unchanged.
+/// The scene as it is run: each static stage with `on_collapse` set to `dynamic` is followed by a dynamic stage, which
+/// runs only after a collapse. A scene that already has these stages is returned unchanged.
 Scene withCollapseStages(Scene scene);
 
 }  // namespace keyblock

@@ -8,7 +8,7 @@
 
 namespace keyblock {
 
-/// Area [m²] below which a block does not decide the stability of the stage.
+/// Area [m²] below which a block is ignored in judging whether the stage is stable.
 inline double smallestOf(const Stage& stage) { return stage.until.smallest.value_or(automaticSmallest); }
 
 }  // namespace keyblock

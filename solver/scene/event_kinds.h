@@ -45,7 +45,7 @@ struct EventKindRow {
     bool isOfShear = false;  // true: the shear force is shown; false: the axial or normal force
 };
 
-/// In the order of `EventGroup`.
+/// All groups, in the order of `EventGroup`.
 inline constexpr std::array eventGroups{
     EventGroupRow{EventGroup::Slip, "slip", EventMark::Slip},
     EventGroupRow{EventGroup::Debonding, "debonding", EventMark::Debonding},
@@ -56,7 +56,7 @@ inline constexpr std::array eventGroups{
     EventGroupRow{EventGroup::PulledOut, "pull-out", EventMark::PulledOut},
     EventGroupRow{EventGroup::Falls, "block falls", EventMark::Falls}};
 
-/// In the order of `EventKind`.
+/// All kinds, in the order of `EventKind`.
 inline constexpr std::array eventKinds{
     EventKindRow{EventKind::JointSlip, "joint-slip", "joint slip", "joint slips", EventGroup::Slip, EventMark::Slip,
                  minorSeverity, "", "", true},
@@ -85,7 +85,7 @@ inline constexpr std::array eventKinds{
     EventKindRow{EventKind::Collapse, "collapse", "collapse", "collapses", EventGroup::Falls, EventMark::Falls, 6,
                  "collapse", "collapses"}};
 
-/// The row of a kind or group. A value without a row throws, since the table is then incomplete.
+/// The row of a kind or group. Throws if it has no row, i.e. if the table is incomplete.
 constexpr const EventKindRow& rowOf(EventKind kind) { return eventKinds.at(static_cast<std::size_t>(kind)); }
 constexpr const EventGroupRow& rowOf(EventGroup group) { return eventGroups.at(static_cast<std::size_t>(group)); }
 

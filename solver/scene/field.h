@@ -56,7 +56,7 @@ struct Range {
     bool mostExcluded = false;
 };
 
-/// Condition for a field: another field of the same object has one of these words, or is not null.
+/// Condition for a field: the value of another field of the same object is one of these words, or is not null.
 struct Only {
     std::string_view key{};
     std::vector<std::string_view> words{};  // empty: the field `key` only has to be given
@@ -116,7 +116,7 @@ struct Field {
     bool isRare = false;  // rarely changed: initially collapsed in the form of the whole scene
     bool isSentence = false;  // a Text that may contain several words
     bool isOrdered = false;  // a List whose order the user can change
-    /// Value that the program uses for null; null if this is only known during a run.
+    /// Value that the program uses for null; null if it is known only during a run.
     /// \param cut result of cutting the scene; null if the scene has not been cut
     FieldValue (*automatic)(const Scene& scene, const SceneCut* cut, const void* object) = nullptr;
     std::string_view nullText{};  // text for null if null does not stand for a number, e.g. `unlimited`
@@ -154,13 +154,14 @@ bool isName(const Field& field);
 /// True for a Map, or for a List of objects that have a name.
 bool hasNames(const Field& field);
 
-/// Label of the field, or if it has none, one made from its key, e.g. `Dip deviation`.
+/// Label of the field or, if it has none, one made from its key, e.g. `Dip deviation`.
 std::string labelText(const Field& field);
 
 /// Label of one of the field's words as shown to the user, e.g. `clockwise` for `cw`.
 std::string_view wordLabel(const Field& field, std::string_view word);
 
-/// The value given by `field.automatic`; null if the field has no automatic value or it is only known during a run.
+/// The value given by `field.automatic`; null if the field has no automatic value, or if the value is known only during
+/// a run.
 FieldValue automaticOf(const Field& field, const Scene& scene, const SceneCut* cut, const void* object);
 
 /// Unit of the field in `object`. \param owner the object whose list or member contains `object`; null: not known.
@@ -172,7 +173,7 @@ std::string_view unitIn(const Field& field, const PairColumn& column, const void
 /// Value of the field if its key is missing.
 FieldValue defaultOf(const Structure& structure, const Field& field);
 
-/// True if the other fields of `object` meet the condition `field.only`, or if it is empty.
+/// True if the other fields of `object` meet the condition `field.only`, or if the field has no condition.
 bool applies(const Structure& structure, const Field& field, const void* object);
 
 /// True if the field has equal values in two objects of its struct, including all values nested in it.

@@ -49,7 +49,8 @@ struct Says {
 /// Range of coordinates [m].
 inline constexpr Range coordinates{.least = -farthestCoordinate, .most = farthestCoordinate};
 
-/// Ranges of solids, with a wide margin. Outside them, products of such numbers could overflow or underflow a double.
+/// Ranges for densities and moduli of solids, with a wide margin. Outside them, products of such numbers could overflow
+/// or underflow.
 inline constexpr Range densities{.least = 1e-6, .most = 1e9};  // [kg/m³]
 inline constexpr Range moduli{.least = 1.0, .most = 1e18};  // [Pa]
 

@@ -12,13 +12,14 @@
 
 namespace keyblock {
 
-/// Largest absolute value of a coordinate [m]. Beyond it, a double cannot resolve the dimensions of a tunnel.
+/// Largest absolute value of a coordinate [m]. Beyond it, doubles are too coarse for the dimensions of a tunnel.
 inline constexpr double farthestCoordinate = 1e9;
 
 /// True if both coordinates are finite and their absolute values at most `farthestCoordinate`.
 bool isUsable(const Point& place);
 
-/// Diagonal [m] of the bounding box of the domain and all blocks, without corners that are not usable; 1 if it is zero.
+/// Diagonal [m] of the bounding box of the domain and all blocks, ignoring corners that are not usable; 1 if it is
+/// zero.
 double sceneSize(const Scene& scene);
 
 /// Distance [m] within which two points coincide, or a point lies on an edge: 1e-9 of the scene's size, but at least
@@ -51,8 +52,7 @@ const BoltType* findBoltType(const Scene& scene, std::string_view name);
 /// \pre the scene was checked without errors.
 const BoltType& boltTypeOf(const Scene& scene, const Bolt& bolt);
 
-/// The bolt's own anchors, or if it has none, those of its type.
-/// \pre the scene was checked without errors.
+/// The bolt's own anchors or, if it has none, those of its type. \pre the scene was checked without errors.
 const std::vector<Anchor>& anchorsOf(const Scene& scene, const Bolt& bolt);
 
 /// Length of the bolt in the plane [m].

@@ -29,7 +29,8 @@ enum class Integration { Shi, BackwardEuler, Newmark, GeneralizedAlpha };
 enum class Iteration { Convex, OpenClose };
 enum class ContactMethod { Penalty, AugmentedLagrangian };
 
-/// Rayleigh damping of dynamic stages. Damping forces on blocks and bolts: mass·M·v and stiffness·K·(strain rate).
+/// Rayleigh damping of dynamic stages: a force mass·M·v on every body and, in blocks and bolt shanks, a stress of
+/// `stiffness` times the elastic stiffness times the strain rate.
 struct Damping {
     double mass = 0.0;  // [1/s]
     double stiffness = 0.0;  // [s]
@@ -224,7 +225,7 @@ struct Support {
     bool operator==(const Support&) const = default;
 };
 
-/// Piecewise-linear table of (x, y) pairs, mostly (time, value). In a static stage time is pseudo-time, 0 … 1.
+/// Piecewise-linear table of (x, y) pairs, usually (time, value). In a static stage, time is pseudo-time from 0 to 1.
 using Table = std::vector<std::pair<double, double>>;
 
 enum class Rotation { Held, Free };

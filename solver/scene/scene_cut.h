@@ -18,9 +18,10 @@ namespace keyblock {
 
 /// Result of cutting a scene.
 struct SceneCut {
-    /// The scene with the cut blocks and the bolts of patterns appended to its own, without domain, joints, joint sets
-    /// and Voronoi cells. Cut blocks are in the order of geometry/cut.h and have no names, so they are displayed as `b`
-    /// followed by their number among all blocks. Tunnels and patterns remain, since blocks and bolts refer to them.
+    /// The scene with the cut blocks and the bolts of patterns appended to its own blocks and bolts, without domain,
+    /// joints, joint sets and Voronoi cells. Cut blocks are in the order of geometry/cut.h and have no names, so they
+    /// are displayed as `b` followed by their number among all blocks. Tunnels and patterns remain, since blocks and
+    /// bolts refer to them.
     Scene scene;
     int blocks = 0;  // number of blocks from the cut, without those in open tunnels
     int vertices = 0;  // number of distinct vertices of these blocks

@@ -32,7 +32,8 @@ int findTunnel(const Scene& scene, const std::string& name);
 /// \pre the scene has a domain.
 int jointOf(const Scene& scene, const std::optional<std::string>& name);
 
-/// Side of the domain on which an edge lies: the direction of its outward normal. At 45° it is the bottom or top.
+/// Side of the domain on which an edge lies, from the direction of its outward normal. An edge at exactly 45° counts as
+/// bottom or top.
 /// \param from, to ends of the edge, with the domain on the left
 BoundarySide sideOf(const Point& from, const Point& to);
 
@@ -49,7 +50,8 @@ struct TraceSource {
     int joint = builtInJoint;  // joint-material index of the faces
 };
 
-/// All traces that cut the domain, with increasing sources: joints, joint sets, Voronoi cells, then tunnel outlines.
+/// All traces that cut the domain, in the order of their sources: joints, joint sets, Voronoi cells, then tunnel
+/// outlines.
 struct SceneTraces {
     std::vector<CutTrace> traces;
     std::vector<TraceSource> sources;

@@ -16,7 +16,7 @@
 
 namespace keyblock {
 
-/// A unit, equal to `up`/`down` of the unit with the same dimensions in metres, kilograms, seconds and radians. The
+/// A unit, equal to `up`/`down` times the unit with the same dimensions in metres, kilograms, seconds and radians. The
 /// factor is stored as a fraction, so that 25 mm is exactly 0.025 m.
 struct Unit {
     double up = 1.0, down = 1.0;
@@ -68,8 +68,8 @@ constexpr const UnitSymbol* findUnit(std::string_view symbol) {
 /// Unit of a symbol that is fixed in the code; an unknown symbol does not compile.
 consteval Unit namedUnit(std::string_view symbol) { return findUnit(symbol)->unit; }
 
-/// Reads products and quotients of known symbols, e.g. `N/m per m`, `m⁴` or `1/s`. Empty text is dimensionless. Text
-/// after a comma is a remark of the field table and is ignored.
+/// Reads products and quotients of known symbols, e.g. `N/m per m`, `m⁴` or `1/s`. An empty text means no dimension.
+/// Text after a comma is a remark of the field table and is ignored.
 /// \return the unit; none if a symbol is unknown.
 std::optional<Unit> readUnit(std::string_view text);
 
@@ -82,7 +82,7 @@ double converted(double number, const Unit& from, const Unit& to);
 constexpr double toSi(double number, const Unit& unit) { return number * unit.up / unit.down; }
 constexpr double fromSi(double value, const Unit& unit) { return value * unit.down / unit.up; }
 
-/// Factor from a value in SI to the number in this unit, e.g. 0.001 for kN.
+/// Factor that converts an SI value to this unit, e.g. 0.001 for kN.
 constexpr double perSi(const Unit& unit) { return unit.down / unit.up; }
 
 /// Quantity and accepted symbols of a unit, for messages, e.g. `a length (m, mm, cm, km, ft, in)`; empty if the

@@ -38,7 +38,7 @@ std::vector<std::pair<double, double>> loadPath(const Solved& solved);
 /// Load [N] at an opening [m], interpolated linearly between the points of a load–opening curve.
 double loadAtOpening(const std::vector<std::pair<double, double>>& path, double opening);
 
-/// A debonding, rupture or plate loss, with opening and joint force just before it.
+/// A debonding, rupture or plate loss, with the opening and joint force just before it.
 struct Release {
     EventKind kind = EventKind::Debonding;
     int index = -1;  // node, or for a rupture the element
@@ -46,10 +46,10 @@ struct Release {
     double load = 0.0;  // [N]
 };
 
-/// All debondings, ruptures and plate losses in their order.
+/// All debondings, ruptures and plate losses, in order of time.
 std::vector<Release> releases(const Solved& solved);
 
-/// Number of leading releases whose nodes agree with `nodes`.
+/// Number of releases, counted from the first, whose nodes agree with `nodes`.
 int agreeing(const std::vector<Release>& found, const std::vector<int>& nodes);
 
 /// Number of events of a kind.

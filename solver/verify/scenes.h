@@ -40,8 +40,9 @@ Stage pullStage(const Scene& scene, double displacement, int increments);
 /// Stage that loads the right block of `twoBlocks` along x in equal increments. \param force at the end [N].
 Stage loadStage(const Scene& scene, double force, int increments);
 
-/// Adds a bolt along y = 0.5 m, and after the existing monitors the monitor `joint force` in the element that crosses
-/// the joint or reaches it from the left. \param from, to x of the far end and of the head [m].
+/// Adds a bolt along y = 0.5 m. Also appends the monitor `joint force`, in the element that crosses the joint or
+/// reaches it from the left.
+/// \param from, to x of the far end and of the head [m].
 void addBolt(Scene& scene, const BoltType& type, double from, double to, int divisions, PlateKind plate);
 
 /// Bolt type with a linear elastic shank of unlimited strength. \param area steel area [m²]. \param youngsModulus [Pa].
@@ -50,7 +51,8 @@ BoltType linearType(double area, double youngsModulus);
 /// Bolt type like `linearType`, but with a stress–strain curve. \param steel (strain, stress [Pa]) from the origin.
 BoltType steelType(double area, const Table& steel);
 
-/// Anchors of one law along the whole bolt. \param per what stiffness, strength and residual refer to.
+/// Anchors of one law along the whole bolt. \param per whether stiffness, strength and residual are per node or per
+/// length.
 Anchor anchorRange(Per per, AnchorLaw law, double stiffness, std::optional<double> strength, double residual);
 
 /// Anchor at the node nearest to the distance `s` [m] from the far end.

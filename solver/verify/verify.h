@@ -51,7 +51,7 @@ struct PaperTable {
     std::vector<PaperRow> rows;
 };
 
-/// The tables of the paper, with newly computed values of the program; returns when all are solved.
+/// The tables of the paper, with newly computed values of the program; returns when all cases are solved.
 std::vector<PaperTable> paperTables();
 
 }  // namespace keyblock
