@@ -37,7 +37,7 @@ public:
     ~Canvas() override;
 
     /// Shows a picture; null: an empty canvas with a hint in the middle. The view is fitted to the first picture. While
-    /// it is still fitted, it is adapted if a legend appears and if parts of the picture move out of it.
+    /// it remains fitted, it is adjusted when a legend appears and when parts of the picture move out of it.
     void show(std::shared_ptr<const SectionPicture> picture);
     using QWidget::show;
     const std::shared_ptr<const SectionPicture>& picture() const { return picture_; }
@@ -48,15 +48,15 @@ public:
     void addOverlay(const CanvasOverlay* overlay);
     void removeOverlay(const CanvasOverlay* overlay);
 
-    /// True: plain rock with lighter joints, for drawing; false: coloured results.
+    /// Sets the style. True: plain rock with lighter joints, for drawing; false: coloured results.
     void setDrawing(bool drawing);
     void setSelectedBolts(const std::vector<int>& bolts);  // rows of the scene's bolts
-    /// Shows or hides the legend; it is hidden if that of a neighbouring canvas applies to both.
+    /// Shows or hides the legend; it is hidden if the legend of a neighbouring canvas applies to both.
     void setLegend(bool legend);
     /// Outlines a block, with a call-out; null: none.
     void setHighlighted(const std::optional<HighlightedBlock>& highlighted);
-    /// Sets the hint of an empty canvas. \param aside show it at the bottom instead of in the middle, because a drawing
-    /// is visible behind it.
+    /// Sets the hint of an empty canvas.
+    /// \param aside true: show the hint at the bottom instead of in the middle, because a drawing is visible behind it.
     void setHint(const QString& title, const QString& text, bool aside = false);
 
     /// Sets the area that `fit` shows while there is no picture.
@@ -88,9 +88,9 @@ public:
 Q_SIGNALS:
     void hovered(const keyblock::Point& place, bool inside);
     void viewChanged();
-    /// Emitted if Space was pressed and released without dragging.
+    /// Emitted when Space was pressed and released without dragging.
     void spaceTapped();
-    /// Emitted if the colour bar of a quantity in the legend was clicked. \param global a point to the left of the
+    /// Emitted when the colour bar of a quantity in the legend was clicked. \param global a point to the left of the
     /// legend, in screen coordinates.
     void legendClicked(keyblock::LegendPart part, const QPoint& global);
 

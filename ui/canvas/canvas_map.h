@@ -23,7 +23,7 @@ public:
     QSizeF size() const { return size_; }
     Point centre() const { return centre_; }
 
-    /// Sets the size of the widget [px]; the point in the middle stays there.
+    /// Sets the size of the widget [px]; the point in the middle stays in the middle.
     void resize(const QSizeF& size) { size_ = size; }
     /// Fits the box into the part `room` of the widget, centred. A box without extent is treated as 1 m wide and high.
     void show(const Box& box, const QRectF& room);

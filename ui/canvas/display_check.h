@@ -15,7 +15,7 @@ namespace keyblock {
 /// The OpenGL version and profile that VTK needs for the section.
 QSurfaceFormat sectionFormat();
 
-/// What is missing, as one sentence; null if OpenGL 3.2 works. Checked once per process.
+/// What the display lacks, in one sentence; null if OpenGL 3.2 works. Checked once per process.
 const std::optional<QString>& missingOpenGl();
 
 }  // namespace keyblock

@@ -7,7 +7,7 @@
 
 namespace keyblock {
 
-/// True if the display named by the environment variable DISPLAY can draw direct OpenGL into windows.
+/// True if direct OpenGL rendering into windows works on the display named by the environment variable DISPLAY.
 bool glxWorks();
 
 }  // namespace keyblock

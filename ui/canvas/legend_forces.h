@@ -19,7 +19,7 @@ double legendArrowsHeight(const ArrowField& field, double width);  // [px]
 void paintLegendArrows(QPainter& painter, const Theme& theme, const ArrowField& field, const QPointF& at, double width);
 
 double legendContactsHeight(const ContactField& field, double width);  // [px]
-/// \param scale scale of the view [px per m].
+/// \param scale scale of the view [px/m].
 void paintLegendContacts(QPainter& painter, const Theme& theme, const ContactField& field, double scale,
                          const QPointF& at, double width);
 

@@ -18,8 +18,8 @@ struct Theme;
 
 MarkTheme screenMarks(const Theme& theme);
 
-/// Draws a mark at `at` [px] on a bolt with the direction `along` (unit vector, y downwards). \param small use the
-/// smaller size, for bolts with many marks.
+/// Draws a mark at `at` [px] on a bolt with the direction `along` (unit vector, y downwards).
+/// \param small true: use the smaller size, for bolts with many marks.
 void paintMark(QPainter& painter, MarkKind kind, const QPointF& at, const QPointF& along, bool small,
                const MarkTheme& theme);
 

@@ -49,7 +49,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// History of the bolt so far, which only one thread extends.
+    /// History of the bolt so far; only one thread extends it.
     struct Past;
     struct Shown {
         BoltChart chart;

@@ -58,7 +58,7 @@ CurveEntries curveEntries(const RunSource& run, CurveKind kind);
 /// Plots the quantity `y` of the run against `x`, both named as in `allSeries`; against time if `x` is empty.
 CurveEntries curveOver(const RunSource& run, const std::string& y, const std::string& x);
 
-/// Name of the chart that shows the quantity of this pin for the first four pins.
+/// Name of the first chart with the quantity of this pin; a chart shows at most four pins.
 QString pinEntryName(const Pin& pin);
 
 /// Charts of the pins, grouped by quantity.

@@ -54,8 +54,8 @@ public:
     /// \param pointers maps pointers from before the step to those after it
     void apply(const QString& step, Scene after, PointerChange pointers = {});
 
-    /// Applies an edit that may have been refused, and reports why, or what else it changed. Returns false if it was
-    /// refused.
+    /// Applies an edit unless it was refused. Reports why it was refused, or what else it changed. Returns false if it
+    /// was refused.
     bool apply(const QString& step, Edit edit);
 
     /// Shows and checks a scene during a drag without adding an undo step. `endPreview` returns to the scene of the
@@ -94,8 +94,8 @@ public:
     std::vector<Problem> open(const QString& path);
 
     /// Opens the readable part of a file with errors as a new document without a file, so that saving does not
-    /// overwrite the original. Emits `readInPart` even if nothing can be read; then returns false and leaves the
-    /// document unchanged.
+    /// overwrite the original. Emits `readInPart` in any case. Returns false and leaves the document unchanged if
+    /// nothing can be read.
     bool openPart(const QString& path);
 
     /// Writes the file atomically. \throws CannotWrite

@@ -21,7 +21,7 @@ class Document;
 class JournalFile;
 class LazyScene;
 
-/// The folder of the journals, within the program's data folder of the user.
+/// The folder of the journals, inside the program's data folder for the user.
 QString journalFolder();
 
 class Journal : public QObject {
@@ -34,7 +34,7 @@ public:
 
     /// Removes the journal, because the document was saved or its edits were discarded.
     void close();
-    /// Waits until all edits are written; false if some could not be written to disk yet.
+    /// Waits until all edits are written; returns false if some could not be written to disk.
     bool flush();
 
     /// Continues a journal that was not closed.
@@ -43,7 +43,8 @@ public:
     /// \param restore sets the undo steps of the document to those of the journal
     void goOn(std::string lines, std::vector<std::shared_ptr<const LazyScene>> states,
               const std::function<void()>& restore);
-    /// Calls `done` once all edits so far are on disk or the journal is closed; immediately if they are.
+    /// Calls `done` once all edits so far are on disk or the journal is closed; immediately if this is already the
+    /// case.
     void onceKept(std::function<void()> done);
     /// Path of the journal file; empty if there is none.
     QString path() const;

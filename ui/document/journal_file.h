@@ -46,7 +46,7 @@ public:
     void move(std::size_t index);
     void saved(std::optional<std::size_t> index, const std::string& path);
 
-    /// Waits until all lines so far are written; false if some could not be written to disk yet.
+    /// Waits until all lines so far are written; returns false if some could not be written to disk.
     bool flush();
     /// Removes the file. Pending lines are not written.
     void remove();
