@@ -37,7 +37,7 @@ enum class Recover { Everything, WithoutLastCommand };
 /// the document cannot be recovered; empty if it was recovered.
 QString recover(const Abandoned& abandoned, Recover what, Document& document, Journal& journal);
 
-/// Discards the edits of this journal.
+/// Discards the edits recorded in this journal.
 void giveUp(const Abandoned& abandoned);
 
 }  // namespace keyblock

@@ -15,7 +15,8 @@ namespace keyblock {
 
 class Document;
 
-/// Converts pointers from before a step to those after it. Pointers to deleted objects are dropped.
+/// Maps pointers that were valid before an edit to the corresponding pointers after it. Pointers to deleted objects are
+/// dropped.
 QStringList whereNow(const QStringList& pointers, const WhereNow& now);
 
 class Selection : public QObject {
@@ -24,7 +25,7 @@ class Selection : public QObject {
 public:
     using QObject::QObject;
 
-    /// Keeps the same objects selected when a change of the scene changes their pointers.
+    /// Keeps the same objects selected when an edit, undo or redo changes their pointers.
     void follow(const Document& document);
 
     const QStringList& pointers() const { return pointers_; }

@@ -18,8 +18,8 @@ struct TextChange {
     std::string text;
 };
 
-/// The changes that turn `before` into `after`, in order and without overlap; UTF-8 characters are never split. Not
-/// always the smallest set of changes, but found in a time proportional to the length of the texts.
+/// The changes that turn `before` into `after`, in order and without overlap; UTF-8 characters are never split. The set
+/// of changes is not always the smallest possible, but it is found in time proportional to the length of the texts.
 std::vector<TextChange> textChanges(std::string_view before, std::string_view after);
 
 /// True if the changes are in order and lie within a text of `length` bytes.

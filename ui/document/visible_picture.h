@@ -13,7 +13,7 @@ namespace keyblock {
 
 class Visibility;
 
-/// The drawing of the check without hidden objects; the same drawing if nothing is hidden, null if there is no drawing.
+/// The drawing in `checked` without hidden objects; the same drawing if nothing is hidden, null if there is no drawing.
 std::shared_ptr<const SectionPicture> visiblePicture(const Checked& checked, const Visibility& visibility);
 
 }  // namespace keyblock

@@ -24,11 +24,11 @@ std::vector<bool> realNodes(const std::vector<Anchor>& anchors, const std::vecto
 std::vector<Anchor> withNodes(std::vector<Anchor> anchors, const std::vector<double>& nodes, std::size_t first,
                               std::size_t last, bool real, const Anchor& pattern);
 
-/// Distances of the nodes of a bolt from its far end [m]: equal divisions, or sixty of them if their number is
-/// automatic.
+/// Distances [m] of the nodes of a bolt from its far end, for the given number of equal divisions, or for 60 if the
+/// number is automatic.
 std::vector<double> evenNodes(double length, std::optional<int> divisions);
 
-/// The bolt type with this name, from the scene or else built-in; null if there is none.
+/// The bolt type with this name, from the scene or otherwise from the built-in types; null if there is none.
 const BoltType* boltTypeNamed(const Scene& scene, const std::string& name);
 
 /// A node of a bolt that has not been created yet.

@@ -14,8 +14,8 @@
 
 namespace keyblock {
 
-/// An empty scene to start from: granite, a joint material with 30° friction, gravity, and the stages `settle` and
-/// `excavate`; no rock yet.
+/// A scene to start from: a granite material, a joint material with 30° friction, gravity, and the stages `settle` and
+/// `excavate`, but no rock yet.
 Scene newScene();
 
 /// Sets the required fields of a new object to usable values. \param made a default-constructed struct described by
@@ -25,24 +25,24 @@ void makeDefaults(const Scene& scene, const Structure& structure, void* made);
 /// The reason why the corners do not form a valid outline; empty if they do.
 std::string outlineProblem(const std::vector<Point>& points);
 
-/// Sets the outline of the rock. If the scene has no supports, the base is fixed and the sides get vertical rollers.
-/// Refused: an outline that has no area or crosses itself.
+/// Sets the outline of the rock. If the scene has no supports, the base is fixed and the sides are put on vertical
+/// rollers. Refused if the outline has no area or crosses itself.
 Edit withDomain(const Scene& scene, const std::vector<Point>& boundary);
 
 /// Fixes the base of the outline and puts its sides on vertical rollers. \pre the scene has an outline and no supports.
 void supportSides(Edit& edit);
 
-/// Installs a bolt after the excavation of the tunnel that its head lies in or on. Does nothing if there is no such
-/// tunnel, or if no stage excavates it.
+/// Installs a bolt after the excavation of the tunnel that has the head of the bolt inside it or on its wall. Does
+/// nothing if there is no such tunnel, or if no stage excavates it.
 void installOnWall(Edit& edit, const Bolt& bolt);
 
-/// Adds a tunnel. It is excavated in the last stage that already excavates something, else in the first stage with
-/// "excavat" in its name; without such a stage it is open from the start.
+/// Adds a tunnel. It is excavated in the last stage that already excavates something, otherwise in the first stage with
+/// "excavat" in its name. If there is no such stage, the tunnel is open from the start.
 Edit withTunnel(const Scene& scene, const SceneTunnel& tunnel);
 
-/// Adds a bolt pattern or a bolt. If a stage excavates its tunnel and no later stage installs bolts, a new stage that
-/// installs it is inserted after the excavation. Half of the wall relaxation is moved to the new stage, because bolts
-/// installed after all movement carry no load.
+/// Adds a bolt pattern or a bolt. If a stage excavates its tunnel, it is installed in the first later stage that
+/// installs bolts. If there is no such stage, a new one is inserted after the excavation. By default, half of the wall
+/// relaxation is then moved to the new stage, because bolts installed after all movement carry no load.
 Edit withPattern(const Scene& scene, const ScenePattern& pattern);
 Edit withBolt(const Scene& scene, const Bolt& bolt);
 

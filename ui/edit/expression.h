@@ -17,8 +17,8 @@ struct ExpressionResult {
     std::string problem;
 };
 
-/// Evaluates an expression such as `5/2+0.1`, `sqrt(2)*3`, `max(1, 2)` or `2*sin(30)`. Known names: sqrt, abs, min,
-/// max, sin, cos, tan, asin, acos, atan (with degrees), pi.
+/// Evaluates an expression such as `5/2+0.1`, `sqrt(2)*3`, `max(1, 2)` or `2*sin(30)`. Available names: sqrt, abs, min,
+/// max, sin, cos, tan, asin, acos, atan (angles in degrees) and pi.
 ExpressionResult evaluateExpression(const std::string& text);
 
 }  // namespace keyblock

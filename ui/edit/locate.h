@@ -29,15 +29,15 @@ struct ScenePlace {
     const void* object() const;  // \pre isObject()
 };
 
-/// Finds what a pointer refers to; null if it refers to nothing in this scene. For an Object that is null, the field of
-/// its owner is found.
+/// Finds what a pointer refers to; null if it refers to nothing in this scene. For an Object that is null, the result
+/// refers to the field of its owner.
 std::optional<ScenePlace> locate(const Scene& scene, std::string_view pointer);
 
 /// Pointer of the object that contains `pointer`, or `pointer` itself if it refers to an object: `/bolts/3` for
 /// `/bolts/3/head`. Empty for fields of the scene itself and for invalid pointers.
 std::string objectPointer(const Scene& scene, std::string_view pointer);
 
-/// The same address without const. \pre the caller owns the scene, and nothing else shares it.
+/// Removes const from the address. \pre the caller owns the scene, and nothing else shares it.
 void* changeable(const void* owner);
 
 }  // namespace keyblock

@@ -20,8 +20,8 @@ std::string freeName(std::string_view stem, const std::vector<std::string>& take
 /// 3`. Empty if the entries have no names.
 std::string newName(const Scene& scene, std::string_view list);
 
-/// An unused name for a copy of the entry `name` of a list: `name` itself if it is not used there, else J13 for `J12`,
-/// or `roof 2` for `roof`.
+/// An unused name for a copy of the entry `name` of a list: `name` itself if it is not used there, otherwise e.g. `J13`
+/// for `J12` or `roof 2` for `roof`.
 std::string nameOfCopy(const Scene& scene, std::string_view list, std::string_view name);
 
 /// Title of the object at a JSON pointer, as shown to the user: `joint J12`, `domain`, `load 2 of stage load`, `bottom
@@ -31,8 +31,8 @@ std::string titleAt(const Scene& scene, std::string_view pointer);
 /// Name of the object at a JSON pointer; empty if it has none.
 std::string nameAt(const Scene& scene, std::string_view pointer);
 
-/// Renames an object and updates all references to it. Refused: an empty name if the object needs one, and a name that
-/// is already used.
+/// Renames an object and updates all references to it. Refused if the name is already used, or if it is empty and the
+/// object needs a name.
 Edit renameAt(const Scene& scene, const std::string& pointer, const std::string& name);
 
 }  // namespace keyblock

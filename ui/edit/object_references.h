@@ -15,7 +15,7 @@ namespace keyblock {
 /// Kinds of objects that other fields can refer to; each kind has its own list in the scene.
 enum class Named { Material, JointMaterial, Region, Tunnel, Block, Bolt, Pattern, BoltType, Joint, JointSet, Monitor };
 
-/// What happens to a reference if its object is deleted.
+/// What happens to a reference when the object that it names is deleted.
 enum class WhenGone {
     Stays,  // the reference is kept because the field requires a name; the check reports the missing object
     Null,  // the field becomes null
@@ -23,7 +23,7 @@ enum class WhenGone {
     Owner  // the object that contains the reference is deleted too
 };
 
-/// The name of another object within a text of the scene.
+/// A reference to another object by its name, which may be only part of a text of the scene: `P1` in `P1.3`.
 struct Reference {
     Named kind = Named::Material;
     std::string pointer;  // JSON pointer of the text
@@ -34,7 +34,8 @@ struct Reference {
     std::string name() const { return text->substr(at, length); }
 };
 
-/// All references, in the order of the parts of the scene. A name that is not found has the kind expected by its field.
+/// All references, in the order of the parts of the scene. If no object has the name, the reference has the kind that
+/// its field expects.
 std::vector<Reference> referencesOf(Scene& scene);
 
 /// JSON pointer of the list or map that contains objects of this kind.

@@ -31,7 +31,7 @@ bool liesIn(const std::set<std::string>& pointers, std::string pointer);
 /// Mapping from earlier pointers to new ones.
 class PointerChange {
 public:
-    /// Records that entries of a list were removed; those behind them moved up.
+    /// Records that entries of a list were removed; the entries after them moved up.
     /// \param list the pointer of the list. \param indices the entries removed. \param count number of entries before.
     void removed(const std::string& list, const std::vector<std::size_t>& indices, std::size_t count);
 

@@ -43,7 +43,7 @@ public:
     /// The best snap point near `place`; null if nothing is near and there is no grid.
     std::optional<Snap> at(const Point& place, const SnapWish& wish) const;
 
-    /// The number of lines that `at` compares with the mouse.
+    /// Number of lines that `at` compares with this position.
     std::size_t compared(const Point& place, double radius) const;
 
 private:

@@ -9,7 +9,8 @@
 
 namespace keyblock {
 
-/// Vertical stress from the weight of the overburden; horizontal stress as a fixed ratio of it.
+/// In-situ stress that increases with depth: the vertical stress is the weight of the overburden, and the horizontal
+/// stress is K0 times the vertical stress.
 struct DepthStress {
     double surfaceY = 0.0;  // elevation of the ground surface [m]
     double unitWeight = 0.0;  // of the overburden [N/m³]
@@ -29,8 +30,8 @@ Edit withDepthStress(const Scene& scene, const DepthStress& stress);
 /// Sets a uniform in-situ stress. Refused if σ1 < σ3.
 Edit withPrincipalStresses(const Scene& scene, const PrincipalStresses& stress);
 
-/// Values to start from: those of the scene's in-situ stress if it increases with depth, else the ground surface at the
-/// top of the rock and the unit weight of the first material.
+/// Suggested input: the values of the scene's in-situ stress if it increases with depth, otherwise the ground surface
+/// at the top of the rock and the unit weight of the first material.
 DepthStress suggestedDepthStress(const Scene& scene);
 
 /// Principal stresses of the scene's in-situ stress; its gradient is ignored.

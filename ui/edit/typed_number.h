@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// A number, or what is wrong with the text and what to enter.
+/// A number, or a message that says what is wrong with the text and what to enter.
 struct TypedNumber {
     std::optional<double> value;  // finite, in the requested unit
     std::string problem;  // a sentence; empty if there is a value
@@ -23,7 +23,7 @@ struct TypedNumber {
 /// Numbers with another unit of the same kind are converted.
 TypedNumber typedNumber(std::string_view text, std::string_view unit);
 
-/// The text of a number without typography: true minus signs become '-', and spaces at the ends and between thousands
+/// The text of a number in plain characters: true minus signs become '-', and spaces at the ends and between thousands
 /// are removed.
 std::string plainNumberText(std::string_view text);
 

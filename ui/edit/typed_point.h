@@ -13,13 +13,13 @@
 
 namespace keyblock {
 
-/// The state of the drawing when a point is typed.
+/// Points to which a typed point may be relative.
 struct TypingContext {
     std::optional<Point> previous;  // the last point drawn [m]
     Point mouse{0.0, 0.0};  // position of the mouse [m], after snapping and the ortho constraint
 };
 
-/// A point, or what is wrong with the text and what to enter.
+/// A point, or a message that says what is wrong with the text and what to enter.
 struct TypedPoint {
     std::optional<Point> place;  // [m]; within the allowed distance from the origin
     std::string problem;  // a sentence; empty if there is a point

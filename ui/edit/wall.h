@@ -24,11 +24,12 @@ struct WallPlace {
 /// The nearest wall within `radius` [m] of a point, tunnels before other faces; null if there is none.
 std::optional<WallPlace> wallAt(const Scene& scene, const Point& place, double radius);
 
-/// The point on the wall of a tunnel nearest to `place`, at any distance; null if the tunnel cannot be drawn.
+/// The point on the wall of a tunnel nearest to `place`, at any distance; null if the tunnel does not exist or its
+/// shape is invalid.
 std::optional<WallPlace> wallOfTunnel(const Scene& scene, int tunnel, const Point& place);
 
-/// Length of a tunnel's wall from one position to another in the given direction [m]; that of the whole wall if the
-/// positions coincide. `from` and `to` are lengths along the wall, as in `WallPlace::along`.
+/// Length [m] of a tunnel's wall from one position to another in the given direction; the length of the whole wall if
+/// the positions coincide. `from` and `to` are lengths along the wall, as in `WallPlace::along`.
 double runAlong(const SceneTunnel& tunnel, double from, double to, Way way);
 
 /// The part of a tunnel's wall that starts at `from` and leads to `to` in the given direction, as a polyline [m].
