@@ -44,7 +44,7 @@ private:
 /// File name of an image in a folder of images: `frame-0001.png` for index 0.
 std::string pictureName(std::size_t picture);
 
-/// True if a file in a folder of images may have this name: an image, or the list `frames.csv`.
+/// True if a folder of images may contain a file with this name: an image, or the list `frames.csv`.
 bool isOfPictures(const std::string& name);
 
 /// Writes the list of images as CSV: file, stage, time and step of each image.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Draws a chart on the screen. A header of its own, because that of QCustomPlot uses
+// Draws a chart on the screen. This header is separate because that of QCustomPlot uses
 // Qt's keywords, which the window disables.
 #pragma once
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers on the axes of a chart, rounded by our rules instead of QCustomPlot's.
+// Ticks of the axes of a chart, at round numbers chosen as for legends and scale bars
+// instead of by QCustomPlot.
 #pragma once
 
 #include "ui/figure/ink.h"
@@ -13,11 +14,11 @@
 
 namespace keyblock {
 
-/// Ticks at round numbers, written with a true minus sign. At most `most` ticks.
+/// At most `most` ticks at round numbers, which are written with a true minus sign.
 class RoundTicker : public QCPAxisTicker {
 public:
     explicit RoundTicker(int most) : most_(most) {}
-    /// Keeps ticks at least this fraction of the axis apart.
+    /// Sets the smallest distance between ticks, as a fraction of the length of the axis.
     void setLeast(double share) { least_ = share; }
     void generate(const QCPRange& range, const QLocale& locale, QChar format, int precision, QVector<double>& ticks,
                   QVector<double>* subTicks, QVector<QString>* labels) override;

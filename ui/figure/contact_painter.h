@@ -20,7 +20,7 @@ public:
     /// Draws a line centred at `at` [mm, y downwards] in the direction of `force` [display unit], clipped to `frame`.
     void draw(Ink& ink, ContactKind kind, const Point& at, const Point& force, const Box& frame) const;
 
-    /// Length and width on paper of the line of a force [mm].
+    /// Length and width on paper of the line that represents a force [mm].
     double lengthOf(double force) const;
     double widthOf(double force) const;
 

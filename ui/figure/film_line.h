@@ -22,7 +22,7 @@ public:
     /// \param frames frames of the run that are shown, in order. \param events events as numbered in the last frame.
     FilmLine(const RunSource& run, const std::vector<std::size_t>& frames, const EventList& events);
 
-    /// Draws the line for one image, with its upper left corner at `at` and over `width` [mm].
+    /// Draws the line for one image, `width` [mm] wide and with its upper left corner at `at`.
     void draw(Ink& ink, const Point& at, double width, std::size_t picture) const;
 
 private:

@@ -73,8 +73,8 @@ private:
 /// Width of a text [mm].
 double textWidth(const std::string& text, const TextStyle& style);
 
-/// The text, shortened with an ellipsis if it is longer than `width` [mm]. \param middle shorten in the middle, for
-/// names that differ only at their ends.
+/// The text, shortened with an ellipsis if it is longer than `width` [mm]. \param middle true: shorten it in the
+/// middle, for names that differ only at their ends.
 std::string elided(const std::string& text, const TextStyle& style, double width, bool middle = false);
 
 /// The text in lines of at most `width` [mm]; if it needs more than `most` lines, the last one is shortened with an

@@ -12,8 +12,8 @@
 
 namespace keyblock {
 
-/// Draws a mark at `at` [mm] on a bolt with the direction `along` (unit vector, y downwards). \param small use the
-/// smaller size, for bolts with many marks.
+/// Draws a mark at `at` [mm] on a bolt with the direction `along` (unit vector, y downwards). \param small true: use
+/// the smaller size, for bolts with many marks.
 void drawMark(Ink& ink, MarkKind kind, const Point& at, const Point& along, bool small = false,
               const MarkTheme& theme = paperMarks);
 

@@ -17,7 +17,7 @@ struct MarkColours {
     Colour error = paper_theme::error, yielded = paper_theme::yielded;
 };
 
-/// Sizes in drawing units (mm or px). Of a pair, `small` is used for bolts with many marks.
+/// Sizes in drawing units (mm or px). The size `small` of a pair is used for bolts with many marks.
 struct MarkSizes {
     struct Pair {
         double usual, small;

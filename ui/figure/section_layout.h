@@ -26,7 +26,7 @@ public:
     double height() const { return height_; }  // total height [mm]
     const std::vector<MarkKind>& kinds() const { return kinds_; }
 
-    /// Draws the section and its legends, for the picture given at construction or another one whose legends need no
+    /// Draws the section and its legends. The picture may differ from that given at construction if its legends need no
     /// more space.
     void draw(Ink& ink, const SectionPicture& picture, const Scene& scene) const;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What all figures have around their content: a title of up to two lines, a subtitle,
+// The parts around the content of every figure: a title of up to two lines, a subtitle,
 // warnings if the values are unreliable, and a footer with the source.
 #pragma once
 

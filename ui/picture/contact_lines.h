@@ -53,8 +53,8 @@ ContactLine contactLine(const ContactFrame& contact);
 /// \param sizes the magnitudes of these forces are appended to it.
 void widen(ContactScale& scale, const Frame& frame, std::vector<double>& sizes);
 
-/// Value of `ContactScale::longest` for forces of these magnitudes: an upper bound of all of them except the largest
-/// ones, which make up 2 % of their sum, rounded up to a round number; 0 if there are no forces.
+/// Value of `ContactScale::longest` for forces of these magnitudes: the smallest magnitude such that all larger forces
+/// together make up at most 2 % of the sum of all forces, rounded up to a round number; 0 if there are no forces.
 double longestOf(std::vector<double> sizes);
 
 // Lengths and widths on paper [mm].

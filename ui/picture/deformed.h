@@ -12,13 +12,14 @@
 
 namespace keyblock {
 
-/// Initial corners of all solved blocks [m]; blocks and corners are in the order of a frame's.
+/// Initial corners of all solved blocks [m], in the order of the blocks and corners of a frame.
 std::vector<std::vector<Point>> cornersBefore(const SolvedBlocks& solved);
 
-/// The corners before + factor · (now − before). \pre `before` and `now` have the same number of corners.
+/// Corners with scaled displacements: before + factor · (now − before). \pre `before` and `now` have the same number of
+/// corners.
 std::vector<Point> deformed(const std::vector<Point>& before, const std::vector<Point>& now, double factor);
 
-/// Drawn position of a point of a block: the point is shifted with the nearest corner.
+/// Position of a point of a block as drawn: the point is shifted by the same vector as the nearest corner.
 /// \param now actual corners of the block. \param drawn its corners as drawn.
 Point carriedAlong(const Point& place, const std::vector<Point>& now, const std::vector<Point>& drawn);
 

@@ -28,8 +28,8 @@ std::vector<Series> monitorSeries(const Scene& scene);
 /// All series of a run: those of the monitors, then BOLT.QUANTITY for every bolt, then energy.NAME.
 std::vector<Series> allSeries(const RunSource& run);
 
-/// Values at each row of the history, or, if frames are given, at each frame: from the last row that is not later than
-/// the frame; NaN if there is none.
+/// Values at each row of the history or, if frames are given, at each frame. The value at a frame is that of the last
+/// row not later than the frame, or NaN if there is none; energies are those of the frame itself.
 std::vector<double> valuesOf(const Series& series, const std::vector<HistoryRow>& rows);
 std::vector<double> valuesOf(const Series& series, const std::vector<HistoryRow>& rows,
                              const std::vector<FrameHead>& frames);

@@ -38,7 +38,7 @@ struct LegendBar {
     /// Colours along the bar, each with its fraction of the range. A colour step is given by two colours at the same
     /// fraction.
     std::vector<std::pair<double, Colour>> stops(bool dark) const;
-    /// True if a bolt element with this value is dashed.
+    /// True if a bolt element with this value is drawn dashed.
     bool isDashed(double shown) const;
     /// True if the user's choice excludes extreme values from the range.
     bool clips() const { return scale.clips && scale.of != ScaleOf::Own && (goesBelow || goesAbove); }

@@ -23,10 +23,10 @@ public:
     const std::vector<StageSpan>& stages() const { return stages_; }
     double end() const { return stages_.empty() ? 0.0 : stages_.back().to; }
 
-    /// Position on the axis of a time within a stage.
+    /// Axis position of a time within a stage.
     double at(int stage, double time) const;
 
-    /// Position on the axis of a time accumulated over all stages.
+    /// Axis position of a time accumulated over all stages.
     double atTotal(double time) const;
 
     /// Title of the axis.

@@ -21,7 +21,7 @@ public:
     SectionFilm(const RunSource& run, const SectionRequest& request, std::vector<std::size_t> frames);
 
     std::size_t size() const { return frames_.size(); }
-    /// Index into the run's frames of the section with index `picture`.
+    /// Index of the run's frame that the section with index `picture` shows.
     std::size_t frame(std::size_t picture) const { return frames_[picture]; }
     SectionPicture picture(std::size_t index) const;
 

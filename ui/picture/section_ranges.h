@@ -21,8 +21,8 @@ public:
     /// are kept.
     void dropEverySecond();
 
-    /// Legends over all frames added. \param scales colour ranges chosen by the user; a range of a single frame or one
-    /// typed by the user is applied later, by `withNow`.
+    /// Legends for all frames added so far. \param scales colour ranges chosen by the user; a range of a single frame
+    /// or one typed by the user is applied later, by `withNow`.
     SectionLegends legends(const ScaleChoices& scales = {}) const;
 
 private:

@@ -43,7 +43,8 @@ std::string shownTitle(const std::string& title, const ShownNumbers& numbers);
 std::string forceText(double force, const ShownNumbers& numbers);  // force [N] with its unit: `119 kN`
 std::string lengthText(double length, const ShownNumbers& numbers);  // length [m] with its unit: `31 mm`
 
-/// Converts drawing data from engineering units to the user's choice, in place. \pre not converted before.
+/// Converts drawing data from engineering units to the user's choice, in place. \pre the data have not been converted
+/// before.
 void showAs(SectionPicture& picture, const ShownNumbers& numbers);
 void showAs(Chart& chart, const ShownNumbers& numbers);
 

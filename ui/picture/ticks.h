@@ -46,8 +46,8 @@ struct Weighed {
     double weight = 1.0;
 };
 
-/// Range of the values without those at either end that make up the fraction `share` of the total weight. Both ends are
-/// zero if there are no values.
+/// Range of the values without the extremes: at each end, the values that make up the fraction `share` of the total
+/// weight are left out. Both ends are zero if there are no values.
 ValueRange rangeWithout(std::vector<Weighed> values, double share);
 
 /// Text of `value` with the given number of decimals.

@@ -3,8 +3,8 @@
 //
 // A section on the GPU, in layers from the openings at the bottom to the shanks of
 // bolts at the top. Text and everything else with a size in pixels (marks, names, force
-// diagrams, legends) is painted above it by the owner of the window. What is shown is
-// decided by the picture, not here.
+// diagrams, legends) is painted above it by the owner of the window. The picture alone
+// determines what is shown.
 #pragma once
 
 #include "ui/picture/section.h"

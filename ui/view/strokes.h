@@ -12,8 +12,9 @@ class vtkActor;
 
 namespace keyblock {
 
-/// Vertex attribute of each corner besides its position: vector of the line [m] (x, y); width of the line over that of
-/// the layer, with a sign for the side of the line; end of the line (−1 or 1).
+/// Name of the vertex attribute that each corner has besides its position. Its components are the vector of the line
+/// [m] (x, y), the line width relative to that of the layer (its sign gives the side of the line), and the end of the
+/// line (−1 or 1).
 inline constexpr const char* strokeWay = "strokeWay";
 
 /// Sets the shaders that draw lines on an actor whose mapper has the attribute `strokeWay`. All lines are drawn at the
