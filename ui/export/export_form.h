@@ -27,12 +27,12 @@ public:
 
     explicit ExportForm(QWidget* parent);
 
-    /// Offers what the run contains, and selects what the window shows.
+    /// Fills the options with what the run contains, and selects what the window shows.
     void take(const Exportable& now);
     void choose(ExportWhat what);
 
     Kind kind() const;
-    /// The export order, still without the path to write to.
+    /// The export order; its output path is not set.
     ExportOrder order() const;
     /// Extension of the file to write; empty: the export writes a folder.
     QString ending() const;

@@ -30,9 +30,9 @@ public:
     ExportWindow(std::function<Exportable()> shown, const Themes& themes, QWidget* parent);
     ~ExportWindow() override;
 
-    /// Takes over the current view, and shows the window with `what` selected.
+    /// Adopts the current view, and shows the window with `what` selected.
     void open(ExportWhat what);
-    /// To be called when the run has more frames: updates the preview if the window is open.
+    /// Call when the run has more frames. Updates the preview if the window is open.
     void refresh();
 
 private:

@@ -26,7 +26,7 @@ bool hasCharts(FigureKind kind);
 std::vector<std::filesystem::path> writeFigureFiles(const RunSource& run, const FigureRequest& request, bool withData,
                                                     const std::filesystem::path& out);
 
-/// Writes a table as a file. \throws CannotWrite
+/// Writes a table to a file. \throws CannotWrite
 void writeTableFile(const RunSource& run, TableKind kind, const TableFilter& filter, const std::filesystem::path& out);
 
 /// True if the table describes one frame; false if it describes the whole run.

@@ -8,8 +8,9 @@
 
 namespace keyblock {
 
-/// Every word typed must occur in the name: best at the start of a word, then within a word, then as scattered letters
-/// in the same order. Returns −1 if there is no match, 0 if nothing is typed, and otherwise a rating; higher is better.
+/// Every typed word must occur in the name. A match at the start of a word rates best, then one within a word, then one
+/// whose letters are scattered through the name in the same order. Returns −1 if there is no match, 0 if nothing is
+/// typed, and otherwise a rating; higher is better.
 int matchOf(const QString& typed, const QString& name);
 
 }  // namespace keyblock

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // All commands with their keyboard shortcuts, listed by menu. Shortcuts are changed
-// here; before a command loses its shortcut to another, the sheet names it.
+// here; if a new shortcut is taken already, the sheet names the command that will lose
+// it.
 #pragma once
 
 #include <QKeySequence>

@@ -59,7 +59,7 @@ public:
     void setWhyNot(const QString& id, const QString& why);
     QString whyNot(const QAction* action) const;
 
-    /// How texts refer to the command: by its keys, `F5`, or by its name, `“Run”`, if it has no keys.
+    /// How texts refer to the command: by its keys, such as `F5`, or, if it has none, by its name, such as `“Run”`.
     QString callOf(const QString& id) const;
 
     /// Sets the keys of a command and saves them in the settings; an empty list restores the default keys.

@@ -38,7 +38,8 @@ public:
     bool isDark() const { return dark_; }
     void choose(bool dark);
 
-    /// The icon `resources/icons/NAME.svg` in colours of the theme: text2, accent if it is on, text3 if it is disabled.
+    /// The icon `resources/icons/NAME.svg` in colours of the theme: `accent` if it is checked, `text3` if it is
+    /// disabled, otherwise `text2`.
     QIcon icon(const QString& name) const;
     /// The icon `resources/icons/NAME.svg` in a single colour.
     QIcon icon(const QString& name, const QColor& colour) const;

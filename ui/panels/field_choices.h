@@ -12,7 +12,8 @@
 
 namespace keyblock {
 
-/// Names that the field may have in this scene, in the order of the scene tree; none if the field is not a name.
+/// Names that the field may have in this scene, in the order of the scene tree; null if the field does not name an
+/// object.
 std::optional<std::vector<std::string>> choicesOf(const Scene& scene, const Field& field);
 
 }  // namespace keyblock

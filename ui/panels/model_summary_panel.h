@@ -31,8 +31,8 @@ public:
     ModelSummaryPanel(Document& document, const Commands& commands, const Themes& themes, QWidget* parent = nullptr);
     ~ModelSummaryPanel() override;
 
-    /// Pauses the computation of the summary during a run, when the estimate would be wrong and would slow the run
-    /// down.
+    /// Pauses the computation of the summary during a run. The estimate would be inaccurate then, and computing it
+    /// would slow the run down.
     void setBusy(bool busy);
 
     /// The latest summary; null while it is being computed, or if it cannot be computed.

@@ -38,12 +38,12 @@ std::vector<PlanRow> stagePlan(const Scene& scene);
 
 inline constexpr std::size_t mostPlanBlocks = 40;
 
-/// Toggles a cell. Rock: excavates it in this stage instead of any other, or undoes its excavation in this stage.
-/// Bolts: undoes a change already made in this stage; otherwise removes a present bolt that some stage installs, and
-/// installs any other.
+/// Toggles a cell. Rock: excavates it in this stage instead of any other, or cancels its excavation in this stage.
+/// Bolts: cancels an installation or removal in this stage. If there is neither, removes the bolt if it is present and
+/// some stage installs it; otherwise installs it.
 Edit toggled(const Scene& scene, const PlanRow& row, std::size_t stage);
 
-/// Name of that undo step, e.g. `Excavate drift in excavate`.
+/// Name of the undo step for `toggled`, e.g. `Excavate drift in excavate`.
 QString toggledName(const Scene& scene, const PlanRow& row, std::size_t stage);
 
 /// Short descriptions of what the stage does, e.g. `excavates drift` and `2 loads`.

@@ -17,7 +17,7 @@ namespace keyblock {
 class CellTable;
 class TableChart;
 
-/// Edits lists of points, pairs (with a chart), texts, and texts by name.
+/// Edits lists of points, pairs (with a chart) or texts, and maps from names to texts.
 class TableEditor : public ValueEditor {
     Q_OBJECT
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A second run, of this scene or another, for comparison with the run shown. It has its
-// own time cursor, which follows the time of the first. Unless runs are compared,
-// nothing but this object exists.
+// own time cursor, which follows the time of the first. Outside a comparison, only this
+// object exists.
 #pragma once
 
 #include "ui/document/background.h"

@@ -24,7 +24,7 @@ namespace keyblock {
 
 class LiveRun : public RunSource {
 public:
-    /// A new run, which writes to this store.
+    /// A new run whose results are written to this store.
     LiveRun(std::filesystem::path store, const LiveStart& start);
 
     /// Reads a run from a store; its frames are read later, one by one. \throws CannotRead
@@ -56,7 +56,7 @@ public:
     const std::vector<HealthSample>& health() const { return health_; }
     const std::optional<Progress>& progress() const { return progress_; }
 
-    /// A stored frame. Can be called from any thread; the frames used last stay in memory. \throws CannotRead
+    /// A stored frame. Can be called from any thread; the most recently used frames stay in memory. \throws CannotRead
     std::shared_ptr<const Frame> sharedFrame(std::size_t index) const;
 
     const std::filesystem::path& store() const { return store_; }
@@ -111,7 +111,7 @@ private:
     std::shared_ptr<const Frame> frame_;  // null: not loaded yet
 };
 
-/// Snapshot of a whole run so far, from which any thread can make curves.
+/// Snapshot of a whole run so far, from which any thread can draw curves.
 class RunSoFar : public RunSource {
 public:
     explicit RunSoFar(std::shared_ptr<const LiveRun> run);

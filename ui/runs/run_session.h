@@ -51,7 +51,8 @@ public:
     void step();
     void stop();
 
-    /// Sets how often per second states between stored frames are passed to the window; 0: never. Initially 30.
+    /// Sets how many times per second states between stored frames are passed to the window; 0: never. The default is
+    /// 30.
     void setLooksPerSecond(int looks);
     /// Processor time used by the run's own thread [s]; 0 before the run starts and after it has ended.
     double threadSeconds() const;

@@ -46,7 +46,7 @@ public:
 
     /// The runs of the document, latest first.
     const std::vector<RunEntry>& entries() const { return entries_; }
-    /// Searches for stores again.
+    /// Searches for run stores again, in the background, and updates the entries.
     void refresh();
 
     /// Number of threads for new runs; 0: one per processor.
@@ -74,7 +74,7 @@ public:
     /// Path of the store of the run shown; empty if no run is shown.
     QString shown() const;
 
-    /// E.g. "Run 12 used an earlier version of the scene"; empty if the run shown used the current scene.
+    /// A notice such as "Run 12 used an earlier version of the scene"; empty if the run shown used the current scene.
     QString staleness() const;
 
     /// Stops the run in progress, if any, and waits for its end; results so far are kept.

@@ -56,7 +56,7 @@ public:
     std::optional<std::size_t> storedFrame() const;
     /// \pre `hasMoment()`.
     FrameHead head() const;
-    /// Snapshot of the state shown, from which any thread can make drawings; null without `hasMoment()`.
+    /// Snapshot of the state shown, from which any thread can make drawings; null if `hasMoment()` is false.
     std::shared_ptr<const Moment> moment() const;
 
     void goTo(std::size_t frame);

@@ -27,7 +27,7 @@ struct Sample {
 /// All samples: first a few instructive ones, then drifts, bolts and blocks, each group sorted by name.
 std::vector<Sample> gallerySamples();
 
-/// Folder with the records that the samples use; created on the first call.
+/// Folder with the CSV records that the samples use; created if necessary.
 QString sampleRecordFolder();
 
 /// The scene of a sample, with its records included; none if it cannot be read.

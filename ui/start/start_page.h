@@ -36,7 +36,7 @@ public:
         RecentFiles& recent;
     };
 
-    /// \param covered widget that the page covers; the page always has the same size
+    /// \param covered widget that the page covers; the page is resized with it
     StartPage(const Rooms& rooms, QWidget* covered);
 
     static bool isWantedAtStart();

@@ -15,7 +15,7 @@ struct Theme;
 
 enum class ThumbnailView { Heart, Everything };  // the relevant part, cropped if necessary; or the whole scene
 
-/// Paints a scene as it is drawn.
+/// Paints the drawing of a scene as a thumbnail.
 /// \param pixels size of the image
 /// \param ratio device pixel ratio for which line widths are chosen
 QImage paintThumbnail(const SectionPicture& picture, QSize pixels, double ratio, const Theme& theme,

@@ -28,7 +28,7 @@ class ToolPainter {
 public:
     ToolPainter(QPainter& painter, const CanvasMap& map, const Theme& theme);
 
-    /// A line that is not committed yet: accent colour, dashed (7–4).
+    /// A line that is not committed yet: accent colour, dashed (dash 7 px, gap 4 px).
     void ghost(const std::vector<Point>& points, bool closed = false, double width = 1.6);
     void ghostFill(const std::vector<Point>& outline);
     /// A selected line: accent colour, solid.

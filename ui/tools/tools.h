@@ -23,7 +23,7 @@ std::vector<std::unique_ptr<Tool>> makeAllTools(Workbench& bench);
 /// Adds a command, a key and a palette button for each tool; the commands are appended to `actions`.
 void addToolCommands(Commands& commands, ToolDesk& desk, ToolPalette& palette, std::vector<QAction*>& actions);
 
-/// Adds the commands that switch object snap, ortho, grid and grid snap.
+/// Adds the commands that switch object snap, ortho, grid and grid snap on and off.
 void addModeCommands(Commands& commands, Workbench& bench);
 
 /// Indices of the selected bolts, and of the bolts of selected patterns, among the bolts of the cut scene.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What all tools share: document, selection and canvas, the point under the mouse (with
+// Shared by all tools: document, selection and canvas, the point under the mouse (with
 // snap, ortho and grid), and the commit of an edit as an undo step.
 #pragma once
 
@@ -37,7 +37,7 @@ struct Pointed {
     bool typed = false;
 };
 
-/// Drawing aids that are switched by keys.
+/// Drawing aids that the user switches on and off with keys.
 struct PointingModes {
     bool objectSnap = true, ortho = false, gridSnap = false, gridShown = false;
 
@@ -73,7 +73,7 @@ public:
     void setDrawing(bool drawing);
 
     /// The point at the mouse after snapping. A snap point that `accepts` rejects is ignored.
-    /// \param previous base of ortho and of perpendicular snaps
+    /// \param previous point from which ortho and perpendicular snaps start
     /// \param except pointers to objects excluded from snapping
     template <typename Accepts>
     Pointed pointAt(const Point& raw, const QPointF& pixel, Qt::KeyboardModifiers modifiers,
@@ -92,7 +92,7 @@ public:
 
     /// Applies the edit as an undo step called `step`. If the edit is refused, shows the reason and returns false.
     bool commit(const QString& step, const Edit& edit);
-    /// Applies an edit that creates an object and selects the object. The undo step is called `step`, by default e.g.
+    /// Applies an edit that creates an object, and selects this object. The undo step is called `step`, by default e.g.
     /// `Add joint J3`.
     bool add(const Edit& edit, const QString& step = {});
     /// Shows a message next to the prompt.

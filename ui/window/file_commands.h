@@ -20,7 +20,7 @@ class Themes;
 
 enum class UnsavedEdits { Ask, Settled };
 
-/// Asks about unsaved edits before opening a file.
+/// Adds the commands that create, open, save and revert scenes, and Quit. New and Open ask about unsaved edits first.
 /// \param open called with the file that the user chooses: a scene, a run or a drawing
 void addFileCommands(Commands& commands, Document& document, QWidget& window, std::function<void(const QString&)> open);
 void addEditCommands(Commands& commands, Document& document);
