@@ -149,7 +149,7 @@ void checkSoftening(const Anchor& anchor, const std::string& pointer, CheckRepor
                      "Omit 'on_failure' or 'softening_slip'");
     if (anchor.strength && anchor.softeningSlip * anchor.stiffness < leastSoftening * *anchor.strength)
         report.error(place, "the bond softens over less than a thousandth of the slip at its peak",
-                     "Omit it for a brittle bond, or give a longer slip", {RepairKind::Omit, place});
+                     "Remove it for a brittle bond, or give a longer slip", {RepairKind::Omit, place});
 }
 
 void checkAnchorCurve(const Anchor& anchor, const std::string& pointer, CheckReport& report) {

@@ -47,7 +47,7 @@ void checkBelongs(const Structure& structure, const Field& field, const void* ob
     const bool says = hasChildren(field) ? mayBeAbsent && field.children.count(object) > 0
                                          : field.get(object) != defaultOf(structure, field);
     if (says)
-        report.error(pointer, misplaced(field), "Omit it", {RepairKind::Omit, pointer});
+        report.error(pointer, misplaced(field), "Remove it", {RepairKind::Omit, pointer});
 }
 
 void checkField(const Structure& structure, const Field& field, const void* object, const std::string& pointer,

@@ -52,10 +52,10 @@ bool checkRepeatedCorner(const std::vector<Point>& points, const std::string& po
         return true;
     const std::string place = under(pointer, corner == 0 ? points.size() - 1 : static_cast<std::size_t>(corner));
     if (corner == 0)
-        report.error(place, "the last corner repeats the first", "Omit it: outlines are closed automatically",
+        report.error(place, "the last corner repeats the first", "Remove it: outlines are closed automatically",
                      {RepairKind::Omit, place});
     else
-        report.error(place, "the corner repeats the one before it", "Omit it", {RepairKind::Omit, place});
+        report.error(place, "the corner repeats the one before it", "Remove it", {RepairKind::Omit, place});
     return false;
 }
 

@@ -18,7 +18,7 @@ constexpr std::string_view ofBolt = translatable("Fields", "Bolt");
 constexpr std::string_view bondLabel = translatable("Fields", "Bond");
 constexpr std::string_view steelLabel = translatable("Fields", "Steel");
 constexpr std::string_view plateLabel = translatable("Fields", "Plate");
-constexpr std::string_view grout = translatable("Fields", "Grout across the bolt");
+constexpr std::string_view grout = translatable("Fields", "Transverse stiffness of the grout");
 constexpr std::string_view dynamicStrength = translatable("Fields", "Dynamic / static strength");
 constexpr std::string_view unlimited = translatable("Fields", "unlimited");
 constexpr std::string_view outOfPlaneSpacing = translatable("Fields", "Out-of-plane spacing");
@@ -79,7 +79,7 @@ const Structure& structureOf(const Anchor*) {
             row<&Anchor::to>("to", "End of the range, from the far end.", {.unit = "m", .range = atLeast(0)}),
             row<&Anchor::per>("per",
                               "Whether values apply to each node or to each metre of embedded bolt; those of an `at` "
-                              "entry apply to its node.", {.label = translatable("Fields", "Values per")}),
+                              "entry apply to its node.", {.label = translatable("Fields", "Values given per")}),
             row<&Anchor::law>("law",
                               "Elastic without limit; peak, then residual; friction at constant strength; or a "
                               "force–slip curve.",
@@ -210,7 +210,7 @@ const Structure& structureOf(const BoltType*) {
                                             {.unit = "N/m, or N/m per m", .takesSecond = normalPerLength,
                                              .range = above(0), .heading = grout}),
             row<&BoltType::normalPer>("normal_per", "Whether that stiffness applies to each node or to each metre.",
-                                      {.label = translatable("Fields", "Stiffness per"), .heading = grout}),
+                                      {.label = translatable("Fields", "Stiffness given per"), .heading = grout}),
             row<&BoltType::anchors>("anchors", "Nodes that are bonded to the rock (real anchors)."),
             row<&BoltType::plate>("plate", "Face plate at the head."),
             row<&BoltType::dynamicFactor>("dynamic_factor",
@@ -281,8 +281,7 @@ const Structure& structureOf(const ScenePattern*) {
             row<&ScenePattern::type>("type", "A type of `bolt_types`, or a built-in one.",
                                      {.required = true, .names = {"bolt_types"}, .heading = ofBolt}),
             row<&ScenePattern::tunnel>("tunnel", "Name of the tunnel.",
-                                       {.label = translatable("Fields", "Along wall of"), .required = true,
-                                        .names = {"tunnels"}}),
+                                       {.required = true, .names = {"tunnels"}}),
             row<&ScenePattern::from>("from", "The pattern starts at the point of the wall nearest to this point.",
                                      {.unit = "m", .required = true}),
             row<&ScenePattern::to>("to", "The pattern ends at the point of the wall nearest to this point; if it is "

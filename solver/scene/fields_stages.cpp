@@ -111,14 +111,14 @@ const Structure& structureOf(const Until*) {
             row<&Until::unbalanced>("unbalanced",
                                     "Unbalanced force divided by the reference force at equilibrium; null: 1e-4, or "
                                     "`tolerance` of the analysis if that is less.",
-                                    {.label = translatable("Fields", "Unbalanced force"),
+                                    {.label = translatable("Fields", "Unbalanced force ratio"),
                                      .range = {.least = 0.0, .most = 0.1, .leastExcluded = true},
                                      .automatic = automatic<automaticUnbalanced>}),
             row<&Until::body>("body",
                               "Unbalanced force on a block, or moment divided by its size, relative to its own weight "
                               "at equilibrium (without gravity: relative to its load or to the largest force on it); "
                               "null: 1e-3.",
-                              {.label = translatable("Fields", "Unbalanced force of a block"),
+                              {.label = translatable("Fields", "Unbalanced force ratio of a block"),
                                .range = {.least = 0.0, .most = 0.1, .leastExcluded = true},
                                .automatic = automatic<usualBody>}),
             row<&Until::move>("move",

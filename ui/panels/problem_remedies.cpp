@@ -22,8 +22,8 @@ std::optional<Remedy> omit(const Scene& scene, const std::string& pointer) {
     const auto place = locate(scene, pointer);
     if (!place || !place->field) return std::nullopt;
     if (place->element)
-        return Remedy{RemedyTexts::tr("Omit it"), [pointer](const Scene& now) { return removeAt(now, pointer); }};
-    return Remedy{RemedyTexts::tr("Omit it"), [pointer](const Scene& now) { return resetAt(now, pointer); }};
+        return Remedy{RemedyTexts::tr("Remove it"), [pointer](const Scene& now) { return removeAt(now, pointer); }};
+    return Remedy{RemedyTexts::tr("Reset to default"), [pointer](const Scene& now) { return resetAt(now, pointer); }};
 }
 
 double perimeterOf(const std::vector<Point>& points) {

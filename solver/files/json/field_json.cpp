@@ -218,7 +218,7 @@ std::optional<FieldValue> fixed(const Place& place) {
     }
     addError(place.problems, place.node, place.pointer,
              inQuotes(place.field.key) + " can only be " + accepted + " in this version of the program",
-             "Omit it. " + std::string(place.field.help));
+             "Remove it. " + std::string(place.field.help));
     return {};
 }
 

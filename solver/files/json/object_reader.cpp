@@ -112,7 +112,7 @@ private:
             if (!field || std::holds_alternative<std::monostate>(member.node.value) || isInDoubt(*field))
                 continue;
             if (!applies(structure_, *field, target_))
-                addError(problems_, member.node, under(pointer_, member.key), misplaced(*field), "Omit it");
+                addError(problems_, member.node, under(pointer_, member.key), misplaced(*field), "Remove it");
         }
     }
 

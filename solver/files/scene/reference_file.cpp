@@ -71,7 +71,7 @@ private:
         };
         if (title.unit.empty() && plainName(title.name) == "stage") return readStages(csv, index);
         if (title.unit.empty() && std::all_of(csv.rows.begin() + 1, csv.rows.end(), isWord))
-            return tell(Severity::Warning, head.line, place + " contains no numbers and is not used", "Omit it");
+            return tell(Severity::Warning, head.line, place + " contains no numbers and is not used", "Remove it");
         const std::optional<MeasureUnit> unit = measureUnitOf(title.unit.empty() ? "1" : title.unit);
         if (!unit)
             return tell(Severity::Error, head.line,

@@ -124,7 +124,7 @@ TEST(Problems, LinkOmitsARepeatedCorner) {
     scene.domain->boundary.push_back(scene.domain->boundary.front());
     const std::size_t corners = scene.domain->boundary.size();
     ProblemsBench bench(std::move(scene));
-    EXPECT_TRUE(isSolvedByLink(bench, "the last corner repeats the first", "Omit it"));
+    EXPECT_TRUE(isSolvedByLink(bench, "the last corner repeats the first", "Remove it"));
     EXPECT_EQ(bench.document.scene()->domain->boundary.size(), corners - 1);
 }
 
