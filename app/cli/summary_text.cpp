@@ -114,7 +114,7 @@ std::string expectedTable(const RunSource& run, const std::vector<HistoryRow>& h
     if (rows.empty())
         return {};
     return "\n" + textTable({{"expected by the scene"},
-                             {"measured", Align::Right},
+                             {"computed", Align::Right},
                              {"expected", Align::Right},
                              {"deviation", Align::Right},
                              {"tolerance", Align::Right},

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verb `verify`: the suite's cases one after another, measured next to expected, or
+// The verb `verify`: the suite's cases one after another, computed next to expected, or
 // the paper's tables. A case that breaks down is a miss and does not keep the others
 // from running.
 #include "app/cli/cli_commands.h"
@@ -100,7 +100,7 @@ std::vector<CaseResult> resultsOfAll(const std::vector<Case>& chosen, bool quiet
 ExitCode performCases(const VerifyOptions& options) {
     const std::vector<Case> chosen = chosenCases(options.names);
     if (!options.json)
-        print(textLine(caseColumns, {"", "", "measured", "expected", "tolerance", "seconds", ""}));
+        print(textLine(caseColumns, {"", "", "computed", "expected", "tolerance", "seconds", ""}));
     const std::vector<CaseResult> all = resultsOfAll(chosen, options.json);
     const auto missed = std::count_if(all.begin(), all.end(), [](const CaseResult& one) { return !one.passed; });
     if (options.json)

@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
     QCoreApplication::setApplicationVersion(QString::fromUtf8(keyblock::programVersion().data(), int(keyblock::programVersion().size())));
     QCommandLineParser parser;
     const auto description = QCoreApplication::translate(
-        "main", "Draw blocky rock, place rock bolts, run the analysis and view the results.");
+        "main", "Draw a blocky rock mass, place rock bolts, run the analysis and view the results.");
     parser.setApplicationDescription(description);
     parser.addHelpOption();
     parser.addVersionOption();

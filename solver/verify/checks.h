@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Keyblock contributors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Collects the measured and expected values of one case.
+// Collects the computed and expected values of one case.
 #pragma once
 
 #include "solver/verify/verify.h"

@@ -56,10 +56,10 @@ QuantityTable::QuantityTable(const Themes& themes, const TimeCursor& cursor, QWi
     hint_->setContentsMargins(16, 8, 16, 8);
     hint_->setProperty("role", "hint");
     list_->setObjectName("quantities");
-    list_->setAccessibleName(tr("Measured and expected values"));
+    list_->setAccessibleName(tr("Computed and expected values"));
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
-    list_->setHeaderLabels({tr("Quantity"), tr("Measured, SI"), tr("Expected, SI"), tr("Deviation"), tr("Tolerance"),
+    list_->setHeaderLabels({tr("Quantity"), tr("Computed, SI"), tr("Expected, SI"), tr("Deviation"), tr("Tolerance"),
                             tr("Verdict"), tr("Source")});
     for (const int column : {Measured, Expect, Deviation, Tolerance})
         list_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
@@ -120,7 +120,7 @@ void QuantityTable::fill(const Reading& reading) {
     list_->setVisible(!isEmpty);
     hint_->setVisible(isEmpty);
     hint_->setText(!cursor_.run()        ? tr("Run the scene to see the quantities it defines.")
-                   : cursor_.goesOn() ? tr("Quantities are measured at the end of the run.")
+                   : cursor_.goesOn() ? tr("Quantities are evaluated at the end of the run.")
                                       : tr("This scene defines no quantities and no expected values."));
     for (int column = Name; column < Source; ++column) list_->resizeColumnToContents(column);
 }
