@@ -26,11 +26,11 @@ std::optional<QString> tryContext() {
     surface.setFormat(context.format());
     surface.create();
     if (!surface.isValid() || !context.makeCurrent(&surface))
-        return DisplayTexts::tr("OpenGL cannot be started on this display.");
+        return DisplayTexts::tr("OpenGL cannot be initialised on this display.");
     const QPair<int, int> version = context.format().version();
     context.doneCurrent();
     if (version >= qMakePair(3, 2)) return std::nullopt;
-    return DisplayTexts::tr("This display has OpenGL %1.%2; the section needs 3.2 or newer.")
+    return DisplayTexts::tr("This display provides OpenGL %1.%2; the section view requires OpenGL 3.2 or later.")
         .arg(version.first)
         .arg(version.second);
 }

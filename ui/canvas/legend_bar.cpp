@@ -35,7 +35,7 @@ QString scaleText(const LegendBar& bar) {
     switch (bar.scale.of) {
         case ScaleOf::AllFrames: return BarTexts::tr("Same scale in all frames") + clipped;
         case ScaleOf::ThisFrame: return BarTexts::tr("Scale of this frame") + clipped;
-        case ScaleOf::Own: return BarTexts::tr("Range set by hand");
+        case ScaleOf::Own: return BarTexts::tr("Range set manually");
     }
     return {};
 }

@@ -32,7 +32,7 @@ QString nameOf(ContactKind kind) {
         case ContactKind::Locked: return ForceTexts::tr("Locked");
         case ContactKind::Sliding: return ForceTexts::tr("Sliding");
         case ContactKind::Bonded: return ForceTexts::tr("Bonded");
-        case ContactKind::Pulled: return ForceTexts::tr("Bonded, pulled");
+        case ContactKind::Pulled: return ForceTexts::tr("Bonded, in tension");
     }
     return {};
 }

@@ -23,7 +23,7 @@ QString howToGoOn() {
                 "<li>over a remote connection, unset <code>LIBGL_ALWAYS_INDIRECT</code>, or use a display that has GLX "
                 "(<code>Xvfb +extension GLX</code>, a VNC or X2Go session);</li>"
                 "<li>without a display, <code>keyblock run</code> and <code>keyblock export --figure</code> on the "
-                "command line solve scenes and paint figures.</li>"
+                "command line run scenes and export figures.</li>"
                 "</ul>");
 }
 

@@ -59,9 +59,9 @@ AxisChoice::AxisChoice(QWidget* parent) : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
-    y_ = addBox(*this, "curveY", tr("Quantity along y"));
-    row->addWidget(new QLabel(tr("over"), this));
-    x_ = addBox(*this, "curveX", tr("Quantity along x"));
+    y_ = addBox(*this, "curveY", tr("Quantity on the y axis"));
+    row->addWidget(new QLabel(tr("against"), this));
+    x_ = addBox(*this, "curveX", tr("Quantity on the x axis"));
     for (QComboBox* box : {y_, x_}) connect(box, QOverload<int>::of(&QComboBox::activated), this, &AxisChoice::chosen);
 }
 

@@ -231,7 +231,7 @@ QString ChartView::valuesAt(double x) const {
 void ChartView::contextMenuEvent(QContextMenuEvent* event) {
     if (!chart_ || drawn_.isNull()) return;
     QMenu menu(this);
-    menu.addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setPixmap(drawn_); });
+    menu.addAction(tr("Copy image"), this, [this] { QApplication::clipboard()->setPixmap(drawn_); });
     menu.addAction(tr("Copy values"), this, [this] { QApplication::clipboard()->setText(table()); });
     menu.exec(event->globalPos());
 }

@@ -69,7 +69,7 @@ CurveEntries curveEntries(const RunSource& run, CurveKind kind) {
         for (const ChartPanel& panel : chart.panels) {
             if (panel.curves.empty() || (kind == CurveKind::Energies) != panel.title.starts_with("Energy")) continue;
             QString name = QString::fromStdString(panel.title);
-            if (!chart.overTime) name = CurveTexts::tr("%1 over %2").arg(name, QString::fromStdString(chart.xTitle));
+            if (!chart.overTime) name = CurveTexts::tr("%1 against %2").arg(name, QString::fromStdString(chart.xTitle));
             found.entries.push_back(entryOf(chart, panel, name));
         }
     return found;
@@ -106,7 +106,7 @@ std::vector<CurveEntry> pinEntries(const RunSource& run, const std::vector<std::
         const auto same = std::count_if(entries.begin(), entries.end(), [&](const CurveEntry& entry) {
             return entry.chart.panels.front().title == chart.panels.front().title;
         });
-        const QString name = same > 0 ? CurveTexts::tr("Pins %1: %2").arg(same + 1).arg(title)
+        const QString name = same > 0 ? CurveTexts::tr("Pins, chart %1: %2").arg(same + 1).arg(title)
                                       : CurveTexts::tr("Pins: %1").arg(title);
         entries.push_back(entryOf(chart, chart.panels.front(), name));
     }

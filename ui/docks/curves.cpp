@@ -177,7 +177,7 @@ void Curves::take(std::shared_ptr<const CurveReading> reading, int took) {
 void Curves::fillChoice() {
     QStringList names;
     for (const CurveEntry& entry : read_->own.entries) names += entry.name;
-    if (axes_) names += tr("Any quantity over any other");
+    if (axes_) names += tr("Any quantity against any other");
     QStringList offered;
     for (int i = 0; i < choice_->count(); ++i) offered += choice_->itemData(i).toString();
     if (names == offered) return;
@@ -220,7 +220,7 @@ void Curves::choose() {
     }
     const CurveEntry* entry = current();
     const QString why = byAxes ? read_->free.problem : read_->own.problem;
-    if (!entry) return view_->clear(why.isEmpty() ? tr("No quantity of the history has changed yet.") : why);
+    if (!entry) return view_->clear(why.isEmpty() ? tr("None of the recorded quantities has changed yet.") : why);
     Chart chart = withOther(*entry).chart;
     showAs(chart, display_.numbers());
     view_->show(std::move(chart));

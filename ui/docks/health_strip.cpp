@@ -124,14 +124,14 @@ QString HealthStrip::adviceOn(const HealthRow& row) const {
                               : QString();
     switch (row.measure) {
         case HealthMeasure::Passes:
-            return tr("A step needs %1 of at most %2 iterations. Reduce the time step or use more increments.")
+            return tr("A step needs %1 iterations; the maximum is %2. Reduce the time step or use more increments.")
                 .arg(valueText(row), Display::number(row.limit, 3));
         case HealthMeasure::StepCuts:
             return tr("%1 of the last 100 steps were subdivided. Results are not affected, but the run is slower; a shorter time "
                       "step, or more increments in a static stage, avoids it.")
                 .arg(valueText(row));
         case HealthMeasure::Penetration:
-            return tr("%1: penetration of its neighbour by %2 of its size. Increase the penalty ratio, or use augmented "
+            return tr("%1 penetrates its neighbour by %2 of its size. Increase the penalty ratio, or use augmented "
                       "Lagrangian contacts.")
                 .arg(block.isEmpty() ? tr("A block") : tr("Block %1").arg(block), valueText(row));
         case HealthMeasure::Balance:
@@ -139,8 +139,8 @@ QString HealthStrip::adviceOn(const HealthRow& row) const {
                 .arg(valueText(row));
         case HealthMeasure::Residual: break;
     }
-    return tr("%1: the unbalanced force is %2 of the acting forces. Reduce the time step.")
-        .arg(block.isEmpty() ? tr("A block") : tr("Block %1").arg(block), valueText(row));
+    return tr("The unbalanced force on %1 is %2 of the acting forces. Reduce the time step.")
+        .arg(block.isEmpty() ? tr("a block") : tr("block %1").arg(block), valueText(row));
 }
 
 void HealthStrip::paintEvent(QPaintEvent*) {

@@ -114,7 +114,7 @@ std::vector<Event> some(const std::vector<Event>& events, Belongs belongs) {
 
 void addPlate(const BoltReport& report, RowMaker& make) {
     if (!report.hasPlate) return;
-    make.add(ResultTexts::tr("Plate load now"),
+    make.add(ResultTexts::tr("Current plate load"),
              report.plateHolds ? make.shown(report.plateForce, "kN", 1e-3) : ResultTexts::tr("plate lost"));
 }
 
@@ -158,7 +158,7 @@ ResultReport blockResults(const RunSource& run, const Frame& frame, int block, c
                                            "sigma3",       "sxx", "syy", "sxy",      "weight",   "area"};
     const BlockState& state = frame.blocks[static_cast<std::size_t>(block)];
     ResultReport result{ResultTexts::tr("Block %1").arg(QString::fromStdString(blockName(run.blockNames(), block))),
-                        ResultTexts::tr("block of this run"), {}, {}};
+                        ResultTexts::tr("block in the run shown"), {}, {}};
     RowMaker make{run, numbers, result.rows};
     if (state.area <= 0.0) {
         make.add(ResultTexts::tr("State"), ResultTexts::tr("excavated"));

@@ -107,9 +107,10 @@ void RunList::fillCompareMenu(QMenu& menu) {
     menu.clear();
     for (const RunEntry& entry : runs_.entries()) {
         if (!entry.summary || entry.goesOn || entry.path == runs_.shown()) continue;
-        menu.addAction(tr("With %1").arg(entry.name()), this, [this, path = entry.path] { comparison_.begin(path); });
+        menu.addAction(tr("Compare with %1").arg(entry.name()), this,
+                       [this, path = entry.path] { comparison_.begin(path); });
     }
-    menu.addAction(tr("With a run of another scene…"), this, [this] {
+    menu.addAction(tr("Compare with a run of another scene…"), this, [this] {
         const QString path = QFileDialog::getOpenFileName(this, tr("Run to compare with"),
                                                           QFileInfo(runs_.shown()).absolutePath(), tr("Runs (*.kbrun)"));
         if (!path.isEmpty()) comparison_.begin(path);

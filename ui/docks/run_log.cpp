@@ -20,7 +20,7 @@ RunLog::RunLog(const Themes& themes, QWidget* parent) : QPlainTextEdit(parent), 
     setReadOnly(true);
     setMaximumBlockCount(mostLines);
     setFrameShape(QFrame::NoFrame);
-    setPlaceholderText(tr("Messages of runs appear here."));
+    setPlaceholderText(tr("Run messages appear here."));
 }
 
 void RunLog::tell(const QString& message, bool isError) {

@@ -84,7 +84,7 @@ QString SafetyPanel::answer() const {
     if (search_.isBusy()) return tr("Running with all strengths divided by %1").arg(number(search_.factorNow()));
     if (!search_.found()) return tr("The scene is run repeatedly with reduced strengths until it fails.");
     const SafetyFactor& found = *search_.found();
-    if (found.nothingToFreeze) return tr("The scene fails with its full strengths: there are no bolt forces to freeze.");
+    if (found.nothingToFreeze) return tr("The scene fails at full strength, so there are no bolt forces to freeze.");
     if (found.lower && found.upper)
         return tr("Factor of safety between %1 (stable) and %2 (fails)").arg(number(*found.lower), number(*found.upper));
     if (found.lower) return tr("Factor of safety above %1 (stable)").arg(number(*found.lower));

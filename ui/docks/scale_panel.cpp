@@ -50,10 +50,10 @@ ScalePanel::ScalePanel(const LegendBar& bar, const ShownNumbers& numbers, bool c
                        QWidget* parent)
     : QFrame(parent, Qt::Popup), bar_(bar), factor_(factorOf(bar, numbers)), settings_(settings),
       all_(new QRadioButton(tr("All frames"), this)), frame_(new QRadioButton(tr("This frame"), this)),
-      own_(new QRadioButton(tr("Own range"), this)),
+      own_(new QRadioButton(tr("Custom range"), this)),
       from_(makeEnd("scaleFrom", tr("Lower end"), std::min(bar.range.low, bar.range.high))),
       to_(makeEnd("scaleTo", tr("Upper end"), std::max(bar.range.low, bar.range.high))),
-      clip_(new QCheckBox(tr("Clip the extreme 2 % of the area"), this)), steps_(new QComboBox(this)) {
+      clip_(new QCheckBox(tr("Clip extreme values (2 % of the area)"), this)), steps_(new QComboBox(this)) {
     setObjectName("scalePanel");
     setAccessibleName(tr("Colour scale"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -62,7 +62,8 @@ ScalePanel::ScalePanel(const LegendBar& bar, const ShownNumbers& numbers, bool c
     own_->setObjectName("scaleOwn");
     clip_->setObjectName("scaleClip");
     clip_->setVisible(clips);
-    clip_->setToolTip(tr("Ignores the extreme values of 2 % of the area at each end, e.g. those of slivers."));
+    clip_->setToolTip(tr("Excludes the extreme values in 2 % of the area at each end of the range, "
+                         "for example in slivers."));
     steps_->setObjectName("scaleSteps");
     steps_->setAccessibleName(tr("Colours"));
     for (const int count : stepCounts) steps_->addItem(count == 0 ? tr("Continuous") : tr("%1 steps").arg(count), count);
@@ -148,7 +149,7 @@ std::optional<ValueRange> ScalePanel::typed() {
     if (!from.value || !to.value) return std::nullopt;
     const auto [low, high] = std::minmax({*from.value / factor_, *to.value / factor_});
     if (low < high) return ValueRange{low, high};
-    mark(*to_, tr("Give two different numbers."));
+    mark(*to_, tr("Enter two different numbers."));
     return std::nullopt;
 }
 

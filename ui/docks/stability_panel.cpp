@@ -169,7 +169,7 @@ void StabilityPanel::fill() {
     QString answer = tr("Run the scene to see whether it is stable.");
     QColor colour = themes_.current().text2;
     if (run_ && verdict.stands) {
-        answer = *verdict.stands ? tr("Stable: yes") : tr("Stable: NO");
+        answer = *verdict.stands ? tr("Stable: yes") : tr("Stable: no");
         colour = *verdict.stands ? themes_.current().ok : themes_.current().error;
     } else if (run_) {
         answer = over ? tr("Stable: undecided") : tr("Stable: not known yet");
@@ -244,7 +244,7 @@ QString StabilityPanel::energyText(double joules) const {
 
 QString StabilityPanel::whenText(const BoltPeak& peak) const {
     if (peak.stage < 0) return {};
-    return asTip(tr("in stage %1, at %2, measured from the far end")
+    return asTip(tr("Reached in stage %1 at t = %2; position measured from the far end")
                      .arg(QString::fromStdString(stageName(run_->scene(), peak.stage)), Display::number(peak.time, 4)));
 }
 

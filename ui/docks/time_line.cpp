@@ -131,7 +131,7 @@ QWidget* TimeLine::makeTransport() {
     loop_ = new QToolButton(bar);
     loop_->setObjectName("timeLoop");
     loop_->setAccessibleName(tr("Loop"));
-    loop_->setToolTip(tr("Restart at the end"));
+    loop_->setToolTip(tr("Loop playback"));
     loop_->setCheckable(true);
     loop_->setFixedSize(28, rowHeight);
     connect(loop_, &QToolButton::toggled, this, [this](bool on) { cursor_.setLoops(on); });
@@ -158,7 +158,7 @@ QWidget* TimeLine::makeTransport() {
     live_->setAccessibleName(tr("Live"));
     live_->setFixedHeight(20);
     connect(live_, &QToolButton::clicked, this, [this] { cursor_.goLive(); });
-    compare_ = labelIn(bar, "timeCompare", tr("Compared with cursor B"));
+    compare_ = labelIn(bar, "timeCompare", tr("Comparison with cursor B"));
     for (QWidget* widget : {static_cast<QWidget*>(stage_), static_cast<QWidget*>(time_), static_cast<QWidget*>(frame_),
                             static_cast<QWidget*>(live_), static_cast<QWidget*>(separatorIn(bar)),
                             static_cast<QWidget*>(compare_)})
@@ -251,7 +251,8 @@ void TimeLine::nameCounts() {
         const QString number = Display::number(static_cast<double>(numbers_.of(group)), 9);
         const QString kinds = QString::fromStdString(numbers_.kindsText(group));
         counts_[g]->setText(short_ > 0 ? number : nameOf(group) + ' ' + number);
-        counts_[g]->setToolTip(tr("Show or hide events on the timeline: %1. Next event skips hidden ones.").arg(nameOf(group)) +
+        counts_[g]->setToolTip(tr("Show or hide events on the timeline: %1. “Next event” skips hidden events.")
+                                   .arg(nameOf(group)) +
                                (kinds.isEmpty() ? QString() : '\n' + kinds));
         counts_[g]->setEnabled(!kinds.isEmpty());
     }

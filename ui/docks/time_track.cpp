@@ -148,7 +148,7 @@ QString TimeTrack::tipAt(const QPointF& at) const {
         const std::string subject = event.bolt >= 0 ? boltName(run.scene(), event.bolt)
                                                     : blockName(run.blockNames(), event.block);
         if (!subject.empty()) text += QStringLiteral(" · ") + QString::fromStdString(subject);
-        if (mark.count > 1) text += QStringLiteral(" · ") + tr("%1 events here; turn the wheel to zoom in").arg(mark.count);
+        if (mark.count > 1) text += QStringLiteral(" · ") + tr("%1 events here; scroll to zoom in").arg(mark.count);
         return text + QStringLiteral(" · ") +
                QString::fromStdString(timeText(run.scene(), event.stage, event.time));
     }

@@ -80,7 +80,7 @@ QString shortTitle(std::string_view title) {
 ViewBar::ViewBar(const Themes& themes, Commands& commands, ViewSettings& settings, QWidget* parent)
     : QWidget(parent), themes_(themes), commands_(commands), settings_(settings), row_(new QHBoxLayout(this)) {
     setObjectName("viewBar");
-    setAccessibleName(tr("Display of results"));
+    setAccessibleName(tr("Results display"));
     setFixedHeight(36);
     row_->setContentsMargins(12, 0, 12, 0);
     row_->setSpacing(6);

@@ -118,7 +118,7 @@ TEST_F(CurvesTest, AnyQuantityIsPlottedAgainstAnotherTogetherWithASecondRun) {
     const auto run = test::slidingRun(path("a.kbrun"), 0.3);
     cursor.setRun(run, false);
     ASSERT_TRUE(waitFor([&] { return view->chart().has_value(); }));
-    choose(curves, "curveChoice", "Any quantity over any other");
+    choose(curves, "curveChoice", "Any quantity against any other");
     EXPECT_TRUE(curves.findChild<QWidget*>("axisChoice")->isVisible());
     EXPECT_TRUE(view->chart()->overTime);
     choose(curves, "curveX", QString::fromUtf8("slider · ux"));
