@@ -54,7 +54,8 @@ private:
         if (to.get()) return document_.take(from.get() ? *from.get() : *document_.scene_, to.get(), pointers);
         document_.undo_->resetClean();
         Q_EMIT document_.reported(
-            Document::tr("The scene at “%1” cannot be read from the journal; the drawing is not changed.").arg(text()),
+            Document::tr("The scene saved for “%1” cannot be read from the journal; the drawing is unchanged.")
+                .arg(text()),
             true);
     }
 

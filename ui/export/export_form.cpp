@@ -63,7 +63,7 @@ QString folderFor(const std::filesystem::path& store) {
 
 ExportForm::ExportForm(QWidget* parent)
     : QWidget(parent), form_(new QFormLayout(this)), title_(new QLineEdit(this)), perSecond_(new QSpinBox(this)),
-      data_(new QCheckBox(tr("Save the numbers as CSV too"), this)), note_(new QLabel(this)) {
+      data_(new QCheckBox(tr("Also save the values as CSV"), this)), note_(new QLabel(this)) {
     setFixedWidth(formWidth);
     form_->setContentsMargins(0, 0, 0, 0);
     form_->setVerticalSpacing(8);
@@ -96,8 +96,8 @@ void ExportForm::addRows() {
     for (const QString& text : {tr("Section"), tr("Bolt"), tr("Curves"), tr("Events"), tr("Table"), tr("Animation"),
                                 tr("All figures and tables")})
         kind_->addItem(text);
-    blocks_ = addCombo(tr("Blocks"), tr("Quantity of blocks"), "export.quantity");
-    bolts_ = addCombo(tr("Bolts"), tr("Quantity of bolts"), "export.boltQuantity");
+    blocks_ = addCombo(tr("Blocks"), tr("Quantity shown on blocks"), "export.quantity");
+    bolts_ = addCombo(tr("Bolts"), tr("Quantity shown on bolts"), "export.boltQuantity");
     extent_ = addCombo(tr("Extent"), tr("Extent of the section"), "export.extent");
     bolt_ = addCombo(tr("Bolt"), tr("Bolt"), "export.bolt");
     table_ = addCombo(tr("Table"), tr("Table"), "export.table");

@@ -38,7 +38,8 @@ private:
 };
 
 QString figureMessage(const QString& out, std::size_t files) {
-    return files > 1 ? ExportJob::tr("Saved %1 and %2 CSV files next to it").arg(out).arg(files - 1)
+    if (files == 2) return ExportJob::tr("Saved %1 and a CSV file next to it").arg(out);
+    return files > 2 ? ExportJob::tr("Saved %1 and %2 CSV files next to it").arg(out).arg(files - 1)
                      : ExportJob::tr("Saved %1").arg(out);
 }
 

@@ -180,7 +180,7 @@ void ExportWindow::preview() {
         const Preview made = previewOf(*now_.run, asked);
         return showPreview(made.image, made.message);
     }
-    showPreview(image_, image_.isNull() ? tr("Painting …") : QString());
+    showPreview(image_, image_.isNull() ? tr("Drawing…") : QString());
     painting_->ask([this, asked, store = now_.store]() -> Background::Result {
         Preview made;
         try {
@@ -210,7 +210,7 @@ void ExportWindow::copy() {
     };
     const ExportOrder asked = form_->order();
     if (hasCharts(asked.figure.kind)) return copied(copyOf(now_.run.get(), asked))();
-    message_->setText(tr("Copying …"));
+    message_->setText(tr("Copying…"));
     copying_->ask([asked, copied] { return copied(copyOf(nullptr, asked)); });
 }
 
@@ -219,7 +219,7 @@ QString ExportWindow::askPlace() {
     const QString start = form_->suggested(), ending = form_->ending();
     if (!ending.isEmpty()) return askSavePath(*this, tr("Export"), start + '.' + ending, "*." + ending, ending);
     const QFileInfo suggested(start);
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Export into a folder"), suggested.absolutePath());
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Export to a folder"), suggested.absolutePath());
     // Images get a folder of their own, so that a later animation can replace them.
     const bool isFilm = form_->kind() == ExportForm::Kind::Film;
     return folder.isEmpty() || !isFilm ? folder : folder + '/' + suggested.fileName();
@@ -230,7 +230,7 @@ void ExportWindow::choosePlace() {
     const QString out = askPlace();
     if (out.isEmpty()) return;
     asked.out = out.toStdString();
-    message_->setText(tr("Exporting …"));
+    message_->setText(tr("Exporting…"));
     job_->start(std::move(asked));
     showState();
 }

@@ -79,7 +79,7 @@ QWidget* KeySheet::makeEditor() {
     keys_->setAccessibleName(tr("New shortcut"));
     if (auto* line = keys_->findChild<QLineEdit*>()) line->setAccessibleName(tr("New shortcut"));
     set_ = new QPushButton(tr("Set"), editor);
-    original_ = new QPushButton(tr("Restore defaults"), editor);
+    original_ = new QPushButton(tr("Restore default"), editor);
     for (QPushButton* button : {set_, original_}) {
         button->setAccessibleName(button->text());
         button->setObjectName("keySheet." + button->text());

@@ -147,7 +147,7 @@ bool AnchorLine::event(QEvent* event) {
     const std::size_t node = nodeAt(help->pos());
     QString text =
         tr("Node %1 at %2 m: %3").arg(node).arg(metres(nodes_[node]), real_[node] ? tr("bonded") : tr("intermediate"));
-    if (editable_) text += tr(". Click to switch this node, drag to switch several.");
+    if (editable_) text += tr(". Click to toggle this node, or drag to toggle several.");
     QToolTip::showText(help->globalPos(), text, this);
     return true;
 }
@@ -229,7 +229,7 @@ void AnchorStrip::refresh() {
     count_->setText(tr("%1 bonded · %2 intermediate").arg(count).arg(rest));
     const PlateKind plate = bolt ? bolt->plate : pattern->plate;
     line_->present(std::move(nodes), std::move(real), plate != PlateKind::None, bolt != nullptr);
-    hint_->setText(pattern ? tr("Set by the bolt type. Only single bolts can have their own anchored points")
+    hint_->setText(pattern ? tr("Set by the bolt type. Only single bolts can have their own bonded nodes")
                    : bolt->anchors ? tr("Set for this bolt. Click or drag along the bolt to change them")
                                    : tr("Set by the bolt type. Click or drag along the bolt to change them"));
 }

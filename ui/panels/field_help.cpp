@@ -64,7 +64,7 @@ QString outOfRange(const FormRow& row, const FieldValue& value, const FormContex
     if (!number && !place) return {};
     const double held = number ? *number : place->s;
     if (contains(row.field->range, held)) return {};
-    return HelpTexts::tr("%1 is out of range. Enter a number %2")
+    return HelpTexts::tr("%1 is out of range. Allowed: %2")
         .arg(numberText(held, unit, context.display), rangeWords(row.field->range, unit, context.display));
 }
 

@@ -45,7 +45,7 @@ void setWeight(QLabel& label, bool bold) {
 FormRowWidget::FormRowWidget(const FormRow& row, const FormContext& context, QWidget* parent)
     : QWidget(parent), context_(context), row_(row), editor_(makeValueEditor(row, context, this)),
       label_(new ElidedLabel(this)), unit_(new QLabel(this)),
-      reset_(smallButton(this, tr("Back to the default"), "reset")), target_(smallButton(this, {}, "target")),
+      reset_(smallButton(this, tr("Reset to default"), "reset")), target_(smallButton(this, {}, "target")),
       problem_(new QLabel(this)) {
     setObjectName(QString::fromStdString("row:" + row.path));
     if (row.structure && row.field)
@@ -128,7 +128,7 @@ void FormRowWidget::showTarget() {
     target_->setIcon(context_.themes.icon("chevron-right"));
     const QString tip = tr("Show the properties of %1").arg(QString::fromStdString(nameOfTarget(row_)));
     target_->setToolTip(leads ? tip : QString());
-    target_->setAccessibleName(leads ? tip : tr("Show the object named here"));
+    target_->setAccessibleName(leads ? tip : tr("Show the properties of the object"));
 }
 
 void FormRowWidget::setRefusal(const QString& why) {

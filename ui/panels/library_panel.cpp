@@ -231,7 +231,7 @@ void LibraryPanel::showCurves(const BoltType& type) {
     for (ShownCurve& curve : bondCurves(type, context_.display)) shown.push_back(std::move(curve));
     for (const ShownCurve& curve : shown) {
         auto* title =
-            new QLabel(curve.points.empty() ? tr("%1: linear and unbreakable").arg(curve.title) : curve.title, curves_);
+            new QLabel(curve.points.empty() ? tr("%1: linear, no rupture").arg(curve.title) : curve.title, curves_);
         title->setProperty("role", "title");
         curveColumn_->addWidget(title);
         if (curve.points.empty()) continue;
@@ -255,7 +255,7 @@ void LibraryPanel::showButtons() {
     assign_->setEnabled(!bolts.isEmpty() && !chosen_.isEmpty());
     assign_->setText(bolts.size() == 1 ? tr("Assign to %1").arg(QString::fromStdString(
                                              nameAt(*context_.document.scene(), bolts.front().toStdString())))
-                     : bolts.isEmpty() ? tr("Assign") : tr("Assign to %1 selected").arg(bolts.size()));
+                     : bolts.isEmpty() ? tr("Assign") : tr("Assign to selection (%1)").arg(bolts.size()));
     assign_->setToolTip(bolts.isEmpty() ? tr("Select bolts or patterns first") : QString());
     copy_->setEnabled(!chosen_.isEmpty());
 }

@@ -194,7 +194,7 @@ void ModelSummaryPanel::ask() {
         return [this, stop, summary] {
             if (*stop) return;
             summary_ = summary;
-            summary_ ? present() : tell(tr("The model summary could not be made. Reduce the size of the scene."));
+            summary_ ? present() : tell(tr("The model summary could not be computed. Reduce the size of the model."));
             Q_EMIT taken();
         };
     });
@@ -247,7 +247,7 @@ void ModelSummaryPanel::present() {
     bool hasHeading = false;
     for (const ModelSummaryRow& part : modelSummaryRows(*summary_)) {
         if (part.leftOut && !hasHeading) {
-            addRow(row++, {tr("Left out"), {}, {}, {}}, "detail", false);
+            addRow(row++, {tr("Not modelled"), {}, {}, {}}, "detail", false);
             hasHeading = true;
         }
         if (part.leftOut) {

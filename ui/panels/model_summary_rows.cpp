@@ -49,7 +49,7 @@ std::vector<ModelSummaryRow> modelSummaryRows(const ModelSummary& summary) {
          number(counts.blockUnknowns), whyBlocks(counts)}};
     if (counts.bolts > 0)
         rows.push_back({SummaryTexts::tr("Bolts"), boltCount(counts), number(counts.boltUnknowns),
-                        SummaryTexts::tr("%1 bonded nodes; the other nodes transfer force only across the bolt")
+                        SummaryTexts::tr("%1 bonded nodes; the other nodes transfer transverse force only")
                             .arg(number(counts.realAnchors))});
     if (counts.plates > 0)
         rows.push_back({SummaryTexts::tr("Plates"), number(counts.plates), number(counts.plateUnknowns),
@@ -62,10 +62,11 @@ std::vector<ModelSummaryRow> modelSummaryRows(const ModelSummary& summary) {
     if (counts.heldPoints > 0)
         rows.push_back({SummaryTexts::tr("Supported points"), number(counts.heldPoints), "0",
                         SummaryTexts::tr("from the supports")});
+    const std::size_t stages = summary.estimate.stages.size();
     rows.push_back({SummaryTexts::tr("Total"), {}, number(counts.unknowns()),
-                    summary.estimate.stages.empty() ? SummaryTexts::tr("no stages to run")
-                    : summary.estimate.stages.size() == 1 ? SummaryTexts::tr("in the only stage")
-                                                         : SummaryTexts::tr("all %1 stages").arg(summary.estimate.stages.size()),
+                    stages == 0   ? SummaryTexts::tr("no stages to run")
+                    : stages == 1 ? SummaryTexts::tr("in the single stage")
+                                  : SummaryTexts::tr("in all %1 stages").arg(stages),
                     false, true});
     for (const LeftOut& part : summary.leftOut)
         rows.push_back({QString::fromStdString(part.what), {}, {},
@@ -98,7 +99,7 @@ QString estimateDetails(const CostEstimate& estimate) {
                      .arg(QString::fromStdString(stage.name), rough(stage.steps), rough(stage.passes),
                           rough(stage.least),
                           rough(stage.most));
-    lines << SummaryTexts::tr("Each iteration takes %1 ms plus %2 ms for the rest of the step")
+    lines << SummaryTexts::tr("Each iteration takes %1 ms; the rest of a step takes %2 ms")
                  .arg(rough(fromSi(estimate.passSeconds, namedUnit("ms"))),
                       rough(fromSi(estimate.stepSeconds, namedUnit("ms"))));
     for (const std::string& sentence : estimate.assumes) lines << QString::fromStdString(sentence);

@@ -94,7 +94,7 @@ struct Teller {
     }
     QString of(const Stage& s) const {
         return s.kind == StageKind::Static ? DetailTexts::tr("static")
-            : DetailTexts::tr("dynamic %1 s").arg(numberText(s.duration, "s", display, 3));
+            : DetailTexts::tr("dynamic · %1 s").arg(numberText(s.duration, "s", display, 3));
     }
     QString of(const Monitor& m) const {
         if (m.bolt)

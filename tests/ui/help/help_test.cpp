@@ -114,7 +114,7 @@ TEST(KeySheets, ANewShortcutIsTakenFromTheOtherCommand) {
     EXPECT_EQ(room.commands.action("view.fit")->shortcut(), QKeySequence("F5"));
     EXPECT_TRUE(room.commands.action("run.start")->shortcut().isEmpty());
     list->setCurrentItem(list->findItems("Run", Qt::MatchExactly | Qt::MatchRecursive).last());  // not the menu
-    sheet.findChild<QPushButton*>("keySheet.Restore defaults")->click();
+    sheet.findChild<QPushButton*>("keySheet.Restore default")->click();
     EXPECT_EQ(room.commands.action("run.start")->shortcut(), QKeySequence("F5"));
     EXPECT_TRUE(room.commands.action("view.fit")->shortcut().isEmpty());  // a key of two commands would do nothing
     room.commands.setKeys("view.fit", {});
