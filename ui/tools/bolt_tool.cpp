@@ -39,7 +39,8 @@ std::vector<ToolField> BoltTool::fields() {
         numberField("length", tr("Length"), tr("Length of a bolt perpendicular to a wall."), "m", {0.0, 1e4, true},
                     length_, tell);
     std::vector<ToolField> fields{row("type", tr("Type"), types), length, row("plate", tr("Plate")),
-                                  row("spacing_out_of_plane", tr("Out of plane")), row("pretension", tr("Pretension"))};
+                                  row("spacing_out_of_plane", tr("Out-of-plane spacing")),
+                                  row("pretension", tr("Pretension"))};
     fields[3].none = lengthText(scene().analysis.thickness).section(' ', 0, 0);
     return fields;
 }

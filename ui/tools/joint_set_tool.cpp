@@ -33,7 +33,7 @@ double dipOf(const Point& way) {
 
 QString JointSetTool::prompt() const {
     if (!scene().domain) return tr("draw the outline of the rock first");
-    return picked_ ? tr("pick the direction of the traces") : tr("pick a point on a trace, or press Enter");
+    return picked_ ? tr("pick the direction of the traces") : tr("pick a point on a trace; Enter places the traces");
 }
 
 QString JointSetTool::detail() const {
@@ -58,7 +58,8 @@ std::vector<ToolField> JointSetTool::fields() {
         return rowField("joint_sets", key, &set_, label, redraw, choices);
     };
     std::vector<ToolField> fields{row("dip", tr("Dip")), row("spacing", tr("Spacing")),
-                                  row("spacing_deviation", tr("±")), row("dip_deviation", tr("Dip ±")),
+                                  row("spacing_deviation", tr("Spacing deviation")),
+                                  row("dip_deviation", tr("Dip deviation")),
                                   row("trace_length", tr("Length"))};
     fields.back().none = tr("through");
     if (set_.traceLength) fields.push_back(row("bridge", tr("Bridge")));

@@ -28,7 +28,7 @@ std::vector<ToolField> LoadTool::fields() {
     stage_ = std::clamp(stage_, 0, std::max(static_cast<int>(stages.size()) - 1, 0));
     std::vector<ToolField> fields{choiceField(
         "what", tr("Type"), {tr("force at a point"), tr("force on a block"), tr("pressure on a line")}, what_, tell)};
-    if (!stages.isEmpty()) fields.push_back(choiceField("stage", tr("In stage"), stages, stage_, tell));
+    if (!stages.isEmpty()) fields.push_back(choiceField("stage", tr("Stage"), stages, stage_, tell));
     const auto add = [&](const char* id, const QString& label, const char* unit, double& value) {
         fields.push_back(numberField(id, label, {}, unit, {}, value, [this] { Q_EMIT changed(); }));
     };

@@ -20,7 +20,7 @@ std::vector<ToolField> MotionTool::fields() {
     const QStringList stages = stageNames(scene());
     stage_ = std::clamp(stage_, 0, std::max(static_cast<int>(stages.size()) - 1, 0));
     std::vector<ToolField> fields;
-    if (!stages.isEmpty()) fields.push_back(choiceField("stage", tr("In stage"), stages, stage_, tell));
+    if (!stages.isEmpty()) fields.push_back(choiceField("stage", tr("Stage"), stages, stage_, tell));
     fields.push_back(choiceField("axis", tr("Along"), {"x", "y"}, axis_, tell));
     fields.push_back(numberField("displacement", tr("Displacement"), tr("Displacement at the end of the stage."), "m",
                                  {}, displacement_, tell));

@@ -83,7 +83,7 @@ std::vector<ToolField> PatternTool::fields() {
     fields.push_back(row("angle_from_wall", tr("Angle from wall")));
     fields.push_back(row("plate", tr("Plate")));
     if (fit() == PatternFit::FromStart) fields.push_back(given("offset", tr("Offset"), given_.offset));
-    fields.push_back(row("spacing_out_of_plane", tr("Out of plane")));
+    fields.push_back(row("spacing_out_of_plane", tr("Out-of-plane spacing")));
     fields.back().none = lengthText(scene().analysis.thickness).section(' ', 0, 0);
     fields.push_back(rowField("bolt_patterns", "way", &pattern_, tr("Direction"), [this] {
         wayChosen_ = true;

@@ -63,7 +63,7 @@ Support SupportTool::supportAt(const Point& place) const {
 void SupportTool::press(const Pointed& at) {
     cursor_ = at.place;
     const Support support = supportAt(at.place);
-    if (what_ == Side && !support.boundary) return bench().say(tr("There is no outline with sides yet."), true);
+    if (what_ == Side && !support.boundary) return bench().say(tr("Draw the outline of the rock first."), true);
     const Edit edit = withSupport(scene(), support);
     bench().add(edit, tr("Add %1").arg(QString::fromStdString(titleAt(edit.scene, edit.made))));
 }

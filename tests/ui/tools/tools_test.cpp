@@ -556,7 +556,7 @@ TEST(Tools, OptionsThatDoNotFitAreInAPopup) {
     place.key(Qt::Key_Return);
     ASSERT_EQ(place.scene().boltPatterns.size(), 1u);
     EXPECT_DOUBLE_EQ(place.scene().boltPatterns[0].spacingOutOfPlane.value_or(0.0), 1.25);
-    place.desk->bar().resize(1600, 36);
+    place.desk->bar().resize(1800, 36);
     EXPECT_TRUE(waitFor([&] { return !more->isVisible(); }));
 }
 
