@@ -40,16 +40,16 @@ void enableTimeCommands(Commands& commands, const TimeCursor& cursor) {
 }  // namespace
 
 void addRunCommands(Commands& commands, Runs& runs) {
-    commands.add({"run.start", Runs::tr("Run"), "Run", "play", Runs::tr("Run all stages of the scene"),
+    commands.add({"run.start", Runs::tr("Run"), "Run", "play", Runs::tr("Runs all stages of the scene."),
                   {QKeySequence(Qt::Key_F5)}},
                  [&runs] { runs.start(); });
-    commands.add({"run.pause", Runs::tr("Pause run"), "Run", "pause", Runs::tr("Pause or continue the run"),
+    commands.add({"run.pause", Runs::tr("Pause run"), "Run", "pause", Runs::tr("Pauses or continues the run."),
                   {QKeySequence(Qt::Key_F6)}},
                  [&runs] { runs.pauseOrGoOn(); });
     commands.add({"run.step", Runs::tr("Single step"), "Run", "step",
-                  Runs::tr("Run one step, then pause"), {QKeySequence(Qt::Key_F7)}},
+                  Runs::tr("Runs one step, then pauses."), {QKeySequence(Qt::Key_F7)}},
                  [&runs] { runs.step(); });
-    commands.add({"run.stop", Runs::tr("Stop run"), "Run", "stop", Runs::tr("Stop the run; results so far are kept"),
+    commands.add({"run.stop", Runs::tr("Stop run"), "Run", "stop", Runs::tr("Stops the run; results so far are kept."),
                   {QKeySequence("Shift+F5")}},
                  [&runs] { runs.stop(); });
     for (const auto signal : {&Runs::sessionChanged, &Runs::sceneChanged})
@@ -62,28 +62,29 @@ void addTimeCommands(Commands& commands, TimeCursor& cursor) {
                          const QKeySequence& key, std::function<void()> run) {
         commands.add({id, text, "Results", icon, help, {key}, false, "time"}, std::move(run));
     };
-    add("time.play", TimeCursor::tr("Play or pause"), "play", TimeCursor::tr("Play or pause the frames in sequence"),
-        QKeySequence(Qt::Key_Space), [&cursor] { cursor.playOrPause(); });
-    add("time.next", TimeCursor::tr("Next frame"), "step", TimeCursor::tr("Show the next frame"),
+    add("time.play", TimeCursor::tr("Play or pause"), "play",
+        TimeCursor::tr("Plays the frames in sequence, or pauses."), QKeySequence(Qt::Key_Space),
+        [&cursor] { cursor.playOrPause(); });
+    add("time.next", TimeCursor::tr("Next frame"), "step", TimeCursor::tr("Shows the next frame."),
         QKeySequence(Qt::Key_Period), [&cursor] { cursor.step(1); });
-    add("time.previous", TimeCursor::tr("Previous frame"), "", TimeCursor::tr("Show the previous frame"),
+    add("time.previous", TimeCursor::tr("Previous frame"), "", TimeCursor::tr("Shows the previous frame."),
         QKeySequence(Qt::Key_Comma), [&cursor] { cursor.step(-1); });
-    add("time.home", TimeCursor::tr("First frame"), "home", TimeCursor::tr("Show the first frame of the run"),
+    add("time.home", TimeCursor::tr("First frame"), "home", TimeCursor::tr("Shows the first frame of the run."),
         QKeySequence(Qt::Key_Home), [&cursor] { cursor.home(); });
     add("time.end", TimeCursor::tr("Last frame"), "end",
-        TimeCursor::tr("Show the last frame, or follow a run in progress"), QKeySequence(Qt::Key_End),
+        TimeCursor::tr("Shows the last frame, or follows a run in progress."), QKeySequence(Qt::Key_End),
         [&cursor] { cursor.end(); });
     add("time.nextEvent", TimeCursor::tr("Next event"), "",
-        TimeCursor::tr("Show the next failure; joint slips and re-sticks are skipped unless nothing else is left"),
+        TimeCursor::tr("Shows the next failure; skips joint slips and re-sticks unless there are no other events."),
         QKeySequence(Qt::Key_N), [&cursor] { cursor.nextEvent(); });
     add("time.previousEvent", TimeCursor::tr("Previous event"), "",
-        TimeCursor::tr("Show the previous failure; joint slips and re-sticks are skipped unless nothing else is left"),
+        TimeCursor::tr("Shows the previous failure; skips joint slips and re-sticks unless there are no other events."),
         QKeySequence("Shift+N"), [&cursor] { cursor.previousEvent(); });
     add("time.bookmark", TimeCursor::tr("Bookmark frame"), "bookmark",
-        TimeCursor::tr("Add or remove a bookmark at this frame on the timeline"), QKeySequence("Ctrl+B"),
+        TimeCursor::tr("Adds or removes a bookmark at this frame on the timeline."), QKeySequence("Ctrl+B"),
         [&cursor] { cursor.toggleBookmark(); });
     add("time.compare", TimeCursor::tr("Compare from here"), "", 
-        TimeCursor::tr("Set cursor B at this frame to show differences from it; the same command removes it"),
+        TimeCursor::tr("Sets cursor B at this frame to show differences from it; repeat to remove the cursor."),
         QKeySequence("Shift+B"), [&cursor] { cursor.toggleCursorB(); });
     const auto enable = [&] { enableTimeCommands(commands, cursor); };
     for (const auto signal : {&TimeCursor::runChanged, &TimeCursor::moved, &TimeCursor::runGrew, &TimeCursor::changed})

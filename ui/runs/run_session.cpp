@@ -203,7 +203,7 @@ void RunSession::tellEnding() {
         case Outcome::Stopped: message_ = tr("Stopped in %1. %2").arg(name, kept); break;
         case Outcome::Limit: message_ = tr("A limit was reached in %1: %2. %3").arg(name, why, kept); break;
         case Outcome::Collapse: message_ = tr("Collapse in %1: %2.").arg(name, why); break;
-        case Outcome::Displaced: message_ = tr("Displaced in %1: %2.").arg(name, why); break;
+        case Outcome::Displaced: message_ = tr("Excessive movement in %1: %2.").arg(name, why); break;
         case Outcome::Undecided: message_ = tr("Undecided in %1: %2. %3").arg(name, why, kept); break;
         default: message_ = finishedMessage(); break;
     }

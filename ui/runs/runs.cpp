@@ -66,7 +66,7 @@ QString RunEntry::outcomeText() const {
         case Outcome::Stopped: return Runs::tr("stopped in %1").arg(stage);
         case Outcome::Limit: return Runs::tr("limit reached in %1").arg(stage);
         case Outcome::Collapse: return Runs::tr("collapse in %1").arg(stage);
-        case Outcome::Displaced: return Runs::tr("displaced in %1").arg(stage);
+        case Outcome::Displaced: return Runs::tr("excessive movement in %1").arg(stage);
         case Outcome::Undecided: return Runs::tr("undecided in %1").arg(stage);
         default: return summary->resumable ? Runs::tr("interrupted after %1").arg(stage) : Runs::tr("finished");
     }
@@ -186,7 +186,7 @@ void Runs::start() {
     }
     if (!QDir().mkpath(folder())) {
         Q_EMIT reported(
-            tr("The folder %1 for the run cannot be created. Check the permission to write there.").arg(folder()), true);
+            tr("The run folder %1 cannot be created. Check that you have write permission there.").arg(folder()), true);
         return;
     }
     begin(newStore(), false);

@@ -51,7 +51,7 @@ struct CompareArea::Second {
 CompareArea::CompareArea(const CompareNeeds& needs, QObject* parent) : QObject(parent), needs_(needs) {
     QAction* action = needs.commands.add(
         {"run.compare", tr("Compare runs"), "Results", "compare",
-         tr("Show a second run next to this one, with the same view and time; the same command closes the comparison"),
+         tr("Shows a second run next to this one, with the same view and time; repeat to close the comparison."),
          {QKeySequence("Shift+C")}, true},
         [this] { beginOrEnd(); });
     const auto enable = [this, action] {

@@ -52,9 +52,10 @@ void addExportCommands(QMainWindow& window, Commands& commands, const Themes& th
         ExportWhat::Figure);
     add("export.table", QMainWindow::tr("Export table…"), QMainWindow::tr("Exports results of the run as CSV."), ExportWhat::Numbers);
     add("export.film", QMainWindow::tr("Export animation…"), QMainWindow::tr("Exports all frames as MP4, WebM or PNG images."), ExportWhat::Film);
-    add("export.all", QMainWindow::tr("Export all…"), QMainWindow::tr("Exports all figures and tables into a folder."), ExportWhat::Everything);
+    add("export.all", QMainWindow::tr("Export all…"), QMainWindow::tr("Exports all figures and tables to a folder."),
+        ExportWhat::Everything);
     const auto enable = [&commands, &cursor] {
-        const QString why = cursor.run() ? QString() : QMainWindow::tr("No results yet; run the scene first.");
+        const QString why = cursor.run() ? QString() : QMainWindow::tr("No results yet. Run the scene first.");
         for (const char* id : {"export.figure", "export.table", "export.film", "export.all"}) commands.setWhyNot(id, why);
     };
     QObject::connect(&cursor, &TimeCursor::runChanged, exporting, enable);

@@ -58,8 +58,8 @@ void addRevert(Commands& commands, Document& document, QWidget& window) {
          {}, false, "save"},
         [&] {
             const auto answer = ask(window, QWidget::tr("Revert to saved"),
-                                    QWidget::tr("Discard all edits of %1 since the last save?").arg(document.title()), {},
-                                    {{QMessageBox::Cancel, {}}, {QMessageBox::Discard, {}}});
+                                    QWidget::tr("Discard all edits to %1 since the last save?").arg(document.title()),
+                                    {}, {{QMessageBox::Cancel, {}}, {QMessageBox::Discard, {}}});
             if (answer == QMessageBox::Discard) openDocument(document, document.path(), window, UnsavedEdits::Settled);
         });
     const auto enable = [revert, &document] {
@@ -98,10 +98,10 @@ void addFileCommands(Commands& commands, Document& document, QWidget& window,
                      rememberFolderOf(path);
                      open(path);
                  });
-    commands.add({"file.save", QWidget::tr("Save"), "File", "save", QWidget::tr("Writes the scene to its file."),
+    commands.add({"file.save", QWidget::tr("Save"), "File", "save", QWidget::tr("Saves the scene to its file."),
                   {QKeySequence::Save}, false, "save"},
                  [&] { save(document, window); });
-    commands.add({"file.saveAs", QWidget::tr("Save as…"), "File", {}, QWidget::tr("Writes the scene to another file."),
+    commands.add({"file.saveAs", QWidget::tr("Save as…"), "File", {}, QWidget::tr("Saves the scene to another file."),
                   {QKeySequence("Ctrl+Shift+S")}, false, "save"},
                  [&] { saveAs(document, window); });
     addRevert(commands, document, window);

@@ -64,16 +64,16 @@ QWidget* addHelp(QMainWindow& window, Commands& commands, const Themes& themes) 
                      const QString topic = topicAtHand();
                      showHelp(*dock, *view, topic.isEmpty() ? "studio" : topic);
                  });
-    commands.add({"help.scene", QMainWindow::tr("Scene fields"), "Help", {}, QMainWindow::tr("Lists every field with unit, default and range."), {},
-                  false, "pages"},
+    commands.add({"help.scene", QMainWindow::tr("Scene fields"), "Help", {},
+                  QMainWindow::tr("Lists every field with its unit, default and range."), {}, false, "pages"},
                  [dock, view] { showHelp(*dock, *view, "scene"); });
     commands.add({"help.theory", QMainWindow::tr("Theory"), "Help", {}, QMainWindow::tr("Explains the equations and how they are solved."), {}, false, "pages"},
                  [dock, view] { showHelp(*dock, *view, "theory"); });
     commands.add({"help.verification", QMainWindow::tr("Verification"), "Help", "verify",
-                  QMainWindow::tr("Lists what the program is checked against, and how to repeat the checks."), {}, false, "pages"},
+                  QMainWindow::tr("Lists the verification cases and how to repeat them."), {}, false, "pages"},
                  [dock, view] { showHelp(*dock, *view, "verification"); });
     commands.add({"help.keys", QMainWindow::tr("Keyboard shortcuts"), "Help", "keyboard",
-                  QMainWindow::tr("Lists all commands and their keys; keys can be changed."),
+                  QMainWindow::tr("Lists all commands and their shortcuts, which can be changed."),
                   {QKeySequence("?")}, false, "find"},
                  [&window, &commands, &themes, sheet = static_cast<KeySheet*>(nullptr)]() mutable {
                      if (!sheet) sheet = makeKeySheet(window, commands, themes);

@@ -21,7 +21,8 @@ namespace {
 void addImport(QMainWindow& window, Commands& commands, Document& document, const Themes& themes,
                const CommandText& text, const QString& filter) {
     commands.add(text, [&window, &document, &themes, filter] {
-        const QString path = QFileDialog::getOpenFileName(&window, QMainWindow::tr("Import a drawing"), fileFolder(document), filter);
+        const QString path = QFileDialog::getOpenFileName(&window, QMainWindow::tr("Import file"), fileFolder(document),
+                                                          filter);
         if (path.isEmpty()) return;
         rememberFolderOf(path);
         openImport(window, document, themes, path);

@@ -221,7 +221,7 @@ void Layouts::addDockCommands(Commands& commands) {
     for (QDockWidget* each : window_.findChildren<QDockWidget*>()) {
         if (!each->features().testFlag(QDockWidget::DockWidgetClosable)) continue;
         QAction* action = commands.add({"dock." + each->objectName(), each->windowTitle(), "View", {},
-                                        tr("Shows or hides this dock."), {}, true, "docks"},
+                                        tr("Shows or hides this panel."), {}, true, "docks"},
                                        [each] {
                                            const bool shows = !each->isHidden();
                                            each->setVisible(!shows);
@@ -237,7 +237,7 @@ QToolButton* Layouts::makeButton(QWidget* parent) {
     button_ = new QToolButton(parent);
     button_->setObjectName("layoutButton");
     button_->setAccessibleName(tr("Layout"));
-    button_->setToolTip(tr("Saved dock layouts"));
+    button_->setToolTip(tr("Saved panel layouts"));
     button_->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(button_);
     connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillMenu(*menu); });
@@ -255,7 +255,7 @@ void Layouts::fillMenu(QMenu& menu) {
     }
     if (!menu.isEmpty()) menu.addSeparator();
     auto* field = new QLineEdit(&menu);
-    field->setPlaceholderText(tr("Save layout as… (Enter)"));
+    field->setPlaceholderText(tr("Save layout as…"));
     field->setAccessibleName(tr("Name of this layout"));
     field->setMaxLength(60);
     connect(field, &QLineEdit::returnPressed, this, [this, field, &menu] {

@@ -102,7 +102,8 @@ Panels placePanels(QMainWindow& window, const PanelNeeds& needs) {
     panels.tree = new SceneTree(needs.document, needs.selection, needs.visibility, needs.display, needs.commands,
                                 needs.themes, &window);
     needs.commands.add({"scene.inSituStress", QMainWindow::tr("In-situ stress"), "Insert", "stress-cross",
-                        QMainWindow::tr("Stress in the rock before excavation, constant or increasing with depth."),
+                        QMainWindow::tr("Adds the stress in the rock before excavation, constant or increasing with "
+                                        "depth."),
                         {}, false, "stress"},
                        [tree = panels.tree] { tree->addInSituStress(); });
     panels.properties = new PropertyPanel(context, needs.selection, &window);

@@ -57,7 +57,7 @@ ProbeBinding::ProbeBinding(const ProbeNeeds& needs, std::function<void(const QSt
         this);
     QAction* action = needs.commands.add(
         {"view.probe", tr("Probe"), "Results", "probe",
-         tr("Query values at the cursor; click to pin a point and plot its values over time under Curves"),
+         tr("Shows values at the cursor; click to pin a point and plot its values over time under Curves."),
          {QKeySequence(Qt::Key_V)}, true},
         [this, &needs = needs_] { probe_->setOn(needs.commands.action("view.probe")->isChecked()); });
     connect(probe_, &Probe::switched, action, &QAction::setChecked);

@@ -142,7 +142,7 @@ void RunArea::placeDocks(QBoxLayout& besideCanvas) {
     QDockWidget* asked = makeDock(window, themes, "quantitiesDock", tr("Quantities"), quantities);
     QDockWidget* safety = makeDock(window, themes, "safetyDock", tr("Safety"), new SafetyPanel(*safety_, &window));
     parts_.commands.add({"run.safety", tr("Find factor of safety"), "Run", {},
-                         tr("Runs the scene with reduced strengths until it fails."), {}, false, "safety"},
+                         tr("Runs the scene repeatedly with reduced strengths until it fails."), {}, false, "safety"},
                         [this, safety] {
                             safety->show();
                             safety->raise();
