@@ -170,7 +170,7 @@ void ExportWindow::showState() {
 void ExportWindow::preview() {
     const ExportForm::Kind what = form_->kind();
     frames_ = now_.run ? now_.run->frames().size() : 0;
-    if (!now_.run) return showPreview({}, tr("No results yet: run the scene first."));
+    if (!now_.run) return showPreview({}, tr("No results yet. Run the scene first."));
     if (what == ExportForm::Kind::Numbers)
         return showPreview({}, tr("CSV with one row per time and object, in SI units."));
     if (what == ExportForm::Kind::Everything)

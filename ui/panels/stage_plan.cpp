@@ -91,17 +91,18 @@ QString counted(std::size_t count, const char* one, const char* many) {
 }
 
 QString changeText(const StrengthChange& change, const Display& display) {
-    QString text = PlanTexts::tr("sets %1").arg(QString::fromStdString(change.jointMaterial));
+    const QString text = PlanTexts::tr("changes strength of %1").arg(QString::fromStdString(change.jointMaterial));
+    QStringList values;
     if (change.frictionAngle)
-        text += QString::fromUtf8(" φ %1°").arg(numberText(*change.frictionAngle, {}, display, 4));
+        values << QString::fromUtf8("φ %1°").arg(numberText(*change.frictionAngle, {}, display, 4));
     if (change.cohesion)
-        text += QString(" c %1 %2").arg(numberText(*change.cohesion, "Pa", display, 4), display.shown("Pa").symbol);
-    return text;
+        values << QString("c %1 %2").arg(numberText(*change.cohesion, "Pa", display, 4), display.shown("Pa").symbol);
+    return values.isEmpty() ? text : text + ": " + values.join(", ");
 }
 
 QString bodyAccelerationText(const Acceleration& acceleration, const Display& display) {
-    if (!acceleration.value) return PlanTexts::tr("shakes all bodies");
-    return PlanTexts::tr("body acceleration %1 %2")
+    if (!acceleration.value) return PlanTexts::tr("applies a body acceleration");
+    return PlanTexts::tr("applies a body acceleration of %1 %2")
         .arg(numberText(acceleration.factor * *acceleration.value, "m/s²", display, 4), display.shown("m/s²").symbol);
 }
 
@@ -172,7 +173,7 @@ QString stageEnd(const Stage& stage, const Display& display) {
     if (stage.increments)
         return *stage.increments == 1 ? PlanTexts::tr("1 increment") : PlanTexts::tr("%1 increments").arg(*stage.increments);
     if (stage.until.unbalanced)
-        return PlanTexts::tr("unbalanced < %1").arg(numberText(*stage.until.unbalanced, {}, display, 2));
+        return PlanTexts::tr("unbalanced force < %1").arg(numberText(*stage.until.unbalanced, {}, display, 2));
     return PlanTexts::tr("at equilibrium");
 }
 

@@ -31,7 +31,7 @@ StressStrip::StressStrip(const FormContext& context, QWidget* parent)
     heading->setProperty("role", "title");
     way_->addItems({tr("Depth and K0"), tr("σ1, σ3 and angle")});
     way_->setObjectName("stress.way");
-    way_->setAccessibleName(tr("Input method of the in-situ stress"));
+    way_->setAccessibleName(tr("Input method for the in-situ stress"));
     form_->setContentsMargins(0, 0, 0, 0);
     form_->setVerticalSpacing(4);
     addField(Way::Depth, "stress.surface", "m");
@@ -101,7 +101,7 @@ void StressStrip::fill() {
 
 void StressStrip::nameFields() {
     const QString sign = context_.display.compressionPositive() ? tr("compression +") : tr("tension +");
-    const QStringList names{tr("Ground surface y"), tr("Unit weight"),        tr("K0 = σh / σv"),
+    const QStringList names{tr("Ground surface elevation"), tr("Unit weight"), tr("K0 = σh / σv"),
                             tr("σ1, %1").arg(sign), tr("σ3, %1").arg(sign), tr("Angle of σ1 from x")};
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         const QString unit = context_.display.shown(fields_[i].unit).symbol;

@@ -60,7 +60,8 @@ Typed<std::vector<double>> readNumbers(QString text, int count, std::string_view
     const QStringList parts = text.split(text.contains(';') ? ';' : ',');
     const QString example = count == 2 ? "2.5, 0.25" : "1, 2, 3";
     if (parts.size() != count)
-        return {{}, ValueTexts::tr("Enter %1 numbers, as in %2; with decimal commas, separate them by semicolons")
+        return {{}, ValueTexts::tr("Enter %1 numbers, e.g. %2; with decimal commas, separate the numbers with "
+                                   "semicolons")
                         .arg(count).arg(example)};
     std::vector<double> numbers;
     for (const QString& part : parts) {
@@ -92,7 +93,7 @@ Typed<FieldValue> readAxis(const QString& text, const Display& display) {
     if (text.compare("x", Qt::CaseInsensitive) == 0) return {FieldValue(Point(1.0, 0.0)), {}};
     if (text.compare("y", Qt::CaseInsensitive) == 0) return {FieldValue(Point(0.0, 1.0)), {}};
     auto typed = readPoint(text, {}, display);
-    if (!typed.value) typed.problem = ValueTexts::tr("Enter x, y, or a direction as two numbers: 1, 0.5");
+    if (!typed.value) typed.problem = ValueTexts::tr("Enter x, y, or a direction as two numbers, e.g. 1, 0.5");
     return typed;
 }
 

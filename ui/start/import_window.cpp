@@ -46,8 +46,8 @@ QTreeWidget* table(const QStringList& headers, const QString& name, const char* 
 /// Remedies that name options of the command line become instructions for this window.
 QString remedyHere(const Problem& problem) {
     const QString remedy = textOf(problem.remedy);
-    if (remedy.contains("--units")) return ImportWindow::tr("Choose the unit above the layers.");
-    if (remedy.contains("--role")) return ImportWindow::tr("Choose the roles of the layers.");
+    if (remedy.contains("--units")) return ImportWindow::tr("Choose the unit in the box above the list of layers.");
+    if (remedy.contains("--role")) return ImportWindow::tr("Choose the roles in the list of layers.");
     return remedy;
 }
 
@@ -156,7 +156,7 @@ void ImportWindow::readSagitta() {
     sagitta_->setProperty("invalid", !isGood);
     sagitta_->style()->polish(sagitta_);
     sagitta_->setToolTip(isGood ? tr("Largest distance between an arc and its straight segments, in metres.")
-                         : number.value ? tr("Give a length above 0.")
+                         : number.value ? tr("Enter a length greater than 0.")
                                         : textOf(number.problem));
     if (!isGood || settings_.sagitta == number.value) return;
     settings_.sagitta = number.value;
@@ -177,7 +177,8 @@ void ImportWindow::showAttempt(std::shared_ptr<const ImportAttempt> attempt) {
     showLayers();
     showAccount();
     showWords();
-    picture_->show(attempt_->picture, attempt_->unreadable.empty() ? tr("This file does not give a scene yet") : textOf(attempt_->unreadable));
+    picture_->show(attempt_->picture, attempt_->unreadable.empty() ? tr("No scene can be created from this file yet")
+                                                                   : textOf(attempt_->unreadable));
     import_->setEnabled(import.scene.has_value());
 }
 
@@ -188,7 +189,7 @@ void ImportWindow::showLayers() {
         item->setToolTip(0, item->text(0));
         item->setToolTip(2, item->text(2));
         auto* role = new QComboBox(layers_);
-        if (!layer.known) role->addItem(tr("choose …"), -1);
+        if (!layer.known) role->addItem(tr("choose…"), -1);
         for (const LayerRole each : roles) role->addItem(textOf(wordOf(each)), int(each));
         role->setCurrentIndex(layer.known ? role->findData(int(layer.role)) : 0);
         role->setAccessibleName(tr("Role of layer %1").arg(textOf(layer.name)));
@@ -236,9 +237,10 @@ void ImportWindow::showWords() {
     }
     for (const std::string& assumed : import.assumed) lines << tr("Assumed: %1").arg(textOf(assumed));
     words_->setToolTip(lines.join('\n'));
-    if (lines.size() > int(most)) lines = lines.mid(0, int(most)) << tr("and more: see the tooltip");
+    if (lines.size() > int(most)) lines = lines.mid(0, int(most)) << tr("The tooltip shows the remaining messages.");
     if (import.scene && import.cut) 
-        lines.prepend(import.cut->blocks == 1 ? tr("Gives 1 block.") : tr("Gives %1 blocks.").arg(import.cut->blocks));
+        lines.prepend(import.cut->blocks == 1 ? tr("The scene has 1 block.")
+                                              : tr("The scene has %1 blocks.").arg(import.cut->blocks));
     words_->setText(lines.join('\n'));
 }
 

@@ -29,7 +29,7 @@ QString titleOf(const PartReading& reading) {
     if (!reading.isOpen) return ReadingReport::tr("%1 was not opened: %2.").arg(file, errors);
     const QString out = reading.leftOut == 1 ? ReadingReport::tr("1 object skipped")
                                              : ReadingReport::tr("%1 objects skipped").arg(reading.leftOut);
-    return ReadingReport::tr("%1 was opened partially as a new scene: %2, %3. The file itself is unchanged.")
+    return ReadingReport::tr("%1 was only partially opened, as a new scene: %2, %3. The file itself is unchanged.")
         .arg(file, errors, out);
 }
 
@@ -42,7 +42,7 @@ ReadingReport::ReadingReport(const Themes& themes, QWidget* parent)
     title_->setObjectName("reportTitle");
     title_->setWordWrap(true);
     problems_->setObjectName("reading.problems");
-    problems_->setAccessibleName(tr("Problems of the file"));
+    problems_->setAccessibleName(tr("Problems in the file"));
     problems_->setHeaderLabels({tr("Line"), tr("Problem"), tr("Remedy")});
     problems_->setRootIsDecorated(false);
     text_->setObjectName("reading.text");

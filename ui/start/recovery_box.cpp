@@ -38,7 +38,7 @@ RecoveryBox::RecoveryBox(const Abandoned& abandoned, const Themes& themes, QWidg
     title->setTextFormat(Qt::PlainText);
     const QString edits = abandoned.changes == 1 ? tr("1 edit")
                                                  : tr("%1 edits").arg(abandoned.changes);
-    QString text = tr("%1, the last %2. Edits made up to 2 s before the crash can be recovered.")
+    QString text = tr("%1; last edited %2. Edits made up to 2 s before the crash can be recovered.")
                        .arg(edits, whenText(abandoned.last));
     if (!abandoned.damage.isEmpty()) text += " " + tr("Journal: %1.").arg(abandoned.damage);
     auto* detail = new QLabel(text, this);
