@@ -288,8 +288,8 @@ struct StageResult {
     std::string message;  // reason for instability, failure or no verdict: blocks or nodes concerned, and what to do
     std::vector<int> blocks;  // blocks that move or are not in equilibrium
     std::vector<UnstableBlock> unstable;  // blocks that make the stage unstable
-    UnstableBlock farthest;  // of the blocks that count for stability, the one that moved most relative to its size
-    std::vector<int> loose;  // blocks removed in this stage because they are too small to count for stability
+    UnstableBlock farthest;  // of the blocks that the verdict considers, the one that moved most for its size
+    std::vector<int> loose;  // blocks removed in this stage because they are too small to affect the verdict
     Health health;
 
     bool operator==(const StageResult&) const = default;

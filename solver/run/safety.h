@@ -41,7 +41,8 @@ using SafetyTrial = std::function<void(const Scene& reduced, double factor, Sink
 /// once the bracket is no wider than `tolerance`, the smallest or largest factor has been tried, or three runs in a row
 /// gave no verdict.
 /// \param undecided number of runs without a verdict since the last verdict. After one such run, the next factor is at
-/// a quarter of the bracket; after two, at three quarters. Without a bracket, it is the first choice times 0.9 or 1.1.
+/// a quarter of the bracket; after two, at three quarters. Without a bracket, the factor that would be tried for
+/// `undecided` = 0 is multiplied by 0.9 after one such run and by 1.1 after two.
 std::optional<double> nextSafetyFactor(std::optional<double> lower, std::optional<double> upper, double tolerance,
                                        std::size_t undecided = 0);
 

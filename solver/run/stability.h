@@ -54,10 +54,11 @@ public:
     /// dynamic stage.
     std::vector<UnstableBlock> moving() const;
 
-    /// Of the blocks that count for stability, the one that moved most relative to its size; row −1 if there is none.
+    /// Of the blocks that the stability verdict considers, the one that moved most relative to its size; row −1 if there
+    /// is none.
     UnstableBlock farthest() const;
 
-    /// Blocks removed in this stage because they are too small to count for stability.
+    /// Blocks removed in this stage because they are too small to affect the verdict.
     std::vector<int> loose() const;
 
 private:

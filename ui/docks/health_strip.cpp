@@ -124,7 +124,7 @@ QString HealthStrip::adviceOn(const HealthRow& row) const {
                               : QString();
     switch (row.measure) {
         case HealthMeasure::Passes:
-            return tr("A step needs %1 iterations; the maximum is %2. Reduce the time step or use more increments.")
+            return tr("Steps need up to %1 iterations; the maximum is %2. Reduce the time step or use more increments.")
                 .arg(valueText(row), Display::number(row.limit, 3));
         case HealthMeasure::StepCuts:
             return tr("%1 of the last 100 steps were subdivided. Results are not affected, but the run is slower; a shorter time "

@@ -51,7 +51,7 @@ HelpView::HelpView(const Themes& themes, QWidget* parent)
     pages_->setAccessibleName(tr("Help page"));
     for (const HelpPage& page : helpPages()) pages_->addItem(page.title, page.name);
     words_->setObjectName("help.search");
-    words_->setAccessibleName(tr("Search in help"));
+    words_->setAccessibleName(tr("Search help"));
     words_->setPlaceholderText(words_->accessibleName());
     words_->setClearButtonEnabled(true);
     text_->setObjectName("help.text");

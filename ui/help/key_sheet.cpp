@@ -155,7 +155,7 @@ QAction* KeySheet::chosen() const {
 
 void KeySheet::showChosen() {
     const QAction* action = chosen();
-    name_->setText(action ? tr("Shortcut of “%1”").arg(commandName(action)) : tr("Select a command to change its shortcut"));
+    name_->setText(action ? tr("Shortcut for “%1”").arg(commandName(action)) : tr("Select a command to change its shortcut"));
     keys_->setKeySequence(action ? action->shortcut() : QKeySequence());
     for (QWidget* widget : {static_cast<QWidget*>(keys_), static_cast<QWidget*>(set_), static_cast<QWidget*>(original_)})
         widget->setEnabled(action);

@@ -246,7 +246,7 @@ void AnchorStrip::apply(std::size_t first, std::size_t last, bool real) {
     bolt.anchors =
         withNodes(bolt.anchors ? *bolt.anchors : type->anchors, line_->nodes(), first, last, real, otherwise);
     const QString name = QString::fromStdString(bolt.name);
-    const QString step = real ? tr("Bond nodes of %1") : tr("Unbond nodes of %1");
+    const QString step = real ? tr("Make nodes of %1 bonded") : tr("Make nodes of %1 unbonded");
     context_.document.apply(step.arg(name), std::move(after));
 }
 

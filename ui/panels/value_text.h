@@ -37,7 +37,7 @@ Typed<double> readNumber(const QString& text, std::string_view unit, const Displ
 QString valueText(const FieldValue& value, const Field& field, std::string_view unit, const Display& display,
                   bool exact = false);
 
-/// Reads a text written like that of `valueText`. An empty text is null if the field may be null.
+/// Parses text in the format of `valueText`. Empty text gives null if the field may be null.
 Typed<FieldValue> readValue(const QString& text, const Field& field, std::string_view unit, const Display& display);
 
 /// A one-line summary of any value: `5 points`, `yes`.

@@ -26,7 +26,7 @@ public:
     /// include them.
     void place(Chart& chart);
 
-    /// Warnings about columns that matched no chart; an error for a table of which no column matched.
+    /// Warnings about columns that matched no chart; an error for a table without a matching column.
     std::vector<Problem> problems() const;
 
 private:

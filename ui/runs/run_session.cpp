@@ -188,7 +188,7 @@ void RunSession::tellEnding() {
         return;
     }
     if (ending_.nothingToDo) {
-        message_ = tr("This run is already finished.");
+        message_ = tr("This run has already finished.");
         return;
     }
     if (ending_.stages.empty()) return;

@@ -51,8 +51,7 @@ public:
     void step();
     void stop();
 
-    /// Sets how many times per second states between stored frames are passed to the window; 0: never. The default is
-    /// 30.
+    /// Sets the rate at which states between stored frames are passed to the window [1/s]; 0: never. The default is 30.
     void setLooksPerSecond(int looks);
     /// Processor time used by the run's own thread [s]; 0 before the run starts and after it has ended.
     double threadSeconds() const;

@@ -33,7 +33,7 @@ QString SupportTool::detail() const {
 std::vector<ToolField> SupportTool::fields() {
     const auto tell = [this] { Q_EMIT changed(); };
     std::vector<ToolField> fields{
-        choiceField("what", tr("Supports"), {tr("a side"), tr("a point"), tr("a block")}, what_, tell)};
+        choiceField("what", tr("Support"), {tr("side"), tr("point"), tr("block")}, what_, tell)};
     if (what_ != Whole) fields.push_back(choiceField("fix", tr("Fixed"), {"x, y", "x", "y"}, fix_, tell));
     return fields;
 }

@@ -39,7 +39,7 @@ void addImportCommands(QMainWindow& window, Commands& commands, Document& docume
     addImport(window, commands, document, themes,
               {"file.importCsv", QMainWindow::tr("Import CSV…"), "File", "import", QMainWindow::tr("Creates a scene from a list of joints or bolts."),
                {}},
-              QMainWindow::tr("Lists (*.csv *.CSV)"));
+              QMainWindow::tr("Joint or bolt lists (*.csv *.CSV)"));
 }
 
 bool isDrawing(const QString& path) {

@@ -23,7 +23,8 @@ class StaticAccount {
 public:
     StaticAccount(const Model& model, const State& start, const Loads& loads, const LoadPoint& before);
 
-    /// Accounts in the ledger of `end` for the path from the start to `end` under loads `at`, before `end` is accepted.
+    /// Adds the energies of the path from the start to `end`, under the loads `at`, to the ledger of `end`. Called before
+    /// `end` is accepted.
     /// \param moved the sum of the displacements along the path.
     /// \param problem the step built at `end`, with which it will be accepted; receives the mean slip forces.
     void add(State& end, const LoadPoint& at, const Eigen::VectorXd& moved, StepProblem& problem) const;

@@ -37,7 +37,7 @@ private:
 /// Description of a column for messages, as in `column 3 ('load_kN')`. \param index counted from 0.
 std::string csvColumnText(std::size_t index, const std::string& title);
 
-/// Error for a row with more or fewer cells than the header has; its message is empty if the numbers agree.
+/// Error for a row with more or fewer cells than the header has; its message is empty if the numbers are equal.
 Problem csvRowProblem(const CsvRow& row, std::size_t columns, char separator);
 
 }  // namespace keyblock

@@ -9,8 +9,8 @@
 
 namespace keyblock {
 
-/// Reads a list of joints or bolts. Its columns decide which of the two it is; `DrawnLine::kind` is then `joint` or
-/// `bolt`. The lines are in metres. Errors give line and column; if there is any, the drawing must not be used.
+/// Reads a list of joints or of bolts; the columns determine which, and `DrawnLine::kind` is set accordingly. The lines
+/// are in metres. Errors give line and column; if there are any, the drawing must not be used.
 /// \param layer layer of all lines. \param unit length unit of columns without a unit; null: such columns are errors.
 Drawing readCsvList(std::string_view text, const std::string& layer, const UnitSymbol* unit);
 
