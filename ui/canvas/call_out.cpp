@@ -16,11 +16,11 @@ namespace keyblock {
 
 namespace {
 
-constexpr double edgeWidth = 3.0, padding = 8.0, mostWidth = 240.0;  // [px]
+constexpr double edgeWidth = 3.0, callOutPadding = 8.0, mostCallOutWidth = 240.0;  // [px]
 constexpr int headSize = 12, detailSize = 11;  // of the fonts [px]
 
 QString fitting(const QString& text, const QFont& font) {
-    return QFontMetricsF(font).elidedText(text, Qt::ElideMiddle, mostWidth);
+    return QFontMetricsF(font).elidedText(text, Qt::ElideMiddle, mostCallOutWidth);
 }
 
 QPointF nearest(const QRectF& rect, const Point& at) {
@@ -53,7 +53,7 @@ QSizeF sizeOf(const CallOut& callOut) {
     const QFont head = screenFont(headSize, true), detail = screenFont(detailSize);
     const double width = std::max(QFontMetricsF(head).horizontalAdvance(fitting(callOut.head, head)),
                                   QFontMetricsF(detail).horizontalAdvance(fitting(callOut.detail, detail)));
-    return {std::ceil(width + edgeWidth + 2.0 * padding), callOut.detail.isEmpty() ? 22.0 : 36.0};
+    return {std::ceil(width + edgeWidth + 2.0 * callOutPadding), callOut.detail.isEmpty() ? 22.0 : 36.0};
 }
 
 void paintCallOut(QPainter& painter, const Theme& theme, const CallOut& callOut, const QRectF& rect) {
@@ -68,7 +68,7 @@ void paintCallOut(QPainter& painter, const Theme& theme, const CallOut& callOut,
     painter.setBrush(theme.panel);
     painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 2.0, 2.0);
     painter.fillRect(QRectF(box.left(), box.top(), edgeWidth, box.height()), callOut.edge);
-    const QRectF inner = box.adjusted(edgeWidth + padding, 3.0, -2.0, -3.0);
+    const QRectF inner = box.adjusted(edgeWidth + callOutPadding, 3.0, -2.0, -3.0);
     const QFont head = screenFont(headSize, true), detail = screenFont(detailSize);
     painter.setFont(head);
     painter.setPen(theme.text);

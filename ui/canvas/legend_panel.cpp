@@ -23,7 +23,7 @@ struct LegendTexts {
     Q_DECLARE_TR_FUNCTIONS(Legend)
 };
 
-constexpr double inset = 10.0, padding = 13.0, width = legendExtent - inset;  // [px]
+constexpr double legendInset = 10.0, legendPadding = 13.0, width = legendExtent - legendInset;  // [px]
 constexpr double leastCanvas = 480.0;  // below it the legend would hide the section [px]
 constexpr double leastNarrow = 260.0;  // down to here the colour bars fit below the section [px]
 constexpr double leastBeside = 400.0;  // from here they fit next to the scale bar, below it they are above it [px]
@@ -65,7 +65,7 @@ std::vector<Item> quantitiesOf(const Theme& theme, const LegendContent& content,
 }
 
 std::vector<Item> itemsOf(const Theme& theme, const LegendContent& content) {
-    const double inner = width - 2.0 * padding;
+    const double inner = width - 2.0 * legendPadding;
     std::vector<Item> items = quantitiesOf(theme, content, inner);
     if (items.empty()) return items;
     if (const double height = legendKeyHeight(content.kinds, content.highlighted); height > 0.0)
@@ -96,7 +96,7 @@ std::vector<Item> itemsWithin(const Theme& theme, const LegendContent& content, 
     if (canvas.width() < leastNarrow) return {};
     std::vector<Item> items = itemsOf(theme, content);
     if (isNarrow(canvas)) std::erase_if(items, [](const Item& item) { return !item.part; });
-    const double most = isNarrow(canvas) ? shareOfNarrow * canvas.height() : canvas.height() - 2.0 * inset;
+    const double most = isNarrow(canvas) ? shareOfNarrow * canvas.height() : canvas.height() - 2.0 * legendInset;
     while (!items.empty() && heightOf(items) > most) items.pop_back();
     return items;
 }
@@ -104,9 +104,9 @@ std::vector<Item> itemsWithin(const Theme& theme, const LegendContent& content, 
 QRectF rectOf(const std::vector<Item>& items, const QSizeF& canvas) {
     if (items.empty()) return {};
     const double height = heightOf(items);
-    const double bottom = inset + (canvas.width() < leastBeside ? scaleBarRoom : 0.0);
-    const double top = isNarrow(canvas) ? std::round(canvas.height() - bottom - height) : inset;
-    return {canvas.width() - inset - width, top, width, height};
+    const double bottom = legendInset + (canvas.width() < leastBeside ? scaleBarRoom : 0.0);
+    const double top = isNarrow(canvas) ? std::round(canvas.height() - bottom - height) : legendInset;
+    return {canvas.width() - legendInset - width, top, width, height};
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ void paintLegend(QPainter& painter, const Theme& theme, const LegendContent& con
     if (items.empty()) return;
     const QRectF panel = rectOf(items, canvas);
     paintPanel(painter, theme, panel);
-    QPointF at(panel.left() + padding, panel.top() + above);
+    QPointF at(panel.left() + legendPadding, panel.top() + above);
     for (std::size_t i = 0; i < items.size(); ++i) {
         items[i].paint(painter, at);
         at.ry() += items[i].height + between;

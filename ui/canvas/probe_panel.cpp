@@ -17,7 +17,8 @@ namespace keyblock {
 
 namespace {
 
-constexpr double padding = 9.0, headRow = 18.0, row = 16.0, gap = 14.0, off = 16.0, mostWidth = 280.0;  // [px]
+constexpr double probePadding = 9.0, headRow = 18.0, row = 16.0, gap = 14.0, off = 16.0,
+                 mostProbeWidth = 280.0;  // [px]
 
 }  // namespace
 
@@ -31,13 +32,13 @@ void paintProbePanel(QPainter& painter, const Theme& theme, const ProbeReading& 
         right = std::max(right, metrics.horizontalAdvance(qt(value)));
     }
     const double needed = std::max(left + gap + right, QFontMetricsF(bold).horizontalAdvance(qt(reading.head)));
-    const double width = std::ceil(std::min(mostWidth, needed) + 2.0 * padding);
+    const double width = std::ceil(std::min(mostProbeWidth, needed) + 2.0 * probePadding);
     const double height = headRow + row * static_cast<double>(reading.rows.size()) + 12.0;
     const double x = mouse.x() + off + width > size.width() ? mouse.x() - off - width : mouse.x() + off;
     const double y = mouse.y() + off + height > size.height() ? mouse.y() - off - height : mouse.y() + off;
     const QRectF panel(std::round(std::max(0.0, x)), std::round(std::max(0.0, y)), width, height);
     paintPanel(painter, theme, panel);
-    QRectF line(panel.left() + padding, panel.top() + 6.0, width - 2.0 * padding, headRow);
+    QRectF line(panel.left() + probePadding, panel.top() + 6.0, width - 2.0 * probePadding, headRow);
     painter.setFont(bold);
     painter.setPen(theme.text);
     painter.drawText(line, Qt::AlignVCenter,

@@ -16,17 +16,17 @@ namespace keyblock {
 
 namespace {
 
-constexpr double leastLength = 58.0, height = 36.0, inset = 12.0, padding = 9.0, thickness = 5.0;  // [px]
+constexpr double leastLength = 58.0, height = 36.0, scaleInset = 12.0, scalePadding = 9.0, thickness = 5.0;  // [px]
 
 QString label(double shown) { return QString::fromStdString(numberText(shown)); }
 
 /// A round length of suitable size.
-struct Measure {
+struct BarMeasure {
     double pixels = 0.0;
     QString middle, last;
     double half = 0.0;  // of the last number without its unit [px]
 
-    explicit Measure(const CanvasMap& map) {
+    explicit BarMeasure(const CanvasMap& map) {
         const double metres = roundHalvable(leastLength / map.pixelsPerMetre());
         const bool inMetres = metres >= 0.5;
         const double shown = inMetres ? metres : 1e3 * metres;
@@ -49,17 +49,17 @@ void paintBar(QPainter& painter, const Theme& theme, const QPointF& at, double l
 }  // namespace
 
 QRectF scaleBarRect(const CanvasMap& map) {
-    const Measure measure(map);
+    const BarMeasure measure(map);
     const double last = QFontMetricsF(screenFont(12)).horizontalAdvance(measure.last) - measure.half;
-    return {inset, std::round(map.size().height() - inset - height),
-            std::ceil(2.0 * padding + measure.pixels + last + 4.0), height};
+    return {scaleInset, std::round(map.size().height() - scaleInset - height),
+            std::ceil(2.0 * scalePadding + measure.pixels + last + 4.0), height};
 }
 
 void paintScaleBar(QPainter& painter, const Theme& theme, const CanvasMap& map) {
-    const Measure measure(map);
+    const BarMeasure measure(map);
     const QRectF panel = scaleBarRect(map);
     paintPanel(painter, theme, panel);
-    const QPointF at(panel.left() + padding + 2.5, panel.bottom() - 13.5);
+    const QPointF at(panel.left() + scalePadding + 2.5, panel.bottom() - 13.5);
     paintBar(painter, theme, at, measure.pixels);
     painter.setFont(screenFont(12));
     painter.setPen(theme.text);

@@ -21,7 +21,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr double top = 8.0, rowHeight = 25.0, inset = 12.0;  // [px]
+constexpr double top = 8.0, healthRowHeight = 25.0, inset = 12.0;  // [px]
 constexpr double valueWidth = 70.0, limitWidth = 86.0, courseWidth = 76.0;  // columns [px]
 constexpr double mostName = 190.0;  // [px]
 
@@ -158,7 +158,7 @@ void HealthStrip::paintEvent(QPaintEvent*) {
     double y = top;
     for (const HealthRow& row : rows_) {
         paintRow(painter, row, y);
-        y += rowHeight;
+        y += healthRowHeight;
     }
     if (worstRow()) paintAdvice(painter, y + 6.0);
 }
@@ -172,16 +172,19 @@ void HealthStrip::paintRow(QPainter& painter, const HealthRow& row, double y) co
     const double nameAt = inset + 24.0, nameEnd = std::min(nameAt + mostName, valueAt - 4.0);
     painter.setPen(theme.text);
     painter.setFont(screenFont(12));
-    painter.drawText(QRectF(nameAt, y, nameEnd - nameAt, rowHeight), Qt::AlignVCenter | Qt::AlignLeft,
+    painter.drawText(QRectF(nameAt, y, nameEnd - nameAt, healthRowHeight), Qt::AlignVCenter | Qt::AlignLeft,
                      painter.fontMetrics().elidedText(nameOf(row.measure), Qt::ElideRight, int(nameEnd - nameAt)));
     const double courseAt = valueAt - courseWidth;
-    if (courseAt > nameAt + 130.0) paintCourse(painter, row, QRectF(courseAt, y + 4.0, courseWidth, rowHeight - 8.0));
+    if (courseAt > nameAt + 130.0)
+        paintCourse(painter, row, QRectF(courseAt, y + 4.0, courseWidth, healthRowHeight - 8.0));
     painter.setPen(theme.text);
     painter.setFont(screenFont(12, true));
-    painter.drawText(QRectF(valueAt, y, valueWidth - 8.0, rowHeight), Qt::AlignVCenter | Qt::AlignRight, valueText(row));
+    painter.drawText(QRectF(valueAt, y, valueWidth - 8.0, healthRowHeight), Qt::AlignVCenter | Qt::AlignRight,
+                     valueText(row));
     painter.setPen(theme.text2);
     painter.setFont(screenFont(11));
-    painter.drawText(QRectF(limitAt, y, limitWidth, rowHeight), Qt::AlignVCenter | Qt::AlignRight, limitText(row));
+    painter.drawText(QRectF(limitAt, y, limitWidth, healthRowHeight), Qt::AlignVCenter | Qt::AlignRight,
+                     limitText(row));
 }
 
 /// The last values as a line below the dotted limit, with a dot at the newest.
@@ -255,7 +258,7 @@ void HealthStrip::mouseMoveEvent(QMouseEvent* event) {
 bool HealthStrip::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip || !known_) return QWidget::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);
-    const auto index = static_cast<int>(std::floor((help->pos().y() - top) / rowHeight));
+    const auto index = static_cast<int>(std::floor((help->pos().y() - top) / healthRowHeight));
     if (index >= 0 && index < static_cast<int>(rows_.size()))
         QToolTip::showText(help->globalPos(), nameOf(rows_[static_cast<std::size_t>(index)].measure) + QStringLiteral(": ") +
                                                   valueText(rows_[static_cast<std::size_t>(index)]) + QStringLiteral(", ") +

@@ -14,8 +14,8 @@ namespace {
 
 using namespace paper_theme;
 
-constexpr double numbersRoom = 4.0, bandHeight = 1.6, radius = 1.35;  // [mm]
-constexpr double namesBelow = numbersRoom + bandHeight + 2.7;  // [mm]
+constexpr double numbersRoom = 4.0, filmBandHeight = 1.6, radius = 1.35;  // [mm]
+constexpr double namesBelow = numbersRoom + filmBandHeight + 2.7;  // [mm]
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void FilmLine::drawMarks(Ink& ink, const Point& at, double width, std::size_t no
     for (const Mark& mark : marks_) {
         if (mark.picture > now) continue;
         const double x = placeOf(mark.picture, width);
-        ink.line(at + Point(x, numbersRoom - 1.1), at + Point(x, numbersRoom + bandHeight), {0.25, black});
+        ink.line(at + Point(x, numbersRoom - 1.1), at + Point(x, numbersRoom + filmBandHeight), {0.25, black});
         const double centre = std::clamp(x, radius, width - radius);
         if (centre - radius < free) continue;
         drawNumber(ink, at + Point(centre, radius + 0.1), mark.number, radius, {1.8, true});
@@ -56,7 +56,7 @@ void FilmLine::drawMarks(Ink& ink, const Point& at, double width, std::size_t no
 }
 
 void FilmLine::draw(Ink& ink, const Point& at, double width, std::size_t picture) const {
-    const Point top = at + Point(0.0, numbersRoom), bottom = top + Point(0.0, bandHeight);
+    const Point top = at + Point(0.0, numbersRoom), bottom = top + Point(0.0, filmBandHeight);
     const double done = placeOf(picture + 1, width);
     ink.box({top, bottom + Point(width, 0.0)}, grid, {});
     ink.box({top, bottom + Point(done, 0.0)}, softText, {});

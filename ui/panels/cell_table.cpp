@@ -15,7 +15,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int cellLine = 22, headingHeight = 22, mostRowsInSight = 7;
+constexpr int cellLine = 22, cellHeadingHeight = 22, mostRowsInSight = 7;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ CellTable::CellTable(const QStringList& headings, bool numbers, QWidget* parent)
     setObjectName("cellTable");
     setHeadings(headings);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    horizontalHeader()->setFixedHeight(headingHeight);
+    horizontalHeader()->setFixedHeight(cellHeadingHeight);
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setDefaultAlignment((numbers ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     verticalHeader()->setDefaultSectionSize(cellLine);
@@ -87,7 +87,7 @@ void CellTable::keepEmptyRow() {
 
 void CellTable::fitHeight() {
     const int shown = std::clamp(rowCount(), 1, mostRowsInSight);
-    setFixedHeight(headingHeight + shown * cellLine + 2);
+    setFixedHeight(cellHeadingHeight + shown * cellLine + 2);
     setVerticalScrollBarPolicy(rowCount() > mostRowsInSight ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
 }
 

@@ -23,7 +23,7 @@ namespace keyblock {
 
 namespace {
 
-constexpr int gap = 28, rim = 44, foot = 28, leastForTitle = 560;  // [px]
+constexpr int galleryGap = 28, galleryRim = 44, foot = 28, leastForTitle = 560;  // [px]
 constexpr QSize pictureSize(500, SampleCard::picture);  // wider than a card, which shows its middle
 
 struct Kind {
@@ -72,7 +72,7 @@ Gallery::Gallery(const Themes& themes, Thumbnails& thumbnails, QWidget* parent)
 QWidget* Gallery::makeHeader() {
     auto* header = new QWidget(this);
     auto* row = new QHBoxLayout(header);
-    row->setContentsMargins(rim, 0, rim, 0);
+    row->setContentsMargins(galleryRim, 0, galleryRim, 0);
     row->setSpacing(4);
     auto* title = new QLabel(tr("Samples"), header);
     title->setObjectName("sectionTitle");
@@ -117,19 +117,19 @@ bool Gallery::isShown(const Sample& sample) const {
 }
 
 void Gallery::place() {
-    const int room = scroll_->viewport()->width() - 2 * rim;
-    columns_ = std::max(1, (room + gap) / (SampleCard::leastWidth + gap));
-    const int width = std::max(SampleCard::leastWidth, (room - (columns_ - 1) * gap) / columns_);
+    const int room = scroll_->viewport()->width() - 2 * galleryRim;
+    columns_ = std::max(1, (room + galleryGap) / (SampleCard::leastWidth + galleryGap));
+    const int width = std::max(SampleCard::leastWidth, (room - (columns_ - 1) * galleryGap) / columns_);
     int shown = 0;
     for (std::size_t i = 0; i < cards_.size(); ++i) {
         cards_[i]->setVisible(isShown(samples_[i]));
         if (!isShown(samples_[i])) continue;
-        cards_[i]->setGeometry(rim + shown % columns_ * (width + gap), shown / columns_ * (SampleCard::height + gap) + 1,
-                               width, SampleCard::height);
+        cards_[i]->setGeometry(galleryRim + shown % columns_ * (width + galleryGap),
+                               shown / columns_ * (SampleCard::height + galleryGap) + 1, width, SampleCard::height);
         ++shown;
     }
     const int rows = (shown + columns_ - 1) / columns_;
-    sheet_->resize(scroll_->viewport()->width(), rows * (SampleCard::height + gap) - gap + foot);
+    sheet_->resize(scroll_->viewport()->width(), rows * (SampleCard::height + galleryGap) - galleryGap + foot);
     askForPictures();
 }
 
@@ -149,7 +149,7 @@ void Gallery::resizeEvent(QResizeEvent* event) {
 
 bool Gallery::eventFilter(QObject* watched, QEvent* event) {
     auto* card = qobject_cast<SampleCard*>(watched);
-    if (card && event->type() == QEvent::FocusIn) scroll_->ensureWidgetVisible(card, 0, gap);
+    if (card && event->type() == QEvent::FocusIn) scroll_->ensureWidgetVisible(card, 0, galleryGap);
     if (!card || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Return || key == Qt::Key_Enter) {

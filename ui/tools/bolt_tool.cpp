@@ -10,7 +10,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double wallReach = 24.0;  // [px]
+constexpr double wallSnapReach = 24.0;  // [px]
 
 }  // namespace
 
@@ -52,7 +52,7 @@ void BoltTool::begin() {
 
 void BoltTool::move(const Pointed& at) {
     cursor_ = at.place;
-    wall_ = head_ || at.typed ? std::nullopt : wallAt(scene(), at.place, bench().metres(wallReach));
+    wall_ = head_ || at.typed ? std::nullopt : wallAt(scene(), at.place, bench().metres(wallSnapReach));
 }
 
 void BoltTool::press(const Pointed& at) {
@@ -61,7 +61,7 @@ void BoltTool::press(const Pointed& at) {
         if ((at.place - *head_).norm() > 1e-9) place(*head_, at.place);
         return;
     }
-    const auto wall = wallAt(scene(), at.place, at.typed ? 1e-3 : bench().metres(wallReach));
+    const auto wall = wallAt(scene(), at.place, at.typed ? 1e-3 : bench().metres(wallSnapReach));
     if (wall && !at.modifiers.testFlag(Qt::ControlModifier)) {
         place(wall->place, wall->place + length_ * wall->inward);
         return;
@@ -91,7 +91,7 @@ bool BoltTool::back() {
 }
 
 bool BoltTool::accepts(const Snap& snap) const {
-    if (head_ || !wallAt(scene(), snap.place, bench().metres(wallReach))) return true;
+    if (head_ || !wallAt(scene(), snap.place, bench().metres(wallSnapReach))) return true;
     return wallAt(scene(), snap.place, bench().metres(2.0)).has_value();  // a point off the wall is ignored
 }
 

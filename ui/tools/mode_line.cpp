@@ -14,7 +14,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int lineHeight = 20, boxSize = 9, gap = 6;
+constexpr int lineHeight = 20, boxSize = 9, modeGap = 6;
 
 /// A small box, the name of the mode, and its key in a frame.
 class ModeSwitch : public QAbstractButton {
@@ -41,7 +41,7 @@ public:
     }
 
     QSize sizeHint() const override {
-        return {boxSize + 3 * gap + fontMetrics().horizontalAdvance(action_->text()) + keyWidth() + 6, lineHeight};
+        return {boxSize + 3 * modeGap + fontMetrics().horizontalAdvance(action_->text()) + keyWidth() + 6, lineHeight};
     }
 
 protected:
@@ -54,9 +54,9 @@ protected:
         painter.setBrush(isChecked() ? QBrush(t.accent) : QBrush(Qt::NoBrush));
         painter.drawRoundedRect(QRectF(3.5, middle - 0.5 * boxSize, boxSize, boxSize), 2.0, 2.0);
         painter.setPen(isChecked() ? t.text : t.text2);
-        const int at = 3 + boxSize + gap;
+        const int at = 3 + boxSize + modeGap;
         painter.drawText(QRect(at, 0, width(), QWidget::height()), Qt::AlignVCenter | Qt::AlignLeft, action_->text());
-        const int keyAt = at + fontMetrics().horizontalAdvance(action_->text()) + gap;
+        const int keyAt = at + fontMetrics().horizontalAdvance(action_->text()) + modeGap;
         const QRectF frame(keyAt + 0.5, middle - 7.5, keyWidth(), 15.0);
         painter.setPen(QPen(t.border, 1.0));
         painter.setBrush(Qt::NoBrush);
